@@ -7,6 +7,7 @@
 
 #include "tui/document/field.h"
 #include "tui/screens/plots.h"
+#include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -75,6 +76,37 @@ START_TEST(finding_a_field)
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "analysis.tolerance");
     fixture_keys(&f, "/2.stiffness<Enter>");
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.2.stiffness.1");
+}
+END_TEST
+
+/* One list for all there is: also by letters in their order; what cannot be done now says why. */
+START_TEST(everything_is_found)
+{
+    fixture_keys(&f, "<C-p>bench<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_BENCH);
+    fixture_keys(&f, "<C-p>figure hysteresis<Enter>"); /* no storey yields: there is no such figure */
+    fixture_expect(&f, "nothing fits");
+    fixture_keys(&f, "<C-u>figure floor acc<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_PLOTS);
+    ck_assert_int_eq(thud_plots(f.tui)->plot, THUD_PLOT_ACCELERATION);
+    fixture_keys(&f, "<C-p>intfcs1gap<Enter>"); /* letters of interfaces.1.gap */
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.gap");
+    fixture_keys(&f, "<C-p>key undo the");
+    fixture_expect(&f, "(Nothing to undo)");
+    fixture_keys(&f, "<Esc><C-p>study signs<Enter>both<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_SWEEP);
+    ck_assert_str_eq(thud_sweep_state(f.tui)->words.signs, "both");
+    fixture_keys(&f, "<C-p>undo the last<Enter>");
+    ck_assert_str_eq(thud_sweep_state(f.tui)->words.signs, "");
+    fixture_keys(&f, "<C-p>command :case<Enter>none<Enter>"); /* what has to follow is typed */
+    ck_assert(!f.tui->doc.scene.interface[0].has_bumper);
+    fixture_keys(&f, "u<C-p>take pulse<Enter>");
+    fixture_expect(&f, "as recorded");
+    fixture_keys(&f, "u<C-p>help law hertz-damp<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_HELP);
+    fixture_expect(&f, "Law hertz-damp");
+    fixture_keys(&f, "q<C-p>preset bodies<Enter>");
+    ck_assert_str_eq(f.tui->doc.scene.name, "bodies");
 }
 END_TEST
 
@@ -591,6 +623,7 @@ Suite *thud_suite(void)
     tcase_add_test(screens, every_screen_in_ascii);
     tcase_add_test(screens, small_terminals);
     tcase_add_test(screens, finding_a_field);
+    tcase_add_test(screens, everything_is_found);
     tcase_add_test(screens, a_digit_goes_to_its_screen);
     tcase_add_test(screens, records_are_listed_filtered_and_chosen);
     tcase_add_test(screens, the_list_of_records_follows);

@@ -107,6 +107,17 @@ void thud_tui_over(struct thud_tui *tui, const struct thud_over *over)
     thud_tui_hush(tui);
 }
 
+void thud_tui_offer(struct thud_tui *tui, int screen, const char *command, const char *fmt, ...)
+{
+    struct thud_choice line;
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(line.text, sizeof line.text, fmt, args);
+    va_end(args);
+    if (snprintf(line.value, sizeof line.value, "%d %s", screen, command) < (int)sizeof line.value)
+        thud_chooser_add(&tui->dialog.chooser, line.value, "%s", line.text);
+}
+
 void thud_tui_go(struct thud_tui *tui, int screen)
 {
     if (screen != tui->screen && tui->screen != THUD_SCREEN_HELP)

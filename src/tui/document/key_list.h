@@ -77,7 +77,9 @@ THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "+save as", "save the preset under anoth
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")
 THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "+remarks",
          "the remarks counted above, energy, tolerance and sign: a list that leads to their fields")
-THUD_KEY(GENERAL, FIND, '/', 0, "/", "find", "find a field by a part of its name, on any screen")
+THUD_KEY(GENERAL, FIND, '/', THUD_CTRL('p'), "/", "find",
+         "find anything by letters of its name (Ctrl-P too): fields, figures, screens, keys, commands, presets, ground "
+         "motions, lines of the study and of the help")
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "+command", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")
 THUD_KEY(GENERAL, QUIT, 'q', 0, "q", "quit", "back one level; at the top, quit (asks when something is unsaved)")

@@ -57,8 +57,10 @@ struct thud_view {
     enum thud_reaction (*act)(struct thud_tui *tui, enum thud_action action);
     /* Why an action of its own cannot be done now; NULL: it can. */
     const char *(*cannot)(struct thud_tui *tui, enum thud_action action);
-    /* A command of the `:` line that is its own (command_list.h). */
+    /* A command of the `:` line that is its own (command_list.h), or one that it offers. */
     void (*command)(struct thud_tui *tui, const char *word, const char *rest);
+    /* Adds what can be found on it to the list of everything: thud_tui_offer. */
+    void (*offer)(struct thud_tui *tui);
     /* Enter on a line that can be chosen. */
     void (*row)(struct thud_tui *tui, const struct thud_field *field);
     /* What the lower lines say of that line; NULL: nothing. */
@@ -240,6 +242,8 @@ void thud_tui_chosen(struct thud_tui *tui); /* the marked line is taken */
 void thud_tui_ask(struct thud_tui *tui, const struct thud_question *question, const char *target, const char *fmt, ...)
     THUD_PRINTF(4, 5);
 void thud_tui_over(struct thud_tui *tui, const struct thud_over *over);
+/* A line of the list of everything, which gives a command to a screen. */
+void thud_tui_offer(struct thud_tui *tui, int screen, const char *command, const char *fmt, ...) THUD_PRINTF(4, 5);
 
 /* ask.c: where the cursor is. */
 void thud_tui_go(struct thud_tui *tui, int screen);

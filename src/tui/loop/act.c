@@ -155,16 +155,8 @@ static bool files(struct thud_tui *tui, enum thud_action action)
     }
 }
 
-static void typed_command(struct thud_tui *tui, const char *text)
-{
-    thud_tui_remember(tui, text);
-    thud_tui_command(tui, text);
-}
-
 static void rest(struct thud_tui *tui, enum thud_action action)
 {
-    static const struct thud_prompt command_line = {
-        .words = ":", .commands = true, .files = true, .done = typed_command};
     switch (action) {
     case THUD_DO_RUN:
         thud_tui_run(tui);
@@ -182,10 +174,10 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         thud_tui_list_remarks(tui);
         break;
     case THUD_DO_FIND:
-        thud_tui_list_fields(tui);
+        thud_tui_palette(tui);
         break;
     case THUD_DO_COMMAND:
-        thud_tui_prompt(tui, &command_line, "");
+        thud_tui_command_line(tui, "");
         break;
     case THUD_DO_HELP:
         thud_tui_go(tui, THUD_SCREEN_HELP);

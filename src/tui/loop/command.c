@@ -327,3 +327,15 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
     else
         list_words(tui, first);
 }
+
+static void typed_command(struct thud_tui *tui, const char *text)
+{
+    thud_tui_remember(tui, text);
+    thud_tui_command(tui, text);
+}
+
+void thud_tui_command_line(struct thud_tui *tui, const char *text)
+{
+    static const struct thud_prompt line = {.words = ":", .commands = true, .files = true, .done = typed_command};
+    thud_tui_prompt(tui, &line, text);
+}

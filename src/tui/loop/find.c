@@ -69,12 +69,6 @@ static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_
     }
 }
 
-void thud_tui_list_fields(struct thud_tui *tui)
-{
-    thud_tui_choose(tui, thud_tui_go_to_field, "");
-    thud_tui_fill_fields(tui);
-}
-
 void thud_tui_fill_fields(struct thud_tui *tui)
 {
     const struct thud_scene *scene = &tui->doc.scene;

@@ -54,8 +54,10 @@ void thud_tui_offer_recovery(struct thud_tui *tui);
 void thud_tui_list_presets(struct thud_tui *tui);
 
 /* find.c */
-void thud_tui_list_fields(struct thud_tui *tui);
-void thud_tui_fill_fields(struct thud_tui *tui); /* the lines of that list, without showing it */
+void thud_tui_fill_fields(struct thud_tui *tui); /* into the list */
+
+/* palette.c */
+void thud_tui_palette(struct thud_tui *tui);
 
 /* remarks.c: on the scene as written; a list with what the result rests on, each line of which leads to its field. */
 int thud_tui_count_remarks(const struct thud_tui *tui);
@@ -64,6 +66,7 @@ const char *thud_tui_cannot_list_remarks(const struct thud_tui *tui); /* NULL: i
 
 /* command.c */
 void thud_tui_command(struct thud_tui *tui, const char *text);
+void thud_tui_command_line(struct thud_tui *tui, const char *text); /* to be typed on */
 
 /* output.c */
 bool thud_tui_show_figure(struct thud_tui *tui, const char *name); /* on the screen; false: it has none */

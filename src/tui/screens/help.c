@@ -64,16 +64,22 @@ static void draw_line(const struct thud_pane *pane, int y, const struct thud_hel
         thud_pane_glyph(pane, 0, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
 }
 
+static void make(struct thud_tui *tui, int columns)
+{
+    struct thud_help_state *help = state(tui);
+    if (help->text.n > 0 && help->of == tui->before && help->columns == columns)
+        return;
+    thud_help_text_make(&help->text, tui, tui->before, columns - 1);
+    help->of = tui->before;
+    help->columns = columns;
+    help->at = *help->word ? thud_help_text_find(&help->text, help->word, 0, 1) : -1;
+}
+
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     struct thud_help_state *help = state(tui);
     (void)index;
-    if (help->text.n == 0 || help->of != tui->before || help->columns != pane->w) {
-        thud_help_text_make(&help->text, tui, tui->before, pane->w - 1);
-        help->of = tui->before;
-        help->columns = pane->w;
-        help->at = *help->word ? thud_help_text_find(&help->text, help->word, 0, 1) : -1;
-    }
+    make(tui, pane->w);
     for (int i = 0; i < help->text.n; i++)
         draw_line(pane, i, &help->text.line[i], help->word, i == help->at);
     return help->text.n;
@@ -98,6 +104,28 @@ static void typed(struct thud_tui *tui, const char *text)
         go_to(tui, line);
     else if (*text)
         thud_tui_say(tui, THUD_ROLE_WARN, "\"%s\" is nowhere in the help", help->word);
+}
+
+/* Its heads and names; the rest is found by its search. */
+static void offer(struct thud_tui *tui)
+{
+    struct thud_help_text text = {0};
+    thud_help_text_make(&text, tui, tui->screen, THUD_HELP_COLUMNS);
+    for (int i = 0; i < text.n; i++) {
+        char command[128];
+        const char *words = text.line[i].text + strspn(text.line[i].text, " ");
+        snprintf(command, sizeof command, "search %.60s", words);
+        if (text.line[i].kind != THUD_HELP_PLAIN)
+            thud_tui_offer(tui, THUD_SCREEN_HELP, command, "help %s", words);
+    }
+    thud_help_text_clear(&text);
+}
+
+static void command(struct thud_tui *tui, const char *word, const char *rest)
+{
+    (void)word;
+    make(tui, tui->canvas.width - 2);
+    typed(tui, rest);
 }
 
 static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
@@ -133,5 +161,5 @@ static void release(struct thud_tui *tui)
     thud_help_text_clear(&state(tui)->text);
 }
 
-THUD_VIEW(help, "Help", HELP, .size = sizeof(struct thud_help_state), .begin = begin, .free = release, .act = act,
-          .cannot = cannot);
+THUD_VIEW(help, "Help", HELP, .size = sizeof(struct thud_help_state), .begin = begin, .free = release, .offer = offer,
+          .command = command, .act = act, .cannot = cannot);

@@ -299,6 +299,22 @@ static const struct thud_figure *figure(struct thud_tui *tui)
     return thud_plots(tui)->figure;
 }
 
+static void offer(struct thud_tui *tui)
+{
+    for (int i = 0; i < thud_plot_count(&tui->doc.scene); i++) {
+        char command[32];
+        snprintf(command, sizeof command, "figure %d", i);
+        thud_tui_offer(tui, THUD_SCREEN_PLOTS, command, "figure %s", thud_plot_title((enum thud_plot)i));
+    }
+}
+
+static void command(struct thud_tui *tui, const char *word, const char *rest)
+{
+    (void)word;
+    thud_plots(tui)->plot = (enum thud_plot)atoi(rest);
+    thud_plots(tui)->fresh = false;
+}
+
 static void begin(struct thud_tui *tui)
 {
     *thud_plots(tui) = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER, ""}, .speed = 0.25};
@@ -310,6 +326,6 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(plots, "Plots", PLOTS, .moved = true, .size = sizeof(struct thud_plots_state), .begin = begin,
-          .free = release, .place = place, .act = act, .cannot = cannot, .figure = figure, .next_figure = next_figure,
-          .read_at = thud_plots_set_time, .history = history, .words = words, .pause = thud_plots_pause,
-          .tick = thud_plots_tick);
+          .free = release, .offer = offer, .command = command, .place = place, .act = act, .cannot = cannot,
+          .figure = figure, .next_figure = next_figure, .read_at = thud_plots_set_time, .history = history,
+          .words = words, .pause = thud_plots_pause, .tick = thud_plots_tick);

@@ -12,8 +12,8 @@ enum { LIST, CURVE, DATA };
 
 struct thud_record_state {
     struct thud_browse files;
-    bool listed;
-    char folder[256]; /* with a slash; empty: the working folder, the preset's and the shipped motions */
+    bool listed, followed; /* the second: the cursor has gone to the one in use */
+    char folder[256];      /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
     char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
     enum thud_record_curve curve;
@@ -31,17 +31,24 @@ static struct thud_record_state *state(const struct thud_tui *tui)
     return tui->own[THUD_SCREEN_RECORD];
 }
 
+/* Once it is asked for. */
+static void list(struct thud_tui *tui)
+{
+    struct thud_record_state *r = state(tui);
+    if (!r->listed)
+        thud_browse_list(&r->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
+    r->listed = true;
+}
+
 /* The cursor is on the record in use, also when that becomes another one. */
 static void follow(struct thud_tui *tui, struct thud_record_state *r)
 {
     const char *now = tui->doc.scene.record.file, *focus = tui->form.focus[THUD_SCREEN_RECORD];
     char path[THUD_PATH_MAX];
-    bool first = !r->listed;
-    if (first)
-        thud_browse_list(&r->files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
-    r->listed = true;
-    if (strcmp(r->shown, now) == 0 && !first)
+    list(tui);
+    if (r->followed && strcmp(r->shown, now) == 0)
         return;
+    r->followed = true;
     snprintf(r->shown, sizeof r->shown, "%s", now);
     snprintf(path, sizeof path, "record %.100s", *now ? thud_path_name(now) : "none");
     if (!*focus || strncmp(focus, "record ", 7) == 0) /* else the cursor is on a field of another pane */
@@ -224,6 +231,31 @@ static const struct thud_panel *read_panel(struct thud_tui *tui)
     return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
 }
 
+static void offer(struct thud_tui *tui)
+{
+    struct thud_record_state *r = state(tui);
+    char command[sizeof r->files.item->name + 16];
+    list(tui);
+    for (int i = 0; i < THUD_RECORD_CURVES; i++) {
+        snprintf(command, sizeof command, "curve %d", i);
+        thud_tui_offer(tui, THUD_SCREEN_RECORD, command, "figure %s",
+                       thud_record_curve_title((enum thud_record_curve)i));
+    }
+    for (int i = 0; i < r->files.n; i++) {
+        snprintf(command, sizeof command, "record %s", r->files.item[i].name);
+        if (!r->files.item[i].folder)
+            thud_tui_offer(tui, THUD_SCREEN_RECORD, command, "take ground motion %s", r->files.item[i].name);
+    }
+}
+
+static void command(struct thud_tui *tui, const char *word, const char *rest)
+{
+    if (strcmp(word, "curve") == 0)
+        state(tui)->curve = (enum thud_record_curve)atoi(rest);
+    else
+        thud_tui_choose_record(tui, rest);
+}
+
 static void release(struct thud_tui *tui)
 {
     thud_figure_free(state(tui)->figure);
@@ -231,5 +263,5 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(record, "Record", RECORD, .keys = "record.", .moved = true, .size = sizeof(struct thud_record_state),
-          .free = release, .act = act, .cannot = cannot, .row = row, .figure = figure, .next_figure = next_figure,
-          .read = read_panel);
+          .free = release, .offer = offer, .command = command, .act = act, .cannot = cannot, .row = row,
+          .figure = figure, .next_figure = next_figure, .read = read_panel);

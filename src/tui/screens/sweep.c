@@ -387,7 +387,7 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .many = true, .size = sizeof(struct thud_sweep_state),
-          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .command = thud_sweep_command,
-          .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure, .next_figure = next_figure,
-          .read = read_panel, .take = take, .live = live, .busy = busy, .work = work, .progress = progress,
-          .pictures = pictures, .export_csv = export_csv);
+          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
+          .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
+          .next_figure = next_figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
+          .progress = progress, .pictures = pictures, .export_csv = export_csv);

@@ -113,8 +113,22 @@ static void typed(struct thud_tui *tui, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset has no room for so many values: w does not save this");
 }
 
+void thud_sweep_offer(struct thud_tui *tui)
+{
+    size_t size;
+    for (int i = 0; i < WORDS; i++) {
+        struct thud_field line = {.index = i};
+        char command[32];
+        snprintf(command, sizeof command, "line %d", i);
+        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s  %s", word_name(i),
+                       word_of(&thud_sweep_state(tui)->words, i, &size), thud_sweep_form_hint(&line));
+    }
+}
+
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest)
 {
+    if (strcmp(word, "line") == 0)
+        thud_sweep_form_row(tui, &(struct thud_field){.index = atoi(rest)});
     for (int i = 0; i < WORDS; i++)
         if (i > 0 && i < CASES ? strncmp(word, "vary", 4) == 0 && word[4] == '1' + i
                                : strcmp(word_name(i), word) == 0) {

@@ -33,7 +33,8 @@ bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
 /* What is typed on a line of it. */
 const char *thud_sweep_form_hint(const struct thud_field *field);
-/* "vary", "records", ...: a line of it. */
+void thud_sweep_offer(struct thud_tui *tui); /* its lines to the list of everything */
+/* "vary", "records", ...: a line of it; "line 2": types that one. */
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
 /* Enter on a line of it. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);

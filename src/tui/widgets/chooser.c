@@ -9,6 +9,7 @@
 void thud_chooser_begin(struct thud_chooser *chooser, const char *title)
 {
     chooser->n = chooser->at = chooser->top = 0;
+    chooser->fuzzy = false;
     snprintf(chooser->title, sizeof chooser->title, "%s", title);
     thud_line_set(&chooser->filter, "");
 }
@@ -44,22 +45,48 @@ static bool contains(const char *text, const char *part)
     return n == 0;
 }
 
-/* Every word typed has to be in the line. */
-static bool fits(const struct thud_chooser *chooser, int index)
+/* Whether the letters stand in one word of the text in their order. */
+static bool scattered(const char *text, const char *letters)
+{
+    const char *next = letters;
+    for (; *text && *next; text++)
+        next = *text == ' ' ? letters : next + (thud_ascii_lower(*text) == thud_ascii_lower(*next));
+    return !*next;
+}
+
+/* How well a line fits: 0 where every word typed is in it; 1 where only the letters of some are, in their order, and
+ * that is enough; -1: not at all. */
+static int fit(const struct thud_chooser *chooser, int index)
 {
     char words[THUD_LINE_MAX], *rest = words;
+    int worst = 0;
     snprintf(words, sizeof words, "%s", chooser->filter.text);
-    for (char *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
-        if (!contains(chooser->choice[index].text, word))
-            return false;
-    return true;
+    for (char *word; (word = strtok_r(rest, " ", &rest)) != NULL;) {
+        const char *text = chooser->choice[index].text;
+        if (contains(text, word))
+            continue;
+        if (!chooser->fuzzy || strlen(word) < 3 || !scattered(text, word))
+            return -1;
+        worst = 1;
+    }
+    return worst;
+}
+
+/* The n-th line that fits, the better ones first; -1: there are no more. */
+static int fitting(const struct thud_chooser *chooser, int n)
+{
+    for (int how = 0; how <= chooser->fuzzy; how++)
+        for (int i = 0; i < chooser->n; i++)
+            if (fit(chooser, i) == how && n-- == 0)
+                return i;
+    return -1;
 }
 
 static int count_fitting(const struct thud_chooser *chooser)
 {
     int n = 0;
     for (int i = 0; i < chooser->n; i++)
-        n += fits(chooser, i);
+        n += fit(chooser, i) >= 0;
     return n;
 }
 
@@ -72,11 +99,8 @@ void thud_chooser_mark(struct thud_chooser *chooser, const char *value)
 
 const struct thud_choice *thud_chooser_marked(const struct thud_chooser *chooser)
 {
-    int n = 0;
-    for (int i = 0; i < chooser->n; i++)
-        if (fits(chooser, i) && n++ == chooser->at)
-            return &chooser->choice[i];
-    return NULL;
+    int i = fitting(chooser, chooser->at);
+    return i < 0 ? NULL : &chooser->choice[i];
 }
 
 void thud_chooser_key(struct thud_chooser *chooser, int key)
@@ -123,13 +147,8 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
         chooser->top = chooser->at;
     if (rows > 0 && chooser->at >= chooser->top + rows)
         chooser->top = chooser->at - rows + 1;
-    for (int i = 0, n = 0; i < chooser->n; i++) {
-        if (!fits(chooser, i))
-            continue;
-        int row = n - chooser->top + 1;
-        bool marked = n++ == chooser->at;
-        if (row < 1)
-            continue;
+    for (int row = 1, i; row <= rows && (i = fitting(chooser, chooser->top + row - 1)) >= 0; row++) {
+        bool marked = chooser->top + row - 1 == chooser->at;
         struct thud_look look = thud_look(THUD_ROLE_PLAIN, marked ? THUD_REVERSE : 0);
         thud_pane_glyph(&in, 0, row, look, marked ? 0x25b8 : ' ');
         thud_pane_put(&in, 1, row, look, chooser->choice[i].text);

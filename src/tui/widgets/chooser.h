@@ -14,6 +14,7 @@ struct thud_chooser {
     struct thud_choice *choice; /* (n) */
     int n, capacity;
     struct thud_pane drawn; /* the lines, as last drawn */
+    bool fuzzy;             /* letters in their order are enough */
     int at, top;            /* the marked line among those shown, and the first shown */
     struct thud_line filter;
 };
