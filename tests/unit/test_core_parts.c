@@ -147,18 +147,37 @@ static void check_lcp(int n, const double *m, const double *q, const double *z, 
 START_TEST(complementarity_small)
 {
     double z[2], work[64];
-    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){-2}, z, work, NULL), THUD_OK);
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){-2}, z, work, NULL, NULL), THUD_OK);
     ck_assert_double_eq(z[0], 0.5);
-    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){2}, z, work, NULL), THUD_OK);
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){4}, (double[]){2}, z, work, NULL, NULL), THUD_OK);
     ck_assert_double_eq(z[0], 0);
     /* q1 pushes, and its push alone relieves the second */
-    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-4, -1}, z, work, NULL), THUD_OK);
+    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-4, -1}, z, work, NULL, NULL), THUD_OK);
     ck_assert_double_eq_tol(z[0], 2, 1e-15);
     ck_assert_double_eq(z[1], 0);
-    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-3, -3}, z, work, NULL), THUD_OK);
+    ck_assert_int_eq(thud_lcp_solve(2, (double[]){2, 1, 1, 2}, (double[]){-3, -3}, z, work, NULL, NULL), THUD_OK);
     ck_assert_double_eq_tol(z[0], 1, 1e-15);
     ck_assert_double_eq_tol(z[1], 1, 1e-15);
-    ck_assert_int_eq(thud_lcp_solve(1, (double[]){-1}, (double[]){-1}, z, work, NULL), THUD_DIVERGED);
+    ck_assert_int_eq(thud_lcp_solve(1, (double[]){-1}, (double[]){-1}, z, work, NULL, NULL), THUD_DIVERGED);
+}
+END_TEST
+
+/* Rows that depend on each other: the smallest solution where there are many, and a refusal where there is none. */
+START_TEST(complementarity_of_dependent_rows)
+{
+    static const double walls[] = {1, -1, -1, 1}, same[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    double z[3], work[64], b[] = {3, 3, 3}, two[] = {0.5, -0.5};
+    ck_assert_int_eq(thud_lcp_solve(2, walls, (double[]){1, -1}, z, work, NULL, NULL), THUD_OK);
+    ck_assert_double_eq_tol(z[0], 0, 1e-12);
+    ck_assert_double_eq_tol(z[1], 1, 1e-12);
+    ck_assert_int_eq(thud_lcp_solve(3, same, (double[]){-3, -3, -3}, z, work, NULL, NULL), THUD_OK);
+    ck_assert_int_eq(thud_lcp_solve(2, walls, (double[]){-1, -1}, two, work, NULL, NULL), THUD_DIVERGED);
+    ck_assert(thud_semidefinite_solve(3, same, b, work));
+    ck_assert_double_eq_tol(z[0] + z[1] + z[2], 3, 1e-8);
+    ck_assert(!thud_is_definite(3, same, work));
+    for (int i = 0; i < 3; i++) {
+        ck_assert_double_eq_tol(b[i], 1, 1e-8);
+    }
 }
 END_TEST
 
@@ -183,7 +202,7 @@ START_TEST(complementarity_random)
                     m[i * n + j] += a[i * n + k] * a[j * n + k];
             }
         }
-        ck_assert_int_eq(thud_lcp_solve(n, m, q, z, work, NULL), THUD_OK);
+        ck_assert_int_eq(thud_lcp_solve(n, m, q, z, work, NULL, NULL), THUD_OK);
         check_lcp(n, m, q, z, 1e-9);
     }
     free(work);
@@ -248,6 +267,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, quadrature_is_exact_to_degree_15);
     tcase_add_test(tc, radau_points);
     tcase_add_test(tc, complementarity_small);
+    tcase_add_test(tc, complementarity_of_dependent_rows);
     tcase_add_test(tc, complementarity_random);
     tcase_add_test(tc, pieces_of_a_block);
 #if defined __SANITIZE_ADDRESS__

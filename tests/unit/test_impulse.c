@@ -288,6 +288,160 @@ START_TEST(a_pull_of_rounding_lets_nothing_go)
 }
 END_TEST
 
+/* A body that flies away takes no part in the blow behind it: of three equal bodies that touch, with 1, 0 and 0.1 m/s and
+ * no loss, the second one takes the first one's speed, and then gives it to the third one. Asked to take part, it made
+ * energy. */
+START_TEST(what_flies_away_takes_no_part)
+{
+    double mass[] = {1000, 1000, 1000}, speed[] = {1, 0, 0.1};
+    static const double want[] = {0, 0.1, 1};
+    struct thud_model *model = row(3, mass, speed, false, 0, 1);
+    struct thud_run *run = finish(model, NULL, 1);
+    const struct thud_history *h = thud_run_history(run);
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    for (int i = 0; i < 3; i++)
+        ck_assert_double_eq_tol(last[thud_history_velocity(h, i)], want[i], 1e-12);
+    ck_assert_double_lt(thud_run_result(run)->energy.error_ratio, 1e-13);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* A body without room between two walls bounces to and fro in no time: walls take the impulses m v (1 + e) (1 + e^2 +
+ * ...) and e times as much, and all energy is lost. */
+START_TEST(no_room_between_two_walls)
+{
+    const double mass = 1e5, v = 0.5, e = 0.5;
+    struct thud_structure_input body[] = {{.n = 0}, {.n = 1, .mass_kg = &mass, .velocity_mps = v}, {.n = 0}};
+    struct thud_contact_input contact[] = {
+        {.interface = 1, .right_floor = 1, .right_structure = 1},
+        {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
+    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model *model = NULL;
+    for (int c = 0; c < 2; c++)
+        contact[c].law = newton(e, &contact[c].setup);
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    struct thud_run *run = finish(model, NULL, 1);
+    const struct thud_result *r = thud_run_result(run);
+    ck_assert_double_eq_tol(r->contact[1].impulse_ns, mass * v / (1 - e), 1e-5 * mass * v);
+    ck_assert_double_eq_tol(r->contact[0].impulse_ns, e * mass * v / (1 - e), 1e-5 * mass * v);
+    ck_assert_double_eq_tol(r->energy.contact_j, 0.5 * mass * v * v, 1e-9 * mass);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Two buildings of two storeys between walls that touch them on both sides, and each other, under a motion that pushes
+ * now one way and now the other: nothing moves, and the floors have the ground's acceleration. */
+START_TEST(squeezed_between_two_walls)
+{
+    static const char *const methods[] = {"exact", "dormand-prince", "rk4", "newmark"};
+    double mass[] = {1e5, 8e4}, stiffness[] = {5e7, 4e7}, a[40];
+    for (int i = 0; i < 40; i++)
+        a[i] = i / 8 % 2 ? -0.6 : 1;
+    struct thud_record record = {.dt_s = 0.1, .samples = 40, .a_mps2 = a};
+    struct thud_structure_input side = {.n = 0},
+                                building = {.n = 2, .mass_kg = mass, .stiffness_npm = stiffness, .damping = 0.05},
+                                body[] = {side, building, building, side};
+    struct thud_contact_input contact[6];
+    for (int i = 0; i < 6; i++) {
+        contact[i] = (struct thud_contact_input){.interface = i / 2 + 1,
+                                                 .left_structure = i / 2,
+                                                 .right_structure = i / 2 + 1,
+                                                 .left_floor = i / 2 > 0 ? i % 2 + 1 : 0,
+                                                 .right_floor = i / 2 < 2 ? i % 2 + 1 : 0};
+        contact[i].law = newton(0.5, &contact[i].setup);
+    }
+    struct thud_model_input input = {4, body, 6, contact, 0};
+    struct thud_model *model = NULL;
+    struct thud_run_options options;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_model_create(&input, &model, &err), THUD_OK);
+    thud_run_options_init(&options);
+    options.method = thud_method_find(methods[_i]);
+    options.tail_s = 0.5;
+    struct thud_run *run;
+    bool done = false;
+    ck_assert_int_eq(thud_run_create(model, &record, &options, &run, &err), THUD_OK);
+    ck_assert_msg(thud_run_advance(run, 1000000, &done, &err) == THUD_OK, "%s", err.what);
+    ck_assert(done);
+    for (int s = 1; s <= 2; s++)
+        for (int i = 0; i < 2; i++)
+            ck_assert_double_lt(thud_run_result(run)->structure[s].floor[i].displacement.value, 1e-10);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Two bodies that stand together, but for the rounding of a long way, and a third one that strikes them with a
+ * restitution near 0: they part as if they touched, and not as by two blows, which ended 1.2 % apart. */
+START_TEST(what_rounding_has_parted_touches)
+{
+    static const double gap[] = {0, 1e-14, 6e-13};
+    double mass[] = {2000, 1000, 1000}, want[3];
+    for (int k = 0; k < 3; k++) {
+        struct thud_structure_input body[] = {{.n = 1, .mass_kg = &mass[0], .velocity_mps = 2},
+                                              {.n = 1, .mass_kg = &mass[1]},
+                                              {.n = 1, .mass_kg = &mass[2]}};
+        struct thud_contact_input contact[] = {
+            {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1, .clearance_m = 0.3},
+            {.interface = 2, .left_floor = 1, .right_floor = 1, .left_structure = 1, .right_structure = 2}};
+        struct thud_model_input input = {3, body, 2, contact, 0};
+        struct thud_model *model = NULL;
+        contact[1].clearance_m = gap[k];
+        for (int c = 0; c < 2; c++)
+            contact[c].law = newton(0.05, &contact[c].setup);
+        ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+        struct thud_run *run = finish(model, NULL, 1);
+        const struct thud_history *h = thud_run_history(run);
+        const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+        for (int i = 0; i < 3; i++) {
+            want[i] = k == 0 ? last[thud_history_velocity(h, i)] : want[i];
+            ck_assert_double_eq_tol(last[thud_history_velocity(h, i)], want[i], 1e-9);
+        }
+        thud_run_free(run);
+        thud_model_free(model);
+    }
+}
+END_TEST
+
+/* A building held to a wall by a ground that goes on accelerating: its floors have the acceleration of the ground at
+ * every moment, so no peak is above that. Steps made short by the motion's corners made forces of rounding. */
+START_TEST(what_is_held_moves_with_the_ground)
+{
+    enum { N = 98 };
+    double mass[] = {5e4, 5e4}, stiffness[] = {2e7, 2e7}, a[N], most = 0;
+    for (int i = 0; i < N; i++) {
+        a[i] = -(0.4 + 0.3 * sin(0.7 * i));
+        most = fmax(most, fabs(a[i]));
+    }
+    struct thud_record record = {.dt_s = 0.0137, .samples = N, .a_mps2 = a};
+    struct thud_structure_input body[] = {{.n = 2, .mass_kg = mass, .stiffness_npm = stiffness, .damping = 0.05},
+                                          {.n = 0}};
+    struct thud_contact_input contact[2];
+    for (int i = 0; i < 2; i++) {
+        contact[i] = (struct thud_contact_input){.interface = 1, .left_floor = i + 1, .right_structure = 1};
+        contact[i].law = newton(0, &contact[i].setup);
+    }
+    struct thud_model_input input = {2, body, 2, contact, 0};
+    struct thud_model *model = NULL;
+    struct thud_run_options options;
+    struct thud_run *run;
+    bool done = false;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    thud_run_options_init(&options);
+    options.tail_s = 0;
+    options.tolerance = 1e-10;
+    ck_assert_int_eq(thud_run_create(model, &record, &options, &run, NULL), THUD_OK);
+    ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
+    for (int i = 0; i < 2; i++)
+        ck_assert_double_eq_tol(thud_run_result(run)->structure[0].floor[i].acceleration.value, most, 1e-9);
+    ck_assert_int_le(thud_run_result(run)->work.steps, 3 * N);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("impulse");
@@ -299,6 +453,11 @@ Suite *thud_suite(void)
     tcase_add_test(tc, momentum_and_energy_in_a_row);
     tcase_add_loop_test(tc, blow_on_a_contact_with_a_force, 0, 2);
     tcase_add_test(tc, a_pull_of_rounding_lets_nothing_go);
+    tcase_add_test(tc, what_flies_away_takes_no_part);
+    tcase_add_test(tc, no_room_between_two_walls);
+    tcase_add_loop_test(tc, squeezed_between_two_walls, 0, 4);
+    tcase_add_test(tc, what_rounding_has_parted_touches);
+    tcase_add_test(tc, what_is_held_moves_with_the_ground);
     suite_add_tcase(suite, tc);
     return suite;
 }

@@ -108,10 +108,11 @@ struct thud_law {
     bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
 
-/* Contact is propagated exactly, and never sticks. */
+/* Contact is propagated exactly; where one held by impulses is, too. */
 static inline bool thud_law_is_linear(const struct thud_law *law)
 {
-    return law->flags & THUD_LAW_NO_FORCE || (law->flags & (THUD_LAW_LINEAR | THUD_LAW_REVERSES)) == THUD_LAW_LINEAR;
+    return law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE) ||
+           (law->flags & (THUD_LAW_LINEAR | THUD_LAW_REVERSES)) == THUD_LAW_LINEAR;
 }
 
 /* The list, NULL at its end: a program that links the library may define one of its own instead. */

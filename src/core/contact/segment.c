@@ -439,10 +439,30 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
     }
 }
 
+/* Forces of order k of the sticking contacts, so that order k + 2 of their indentations, which has all other loads of
+ * order k, becomes 0; and what they do to it. */
+static void constraint_forces(const struct thud_state *state, struct thud_segment *seg, int k)
+{
+    const struct thud_model *m = state->model;
+    double *q2 = seg->q + (k + 2) * m->nmodes, *force = state->force_now;
+    memset(force, 0, (size_t)m->nrows * sizeof *force);
+    thud_contact_constraint_forces(state, q2, force);
+    for (int i = 0; i < seg->rows; i++) {
+        const int c = seg->row[i];
+        if (state->contact[c].mode != THUD_STICKING)
+            continue;
+        thud_model_apply_contact_force(m, c, force[c], q2);
+        seg->force[k * m->nrows + c] = -force[c] / load_factor(seg, k);
+    }
+}
+
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
     const struct slice all = all_of(m);
+    bool sticking = false;
+    for (int i = 0; i < seg->rows; i++)
+        sticking |= state->contact[seg->row[i]].mode == THUD_STICKING;
     if (thud_state_is_free(state)) {
         series_of(m, seg, &all, state->q, state->qd);
     } else {
@@ -452,6 +472,8 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
             linear_forces(state, seg, k);
             if (k + 2 < seg->terms)
                 next_order(m, seg, &all, k);
+            if (k + 2 < seg->terms && sticking)
+                constraint_forces(state, seg, k);
         }
     }
     for (int c = 0; c < m->nrows; c++)

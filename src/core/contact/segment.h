@@ -67,8 +67,8 @@ void thud_taylor_structure(const struct thud_model *model, struct thud_segment *
                            const double *qd);
 /* Motion from rest under the modal load load[j] s^order alone (seg->a0, a1 and seg->force must be 0). */
 void thud_taylor_load(const struct thud_model *model, struct thud_segment *seg, const double *load, int order);
-/* The same from the run's state with the linear branches of its closed contacts, whose forces are found along with it.
- */
+/* The same from the run's state with the linear branches of its closed contacts and the constraint forces of its sticking
+ * ones, which are found along with it. */
 double thud_taylor_linear(const struct thud_state *state, struct thud_segment *seg);
 /* Size of the last terms over the largest, of the structure where it is worst: one may move by a micrometre beside another that
  * moves by metres. */

@@ -2,7 +2,6 @@
 #include "core/contact/state.h"
 
 #include <assert.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,9 +19,9 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     bool impulsive = false;
     for (int c = 0; c < model->ncontacts; c++)
         impulsive |= (model->contact[c].law->flags & THUD_LAW_IMPULSIVE) != 0;
-    size_t collide = impulsive ? 3 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
+    size_t collide = impulsive ? 4 * nc + nc * nc + thud_lcp_work((int)nc) : 0;
     struct thud_arena arena;
-    const size_t length[] = {n, n, n + nc, nc, nc * nc, collide};
+    const size_t length[] = {n, n, n + nc, nc, nc * nc + thud_lcp_work((int)nc), collide};
     size_t bytes = 0;
     for (int i = 0; i < 6; i++)
         bytes += thud_arena_room(length[i], sizeof(double));
@@ -30,7 +29,7 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     state->block = arena.next;
     state->contact = calloc((size_t)model->ncontacts + 1, sizeof *state->contact);
     state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
-    state->set_now = calloc(nc + 1, sizeof *state->set_now);
+    state->set_now = calloc(2 * nc + 1, sizeof *state->set_now);
     if (!room || !state->contact || !state->storey || !state->set_now) {
         thud_state_clear(state);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -185,7 +184,7 @@ void thud_contact_constraint_forces(const struct thud_state *state, const double
                 w[i * n + j++] = m->delassus[a * m->nrows + b];
         i++;
     }
-    if (LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'L', n, 1, w, n, rhs, n) != 0)
+    if (!thud_semidefinite_solve(n, w, rhs, w + n * n))
         return;
     for (int c = 0, i = 0; c < nc; c++)
         if (state->contact[c].mode == THUD_STICKING)

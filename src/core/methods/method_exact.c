@@ -6,7 +6,7 @@
 #include "core/motion/collocation.h"
 #include "core/numerics/tolerance.h"
 
-/* Collocation is needed by laws that are not linear, and by those that reverse: they may stick. */
+/* Collocation is needed by laws that are not linear. */
 static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
     struct thud_collocation *collocation = NULL;
@@ -24,7 +24,7 @@ static bool is_linear(const struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_contact_state *s = &state->contact[c];
-        if (s->mode == THUD_STICKING || (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0)))
+        if (s->mode == THUD_CLOSED && (s->branch.K != 0 || s->branch.D != 0))
             return false;
     }
     return true;

@@ -30,6 +30,10 @@
 
 /* Displacement and rate. */
 
+/* m. Floors nearer to each other than this touch where an impulse falls on one of them: neighbours that moved together,
+ * or bounced down to rest, are apart by the rounding of many steps, and with a restitution near 0 a blow that is passed
+ * on at once and one that follows a moment later end in other speeds. */
+#define THUD_TOL_TOUCHING_M 1e-12
 /* m. An indentation below this is no contact: the rounding of displacements of some metres. */
 #define THUD_TOL_INDENTATION_M 1e-15
 /* m. An indentation at contact onset above this was there from the start (negative clearance): what the rounding of
@@ -116,6 +120,12 @@
 
 /* Part of the largest right-hand side below which a complementary variable is not negative. */
 #define THUD_TOL_COMPLEMENTARITY 1e-13
+/* The same of a problem whose matrix is singular, which is solved by steps that each leave a millionth. Where there is no
+ * solution, it is as large as the right-hand side itself. */
+#define THUD_TOL_SOLVABLE 1e-9
+/* Part of a pivot's row in a Cholesky factor below which the row depends on those before it: 50 times the rounding. A
+ * light floor between two that are 1e13 times heavier is above it. */
+#define THUD_TOL_DEPENDENT 1e-14
 /* Part of its position to which the root of a polynomial is located: two units in the last place. */
 #define THUD_TOL_ROOT 4e-16
 /* Bound of what a last step of Halley's method leaves of a root, as a part of its position: half of epsilon. */
