@@ -316,7 +316,7 @@ START_TEST(no_room_between_two_walls)
     struct thud_contact_input contact[] = {
         {.interface = 1, .right_floor = 1, .right_structure = 1},
         {.interface = 2, .left_floor = 1, .left_structure = 1, .right_structure = 2}};
-    struct thud_model_input input = {3, body, 2, contact, 0};
+    struct thud_model_input input = {.nstructures = 3, .structure = body, .ncontacts = 2, .contact = contact};
     struct thud_model *model = NULL;
     for (int c = 0; c < 2; c++)
         contact[c].law = newton(e, &contact[c].setup);
@@ -352,7 +352,7 @@ START_TEST(squeezed_between_two_walls)
                                                  .right_floor = i / 2 < 2 ? i % 2 + 1 : 0};
         contact[i].law = newton(0.5, &contact[i].setup);
     }
-    struct thud_model_input input = {4, body, 6, contact, 0};
+    struct thud_model_input input = {.nstructures = 4, .structure = body, .ncontacts = 6, .contact = contact};
     struct thud_model *model = NULL;
     struct thud_run_options options;
     struct thud_error err = {0};
@@ -386,7 +386,7 @@ START_TEST(what_rounding_has_parted_touches)
         struct thud_contact_input contact[] = {
             {.interface = 1, .left_floor = 1, .right_floor = 1, .right_structure = 1, .clearance_m = 0.3},
             {.interface = 2, .left_floor = 1, .right_floor = 1, .left_structure = 1, .right_structure = 2}};
-        struct thud_model_input input = {3, body, 2, contact, 0};
+        struct thud_model_input input = {.nstructures = 3, .structure = body, .ncontacts = 2, .contact = contact};
         struct thud_model *model = NULL;
         contact[1].clearance_m = gap[k];
         for (int c = 0; c < 2; c++)
@@ -423,7 +423,7 @@ START_TEST(what_is_held_moves_with_the_ground)
         contact[i] = (struct thud_contact_input){.interface = 1, .left_floor = i + 1, .right_structure = 1};
         contact[i].law = newton(0, &contact[i].setup);
     }
-    struct thud_model_input input = {2, body, 2, contact, 0};
+    struct thud_model_input input = {.nstructures = 2, .structure = body, .ncontacts = 2, .contact = contact};
     struct thud_model *model = NULL;
     struct thud_run_options options;
     struct thud_run *run;
