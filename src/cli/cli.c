@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/interrupt.h"
+#include "cli/rows.h"
 #include "cli/scene_options.h"
 
 typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
@@ -49,6 +50,19 @@ enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *
         status = thud_error_set(err, THUD_OUTPUT, "standard output: %s", strerror(errno));
     thud_text_clear(text);
     return status;
+}
+
+enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err)
+{
+    struct thud_text out = {0};
+    if (!thud_args_has(args, "json"))
+        return thud_cli_print(lines, err);
+    thud_rows_begin(NULL, &out);
+    thud_rows_files(lines->data, &out);
+    thud_rows_end(&out);
+    out.failed |= lines->failed;
+    thud_text_clear(lines);
+    return thud_cli_print_data(&out, err);
 }
 
 static enum thud_status help(enum thud_command_id command, struct thud_error *err)
@@ -104,6 +118,8 @@ static enum thud_status open_screen(const struct thud_args *args, thud_screen_fu
         return unknown_word(word, &paths, err);
     if (args->noperands > 1)
         return thud_error_set(err, THUD_USAGE, "the terminal interface opens one preset");
+    if (strcmp(word, "-") == 0)
+        return thud_error_set(err, THUD_USAGE, "the terminal interface opens a file: standard input is its keys");
     enum thud_status status = thud_scene_options_open(args, &session, err);
     if (status != THUD_OK)
         return status;

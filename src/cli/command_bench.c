@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
+#include "cli/rows.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file/file.h"
@@ -22,12 +23,25 @@ static void show_progress(void *context, const char *what, int done, int count)
 
 /* With -o `csv` as NAME.csv and the figure; then the table on standard output, whose reader may be gone before its end.
  * All three are used up. */
-static enum thud_status deliver(const struct thud_args *args, struct thud_text *table, struct thud_text *csv,
-                                struct thud_figure *figure, const atomic_int *cancel, struct thud_error *err)
+static enum thud_status deliver(const struct thud_args *args, const char *preset, struct thud_text *table,
+                                struct thud_text *csv, struct thud_figure *figure, const atomic_int *cancel,
+                                struct thud_error *err)
 {
+    bool json = thud_args_has(args, "json"), data = json || thud_args_has(args, "csv");
     struct thud_picture_choice picture;
     const char *folder = thud_args_value(args, "o");
     char name[128];
+    if (data) {
+        struct thud_text copy = {0};
+        thud_text_clear(table);
+        if (csv->data)
+            thud_text_bytes(json ? &copy : table, csv->data, csv->size);
+        if (json) {
+            thud_rows_begin(preset, table);
+            thud_rows_add("rows", &copy, table);
+            thud_rows_end(table);
+        }
+    }
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     picture.options.no_data = true; /* the table's CSV says more and has its name */
     if (!*cancel)                   /* what was done before a wish to stop is drawn */
@@ -43,7 +57,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_text *
         status = thud_figure_deliver(figure, folder, &picture.options, status, err);
     else
         thud_figure_free(figure);
-    enum thud_status printed = thud_cli_print(table, status == THUD_OK ? err : NULL);
+    enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(table, status == THUD_OK ? err : NULL);
     return status == THUD_OK ? printed : status;
 }
 
@@ -87,7 +101,8 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
         thud_bench_csv(plan, &csv);
         char text[THUD_TEXT_MAX + 64];
         snprintf(text, sizeof text, "%s: speed against accuracy", scene->title);
-        enum thud_status delivered = deliver(args, &table, &csv, thud_bench_figure(plan, text), jobs->cancel, err);
+        enum thud_status delivered =
+            deliver(args, scene->name, &table, &csv, thud_bench_figure(plan, text), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_bench_free(plan);
@@ -111,7 +126,7 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
         thud_cost_table(plan, &table);
         thud_cost_csv(plan, &csv);
         enum thud_status delivered =
-            deliver(args, &table, &csv, thud_cost_figure(plan, scene->title), jobs->cancel, err);
+            deliver(args, scene->name, &table, &csv, thud_cost_figure(plan, scene->title), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_cost_free(plan);

@@ -40,8 +40,8 @@ static enum thud_status check_records(const struct thud_args *args, struct thud_
 }
 
 /* What was written, one file a line. */
-static enum thud_status list_files(unsigned which, const char *folder, const struct thud_picture_options *options,
-                                   struct thud_error *err)
+static enum thud_status list_files(const struct thud_args *args, unsigned which, const char *folder,
+                                   const struct thud_picture_options *options, struct thud_error *err)
 {
     struct thud_text text = {0};
     for (int i = 0; i < THUD_PAPER_FIGURES; i++) {
@@ -51,7 +51,7 @@ static enum thud_status list_files(unsigned which, const char *folder, const str
     }
     if (which & THUD_PAPER_REPORT)
         thud_text_append(&text, "%s/report.md\n%s/study.json\n", folder, folder);
-    return thud_cli_print(&text, err);
+    return thud_cli_print_files(args, &text, err);
 }
 
 enum thud_status thud_command_figures(const struct thud_args *args, struct thud_error *err)
@@ -77,7 +77,7 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
     if (status == THUD_OK)
         status = thud_paper_figures_save(which, work ? &study : NULL, folder, &picture.options, err);
     thud_paper_work_free(work);
-    if (status == THUD_OK && !thud_args_has(args, "quiet"))
-        status = list_files(which, folder, &picture.options, err);
+    if (status == THUD_OK && (!thud_args_has(args, "quiet") || thud_args_has(args, "json")))
+        status = list_files(args, which, folder, &picture.options, err);
     return status;
 }

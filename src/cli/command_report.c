@@ -105,7 +105,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (status != THUD_OK)
         return status;
     thud_text_append(&text, "%s/report.html\n%s/report.md\n", folder, folder);
-    return thud_cli_print(&text, err);
+    return thud_cli_print_files(args, &text, err);
 }
 
 enum thud_status thud_command_report(const struct thud_args *args, struct thud_error *err)

@@ -11,7 +11,9 @@
 #include "cli/floor_spectra.h"
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
+#include "cli/progress.h"
 #include "cli/records_option.h"
+#include "cli/rows.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file/file.h"
@@ -76,7 +78,10 @@ static enum thud_status draw(const struct thud_args *args, struct thud_picture_c
     struct thud_figure_source source = thud_run_source(case_title(scene), scene, answer->run);
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
-    return thud_run_figures_save(&source, 1, thud_args_value(args, "o"), &picture->options, err);
+    thud_progress_start(args);
+    enum thud_status status = thud_run_figures_save(&source, 1, thud_args_value(args, "o"), &picture->options, err);
+    thud_progress_end();
+    return status;
 }
 
 /* Numbers that are no results are not shown without a word. */
@@ -209,7 +214,9 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
         return status;
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
+    thud_progress_start(args);
     status = thud_run_figures_save(source, thud_run_cases_sources(cases, source), folder, &picture->options, err);
+    thud_progress_end();
     return thud_made_by_end(by, status, err);
 }
 
@@ -244,9 +251,33 @@ static enum thud_status begin(const struct thud_args *args, struct thud_session 
     return THUD_OK;
 }
 
+/* The rows of every case, no pounding first, under its name. */
+static void put_cases(const struct thud_args *args, const struct thud_session *session,
+                      const struct thud_run_cases *cases, struct thud_text *out)
+{
+    bool json = thud_args_has(args, "json");
+    if (!json && !thud_args_has(args, "csv")) {
+        thud_run_cases_table(cases, out);
+        return;
+    }
+    thud_text_append(out, json ? "{\"format\": 1, \"cases\": [\n" : "");
+    for (int i = 0; i < cases->n; i++) {
+        struct thud_text one = {0};
+        const struct thud_run_case *item = &cases->item[i];
+        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->answer);
+        report.which = item->folder;
+        (json ? thud_result_json : thud_result_csv)(&report, json ? out : &one);
+        if (json)
+            thud_text_append(out, i + 1 < cases->n ? ",\n" : "");
+        else
+            thud_rows_under("case", item->folder, i == 0, &one, out);
+    }
+    thud_text_append(out, json ? "]}\n" : "");
+}
+
 static enum thud_status run_cases(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
-    static const char *const alone[] = {"case", "json", "csv", "sensitivity", "events"};
+    static const char *const alone[] = {"case", "sensitivity", "events"};
     struct thud_run_options options;
     struct thud_run_cases *cases = NULL;
     struct thud_picture_choice picture;
@@ -268,8 +299,9 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
         if (cases->item[i].which == THUD_CASE_BUMPER)
             shown = &cases->item[i];
     warn_unusual(args, session, &shown->scene, shown->answer.run);
-    thud_run_cases_table(cases, &text);
-    status = thud_cli_print(&text, err);
+    put_cases(args, session, cases, &text);
+    status = thud_args_has(args, "json") || thud_args_has(args, "csv") ? thud_cli_print_data(&text, err)
+                                                                       : thud_cli_print(&text, err);
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++)

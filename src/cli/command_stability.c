@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
+#include "cli/rows.h"
 #include "cli/scene_options.h"
 #include "cli/study_file.h"
 #include "io/file/file.h"
@@ -30,6 +31,27 @@ static enum thud_status save(const struct thud_stability *stability, const char 
         if (kind != THUD_STABILITY_SCENE || stability->peak_m)
             status = thud_figure_deliver(thud_stability_map(stability, kind), folder, options, status, err);
     return thud_figure_deliver(thud_stability_energies(stability), folder, options, status, err);
+}
+
+/* As people read it; as JSON all of its tables, as CSV the first: the verdicts. */
+static void put(const struct thud_args *args, const struct thud_stability *stability, const char *preset,
+                struct thud_text *out)
+{
+    if (thud_args_has(args, "csv")) {
+        thud_stability_csv(stability, 0, out);
+        return;
+    }
+    if (!thud_args_has(args, "json")) {
+        thud_stability_table(stability, out);
+        return;
+    }
+    thud_rows_begin(preset, out);
+    for (int i = 0; i < THUD_STABILITY_FILES; i++) {
+        struct thud_text csv = {0};
+        thud_stability_csv(stability, i, &csv);
+        thud_rows_add(thud_stability_file(i), &csv, out);
+    }
+    thud_rows_end(out);
 }
 
 static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, const atomic_int *cancel,
@@ -71,9 +93,10 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK || (plan && status == THUD_CANCELLED)) {
         if (status == THUD_OK) /* what was done before a wish to stop is drawn */
             picture.options.cancel = cancel;
-        thud_stability_table(plan, &text);
+        put(args, plan, scene->name, &text);
         enum thud_status saved = folder ? save(plan, folder, &picture.options, err) : THUD_OK;
-        enum thud_status printed = thud_cli_print(&text, saved == THUD_OK ? err : NULL);
+        bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
+        enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(&text, saved == THUD_OK ? err : NULL);
         if (saved != THUD_OK || printed != THUD_OK)
             status = saved != THUD_OK ? saved : printed;
     }

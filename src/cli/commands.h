@@ -17,6 +17,9 @@ enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err);
 /* Rows and objects for another program: byte for byte, but on a terminal as above. */
 enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err);
 
+/* The names of files that were written, one a line; with --json an object with a list. Clears the text. */
+enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err);
+
 /* Writes the message to standard error. */
 void thud_cli_complain(const struct thud_error *err);
 

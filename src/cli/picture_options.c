@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/progress.h"
 #include "ground/identity.h"
 
 enum thud_status thud_picture_options_read(const struct thud_args *args, struct thud_picture_choice *choice,
@@ -26,6 +27,8 @@ enum thud_status thud_picture_options_read(const struct thud_args *args, struct 
         status = thud_picture_font_parse(font, choice->font, sizeof choice->font, &options->font_px, err);
         options->font = choice->font;
     }
+    options->none = thud_args_has(args, "no-figures");
+    options->drawing = thud_progress_drawing;
     if (program && program[0])
         options->program = program;
     return status;

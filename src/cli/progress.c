@@ -61,6 +61,12 @@ void thud_progress_what(void *context, const char *what)
     thud_progress_show("%s", what);
 }
 
+void thud_progress_drawing(void *context, const char *figure)
+{
+    (void)context;
+    thud_progress_show("drawing %s", figure);
+}
+
 void thud_progress_points(void *context, long done, long count, double elapsed_s)
 {
     (void)context;

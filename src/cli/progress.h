@@ -17,6 +17,8 @@ void thud_progress_end(void);
 /* What is being done; for struct thud_site_report_options and its like. */
 void thud_progress_what(void *context, const char *what);
 /* Of the points of a study, with the time that is left; for struct thud_sweep_study and its like. */
+/* Of the figures that are drawn one after another. */
+void thud_progress_drawing(void *context, const char *figure);
 void thud_progress_points(void *context, long done, long count, double elapsed_s);
 
 #endif

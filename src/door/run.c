@@ -7,6 +7,7 @@
 #include "app/run/threads.h"
 #include "app/sweep/sweep_jobs.h"
 #include "door/door.h"
+#include "io/result/result_rows.h"
 #include "io/result/sweep_csv.h"
 #include "study/methods/truncation.h"
 
@@ -60,31 +61,6 @@ static enum thud_status put_histories(const struct thud_report *report, struct t
                             report->history->rows, err);
 }
 
-static void contacts_csv(const struct thud_result *result, struct thud_text *out)
-{
-    thud_text_append(out, "interface,left_floor,right_floor,impacts,force_n,force_time_s,indentation_m,impulse_ns,"
-                          "contact_time_s,residual_m,approach_mps,separation_mps\n");
-    for (int i = 0; i < result->ncontacts; i++) {
-        const struct thud_contact_result *c = &result->contact[i];
-        bool struck = thud_contact_struck(c);
-        const double value[] = {struck ? NAN : c->force.value,
-                                struck ? NAN : c->force.time_s,
-                                struck ? NAN : c->indentation.value,
-                                c->impulse_ns,
-                                c->contact_time_s,
-                                c->residual_m,
-                                c->approach_mps,
-                                c->separation_mps};
-        thud_text_append(out, "%d,%d,%d,%d", c->interface, c->left_floor, c->right_floor, c->impacts);
-        for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
-            thud_text_append(out, ",");
-            if (isfinite(value[k]))
-                thud_text_number(out, value[k]);
-        }
-        thud_text_append(out, "\n");
-    }
-}
-
 static enum thud_status put_run(const struct thud_report *report, bool histories, struct thud_results *results,
                                 struct thud_error *err)
 {
@@ -100,7 +76,8 @@ static enum thud_status put_run(const struct thud_report *report, bool histories
     enum thud_status status = thud_door_csv(results, "floors", &text, err);
     if (status != THUD_OK)
         return status;
-    contacts_csv(report->result, &text);
+    const struct thud_rows contacts = thud_contact_rows(report);
+    thud_rows_csv(&contacts, &text);
     status = thud_door_csv(results, "contacts", &text, err);
     return status == THUD_OK && histories ? put_histories(report, results, err) : status;
 }

@@ -6,28 +6,7 @@
 
 #include "base/quantity.h"
 #include "door/door.h"
-
-/* Ends the field at *at by a NUL, quotes taken off in place, and goes on to what comes after it. Returns what ended it:
- * a comma, a newline, or NUL. */
-static char end_field(char **at, const char **field)
-{
-    char *in = *at, *to = in;
-    *field = in;
-    bool quoted = *in == '"';
-    if (quoted)
-        for (in++; *in && !(*in == '"' && in[1] != '"'); in++) {
-            in += *in == '"';
-            *to++ = *in;
-        }
-    else
-        to = in += strcspn(in, ",\n");
-    in += quoted && *in == '"';
-    char end = *in;
-    *to = '\0';
-    *at = end ? in + 1 : in;
-    *field = thud_text_csv_plain(*field);
-    return end;
-}
+#include "io/file/csv_field.h"
 
 /* Columns of the first line, and how many lines come after it; a quoted field may hold either sign. */
 static void measure(const char *csv, size_t *columns, size_t *rows)
@@ -57,12 +36,12 @@ static void fill(struct thud_door_table *t)
 {
     char *at = t->cells;
     for (size_t k = 0; k < t->columns; k++)
-        end_field(&at, &t->column[k]);
+        thud_csv_field(&at, &t->column[k]);
     for (size_t i = 0; i < t->rows; i++)
         for (size_t k = 0; k < t->columns; k++) {
             const char **cell = &t->column[t->columns + k * t->rows + i], *end;
             double *value = &t->value[k * t->rows + i];
-            end_field(&at, cell);
+            thud_csv_field(&at, cell);
             if (is_text(t->column[k]) || thud_number_parse(*cell, &end, value) != 0 || *end)
                 *value = NAN;
         }
@@ -106,7 +85,7 @@ enum thud_status thud_door_matrix(struct thud_results *results, const char *name
         return status;
     char *at = t->cells;
     for (size_t k = 0; k < t->columns; k++)
-        end_field(&at, &t->column[k]);
+        thud_csv_field(&at, &t->column[k]);
     for (size_t i = 0; i < rows; i++) {
         t->value[i] = first[i];
         for (size_t k = 1; k < t->columns; k++)

@@ -67,3 +67,39 @@ refused 3 record synthesize --set duration=5m
 refused 3 run towers --record nowhere.csv
 refused 3 run nowhere.yaml
 refused 3 record info nowhere.csv
+
+# thud new, standard input, and answers as data
+is "new writes a preset" gives 0 new "$tmp/mine.yaml" --set gap=7cm --set structures.1.storeys=3
+is "with its comments and what was said" grep -q '^  - gap: 7 cm # at rest$' "$tmp/mine.yaml"
+is "its title goes with it" grep -q '^title: "\{0,1\}mine: 3-storey building and 6-storey building"\{0,1\}$' "$tmp/mine.yaml"
+is "which runs" gives 0 run "$tmp/mine.yaml" --json
+cp "$tmp/out" "$tmp/file.json"
+is "it writes over no file" gives 6 new "$tmp/mine.yaml"
+is "and says so" says 'mine.yaml: is there already'
+is "a value that cannot be: as everywhere" gives 3 new - --set gap=7
+is "nothing else wrong" plainly
+(cd "$tmp" && "$THUD" run - --json --quiet <mine.yaml | sed 's/"preset": "-"/"preset": "mine"/') >"$tmp/piped.json" 2>"$tmp/err"
+is "a preset comes from standard input" cmp "$tmp/file.json" "$tmp/piped.json"
+"$THUD" run towers --json --quiet | sed -n 's/.*\("acceleration_mps2": [^,]*\),.*/\1/p' >"$tmp/wanted"
+"$THUD" run towers --record - --peak 0.821g --json --quiet <"$record" | sed -n 's/.*\("acceleration_mps2": [^,]*\),.*/\1/p' >"$tmp/got"
+is "and so does a ground motion" cmp "$tmp/wanted" "$tmp/got"
+refused 2 - </dev/null
+is "a run without its figures" gives 0 run towers -o "$tmp/bare" --no-figures --quiet
+is "leaves tables and data" [ "$(cd "$tmp/bare" && echo *)" = "histories.csv impacts.csv made-by.txt result.json" ]
+is "cases as CSV" gives 0 run towers --cases none,bumper --csv --quiet
+is "have each case's rows" [ "$(cut -d, -f1 "$tmp/out" | uniq -c | tr -s ' ' | tr '\n' ';')" = " 1 case; 10 no-pounding; 10 none; 10 bumper;" ]
+sed -n 's/^bumper,//p' "$tmp/out" >"$tmp/rows"
+"$THUD" run towers --case bumper --csv --quiet | sed 1d >"$tmp/alone"
+is "which are those of the case alone" cmp "$tmp/rows" "$tmp/alone"
+if command -v python3 >/dev/null 2>&1; then
+    # shellcheck disable=SC2016 # for the inner shell
+    json() { # WHAT ARGUMENTS...: is JSON
+        is "$1" sh -c 'shift; "$THUD" "$@" --json --quiet 2>"$0/err" | python3 -c "import json, sys; d = json.load(sys.stdin); assert d"' "$tmp" "$@"
+    }
+    json "cases" run towers --cases none,bumper
+    json "a bench" bench rigid-concrete --methods exact --patience 0.3s
+    json "what costs" bench towers --cost duration --patience 0.02s
+    json "the paper's figures" figures fig4 -o "$tmp/figures"
+fi
+is "a bench as CSV" gives 0 bench rigid-concrete --methods exact --patience 0.3s --csv --quiet
+is "has its header" shows '^method,located,setting,state,seconds'

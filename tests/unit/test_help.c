@@ -1,4 +1,5 @@
-/* Help fits a screen of 80 x 24, options are found by the commands that know them and by no others, and every shell is
+/* The list of commands fits a screen of 80 x 24; the help of a command has every option it knows and no other. Which command
+ * knows which option is written down here as well. Options are found by the commands that know them and by no others, and every shell is
  * told of each of them. */
 #include <check.h>
 #include <stdio.h>
@@ -6,7 +7,7 @@
 
 #include "cli/help.h"
 
-static void fits_a_screen(const char *text)
+static int fits_a_screen(const char *text)
 {
     int lines = 0;
     for (const char *at = text; *at; lines++) {
@@ -14,19 +15,30 @@ static void fits_a_screen(const char *text)
         ck_assert_msg(length <= 80, "%zu columns: %.*s", length, (int)length, at);
         at += length + (at[length] == '\n');
     }
-    ck_assert_int_le(lines, 24);
+    return lines;
 }
 
 START_TEST(help_fits_a_screen)
 {
     struct thud_text text = {0};
     thud_help_all(&text);
-    fits_a_screen(text.data);
+    ck_assert_int_le(fits_a_screen(text.data), 24);
     thud_text_clear(&text);
     for (int c = 0; c < THUD_COMMANDS; c++) {
         thud_help_command(&text, (enum thud_command_id)c);
         fits_a_screen(text.data);
         ck_assert_ptr_nonnull(strstr(text.data, thud_command_at((enum thud_command_id)c)->summary));
+        for (int i = 0; i < thud_option_count(); i++) {
+            const struct thud_option *option = thud_option_at(i);
+            char line[64];
+            snprintf(line, sizeof line, "\n  -%s%s%s", option->name[1] ? "-" : "", option->name,
+                     !option->argument || option->argument[0] == '[' ? "" : " ");
+            const char *at = strstr(text.data, line);
+            while (at && !strchr(" [\n", at[strlen(line) - (line[strlen(line) - 1] == ' ')]))
+                at = strstr(at + 1, line);
+            ck_assert_msg((at != NULL) == thud_option_belongs(option, (enum thud_command_id)c), "%s %s",
+                          thud_command_at((enum thud_command_id)c)->name, option->name);
+        }
         thud_text_clear(&text);
     }
 }
@@ -50,6 +62,43 @@ START_TEST(an_option_belongs_to_its_commands_only)
     ck_assert_ptr_null(thud_option_find(THUD_COMMAND_RUN, "se"));
     for (int c = 0; c < THUD_COMMANDS; c++)
         ck_assert_ptr_nonnull(thud_option_find((enum thud_command_id)c, "help"));
+}
+END_TEST
+
+/* One name means one thing, and is known wherever that makes sense. */
+START_TEST(each_option_is_where_it_makes_sense)
+{
+    static const char all[] =
+        "run new sweep gap fragility uncertainty figures bench stability verify record suite report "
+        "export stiffness laws methods help",
+                      scene[] = "run sweep gap fragility uncertainty bench stability report export stiffness",
+                      draws[] = "run sweep gap fragility uncertainty bench stability";
+    static const struct {
+        const char *option, *commands;
+    } matrix[] = {
+        {"json", "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods"},
+        {"csv", "run sweep gap fragility uncertainty bench stability suite"},
+        {"quiet", all},
+        {"help", all},
+        {"no-figures", draws},
+        {"record", scene},
+        {"records", "sweep gap fragility uncertainty figures report"},
+        {"case", "run sweep fragility uncertainty bench stability export stiffness"},
+        {"cases", "run sweep fragility"},
+        {"o", "run sweep gap fragility uncertainty figures bench stability record suite report export"},
+        {"j", "run sweep gap fragility uncertainty figures"},
+        {"font", "run sweep gap fragility uncertainty figures bench stability report"},
+    };
+    for (size_t i = 0; i < sizeof matrix / sizeof *matrix; i++)
+        for (int c = THUD_COMMAND_SCREEN + 1; c < THUD_COMMANDS; c++) {
+            char words[300], word[40];
+            snprintf(words, sizeof words, " %s ", matrix[i].commands);
+            snprintf(word, sizeof word, " %s ", thud_command_at((enum thud_command_id)c)->name);
+            bool wanted =
+                strstr(words, word) != NULL || (strcmp(matrix[i].option, "record") == 0 && c == THUD_COMMAND_VERIFY);
+            ck_assert_msg(wanted == (thud_option_find((enum thud_command_id)c, matrix[i].option) != NULL), "%s %s",
+                          word, matrix[i].option);
+        }
 }
 END_TEST
 
@@ -99,6 +148,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, help_fits_a_screen);
     tcase_add_test(tcase, commands_are_found_by_name);
     tcase_add_test(tcase, an_option_belongs_to_its_commands_only);
+    tcase_add_test(tcase, each_option_is_where_it_makes_sense);
     tcase_add_test(tcase, choices_are_where_they_are_promised);
     tcase_add_test(tcase, every_shell_is_told_of_every_option);
     suite_add_tcase(suite, tcase);

@@ -8,7 +8,7 @@
 #include "base/status.h"
 #include "base/text.h"
 
-/* The whole file with a terminating NUL after it (free with free()). Refuses folders, devices that never end, pipes
+/* The whole file with a terminating NUL after it (free with free()); "-" is standard input. Refuses folders, devices that never end, pipes
  * that nobody writes into and files over `limit` bytes. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err);
 

@@ -28,8 +28,10 @@ struct thud_picture_options {
     const char *program;      /* NULL: `gnuplot` from PATH */
     double deadline_s;        /* 0: 20 */
     const atomic_int *cancel; /* not NULL: drawing stops when it becomes other than 0 */
-    bool no_data;             /* where a figure is saved: no CSV of it, its data stand in another file */
-    char motions[64];         /* what is said of the ground motions behind every title; empty: nothing */
+    bool none;                /* where a figure is saved: it is not */
+    void (*drawing)(void *context, const char *figure); /* before each one that is saved; may be NULL */
+    bool no_data;     /* where a figure is saved: no CSV of it, its data stand in another file */
+    char motions[64]; /* what is said of the ground motions behind every title; empty: nothing */
 };
 
 const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */

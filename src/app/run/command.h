@@ -8,6 +8,7 @@
 enum thud_command_id {
     THUD_COMMAND_SCREEN, /* no word: the terminal interface */
     THUD_COMMAND_RUN,
+    THUD_COMMAND_NEW,
     THUD_COMMAND_SWEEP,
     THUD_COMMAND_GAP,
     THUD_COMMAND_FRAGILITY,
@@ -68,6 +69,8 @@ const struct thud_command *thud_command_at(enum thud_command_id id);
 /* THUD_COMMANDS when no command has this name. */
 enum thud_command_id thud_command_find(const char *name);
 
+/* What the options of a command are about, as headings of its help: that of an option, by its index. */
+const char *thud_option_part(int index);
 int thud_option_count(void);
 const struct thud_option *thud_option_at(int index);
 /* The option of this name (without dashes) that the command knows; NULL when there is none. */

@@ -6,6 +6,7 @@
 static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_NEW] = {"new", "FILE", "a preset of two neighbours to start from", THUD_WORD_FILE, THUD_WORD_NONE},
     [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET,
                             THUD_WORD_NONE},
     [THUD_COMMAND_GAP] = {"gap", "PRESET", "the gap that is enough, beside the codes' rules", THUD_WORD_PRESET,
@@ -59,13 +60,14 @@ enum {
     EXPORT = 1 << THUD_COMMAND_EXPORT,
     VERIFY = 1 << THUD_COMMAND_VERIFY,
     SCREEN = 1 << THUD_COMMAND_SCREEN,
+    NEW = 1 << THUD_COMMAND_NEW,
     MEASURE = 1 << THUD_COMMAND_BENCH | 1 << THUD_COMMAND_STABILITY,
     ALL = (1 << THUD_COMMANDS) - 1
 };
 
 static const struct thud_option options[] = {
     {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true,
-     STUDY | MEASURE | RECORD_VERBS | SCREEN | EXPORT | REPORT | STIFFNESS},
+     STUDY | MEASURE | RECORD_VERBS | SCREEN | EXPORT | REPORT | STIFFNESS | NEW},
     {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false,
      RUN | SWEEP | UNCERTAINTY | MEASURE | EXPORT | STIFFNESS},
     {"record", "FILE", "the ground motion", THUD_WORD_FILE, false,
@@ -114,7 +116,7 @@ static const struct thud_option options[] = {
      RUN | 1 << THUD_COMMAND_SWEEP},
     {"events", NULL, "every event in place of the peaks", THUD_WORD_NONE, false, RUN},
     {"floor-spectra", "RATIO", "what equipment on the floors feels, e.g. 5% damped", THUD_WORD_TEXT, false, RUN},
-    {"floor", "NAME.FLOOR", "of --floor-spectra: this floor, e.g. A.4; else all", THUD_WORD_TEXT, true, RUN},
+    {"floor", "NAME.FLOOR", "whose spectra, e.g. A.4; else all", THUD_WORD_TEXT, true, RUN},
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,...", "files, a folder or a .list, e.g. a.AT2:peak=0.9g", THUD_WORD_FILE, false,
      SWEEP | GAP | FIGURES | REPORT},
@@ -147,17 +149,18 @@ static const struct thud_option options[] = {
     {"factor-most", "NUMBER", "largest factor of a motion, and its inverse; else 4", THUD_WORD_TEXT, false, SUITE},
     {"per-event", "N", "motions of one event; else 2", THUD_WORD_TEXT, false, SUITE},
     {"vertical", NULL, "vertical components may be selected", THUD_WORD_NONE, false, SUITE},
-    {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, STUDY | RECORD | LISTS | VERIFY},
-    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY | SUITE},
+    {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false, PICTURES | RECORD | LISTS | VERIFY | REPORT},
+    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY | SUITE | MEASURE},
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES | EXPORT | REPORT},
     {"replace", NULL, "remove another scene's results from that folder", THUD_WORD_NONE, false,
      RUN | SWEEP | 1 << THUD_COMMAND_GAP | UNCERTAINTY | EXPORT | REPORT},
+    {"no-figures", NULL, "draw nothing: tables and data alone", THUD_WORD_NONE, false, STUDY | MEASURE},
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
-    {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, PICTURES | VERIFY | REPORT},
+    {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, ALL & ~SCREEN},
     {"project", "TEXT", "of the title block of a report; and", THUD_WORD_TEXT, false, REPORT},
     {"author", "NAME", "who made it", THUD_WORD_TEXT, false, REPORT},
     {"checker", "NAME", "who checked it", THUD_WORD_TEXT, false, REPORT},
@@ -193,6 +196,21 @@ int thud_option_count(void)
 const struct thud_option *thud_option_at(int index)
 {
     return &options[index];
+}
+
+const char *thud_option_part(int index)
+{
+    /* each begins with an option and goes on to the next one's */
+    static const char *const parts[][2] = {
+        {"set", "what is run"},           {"record", "ground motion"}, {"baseline", "what is done to it"},
+        {"damping", "response spectrum"}, {"method", "how it is run"}, {"sensitivity", "what is asked"},
+        {"json", "what comes out"}};
+    const char *part = "";
+    for (int i = 0; i <= index; i++)
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+            if (strcmp(options[i].name, parts[k][0]) == 0)
+                part = parts[k][1];
+    return part;
 }
 
 const struct thud_option *thud_option_find(enum thud_command_id command, const char *name)

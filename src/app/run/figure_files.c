@@ -92,10 +92,12 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
                                      const struct thud_picture_options *options, enum thud_status before,
                                      struct thud_error *err)
 {
-    bool go_on = before == THUD_OK || before == THUD_GNUPLOT;
+    bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !(options && options->none);
     struct thud_error now = {0};
     if (options)
         thud_figure_title_add(figure, options->motions);
+    if (go_on && figure && options && options->drawing)
+        options->drawing(NULL, figure->name);
     enum thud_status status = go_on ? save(figure, folder, options, before == THUD_OK, &now) : before;
     thud_figure_free(figure);
     if (!go_on || status == THUD_OK)

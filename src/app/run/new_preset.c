@@ -161,13 +161,19 @@ static void called(const struct thud_new_preset *preset, int side, char *text, s
         snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
 }
 
+void thud_new_preset_title(const struct thud_new_preset *preset, char *title, size_t size)
+{
+    char left[64], right[64];
+    called(preset, 0, left, sizeof left);
+    called(preset, 1, right, sizeof right);
+    snprintf(title, size, "%s: %s and %s", preset->text[THUD_NEW_NAME][0], left, right);
+}
+
 enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,
                                       struct thud_error *err)
 {
-    char left[64], right[64], text[THUD_NEW_TEXT + 160];
-    called(preset, 0, left, sizeof left);
-    called(preset, 1, right, sizeof right);
-    snprintf(text, sizeof text, "%s: %s and %s", preset->text[THUD_NEW_NAME][0], left, right);
+    char text[THUD_NEW_TEXT + 160];
+    thud_new_preset_title(preset, text, sizeof text);
     thud_text_append(out, "# Every key is described in thud-preset(5); numbers have units.\ntitle: ");
     thud_json_string(out, text);
     if (*preset->text[THUD_NEW_RECORD][0]) {

@@ -42,6 +42,8 @@ void thud_new_preset_init(struct thud_new_preset *preset);
 bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side);
 /* "5, 7" or one value for both. */
 void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, const char *text);
+/* "NAME: 4-storey building and 6-storey building" */
+void thud_new_preset_title(const struct thud_new_preset *preset, char *title, size_t size);
 /* The preset. Errors: THUD_INPUT (a period that gives no stiffness), THUD_MEMORY; other values are checked by who reads
  * the text. */
 enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,

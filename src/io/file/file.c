@@ -73,6 +73,8 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
 {
     *text = NULL;
     struct stat about;
+    if (strcmp(path, "-") == 0)
+        return read_all(STDIN_FILENO, limit, 4096, text, size, err, path);
     if (stat(path, &about) != 0)
         return thud_file_refuse(err, THUD_INPUT, path, strerror(errno));
     if (S_ISDIR(about.st_mode))

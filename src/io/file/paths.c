@@ -29,7 +29,7 @@ static bool is_folder(const char *path)
 static bool is_there(const char *path)
 {
     struct stat about;
-    return stat(path, &about) == 0 && !S_ISDIR(about.st_mode);
+    return strcmp(path, "-") == 0 || (stat(path, &about) == 0 && !S_ISDIR(about.st_mode));
 }
 
 /* Cuts a path's last part off; false where there is none. */

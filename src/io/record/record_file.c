@@ -284,8 +284,9 @@ enum thud_status thud_record_text_read(const char *path, char **text, size_t *si
 {
     struct stat about;
     *text = NULL;
-    int why = stat(path, &about) != 0 ? errno : 0;
-    if (why || S_ISFIFO(about.st_mode)) { /* nobody may ever write into a pipe */
+    bool input = strcmp(path, "-") == 0;
+    int why = !input && stat(path, &about) != 0 ? errno : 0;
+    if (why || (!input && S_ISFIFO(about.st_mode))) { /* nobody may ever write into a pipe */
         thud_error_set(err, THUD_INPUT, "%s", why ? strerror(why) : "is a pipe, not a file");
         thud_error_place(err, path, 0, 0);
         return THUD_INPUT;
