@@ -575,6 +575,46 @@ START_TEST(settings_come_from_a_file)
 }
 END_TEST
 
+/* Every state that was run is there with its answer; one is named, which saves it, compared with and forgotten. */
+START_TEST(states_are_gone_to_named_and_compared)
+{
+    char first[200], path[160];
+    struct thud_preset *preset;
+    snprintf(first, sizeof first, "%.40s", f.tui->doc.variants.item[0].answer);
+    fixture_keys(&f, ":set gap 4 cm<Enter>");
+    fixture_keys(&f, ":set gap 6 cm<Enter>");
+    fixture_keys(&f, ":set gap 4 cm<Enter>"); /* twice the same is once */
+    fixture_keys(&f, "U");
+    ck_assert_int_eq(f.tui->doc.variants.n, 3);
+    fixture_expect(&f, first);
+    fixture_keys(&f, "as opened<Enter>");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.02, 1e-15);
+    fixture_keys(&f, "u");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.04, 1e-15);
+    fixture_keys(&f, "U#3<F2>wide<Enter>");
+    snprintf(path, sizeof path, "%s/wide.yaml", f.folder);
+    ck_assert_int_eq(thud_preset_read(path, &preset, NULL), THUD_OK);
+    ck_assert_double_eq_tol(thud_preset_scene(preset)->interface[0].gap_m, 0.06, 1e-15);
+    thud_preset_free(preset);
+    fixture_keys(&f, "Uwide<Tab>"); /* compared: the numbers before stand beside */
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.06, 1e-15);
+    ck_assert_double_eq_tol(f.tui->pin.scene.interface[0].gap_m, 0.04, 1e-15);
+    ck_assert_ptr_nonnull(thud_tui_pinned(f.tui));
+    fixture_keys(&f, "U#1<Del><Esc>");
+    ck_assert_int_eq(f.tui->doc.variants.n, 2);
+    fixture_keys(&f, ":name wide<Enter>:state #1<Enter>:name wide<Enter>"); /* taken */
+    fixture_expect(&f, "neither a state nor a preset");
+    for (int i = 0; i < 60; i++) { /* the newest stay, and what has a name */
+        char keys[64];
+        snprintf(keys, sizeof keys, ":set gap %d mm<Enter>", 30 + i);
+        fixture_keys(&f, keys);
+    }
+    ck_assert_int_eq(f.tui->doc.variants.n, THUD_VARIANTS_MAX);
+    fixture_keys(&f, ":state wide<Enter>");
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.06, 1e-15);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -584,6 +624,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(files, setup, teardown);
     tcase_add_test(files, saving_keeps_comments);
     tcase_add_test(files, a_scene_from_nothing);
+    tcase_add_test(files, states_are_gone_to_named_and_compared);
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);

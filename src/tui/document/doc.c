@@ -48,6 +48,7 @@ static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *
     take(doc, preset, path);
     doc->scene = doc->saved;
     thud_undo_clear(&doc->undo);
+    thud_variants_clear(&doc->variants);
     forget_record(doc);
     doc->revision++;
     doc->edits++;
@@ -88,6 +89,7 @@ void thud_doc_free(struct thud_doc *doc)
 {
     forget_record(doc);
     thud_undo_clear(&doc->undo);
+    thud_variants_clear(&doc->variants);
     thud_preset_free(doc->preset);
     doc->preset = NULL;
 }

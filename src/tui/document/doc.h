@@ -7,6 +7,7 @@
 #include "io/preset/preset.h"
 #include "study/scene/scene.h"
 #include "tui/document/undo.h"
+#include "tui/document/variants.h"
 
 struct thud_stamp {
     long long seconds, nanoseconds, size, number; /* of a file when it was read or written; all 0: there was none */
@@ -18,6 +19,7 @@ struct thud_doc {
     struct thud_preset *preset;
     struct thud_scene scene, saved;
     struct thud_undo undo;
+    struct thud_variants variants; /* what was run so far */
     struct thud_stamp stamp;
     unsigned long revision;                  /* grows with every change that changes a run */
     unsigned long edits;                     /* grows with every change */

@@ -67,6 +67,9 @@ THUD_KEY(GENERAL, PIN, 'v', 0, "v", "+pin",
          "pin this state: its numbers stand beside those that come, its curves behind theirs")
 THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "+exchange",
          "exchange this state with the pinned one (at first the saved one)")
+THUD_KEY(GENERAL, STATES, 'U', 0, "U", "+states",
+         "the states of this session with their answers: go to one (Enter), compare with it (Tab), name it (F2, which "
+         "saves it as a preset), forget it (Del)")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
 THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG", "write all figures as PNG")
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
@@ -79,7 +82,7 @@ THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "+remarks",
          "the remarks counted above, energy, tolerance and sign: a list that leads to their fields")
 THUD_KEY(GENERAL, FIND, '/', THUD_CTRL('p'), "/", "find",
          "find anything by letters of its name (Ctrl-P too): fields, figures, screens, keys, commands, presets, ground "
-         "motions, lines of the study and of the help")
+         "motions, states, lines of the study and of the help")
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "+command", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")
 THUD_KEY(GENERAL, QUIT, 'q', 0, "q", "quit", "back one level; at the top, quit (asks when something is unsaved)")

@@ -128,8 +128,10 @@ typedef void thud_chosen_fn(struct thud_tui *tui, const char *value);
 
 struct thud_dialog {
     enum thud_mode mode;
-    const struct thud_prompt *prompt;                  /* NULL: the field `target` is typed */
-    thud_chosen_fn *chosen;                            /* of the list; NULL: nothing is done */
+    const struct thud_prompt *prompt; /* NULL: the field `target` is typed */
+    thud_chosen_fn *chosen;           /* of the list; NULL: nothing is done */
+    /* A key of the list that means something else there; NULL: none does. */
+    bool (*list_key)(struct thud_tui *tui, int key, const char *value);
     const struct thud_question *question, *after_save; /* the second: asked, and to be done once it is saved */
     const struct thud_over *over;
     void *own; /* the form's */

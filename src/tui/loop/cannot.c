@@ -57,6 +57,8 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
         return steps(tui) ? NULL : "The cursor is on no number";
     case THUD_DO_SAVE:
         return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
+    case THUD_DO_STATES:
+        return thud_tui_cannot_list_states(tui);
     case THUD_DO_REMARKS:
         return thud_tui_cannot_list_remarks(tui);
     case THUD_DO_PICTURE:

@@ -188,6 +188,16 @@ static void run_bumper(struct thud_tui *tui, char *rest)
     edit_scene(tui, "bumper", *rest ? rest : "1");
 }
 
+static void run_state(struct thud_tui *tui, char *rest)
+{
+    thud_tui_go_to_state(tui, rest);
+}
+
+static void run_name(struct thud_tui *tui, char *rest)
+{
+    thud_tui_name_state(tui, rest);
+}
+
 static void run_keep_force(struct thud_tui *tui, char *rest)
 {
     (void)rest;

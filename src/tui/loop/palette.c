@@ -75,6 +75,9 @@ static void chosen(struct thud_tui *tui, const char *value)
     case 's':
         thud_tui_go(tui, atoi(rest));
         break;
+    case 'v':
+        thud_tui_go_to_state(tui, rest);
+        break;
     case 'o':
         thud_tui_open(tui, rest, false);
         break;
@@ -113,6 +116,12 @@ void thud_tui_palette(struct thud_tui *tui)
     offer_actions(tui, where);
     offer_commands(tui);
     offer_presets(tui);
+    for (int i = 0; i < tui->doc.variants.n; i++) {
+        const struct thud_variant *v = &tui->doc.variants.item[i];
+        char value[32];
+        snprintf(value, sizeof value, "v #%d", i + 1);
+        thud_chooser_add(&tui->dialog.chooser, value, "state %s #%d  %s  %.80s", v->name, i + 1, v->what, v->answer);
+    }
     for (int i = 0; i < tui->screens; i++)
         if (tui->view[i]->offer)
             tui->view[i]->offer(tui);

@@ -10,6 +10,7 @@
 #include "tui/loop/loop.h"
 #include "tui/loop/new_scene.h"
 #include "tui/loop/play.h"
+#include "tui/loop/verdict.h"
 #include "tui/terminal/config.h"
 
 static const double slice_s = 0.012, redraw_s = 0.05, live_limit_s = 1.0, history_limit_s = 4.0;
@@ -124,6 +125,9 @@ static void typing_key(struct thud_tui *tui, int key)
 static void choosing_key(struct thud_tui *tui, int key)
 {
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
+    const struct thud_choice *marked = thud_chooser_marked(&tui->dialog.chooser);
+    if (marked && tui->dialog.list_key && tui->dialog.list_key(tui, key, marked->value))
+        return;
     if (action == THUD_DO_CANCEL)
         thud_tui_normal(tui);
     else if (action == THUD_DO_ACCEPT)
@@ -265,6 +269,11 @@ static bool comparing(const struct thud_tui *tui)
 static void ran(struct thud_tui *tui)
 {
     enum thud_action action = tui->files.whole_wanted;
+    char answer[160];
+    thud_verdict_words(tui, 60, answer, sizeof answer);
+    const char *what = thud_undo_what(&tui->doc.undo, 0);
+    if (*answer && tui->run.revision == tui->doc.revision)
+        thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened", answer);
     tui->files.whole_wanted = THUD_DO_NOTHING;
     if (tui->files.pictures_wanted)
         thud_tui_run_pictures(tui);

@@ -19,7 +19,7 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
 }
 
 /* In at most `columns`; empty where there is nothing to say. *pounds: whether there is contact without a bumper. */
-static void verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
+static void words_of(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     const struct thud_live_need *need = &tui->run.live.need[tui->pair];
@@ -52,6 +52,12 @@ static void verdict_words(const struct thud_tui *tui, int columns, char *text, s
     thud_answer_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
 }
 
+void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size)
+{
+    bool pounds;
+    words_of(tui, columns, text, size, &pounds);
+}
+
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)
 {
     char words[sizeof tui->verdict.text];
@@ -60,7 +66,7 @@ void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)
     char count[32] = "";
     if (remarks > 0)
         snprintf(count, sizeof count, "! %d ", remarks);
-    verdict_words(tui, row->w - 2 - (*count ? (int)strlen(count) + 1 : 0), words, sizeof words, &pounds);
+    words_of(tui, row->w - 2 - (*count ? (int)strlen(count) + 1 : 0), words, sizeof words, &pounds);
     if (!running) {
         memcpy(tui->verdict.text, words, sizeof words);
         tui->verdict.role = pounds ? THUD_ROLE_WARN : THUD_ROLE_GOOD;
