@@ -20,6 +20,7 @@ enum thud_dimension {
     THUD_VELOCITY,
     THUD_ACCELERATION,
     THUD_BENDING, /* N m2 */
+    THUD_DASHPOT, /* N s/m */
     THUD_DIMENSIONS
 };
 

@@ -29,6 +29,7 @@ static const struct {
     [THUD_VELOCITY] = {"a velocity", "m/s, cm/s, mm/s"},
     [THUD_ACCELERATION] = {"an acceleration", "m/s2, cm/s2, mm/s2, g, gal"},
     [THUD_BENDING] = {"a bending stiffness", "N m2, kN m2, MN m2, GN m2"},
+    [THUD_DASHPOT] = {"a dashpot", "N s/m, kN s/m, MN s/m"},
 };
 
 const char *thud_dimension_units(enum thud_dimension dimension)

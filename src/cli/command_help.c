@@ -51,6 +51,7 @@ static void add_keys(struct thud_text *out)
     add_group(THUD_GROUP_COLUMN, "structures.1.column.", out);
     add_group(THUD_GROUP_STRUCTURE, "structures.2.", out);
     add_group(THUD_GROUP_COLUMN, "structures.2.column.", out);
+    add_group(THUD_GROUP_LINK, "links.1.", out);
     add_group(THUD_GROUP_RECORD, "record.", out);
     add_group(THUD_GROUP_ANALYSIS, "analysis.", out);
     add_group(THUD_GROUP_STUDY, "study.", out);

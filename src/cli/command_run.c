@@ -68,6 +68,8 @@ static const char *case_title(const struct thud_scene *scene)
         bumper |= scene->interface[i].has_bumper;
         cavity |= scene->interface[i].has_bumper && scene->interface[i].bumper_cavity_m > 0;
     }
+    if (scene->nlinks > 0)
+        return bumper ? "bumper and links" : "links";
     return cavity ? "bumper in a cavity" : bumper ? "bumper" : "no bumper";
 }
 

@@ -242,7 +242,7 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
         }
     thud_error_set(err, THUD_USAGE, "\"%.40s\" is no case", word);
     thud_error_key(err, "--case");
-    thud_error_allow(err, "none, bumper, cavity");
+    thud_error_allow(err, "none, bumper, cavity, link");
     return THUD_USAGE;
 }
 

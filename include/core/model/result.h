@@ -41,6 +41,7 @@ struct thud_link_result {
     struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
     double lost_j;           /* in its dashpot, or by its law */
     int engaged;             /* times a one-sided one came to act */
+    int contact;             /* row of its events; -1: it always acts */
 };
 
 /* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower

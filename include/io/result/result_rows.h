@@ -6,8 +6,8 @@
 #include "io/result/result_file.h"
 
 extern const struct thud_schema thud_record_schema, thud_method_schema, thud_floor_schema, thud_storey_schema,
-    thud_contact_schema, thud_column_schema, thud_impact_schema, thud_event_schema, thud_energy_schema,
-    thud_truncation_schema;
+    thud_contact_schema, thud_column_schema, thud_link_schema, thud_impact_schema, thud_event_schema,
+    thud_energy_schema, thud_truncation_schema;
 
 /* Marks of rows that have more fields. */
 enum {
@@ -16,7 +16,8 @@ enum {
     THUD_ROW_CONTACT = 4, /* an event of a contact */
     THUD_ROW_STOREY = 8,  /* an event of a storey */
     THUD_ROW_CAPACITY = 16,
-    THUD_ROW_WEIGHS = 32 /* P-Delta */
+    THUD_ROW_WEIGHS = 32, /* P-Delta */
+    THUD_ROW_LINK = 64    /* an event of a link */
 };
 
 struct thud_floor_row {
@@ -37,6 +38,7 @@ struct thud_rows thud_floor_rows(const struct thud_floors *floors);
 struct thud_rows thud_storey_rows(const struct thud_floors *floors); /* only of structures that yield */
 struct thud_rows thud_contact_rows(const struct thud_report *report);
 struct thud_rows thud_column_rows(const struct thud_report *report);
+struct thud_rows thud_link_rows(const struct thud_report *report);
 struct thud_rows thud_impact_rows(const struct thud_report *report);
 struct thud_rows thud_event_rows(const struct thud_report *report);
 /* The method and its work, as members of an object. */

@@ -9,7 +9,7 @@
 #include "base/status.h"
 #include "core/laws/law.h"
 
-enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
+enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_LINKS_MAX = 32, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
 
 enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL };
 /* Of storeys. */
@@ -74,6 +74,16 @@ struct thud_interface {
     double bumper_thickness_m, bumper_cavity_m;
 };
 
+/* What ties a floor of one structure to one of its neighbour, in place of a bumper. */
+enum thud_link_law { THUD_LINK_SPRING, THUD_LINK_DASHPOT, THUD_LINK_RESTRAINER, THUD_LINK_STRUT, THUD_LINK_LAWS };
+
+struct thud_link {
+    char from[THUD_NAME_MAX + 8], to[THUD_NAME_MAX + 8]; /* A.4: floor 4 of A; A: a body, or a wall */
+    double law;                                          /* enum thud_link_law */
+    double stiffness_npm, damping_nspm;
+    double slack_m; /* restrainer and strut: they act beyond it */
+};
+
 struct thud_record_choice {
     char file[THUD_TEXT_MAX];          /* empty: no ground motion */
     double peak_mps2;                  /* scale to this peak; NaN: as recorded */
@@ -101,7 +111,14 @@ struct thud_analysis {
     int modes;     /* each building's lowest ones alone; 0: all */
 };
 
-enum thud_case { THUD_CASE_AS_WRITTEN = -1, THUD_CASE_NONE, THUD_CASE_BUMPER, THUD_CASE_CAVITY, THUD_CASES };
+enum thud_case {
+    THUD_CASE_AS_WRITTEN = -1,
+    THUD_CASE_NONE,
+    THUD_CASE_BUMPER,
+    THUD_CASE_CAVITY,
+    THUD_CASE_LINK,
+    THUD_CASES
+};
 
 /* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
 enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };
@@ -131,6 +148,8 @@ struct thud_scene {
     struct thud_interface interface[THUD_STRUCTURES_MAX - 1]; /* nstructures - 1 in use */
     struct thud_analysis analysis;
     struct thud_study_choice study;
+    int nlinks;
+    struct thud_link link[THUD_LINKS_MAX];
 };
 
 /* ---- making one ---- */
@@ -158,6 +177,24 @@ double thud_structure_weight(const struct thud_structure *structure, int i);
 #define THUD_COLLAPSE_DRIFT 0.1
 /* Whether a storey of the scene yields. */
 bool thud_scene_yields(const struct thud_scene *scene);
+/* Of a law; what must be given is NaN, its ends are empty. */
+void thud_link_init(struct thud_link *link, enum thud_link_law law);
+bool thud_link_has(enum thud_link_law law, int param); /* of THUD_GROUP_LINK, by index */
+/* "A.4-B.4", and the word of its law, of link i of a result. */
+void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size);
+const char *thud_link_law_name(const struct thud_scene *scene, int i);
+/* Whether both ends of link i are there, floors of neighbours. */
+bool thud_link_stands(const struct thud_scene *scene, int i);
+/* The ends that have a structure's old name get its new one. */
+void thud_links_rename(struct thud_scene *scene, const char *before, const char *now);
+/* The interface (from 0) that link i crosses; -1: it does not stand. */
+int thud_link_interface(const struct thud_scene *scene, int i);
+/* Takes link i away. */
+void thud_link_remove(struct thud_scene *scene, int i);
+/* Where an end of a link stands: the structure from 0, the floor from 1; 0: it moves with the ground. Errors: THUD_INPUT
+ * without key. */
+enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, int *structure, int *floor,
+                               struct thud_error *err);
 /* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
 void thud_interface_init(struct thud_interface *interface);
 void thud_interface_add_bumper(struct thud_interface *interface);
@@ -172,6 +209,7 @@ enum thud_group {
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
+    THUD_GROUP_LINK,
     THUD_GROUP_ANALYSIS,
     THUD_GROUP_STUDY,
     THUD_GROUPS
@@ -216,14 +254,17 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
 
 /* To a scene for reading alone: without the structures beyond those in use, a seventh of the bytes for two of them. */
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
-/* The scene of a case: `none` drops every bumper, `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep.
- * THUD_INPUT when a case needs a bumper and there is none. */
+/* The scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links; `bumper`
+ * sets it flush, `cavity` thickness (1 - max-strain) deep. THUD_INPUT when a case needs a bumper or a link and there is
+ * none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 /* The scene as it moves without pounding: no bumpers, and contacts without a force. */
 void thud_scene_drop_contacts(struct thud_scene *scene);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
-const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "as-written" */
+/* Whether there is anything that case `none` leaves out. */
+bool thud_scene_has_measure(const struct thud_scene *scene);
+const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "link", "as-written" */
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
 

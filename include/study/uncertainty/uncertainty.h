@@ -22,6 +22,7 @@ enum thud_input {
     THUD_INPUT_HARDENING,       /* of those storeys, 0 to 1 */
     THUD_INPUT_COLUMNS,         /* stiffness of the columns that slabs strike */
     THUD_INPUT_ELEVATION,       /* of a building's ground */
+    THUD_INPUT_LINK,            /* stiffness and dashpot of all links */
     THUD_INPUT_RECORD,          /* which ground motion of a suite */
     THUD_INPUTS
 };

@@ -68,7 +68,7 @@ enum {
 static const struct thud_option options[] = {
     {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true,
      STUDY | MEASURE | RECORD_VERBS | SCREEN | EXPORT | REPORT | STIFFNESS | NEW},
-    {"case", "CASE", "none, bumper or cavity; else the preset as written", THUD_WORD_CASE, false,
+    {"case", "CASE", "none, bumper, cavity or link; else as written", THUD_WORD_CASE, false,
      RUN | SWEEP | UNCERTAINTY | MEASURE | EXPORT | STIFFNESS},
     {"record", "FILE", "the ground motion", THUD_WORD_FILE, false,
      STUDY | MEASURE | SCREEN | VERIFY | EXPORT | REPORT | STIFFNESS},

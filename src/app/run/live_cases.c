@@ -85,7 +85,7 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
 {
     *out = *scene;
     if (which == THUD_LIVE_BUMPER)
-        return thud_scene_has_bumper(scene);
+        return thud_scene_has_measure(scene);
     if (which == THUD_LIVE_FREE)
         thud_scene_drop_contacts(out);
     else

@@ -90,7 +90,8 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
 
 static void add_contacts(const struct thud_report *report, struct thud_text *out)
 {
-    const struct thud_rows contacts = thud_contact_rows(report), columns = thud_column_rows(report);
+    const struct thud_rows contacts = thud_contact_rows(report), columns = thud_column_rows(report),
+                           links = thud_link_rows(report);
     bool drifts = true;
     for (int i = 0; i < columns.n; i++)
         drifts = drifts && report->result->column[i].drifts;
@@ -105,6 +106,10 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
     if (!drifts)
         thud_text_append(out,
                          "Where neither EI nor stiffness is given, by the contact forces alone, without the drift.\n");
+    if (links.n > 0) {
+        thud_text_append(out, "\n");
+        thud_rows_table(&links, out);
+    }
 }
 
 /* Steps end where the ground motion has its samples, so that the one asked for is the longest there may be. */

@@ -17,6 +17,7 @@ static const char *title_of(enum thud_case which)
     return which == THUD_CASE_NONE     ? "no bumper"
            : which == THUD_CASE_BUMPER ? "bumper"
            : which == THUD_CASE_CAVITY ? "in a cavity"
+           : which == THUD_CASE_LINK   ? "links"
                                        : "no pounding";
 }
 
@@ -43,15 +44,22 @@ static enum thud_status parse(const struct thud_scene *scene, const char *text, 
     return status;
 }
 
-/* The session's scene without bumpers, whose walls let everything through. */
-static enum thud_status run_free(struct thud_session *session, const struct thud_run_options *options,
-                                 struct thud_run_case *item, struct thud_error *err)
+/* The session's scene without bumpers, and without links where a case goes without them, whose walls let everything
+ * through. */
+static enum thud_status run_free(struct thud_session *session, const struct thud_run_cases *cases,
+                                 const struct thud_run_options *options, struct thud_run_case *item,
+                                 struct thud_error *err)
 {
+    bool linked = true;
+    for (int i = 1; i < cases->n; i++)
+        linked = linked && (cases->item[i].which == THUD_CASE_LINK || cases->item[i].which == THUD_CASE_AS_WRITTEN);
     struct thud_scene *kept = malloc(sizeof *kept);
     if (!kept)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *kept = session->scene;
     thud_scene_drop_contacts(&session->scene);
+    if (!linked)
+        thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, NULL);
     enum thud_status status =
         thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->answer, err);
     session->scene = *kept;
@@ -94,7 +102,7 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = parse(&session->scene, text, cases, err);
     if (status == THUD_OK)
-        status = run_free(session, options, &cases->item[0], err);
+        status = run_free(session, cases, options, &cases->item[0], err);
     for (int i = 1; i < cases->n && status == THUD_OK; i++)
         status = thud_session_run(session, cases->item[i].which, options, &cases->item[i].scene, &cases->item[i].answer,
                                   err);
@@ -172,7 +180,7 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
         thud_text_append(out, " %11s", cases->item[i].name);
     for (int i = 1; none && i < cases->n; i++)
         if (i != none)
-            thud_text_append(out, " %s", cases->item[i].which == THUD_CASE_CAVITY ? "cavity:none" : "bumper:none");
+            thud_text_append(out, " %6s:none", thud_case_name(cases->item[i].which));
     thud_text_append(out, "\n");
     for (int f = floors - 1; f >= 0; f--) {
         thud_text_append(out, "%5d", f + 1);
@@ -220,6 +228,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     const struct thud_contact_result *most = hardest(result_of(cases, i), &impacts);
     const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
                       : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
+                      : cases->item[i].which == THUD_CASE_LINK   ? "With the links"
                                                                  : "With the bumper in a cavity";
     struct thud_error fall;
     if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
@@ -260,14 +269,14 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
                                  f + 1, 100 * change);
         }
     const char *what = drift ? "deflections" : "accelerations", *of = drift ? "storeys" : "floors";
+    const char *verb = cases->item[i].which == THUD_CASE_LINK ? (more ? "They raise" : "They lower")
+                       : cases->item[i].which == THUD_CASE_CAVITY
+                           ? (more ? "In a cavity it raises" : "In a cavity it lowers")
+                           : (more ? "It raises" : "It lowers");
     if (n > 0 && !list.failed)
-        thud_text_append(out, "%s %s the %s of %s %s.\n",
-                         cases->item[i].which == THUD_CASE_CAVITY ? "In a cavity it" : "It", more ? "raises" : "lowers",
-                         what, of, list.data);
+        thud_text_append(out, "%s the %s of %s %s.\n", verb, what, of, list.data);
     else
-        thud_text_append(out, "%s %s no %s by more than 1 %%.\n",
-                         cases->item[i].which == THUD_CASE_CAVITY ? "In a cavity it" : "It", more ? "raises" : "lowers",
-                         what);
+        thud_text_append(out, "%s no %s by more than 1 %%.\n", verb, what);
     out->failed |= list.failed;
     thud_text_clear(&list);
 }

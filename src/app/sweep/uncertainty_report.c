@@ -120,10 +120,12 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     const char *what = quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift";
     thud_text_append(out,
-                     "The %s lowers the mean %s of %s in %.0f %% of %.0f samples\n"
+                     "The %s the mean %s of %s in %.0f %% of %.0f samples\n"
                      "  (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
-                     quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity" : "bumper", what,
-                     u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low,
+                     quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity lowers"
+                     : quantity->which == THUD_CASE_LINK ? "links lower"
+                                                         : "bumper lowers",
+                     what, u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low,
                      t->high);
 }
 

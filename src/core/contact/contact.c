@@ -162,8 +162,8 @@ static enum thud_status open_contact(struct thud_state *state, struct thud_conta
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
     s->suppressed = (struct thud_suppressed){.indentation = zeros};
-    return thud_impact_counts(state, c, log->now[c].impulse_ns) ? thud_contact_log_add(log, &log->now[c], err)
-                                                                : THUD_OK;
+    const bool listed = c < state->model->npairs && thud_impact_counts(state, c, log->now[c].impulse_ns);
+    return listed ? thud_contact_log_add(log, &log->now[c], err) : THUD_OK;
 }
 
 /* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */

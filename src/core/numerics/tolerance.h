@@ -89,6 +89,9 @@
 
 /* Force. */
 
+/* Part of force times stroke below which what a link takes in all is rounding. */
+#define THUD_TOL_LINK_LOSS 1e-12
+
 /* Part of the elastic force below which a force has not left 0. */
 #define THUD_TOL_FORCE 1e-9
 /* Part of the force on the approach branch by which it must exceed that of the restitution branch for a contact to

@@ -9,6 +9,7 @@
 #include "core/motion/free_vibration.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/quadrature.h"
+#include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
@@ -174,9 +175,13 @@ const struct thud_observer thud_observe_links = {.segment = segment, .block = bl
 void thud_links_finish(const struct thud_model *m, struct thud_result *result)
 {
     for (int i = 0; i < m->nlinks; i++) {
-        const struct thud_contact_result *from = &result->contact[m->link[i].contact < 0 ? 0 : m->link[i].contact];
-        if (m->link[i].contact >= 0)
-            result->link[i] =
-                (struct thud_link_result){from->force, from->indentation, from->dissipated_j, from->impacts};
+        const int contact = result->link[i].contact = m->link[i].contact;
+        if (contact < 0)
+            continue;
+        const struct thud_contact_result *from = &result->contact[contact];
+        const double least_j = THUD_TOL_LINK_LOSS * from->force.value * from->indentation.value;
+        result->link[i] = (struct thud_link_result){from->force, from->indentation,
+                                                    fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
+                                                    from->impacts, contact};
     }
 }

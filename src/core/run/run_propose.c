@@ -99,6 +99,12 @@ static struct row_name name_row(const struct thud_model *model, int row)
     if (storey) {
         snprintf(name.words, sizeof name.words, "storey %d of structure %d", storey->floor + 1, storey->structure + 1);
         snprintf(name.key, sizeof name.key, "structures.%d.yield.%d", storey->structure + 1, storey->floor + 1);
+    } else if (row >= model->npairs) {
+        int i = 0;
+        while (model->link[i].contact != row)
+            i++;
+        snprintf(name.words, sizeof name.words, "link %d", i + 1);
+        snprintf(name.key, sizeof name.key, "links.%d", i + 1);
     } else {
         snprintf(name.words, sizeof name.words, "contact between floors %d and %d", contact->left_floor,
                  contact->right_floor);

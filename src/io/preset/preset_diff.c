@@ -271,6 +271,8 @@ static bool other_defaults(const struct saving *s, struct thud_section section)
         return was->structure[i].kind != s->now->structure[i].kind;
     if (section.group == THUD_GROUP_CONTACT)
         return was->interface[i].contact.law != s->now->interface[i].contact.law;
+    if (section.group == THUD_GROUP_LINK)
+        return was->link[i].law != s->now->link[i].law;
     return section.group == THUD_GROUP_BUMPER && was->interface[i].bumper.law != s->now->interface[i].bumper.law;
 }
 
@@ -299,7 +301,8 @@ static void rewrite_flow(struct saving *s, struct thud_section section, int node
 {
     struct thud_text text = {0};
     struct thud_emit emit = {&text, s->newline, true};
-    if (section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_INTERFACE)
+    if (section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_INTERFACE ||
+        section.group == THUD_GROUP_LINK)
         thud_emit_item(&emit, s->now, section, 0);
     else {
         thud_text_append(&text, "{");
@@ -417,6 +420,10 @@ static void save_interface(struct saving *s, int i, int node)
 
 static const void *item_of(const struct thud_scene *scene, enum thud_group group, int i, size_t *size)
 {
+    if (group == THUD_GROUP_LINK) {
+        *size = sizeof scene->link[i];
+        return &scene->link[i];
+    }
     *size = group == THUD_GROUP_STRUCTURE ? sizeof scene->structure[i] : sizeof scene->interface[i];
     return group == THUD_GROUP_STRUCTURE ? (const void *)&scene->structure[i] : (const void *)&scene->interface[i];
 }
@@ -452,7 +459,7 @@ static void append_item(struct saving *s, struct thud_emit *emit, struct thud_se
         thud_text_append(emit->out, "%s", s->newline);
 }
 
-/* The whole list; `structures` or `interfaces`. */
+/* The whole list; `structures`, `interfaces` or `links`. */
 static void save_list(struct saving *s, enum thud_group group, int n)
 {
     const char *name = thud_group_key(group);
@@ -501,6 +508,11 @@ static void save_all(struct saving *s)
         for (int i = 0; i + 1 < was->nstructures; i++)
             save_interface(s, i, thud_yaml_child(&s->preset->tree, interfaces, i));
     }
+    if (was->nlinks != s->now->nlinks)
+        save_list(s, THUD_GROUP_LINK, s->now->nlinks);
+    for (int i = 0; i < was->nlinks && was->nlinks == s->now->nlinks; i++)
+        save_section(s, (struct thud_section){THUD_GROUP_LINK, i},
+                     thud_yaml_child(&s->preset->tree, thud_yaml_find(&s->preset->tree, 0, "links", NULL), i));
     save_group(s, THUD_GROUP_ANALYSIS);
     save_group(s, THUD_GROUP_STUDY);
 }

@@ -13,6 +13,7 @@ void thud_section_path(struct thud_section section, char *path, size_t size)
     switch (section.group) {
     case THUD_GROUP_STRUCTURE:
     case THUD_GROUP_INTERFACE:
+    case THUD_GROUP_LINK:
         snprintf(path, size, "%s.%d", key, section.index + 1);
         break;
     case THUD_GROUP_COLUMN:
@@ -35,7 +36,8 @@ int thud_section_keys(const struct thud_scene *scene, struct thud_section sectio
                                  : section.group == THUD_GROUP_BUMPER ? scene->interface[section.index].bumper.law
                                                                       : NULL;
     for (int i = 0; i < count; i++)
-        if (section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i))
+        if ((section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
+            (section.group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[section.index].law, i)))
             key[n++] = params[i].name;
     for (int i = 0; law && i < law->nparams; i++)
         key[n++] = law->params[i].name;
@@ -112,6 +114,8 @@ static bool as_anyway(struct thud_emit *emit, struct thud_section section, const
         return strcmp(text, "clamped") == 0;
     if (section.group == THUD_GROUP_INTERFACE)
         return strcmp(strrchr(path, '.'), ".levels") == 0 && strcmp(text, "all") == 0;
+    if (section.group == THUD_GROUP_LINK)
+        return strcmp(text, "0 cm") == 0 || strcmp(text, "0 kN s/m") == 0;
     if (section.group != THUD_GROUP_RECORD && section.group != THUD_GROUP_ANALYSIS &&
         section.group != THUD_GROUP_STUDY && section.group != THUD_GROUP_SCENE)
         return false;
@@ -199,9 +203,10 @@ void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
 {
     emit_group(emit, scene, THUD_GROUP_SCENE);
     emit_group(emit, scene, THUD_GROUP_RECORD);
-    for (int g = 0; g < 2; g++) {
-        enum thud_group group = g ? THUD_GROUP_INTERFACE : THUD_GROUP_STRUCTURE;
-        int n = g ? scene->nstructures - 1 : scene->nstructures;
+    static const enum thud_group lists[] = {THUD_GROUP_STRUCTURE, THUD_GROUP_INTERFACE, THUD_GROUP_LINK};
+    for (int g = 0; g < 3; g++) {
+        enum thud_group group = lists[g];
+        int n = g == 0 ? scene->nstructures : g == 1 ? scene->nstructures - 1 : scene->nlinks;
         if (n > 0)
             thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
         for (int i = 0; i < n; i++) {

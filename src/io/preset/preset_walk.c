@@ -412,6 +412,41 @@ static enum thud_status walk_interfaces(struct thud_preset *preset, int root, st
     return status;
 }
 
+/* ---- links ---- */
+
+static bool not_law(const struct thud_preset *preset, const char *path, const char *key)
+{
+    (void)preset;
+    (void)path;
+    return strcmp(key, "law") != 0;
+}
+
+/* The law first: what else may be said depends on it. */
+static enum thud_status walk_links(struct thud_preset *preset, int root, struct thud_error *err)
+{
+    int list = thud_yaml_find(&preset->tree, root, "links", NULL);
+    enum thud_status status = list >= 0 ? want(preset, list, "links", THUD_YAML_LIST, err) : THUD_OK;
+    int n = list >= 0 && status == THUD_OK ? preset->tree.node[list].children : 0;
+    if (n > THUD_LINKS_MAX)
+        return refuse(preset, list, "links", "there are too many links", "up to 32", err);
+    for (int i = 0; i < n && status == THUD_OK; i++) {
+        int node = thud_yaml_child(&preset->tree, list, i);
+        char path[PATH_BYTES], full[PATH_BYTES + 8];
+        snprintf(path, sizeof path, "links.%d", i + 1);
+        snprintf(full, sizeof full, "%s.law", path);
+        status = want(preset, node, path, THUD_YAML_KEYS, err);
+        int law = status == THUD_OK ? thud_yaml_find(&preset->tree, node, "law", NULL) : -1;
+        if (status == THUD_OK && law < 0)
+            return refuse(preset, node, full, "the law of the link is not given", "spring, dashpot, restrainer, strut",
+                          err);
+        if (status == THUD_OK)
+            status = set_value(preset, full, law, err);
+        if (status == THUD_OK)
+            status = set_keys(preset, node, path, not_law, err);
+    }
+    return status;
+}
+
 /* ---- the rest ---- */
 
 static bool is_vary(const struct thud_preset *preset, const char *path, const char *key)
@@ -462,7 +497,8 @@ static enum thud_status check_scene(struct thud_preset *preset, struct thud_erro
 
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
 {
-    static const char *const known[] = {"title", "p-delta", "record", "structures", "interfaces", "analysis", "study"};
+    static const char *const known[] = {"title",      "p-delta", "record",   "structures",
+                                        "interfaces", "links",   "analysis", "study"};
     enum thud_status status = check_keys(preset, 0, "", known, sizeof known / sizeof *known, err);
     for (int i = 0; i < 2 && status == THUD_OK; i++) { /* those of the scene itself */
         int value = thud_yaml_find(&preset->tree, 0, known[i], NULL);
@@ -474,6 +510,8 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
         status = walk_structures(preset, 0, err);
     if (status == THUD_OK)
         status = walk_interfaces(preset, 0, err);
+    if (status == THUD_OK)
+        status = walk_links(preset, 0, err);
     if (status == THUD_OK)
         status = walk_group(preset, 0, "analysis", err);
     if (status == THUD_OK)

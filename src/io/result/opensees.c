@@ -118,7 +118,7 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     }
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
-    for (int c = 0; c < model->ncontacts && status == THUD_OK; c++)
+    for (int c = 0; c < model->npairs && status == THUD_OK; c++)
         status = check_contact(scene, &model->contact[c], err);
     return status;
 }
@@ -226,13 +226,13 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
     }
 }
 
-/* Modes of all structures, lowest first, as OpenSees finds them before there are contacts. */
-static void damping(struct thud_text *out, const struct thud_model *model)
+/* Modes of all structures, each on its own, lowest first, as OpenSees finds them before there are contacts and links. */
+static void damping(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
 {
     double above = -1;
     bool damped = false;
-    for (int m = 0; m < model->nmodes; m++)
-        damped = damped || (model->omega[m] > 0 && model->zeta[m] > 0);
+    for (int s = 0; s < model->nstructures; s++)
+        damped = damped || (thud_kind_is_building(scene->structure[s].kind) && scene->structure[s].damping > 0);
     if (!damped)
         return;
     thud_text_append(out,
@@ -241,14 +241,16 @@ static void damping(struct thud_text *out, const struct thud_model *model)
                      model->nmodes);
     for (int done = 0; done < model->nmodes;) {
         double next = INFINITY;
-        for (int m = 0; m < model->nmodes; m++)
-            if (model->omega[m] > above)
-                next = fmin(next, model->omega[m]);
-        for (int m = 0; m < model->nmodes; m++)
-            if (model->omega[m] == next) {
-                thud_text_append(out, "%s", done++ > 0 ? ", " : "");
-                number(out, next > 0 ? model->zeta[m] : 0);
-            }
+        for (int s = 0; s < model->nstructures; s++)
+            for (int j = 0; j < model->structure[s].n; j++)
+                if (model->structure[s].omega[j] > above)
+                    next = fmin(next, model->structure[s].omega[j]);
+        for (int s = 0; s < model->nstructures; s++)
+            for (int j = 0; j < model->structure[s].n; j++)
+                if (model->structure[s].omega[j] == next) {
+                    thud_text_append(out, "%s", done++ > 0 ? ", " : "");
+                    number(out, next > 0 ? scene->structure[s].damping : 0);
+                }
         above = next;
     }
     thud_text_append(out, ")\n");
@@ -314,7 +316,7 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
         thud_text_append(out, "%s%d", i > 0 ? ", " : "",
                          model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
     thud_text_append(out, "]\n\n# contacts: left and right floor\nCONTACTS = []\n");
-    for (int i = 0; i < model->ncontacts; i++) {
+    for (int i = 0; i < model->npairs; i++) {
         const struct thud_model_contact *c = &model->contact[i];
         int tag = contact_tag(model, i);
         if (!has_contact(c))
@@ -323,6 +325,32 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
         thud_text_append(out,
                          "ops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\nCONTACTS.append(%d)\n",
                          tag, node_of(c, false), node_of(c, true), tag, tag);
+    }
+}
+
+/* Springs and dashpots always act; a restrainer holds past a gap that opens, a strut pushes past one that closes. */
+static void links(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
+{
+    static const double strength_m = 1e3; /* what holds past a gap never yields */
+    if (model->nlinks > 0)
+        thud_text_append(out, "\n# links\n");
+    for (int i = 0; i < model->nlinks; i++) {
+        const struct thud_model_link *l = &model->link[i];
+        const struct thud_link *link = &scene->link[i];
+        const int tag = model->ndof + model->ncontacts + i + 1, side = link->law == THUD_LINK_RESTRAINER ? 1 : -1,
+                  some = model->dof_structure[l->left_dof >= 0 ? l->left_dof : l->right_dof],
+                  left = l->left_dof >= 0 ? l->left_dof + 1 : GROUND + some,
+                  right = l->right_dof >= 0 ? l->right_dof + 1 : GROUND + some + 2;
+        thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ", l->contact >= 0 ? "ElasticPPGap" : "Elastic", tag);
+        number(out, l->contact >= 0 ? link->stiffness_npm : l->stiffness_npm);
+        thud_text_append(out, ", ");
+        number(out, l->contact >= 0 ? side * strength_m * link->stiffness_npm : l->damping_nspm);
+        if (l->contact >= 0) {
+            thud_text_append(out, ", ");
+            number(out, side * fmax(link->slack_m, least_gap_m));
+        }
+        thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", tag, left,
+                         right, tag);
     }
 }
 
@@ -421,8 +449,9 @@ void thud_opensees_script(const struct thud_scene *scene, const struct thud_mode
         weight_n += model->mass_kg[i] * THUD_GRAVITY;
     head(out, scene, model, record, result);
     nodes(out, scene, model);
-    damping(out, model);
+    damping(out, scene, model);
     contacts(out, model);
+    links(out, scene, model);
     thud_text_append(out, "\nFLOORS = list(range(1, %d))\nWEIGHT = ", model->ndof + 1);
     number(out, weight_n);
     thud_text_append(out, "\n%s",

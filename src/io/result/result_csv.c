@@ -71,6 +71,13 @@ static void add_struck_columns(const struct thud_report *report, struct thud_tex
         }
 }
 
+/* link.1.force_n: of the first link. */
+static void add_link_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
+{
+    for (int i = 0; i < report->result->nlinks; i++)
+        thud_text_append(out, ",link.%d.%s", i + 1, quantity);
+}
+
 /* Of the storeys that yield: column name such as A.storey.3.shear_n. */
 static void add_storey_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
@@ -102,6 +109,8 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
     add_storey_columns(report, "shear_n", out);
     add_storey_columns(report, "plastic_m", out);
     add_struck_columns(report, out);
+    add_link_columns(report, "force_n", out);
+    add_link_columns(report, "stroke_m", out);
     thud_text_append(out, "%s\n", h->weighs ? ",energy.gravity_j" : "");
     for (size_t i = 0; i < h->rows; i++) {
         thud_text_number(out, h->time_s[i]);

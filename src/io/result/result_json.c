@@ -130,7 +130,8 @@ static void add_status(const struct thud_report *report, struct thud_text *out)
 static void add_peaks(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
-    const struct thud_rows contacts = thud_contact_rows(report), columns = thud_column_rows(report);
+    const struct thud_rows contacts = thud_contact_rows(report), columns = thud_column_rows(report),
+                           links = thud_link_rows(report);
     thud_text_append(out, "  \"structures\": [");
     for (int s = 0; s < r->nstructures; s++) {
         thud_text_append(out, "%s\n", s > 0 ? "," : "");
@@ -148,6 +149,11 @@ static void add_peaks(const struct thud_report *report, struct thud_text *out)
     if (columns.n > 0) {
         thud_text_append(out, "  \"columns\": ");
         thud_rows_json(&columns, out);
+        thud_text_append(out, ",\n");
+    }
+    if (links.n > 0) {
+        thud_text_append(out, "  \"links\": ");
+        thud_rows_json(&links, out);
         thud_text_append(out, ",\n");
     }
 }

@@ -248,6 +248,47 @@ struct thud_rows thud_column_rows(const struct thud_report *report)
     return (struct thud_rows){&thud_column_schema, marks, report->result->ncolumns, make_column, report};
 }
 
+/* ---- links ---- */
+
+struct link_row {
+    struct thud_link_result own;
+    int link;
+    const char *ends, *law;
+    char text[2 * THUD_NAME_MAX];
+};
+#define LINK(member, key, text) THUD_COLUMN(struct link_row, member, key, text)
+
+static const struct thud_column links[] = {
+    {LINK(link, "link", "Its number, from 1."), .shown = {"link", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {LINK(ends, "ends", "Its two ends."), .shown = {NULL, NULL, 0, -13, 12, THUD_DIGITS_WORD}},
+    {LINK(law, "law", "Its law."), .shown = {NULL, NULL, 0, -12, 0, THUD_DIGITS_WORD}},
+    {LINK(own.force.value, "force_n", "Largest force, N."), .shown = {"force", "kN", 1e-3, 12, 5, THUD_DIGITS_PLACES}},
+    {LINK(own.force.time_s, "force_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {LINK(own.stroke.value, "stroke_m",
+          "Largest change of the distance of its ends; of a restrainer or a strut beyond its slack, m."),
+     .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
+    {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {LINK(own.lost_j, "lost_j", "Energy lost in it, J."), .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
+    {LINK(own.engaged, "engaged", "How often a restrainer or a strut came to act; no value of others."),
+     .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}}};
+const struct thud_schema thud_link_schema = THUD_SCHEMA(
+    "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
+
+static void make_link(const void *of, int i, void *out)
+{
+    const struct thud_report *report = of;
+    struct link_row *row = out;
+    *row = (struct link_row){report->result->link[i], i + 1, row->text, thud_link_law_name(report->scene, i), ""};
+    thud_link_name(report->scene, i, row->text, sizeof row->text);
+    if (row->own.contact < 0)
+        row->own.engaged = THUD_NO_COUNT;
+}
+
+struct thud_rows thud_link_rows(const struct thud_report *report)
+{
+    return (struct thud_rows){&thud_link_schema, 0, report->result->nlinks, make_link, report};
+}
+
 /* ---- impacts ---- */
 
 struct impact_row {
@@ -291,7 +332,7 @@ struct thud_rows thud_impact_rows(const struct thud_report *report)
 /* Of a contact two floors of an interface, or a storey of a structure. */
 struct event_row {
     struct thud_event_entry own;
-    int interface, left_floor, right_floor, storey;
+    int interface, left_floor, right_floor, storey, link;
     const char *structure, *where;
     char text[80];
 };
@@ -306,6 +347,7 @@ static const struct thud_column events[] = {
     {EVENT(structure, "structure", "Name of the structure whose storey yields, unloads or collapses."),
      .only = THUD_ROW_STOREY},
     {EVENT(storey, "storey", "Number of that storey, from 1."), .only = THUD_ROW_STOREY},
+    {EVENT(link, "link", "Number of the link, from 1; where there are links."), .only = THUD_ROW_LINK},
     {EVENT(own.event, "event",
            "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield, "
            "unload or collapse; thud-methods(7) has the guard of each."),
@@ -329,9 +371,21 @@ const struct thud_schema thud_event_schema =
                 "interface and its floors.\n",
                 events);
 
+/* The link whose events a row has; -1: another's. */
+static int link_of(const struct thud_result *r, int row)
+{
+    for (int i = 0; i < r->nlinks; i++)
+        if (r->link[i].contact == row)
+            return i;
+    return -1;
+}
+
 unsigned thud_event_marks(const struct thud_report *report, int i)
 {
-    return report->event[i].row < report->result->ncontacts ? THUD_ROW_CONTACT : THUD_ROW_STOREY;
+    const int at = report->event[i].row;
+    if (at < report->result->ncontacts)
+        return THUD_ROW_CONTACT;
+    return link_of(report->result, at) >= 0 ? THUD_ROW_LINK : THUD_ROW_STOREY;
 }
 
 static void name_storey(struct event_row *row, const struct thud_report *report, int structure, int floor)
@@ -341,13 +395,14 @@ static void name_storey(struct event_row *row, const struct thud_report *report,
     snprintf(row->text, sizeof row->text, " %.40s, storey %d", row->structure, row->storey);
 }
 
-/* The storeys that yield have the rows behind the contacts, in the order of the structures and their floors. */
+/* The links have the rows behind the contacts, and the storeys that yield those behind, in the order of the structures
+ * and their floors. */
 static void make_event(const void *of, int i, void *out)
 {
     const struct thud_report *report = of;
     const struct thud_result *r = report->result;
     struct event_row *row = out;
-    *row = (struct event_row){report->event[i], THUD_NO_COUNT, THUD_NO_COUNT,
+    *row = (struct event_row){report->event[i], THUD_NO_COUNT, THUD_NO_COUNT,     THUD_NO_COUNT,
                               THUD_NO_COUNT,    THUD_NO_COUNT, .where = row->text};
     int at = report->event[i].row;
     if (at < r->ncontacts) {
@@ -361,7 +416,14 @@ static void make_event(const void *of, int i, void *out)
         name_storey(row, report, r->collapse.structure, r->collapse.floor);
         return;
     }
+    if (link_of(r, at) >= 0) {
+        row->link = link_of(r, at) + 1;
+        snprintf(row->text, sizeof row->text, " link %d", row->link);
+        return;
+    }
     at -= r->ncontacts;
+    for (int l = 0; l < r->nlinks; l++)
+        at -= r->link[l].contact >= 0;
     for (int s = 0; s < r->nstructures; s++)
         for (int k = 0; r->structure[s].storey && k < r->structure[s].floors; k++)
             if (r->structure[s].storey[k].yields && at-- == 0)
@@ -370,8 +432,9 @@ static void make_event(const void *of, int i, void *out)
 
 struct thud_rows thud_event_rows(const struct thud_report *report)
 {
-    return (struct thud_rows){&thud_event_schema, THUD_ROW_CONTACT | THUD_ROW_STOREY, report->nevents, make_event,
-                              report};
+    const unsigned of_links = report->result->nlinks > 0 ? THUD_ROW_LINK : 0;
+    return (struct thud_rows){&thud_event_schema, THUD_ROW_CONTACT | THUD_ROW_STOREY | of_links, report->nevents,
+                              make_event, report};
 }
 
 /* ---- what a run has once ---- */

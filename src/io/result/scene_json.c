@@ -112,6 +112,8 @@ void thud_scene_json(const struct thud_scene *scene, const char *file, int inden
     put_items(&w, THUD_GROUP_STRUCTURE, scene->nstructures);
     if (scene->nstructures > 1)
         put_items(&w, THUD_GROUP_INTERFACE, scene->nstructures - 1);
+    if (scene->nlinks > 0)
+        put_items(&w, THUD_GROUP_LINK, scene->nlinks);
     if (scene->study.nvary > 0 || scene->study.ncases > 0 || scene->study.sensitivity > 0)
         put_group(&w, THUD_GROUP_STUDY, true);
     thud_text_append(out, "}");

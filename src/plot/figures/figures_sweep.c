@@ -42,6 +42,7 @@ const char *thud_case_title(enum thud_case which)
     return which == THUD_CASE_NONE     ? "no bumper"
            : which == THUD_CASE_BUMPER ? "bumper"
            : which == THUD_CASE_CAVITY ? "bumper in a cavity"
+           : which == THUD_CASE_LINK   ? "links"
                                        : "as written";
 }
 
@@ -51,6 +52,7 @@ static const char *amplification(enum thud_case which)
     return which == THUD_CASE_NONE     ? "amplification by pounding without bumper"
            : which == THUD_CASE_BUMPER ? "amplification by the bumper"
            : which == THUD_CASE_CAVITY ? "amplification by the bumper in a cavity"
+           : which == THUD_CASE_LINK   ? "amplification by the links"
                                        : "amplification against no bumper, scene as written";
 }
 
@@ -154,6 +156,8 @@ static void axis_of_key(struct thud_panel *panel, enum thud_side side, const str
         of = "bumper";
     if (strstr(axis->key, "contact.") && !strstr(title, "contact"))
         of = "contact";
+    if (strncmp(axis->key, "links.", 6) == 0)
+        of = "link";
     int structure = 0;
     snprintf(label, sizeof label, "%c%s", thud_ascii_upper(title[0]), title[0] ? title + 1 : "");
     if (of)
@@ -192,15 +196,21 @@ static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table
 
 /* ---- amplification ---- */
 
-static const char helps[] = "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+static const char *helps(enum thud_case which)
+{
+    return which == THUD_CASE_LINK ? "Ratio to no link at the same gap; below 1 the links help."
+                                   : "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+}
 static const char pounds[] = "Ratio to no pounding at all; above 1 pounding harms.";
 
-static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q, bool free)
+/* Of case none: to no pounding. */
+static void ratio_axes(struct thud_panel *panel, const struct thud_sweep_table *table, enum quantity q,
+                       enum thud_case which)
 {
     varied_axis(panel, THUD_X, table, 0);
     thud_panel_axis(panel, THUD_Y, ratio_label[q], "");
-    if (!free)
-        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, "bumper helps");
+    if (which != THUD_CASE_NONE)
+        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, which == THUD_CASE_LINK ? "links help" : "bumper helps");
     thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
 }
 
@@ -330,7 +340,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
         assert(floors > 0);
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
-            ratio_axes(panel, table, (enum quantity)q, free);
+            ratio_axes(panel, table, (enum quantity)q, which);
             /* with more floors than curves every step-th from the top down, so that the top is there */
             int first = floors - (floors - 1) / step * step, curves = (floors - first) / step + 1;
             for (int i = 0; i < 2 * curves; i++) {
@@ -346,7 +356,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
         }
     }
     char note[256], shades[128];
-    snprintf(note, sizeof note, "%s%s", free ? pounds : helps, shade_note(table, shades));
+    snprintf(note, sizeof note, "%s%s", free ? pounds : helps(which), shade_note(table, shades));
     same_scale(figure, NULL);
     fixed_note(figure, table, 1, NULL, note);
     return figure;
@@ -362,7 +372,7 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
-            ratio_axes(panel, table, (enum quantity)q, false);
+            ratio_axes(panel, table, (enum quantity)q, which);
             if (table->nrecords > CURVES_MAX) { /* a suite: what they say together */
                 struct wanted wanted = {.which = which, .structure = structure[c], .floor = 0};
                 ratio_fractiles(panel, table, &wanted, (enum quantity)q);
@@ -379,9 +389,10 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
     }
     char note[384], shades[128];
     if (table->nrecords > CURVES_MAX)
-        snprintf(note, sizeof note, "%s Median of %d ground motions, 16 to 84 %% shaded.", helps, table->nrecords);
+        snprintf(note, sizeof note, "%s Median of %d ground motions, 16 to 84 %% shaded.", helps(which),
+                 table->nrecords);
     else
-        snprintf(note, sizeof note, "%s%s", helps, shade_note(table, shades));
+        snprintf(note, sizeof note, "%s%s", helps(which), shade_note(table, shades));
     fixed_note(figure, table, 1, NULL, note);
     return figure;
 }
@@ -390,7 +401,9 @@ struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, e
                                          const char *title)
 {
     struct thud_figure *figure = means(table, which, name, title), *other = NULL;
-    enum thud_case twin = which == THUD_CASE_BUMPER ? THUD_CASE_CAVITY : THUD_CASE_BUMPER;
+    enum thud_case twin = which != THUD_CASE_BUMPER           ? THUD_CASE_BUMPER
+                          : has_case(table, THUD_CASE_CAVITY) ? THUD_CASE_CAVITY
+                                                              : THUD_CASE_LINK;
     if (which >= 0 && has_case(table, twin) && !(other = means(table, twin, name, title)) && figure)
         figure->failed = true;
     same_scale(figure, other);
@@ -407,14 +420,17 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, q, c, structure_title(table, structure[c], head));
-            ratio_axes(panel, table, (enum quantity)q, true);
+            ratio_axes(panel, table, (enum quantity)q, THUD_CASE_NONE);
             for (int i = 0; i < 2 * (THUD_CASES + 1); i++) { /* what is shaded first */
                 int which = i % (THUD_CASES + 1) + THUD_CASE_AS_WRITTEN;
                 struct wanted wanted = {
                     .record = record, .which = (enum thud_case)which, .structure = structure[c], .free = true};
                 if (has_case(table, wanted.which) && (i > THUD_CASES || table->motions > 0))
                     (i > THUD_CASES ? ratio_line : ratio_shade)(panel, table, &wanted, (enum quantity)q,
-                                                                thud_case_title(wanted.which), which < 0 ? 3 : which);
+                                                                thud_case_title(wanted.which),
+                                                                which == THUD_CASE_LINK ? 4
+                                                                : which < 0             ? 3
+                                                                                        : which);
             }
         }
     }
@@ -485,7 +501,7 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
     char name[64];
     snprintf(name, sizeof name, "%s%s", thud_case_title(which), told == TOLD_WORSE ? ": worse" : "");
     bool band = (told == TOLD_FORCE || told >= TOLD_SHEAR) && table->motions > 0;
-    style.color += told == TOLD_WORSE ? THUD_CASES + 1 : 0;
+    style.color += told == TOLD_WORSE ? 4 : 0;
     struct thud_series *shade = band ? thud_panel_fill(panel, (struct thud_style){.color = style.color, .thin = true},
                                                        name, (size_t)axis->n, NULL, NULL, NULL)
                                      : NULL;
@@ -737,8 +753,9 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
     same_colors(figure);
     bool line = numbers(&table->axis[0]) && numbers(&table->axis[1]);
     snprintf(text, sizeof text, "%s%s%s",
-             free ? "Ratio to no pounding; red: pounding harms;"
-                  : "Ratio to no bumper at the same gap; blue: the bumper helps;",
+             free                      ? "Ratio to no pounding; red: pounding harms;"
+             : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
+                                       : "Ratio to no bumper at the same gap; blue: the bumper helps;",
              line ? " line: ratio 1 where something touches;" : "", " white: no change; empty: no answer.");
     thud_figure_note(figure, text);
     return figure;

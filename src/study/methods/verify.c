@@ -110,6 +110,17 @@ static enum thud_status add_column(struct thud_measures *measures, enum thud_cas
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
+static enum thud_status add_link(struct thud_measures *measures, enum thud_case which, int i,
+                                 const struct thud_link_result *l, struct thud_error *err)
+{
+    const struct part part[] = {{"force", "_n", l->force.value, false, false},
+                                {"stroke", "_m", l->stroke.value, false, false},
+                                {"lost", "_j", l->lost_j, false, false}};
+    char prefix[32];
+    snprintf(prefix, sizeof prefix, "link.%d", i + 1);
+    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
+}
+
 enum thud_status thud_measures_add(struct thud_measures *measures, const struct thud_scene *scene, enum thud_case which,
                                    const struct thud_result *result, struct thud_error *err)
 {
@@ -120,6 +131,8 @@ enum thud_status thud_measures_add(struct thud_measures *measures, const struct 
         status = add_contact(measures, which, &result->contact[c], err);
     for (int i = 0; i < result->ncolumns && status == THUD_OK; i++)
         status = add_column(measures, which, scene, &result->column[i], err);
+    for (int i = 0; i < result->nlinks && status == THUD_OK; i++)
+        status = add_link(measures, which, i, &result->link[i], err);
     const struct part energy[] = {{"input", "_j", result->energy.input_j, false, false},
                                   {"viscous", "_j", result->energy.viscous_j, false, false},
                                   {"contact", "_j", result->energy.contact_j, false, false}};

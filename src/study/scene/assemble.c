@@ -18,6 +18,8 @@ struct assembly {
     struct thud_pairing meeting[THUD_PAIRINGS_MAX];
     struct thud_contact_input *contact;
     int ncontacts, capacity;
+    struct thud_link_input link[THUD_LINKS_MAX];
+    int nlinks;
 };
 
 /* W/h of each storey, and the drift at which it has collapsed; isolators stand on their own height. */
@@ -126,6 +128,29 @@ static bool join(struct assembly *a, const struct thud_scene *scene, int index)
     return true;
 }
 
+/* Its left end is that of the structure to the left. */
+static void add_link(struct assembly *a, const struct thud_scene *scene, const struct thud_link *link)
+{
+    int structure[2], floor[2];
+    if (thud_link_end(scene, link->from, &structure[0], &floor[0], NULL) != THUD_OK ||
+        thud_link_end(scene, link->to, &structure[1], &floor[1], NULL) != THUD_OK)
+        return; /* thud_scene_check has said so */
+    const int left = structure[1] < structure[0], right = !left;
+    struct thud_link_input *to = &a->link[a->nlinks++];
+    *to = (struct thud_link_input){.left_structure = structure[left],
+                                   .left_floor = floor[left],
+                                   .right_structure = structure[right],
+                                   .right_floor = floor[right],
+                                   .stiffness_npm = link->stiffness_npm,
+                                   .damping_nspm = link->damping_nspm,
+                                   .tension = link->law == THUD_LINK_RESTRAINER,
+                                   .clearance_m = link->slack_m};
+    if (link->law == THUD_LINK_RESTRAINER || link->law == THUD_LINK_STRUT) {
+        to->law = thud_law_find("linear");
+        to->setup.value[thud_law_param(to->law, "stiffness")] = link->stiffness_npm;
+    }
+}
+
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err)
 {
     *out = NULL;
@@ -133,16 +158,23 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
     bool ok = a != NULL;
     if (ok) {
         a->contact = NULL;
-        a->ncontacts = a->capacity = 0;
+        a->ncontacts = a->capacity = a->nlinks = 0;
     }
     for (int s = 0; ok && s < scene->nstructures; s++)
         fill_structure(a, s, &scene->structure[s], scene->p_delta);
     for (int s = 0; ok && s + 1 < scene->nstructures; s++)
         ok = join(a, scene, s);
+    for (int i = 0; ok && i < scene->nlinks; i++)
+        add_link(a, scene, &scene->link[i]);
     enum thud_status status = THUD_MEMORY;
     if (ok) {
-        struct thud_model_input input = {
-            scene->nstructures, a->structure, a->ncontacts, a->contact, scene->analysis.modes, 0, NULL};
+        struct thud_model_input input = {.nstructures = scene->nstructures,
+                                         .structure = a->structure,
+                                         .ncontacts = a->ncontacts,
+                                         .contact = a->contact,
+                                         .modes = scene->analysis.modes,
+                                         .nlinks = a->nlinks,
+                                         .link = a->link};
         status = thud_model_create(&input, out, err);
     } else {
         thud_error_set(err, THUD_MEMORY, "out of memory");

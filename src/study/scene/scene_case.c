@@ -7,7 +7,7 @@
 #include "study/scene/scene.h"
 #include "study/scene/scene_words.h"
 
-static const char *const names[THUD_CASES + 1] = {"as-written", "none", "bumper", "cavity"};
+static const char *const names[THUD_CASES + 1] = {"as-written", "none", "bumper", "cavity", "link"};
 
 const char *thud_case_name(enum thud_case which)
 {
@@ -16,7 +16,7 @@ const char *thud_case_name(enum thud_case which)
 
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)
 {
-    static const struct thud_words words = {{"none", "bumper", "cavity"}, 3};
+    static const struct thud_words words = {{"none", "bumper", "cavity", "link"}, 4};
     for (int i = 0; i <= THUD_CASES; i++) {
         if (strcmp(names[i], name) == 0) {
             *out = (enum thud_case)(i - 1);
@@ -41,6 +41,19 @@ void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from)
     memcpy((char *)to + rest, (const char *)from + rest, sizeof *from - rest);
 }
 
+/* And what its study varies of them. */
+static void drop_links(struct thud_scene *scene)
+{
+    struct thud_study_choice *study = &scene->study;
+    memset(scene->link, 0, sizeof scene->link);
+    scene->nlinks = 0;
+    for (int i = study->nvary - 1; i >= 0; i--)
+        if (strncmp(study->vary[i].key, "links.", 6) == 0) {
+            memmove(&study->vary[i], &study->vary[i + 1], (size_t)(study->nvary - i - 1) * sizeof *study->vary);
+            memset(&study->vary[--study->nvary], 0, sizeof *study->vary);
+        }
+}
+
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err)
 {
@@ -63,11 +76,20 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
         thud_error_allow(err, "none, or add one, e.g. bumper.law=rubber");
         return THUD_INPUT;
     }
+    if (scene->nlinks == 0 && which == THUD_CASE_LINK) {
+        thud_error_set(err, THUD_INPUT, "the scene has no link for the case \"%s\"", thud_case_name(which));
+        thud_error_key(err, "case");
+        thud_error_allow(err, "none, or add one, e.g. links.1.law=dashpot");
+        return THUD_INPUT;
+    }
     if (out != scene)
         thud_scene_copy(out, scene);
+    if (which != THUD_CASE_AS_WRITTEN && which != THUD_CASE_LINK) {
+        drop_links(out);
+    }
     for (int i = 0; i + 1 < out->nstructures; i++) {
         struct thud_interface *at = &out->interface[i];
-        if (which == THUD_CASE_NONE)
+        if (which == THUD_CASE_NONE || which == THUD_CASE_LINK)
             at->has_bumper = false;
         else if (which == THUD_CASE_BUMPER && at->has_bumper)
             at->bumper_cavity_m = 0;
@@ -83,6 +105,11 @@ bool thud_scene_has_bumper(const struct thud_scene *scene)
         if (scene->interface[i].has_bumper)
             return true;
     return false;
+}
+
+bool thud_scene_has_measure(const struct thud_scene *scene)
+{
+    return scene->nlinks > 0 || thud_scene_has_bumper(scene);
 }
 
 void thud_scene_drop_contacts(struct thud_scene *scene)

@@ -331,6 +331,8 @@ enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_er
     }
     for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++)
         status = check_interface(scene, i, err);
+    if (status == THUD_OK)
+        status = thud_links_check(scene, err);
     if (status == THUD_OK && !isnan(scene->record.to_s) &&
         !(scene->record.to_s > (isnan(scene->record.from_s) ? 0 : scene->record.from_s))) {
         thud_error_set(err, THUD_INPUT, "the part of the motion ends before it begins");

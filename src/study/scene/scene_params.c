@@ -33,6 +33,8 @@ static const char *const switches[] = {"off", "on", NULL};
 static const char *const no_or_yes[] = {"no", "yes", NULL};
 static const char *const levels[] = {"all", "aligned", NULL};
 static const char *const shapes[] = {"clamped", "linear", NULL};
+static const char *const link_laws[] = {"spring", "dashpot", "restrainer", "strut", NULL};
+enum { LINKS = (1 << THUD_LINK_LAWS) - 1 };
 
 static const struct thud_param scene_params[] = {
     WORD("title", "title", "What the scene is, for headings of tables and figures."),
@@ -174,6 +176,25 @@ static const struct thud_place bumper_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_cavity_m)},
 };
 
+static const struct thud_param link_params[] = {
+    CHOICE("law", "law", "spring: stiffness and damping; dashpot: damping; restrainer: holds beyond its slack; strut: pushes beyond its slack.", link_laws, THUD_LINK_SPRING),
+    WORD("from", "one end", "A.4: floor 4 of A, counted as in the results; a body or a wall by its name alone."),
+    WORD("to", "other end", "A floor of the neighbour, in the same way."),
+    {NUMBER("stiffness", "stiffness", "Of the spring, 0: its dashpot alone; of a restrainer or a strut beyond its slack.", THUD_STIFFNESS, "MN/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e10},
+    {NUMBER("damping", "damping", "Force of the dashpot by the speed at which its ends move apart or together.", THUD_DASHPOT, "kN s/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
+    {NUMBER("slack", "slack", "Its ends move apart (a restrainer) or together (a strut) by so much before it acts.", THUD_LENGTH, "cm", 0), FROM(0), UP_TO(5), ANY_USUAL},
+};
+#define AT(member) offsetof(struct thud_link, member)
+static const struct thud_place link_places[] = {
+    {.store = THUD_STORE_LINK, .offset = AT(law), .kinds = LINKS},
+    {.store = THUD_STORE_TEXT, .offset = AT(from), .size = THUD_NAME_MAX + 8, .kinds = LINKS},
+    {.store = THUD_STORE_TEXT, .offset = AT(to), .size = THUD_NAME_MAX + 8, .kinds = LINKS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(stiffness_npm), .kinds = LINKS & ~(1 << THUD_LINK_DASHPOT)},
+    {.store = THUD_STORE_NUMBER, .offset = AT(damping_nspm), .kinds = 1 << THUD_LINK_SPRING | 1 << THUD_LINK_DASHPOT},
+    {.store = THUD_STORE_NUMBER, .offset = AT(slack_m), .kinds = 1 << THUD_LINK_RESTRAINER | 1 << THUD_LINK_STRUT},
+};
+#undef AT
+
 static const struct thud_param analysis_params[] = {
     WORD("method", "method", "One of `thud methods`, or auto: the exact one."),
     {NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
@@ -200,7 +221,7 @@ static const struct thud_param study_params[] = {
     WORD("to", "last value", "Of the varied key."),
     WORD("step", "step", "Of the varied key."),
     WORD("values", "values", "Instead of from, to and step: a list, or one list for each varied key."),
-    WORD("cases", "cases", "List of none, bumper, cavity, as-written."),
+    WORD("cases", "cases", "List of none, bumper, cavity, link, as-written."),
     {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
     WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
@@ -234,6 +255,7 @@ static const struct {
     [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
     [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
     [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),
+    [THUD_GROUP_LINK] = GROUP(link, "links"),
     [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis"),
     [THUD_GROUP_STUDY] = GROUP(study, "study"),
 };
@@ -257,4 +279,9 @@ const char *thud_group_key(enum thud_group group)
 bool thud_structure_has(enum thud_structure_kind kind, int param)
 {
     return (structure_places[param].kinds & 1u << kind) != 0;
+}
+
+bool thud_link_has(enum thud_link_law law, int param)
+{
+    return (link_places[param].kinds & 1u << law) != 0;
 }

@@ -50,17 +50,18 @@ static int find_in_group(enum thud_group group, const char *key, unsigned kinds)
     return -1;
 }
 
+/* item: the structure or the link, from 0. */
 static enum thud_status unknown(const struct thud_scene *scene, enum thud_group group, const struct thud_law *law,
-                                int structure, const char *key, struct thud_error *err)
+                                int item, const char *key, struct thud_error *err)
 {
     struct thud_words words = {0};
     int count;
     const struct thud_param *params = thud_group_params(group, &count);
     for (int i = 0; i < count; i++)
-        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[structure].kind, i))
+        if ((group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[item].kind, i)) &&
+            (group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[item].law, i)))
             thud_words_add(&words, params[i].name);
-    if (group == THUD_GROUP_STRUCTURE &&
-        find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[structure].kind) >= 0)
+    if (group == THUD_GROUP_STRUCTURE && find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[item].kind) >= 0)
         thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
@@ -203,11 +204,35 @@ static enum thud_status find_short(const struct thud_scene *scene, struct path *
     return THUD_INPUT;
 }
 
+/* The one after the last link is there to be added, by its law. */
+static enum thud_status find_link(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
+                                  struct thud_error *err)
+{
+    if (n != 2)
+        return wrong_depth(err);
+    int i = number(part[0]), more = scene->nlinks < THUD_LINKS_MAX && strcmp(part[1], "law") == 0;
+    if (i < 1 || i > scene->nlinks + more) {
+        thud_error_set(err, THUD_INPUT, "there is no link \"%.40s\"", part[0]);
+        if (i == scene->nlinks + 1 && scene->nlinks < THUD_LINKS_MAX)
+            thud_error_allow(err, "set links.%d.law first, e.g. dashpot", i);
+        else if (scene->nlinks > 0)
+            thud_error_allow(err, "1 to %d", scene->nlinks);
+        return THUD_INPUT;
+    }
+    const unsigned law = i > scene->nlinks ? 0 : 1u << (int)scene->link[i - 1].law;
+    int key = find_in_group(THUD_GROUP_LINK, part[1], law);
+    if (key < 0)
+        return unknown(scene, THUD_GROUP_LINK, NULL, i - 1, part[1], err);
+    fill(out, THUD_GROUP_LINK, key, offsetof(struct thud_scene, link) + (size_t)(i - 1) * sizeof *scene->link);
+    out->link = i - 1;
+    return THUD_OK;
+}
+
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
-    static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "analysis",
-                                             "study", "gap", "levels", "contact", "bumper"},
-                                            11};
+    static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "links",
+                                             "analysis", "study", "gap", "levels", "contact", "bumper"},
+                                            12};
     return thud_words_unknown(&words, "key", key, err);
 }
 
@@ -220,6 +245,8 @@ static enum thud_status find(const struct thud_scene *scene, struct path *path, 
         return find_structure(scene, part + 1, path->n - 1, out, err);
     if (strcmp(part[0], "interfaces") == 0)
         return find_numbered_interface(scene, part + 1, path->n - 1, out, err);
+    if (strcmp(part[0], "links") == 0)
+        return find_link(scene, part + 1, path->n - 1, out, err);
     if (find_in_group(THUD_GROUP_INTERFACE, part[0], 0) >= 0 || strcmp(part[0], "contact") == 0 ||
         strcmp(part[0], "bumper") == 0)
         return find_short(scene, path, out, err);
@@ -245,7 +272,7 @@ enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path
                                 struct thud_error *err)
 {
     struct path parts;
-    *out = (struct thud_slot){.structure = -1, .interface = -1, .floor = -1};
+    *out = (struct thud_slot){.structure = -1, .interface = -1, .link = -1, .floor = -1};
     enum thud_status status = split(path, &parts) ? find(scene, &parts, out, err) : wrong_depth(err);
     if (status != THUD_OK)
         thud_error_key(err, path);

@@ -17,6 +17,7 @@ enum thud_store {
     THUD_STORE_STOREYS, /* int, and the length of the lists */
     THUD_STORE_KIND,
     THUD_STORE_LAW,
+    THUD_STORE_LINK, /* double: the law of a link, on which its other values depend; empty: takes the link away */
     THUD_STORE_STUDY
 };
 
@@ -26,7 +27,7 @@ struct thud_place {
     size_t offset, size; /* size: of a text */
     int none;            /* THUD_STORE_COUNT */
     double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
-    unsigned kinds;      /* bit set of structure kinds */
+    unsigned kinds;      /* bit set of structure kinds, of links that of their laws */
     bool optional;       /* THUD_STORE_FLOORS: need not be given */
 };
 
@@ -35,10 +36,16 @@ struct thud_slot {
     struct thud_place place;  /* offset from the start of the scene */
     int index;                /* of the parameter in its group or law */
     int structure, interface; /* from 0; -1 */
+    int link;                 /* from 0; -1; the number of links: one to be added */
     size_t choice;            /* offset of the law choice the value is part of; 0: none */
     bool bumper;
     int floor; /* from 0; -1: all */
 };
+
+enum thud_status thud_link_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                   struct thud_error *err);
+/* Errors: THUD_INPUT with key. */
+enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_error *err);
 
 /* What must be given. */
 #define THUD_REQUIRED 0.0

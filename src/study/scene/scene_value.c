@@ -115,6 +115,8 @@ static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
         return true;
     case THUD_STORE_FLOORS:
         return unset_floors(scene, slot);
+    case THUD_STORE_LINK:
+        return thud_link_law_set(scene, slot, "", NULL) == THUD_OK;
     default:
         return false;
     }
@@ -199,6 +201,14 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
         return status;
     case THUD_STORE_TEXT:
         status = slot->place.offset == offsetof(struct thud_scene, analysis.method) ? check_method(text, err) : THUD_OK;
+        if (status == THUD_OK && slot->structure >= 0) { /* a name */
+            char before[THUD_NAME_MAX];
+            memcpy(before, at, sizeof before);
+            status = read_text(slot, text, at, err);
+            if (status == THUD_OK && *before)
+                thud_links_rename(scene, before, at);
+            return status;
+        }
         return status == THUD_OK ? read_text(slot, text, at, err) : status;
     case THUD_STORE_FLOORS:
         return thud_floors_set(scene, slot, text, err);
@@ -211,6 +221,8 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
                                  : status;
     case THUD_STORE_LAW:
         return thud_law_set(scene, slot, text, err);
+    case THUD_STORE_LINK:
+        return thud_link_law_set(scene, slot, text, err);
     case THUD_STORE_STUDY: /* scene_set.c */
         break;
     }
@@ -340,6 +352,9 @@ void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot
         break;
     case THUD_STORE_KIND:
         snprintf(text, size, "%s", param->choices[scene->structure[slot->structure].kind]);
+        break;
+    case THUD_STORE_LINK:
+        snprintf(text, size, "%s", slot->link < scene->nlinks ? param->choices[(int)*(const double *)at] : "");
         break;
     case THUD_STORE_LAW:
         choice = at;

@@ -81,11 +81,21 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
     return status;
 }
 
-/* Baseline g from the first point's scene; *cased: scratch. */
+/* Every case of the plan leaves the links in. */
+static bool all_linked(const struct thud_sweep_plan *plan)
+{
+    for (int i = 0; i < plan->ncases; i++)
+        if (plan->cases[i] != THUD_CASE_AS_WRITTEN && plan->cases[i] != THUD_CASE_LINK)
+            return false;
+    return true;
+}
+
+/* Baseline g from the first point's scene, without the links where a case goes without them; *cased: scratch. */
 static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
 {
     struct thud_sweep_baseline *baseline = &group->baseline[g];
+    const bool linked = all_linked(group->plan);
     struct thud_run_options options;
     enum thud_change change;
     double factor;
@@ -94,7 +104,8 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
     enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
-        status = thud_sweep_case(group->plan, scene, THUD_CASE_AS_WRITTEN, variant, false, cased, err);
+        status = thud_sweep_case(group->plan, scene, linked ? THUD_CASE_AS_WRITTEN : THUD_CASE_NONE, variant, false,
+                                 cased, err);
     if (status == THUD_OK) {
         thud_scene_drop_contacts(cased);
         status = thud_sweep_model(cased, &baseline->model, &options, err);

@@ -335,7 +335,7 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
                 if (strcmp(part, thud_case_name((enum thud_case)which)) == 0)
                     break;
         if (which == THUD_CASES)
-            return refuse(err, "cases", "names an unknown case", "none, bumper, cavity");
+            return refuse(err, "cases", "names an unknown case", "none, bumper, cavity, link");
         enum thud_status status = add_case(plan, (enum thud_case)which, err);
         if (status != THUD_OK)
             return status;

@@ -40,7 +40,7 @@ int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud
         which[i] = plan->cases[i];
         none = none || which[i] == THUD_CASE_NONE;
     }
-    if (none || !thud_scene_has_bumper(scene))
+    if (none || !thud_scene_has_measure(scene))
         return plan->ncases;
     which[plan->ncases] = THUD_CASE_NONE;
     return plan->ncases + 1;
@@ -60,6 +60,8 @@ static void mix(struct key *key, double value)
 /* All that a case's model has and the group's does not. */
 static void mix_contacts(struct key *key, const struct thud_scene *cased)
 {
+    if (cased->nlinks > 0) /* what they are is the group's */
+        mix(key, cased->nlinks);
     for (int i = 0; i + 1 < cased->nstructures; i++) {
         struct thud_contact_input contact = {0};
         thud_interface_contact(&cased->interface[i], &contact);

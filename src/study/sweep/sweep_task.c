@@ -169,7 +169,13 @@ static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
 
 static bool same_shape(const struct thud_model *a, const struct thud_model *b)
 {
-    return a->ndof == b->ndof && a->nmodes == b->nmodes && a->ncontacts == b->ncontacts && a->nstoreys == b->nstoreys;
+    return a->ndof == b->ndof && a->nmodes == b->nmodes && a->npairs == b->npairs && a->nstoreys == b->nstoreys;
+}
+
+/* The baseline is the motion of a model without pounding: links in the one and not in the other make it another's. */
+static bool same_motion(const struct thud_model *a, const struct thud_model *b)
+{
+    return same_shape(a, b) && a->nlinks == b->nlinks;
 }
 
 /* What became of the run at work; of a changed one only the sums are kept. */
@@ -211,7 +217,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
 {
     const struct thud_sweep_baseline *baseline = thud_sweep_baseline(task->group, task->variant);
     struct thud_sweep_effort *effort = &task->effort;
-    unsigned shortcuts = thud_baseline_shares(baseline->baseline) && same_shape(task->model, baseline->model)
+    unsigned shortcuts = thud_baseline_shares(baseline->baseline) && same_motion(task->model, baseline->model)
                              ? task->plan->shortcuts
                              : 0;
     int left = 0, dropped = 0;

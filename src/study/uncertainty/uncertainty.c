@@ -27,6 +27,7 @@ static const struct thud_input_info infos[THUD_INPUTS] = {
     [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, THUD_INPUT_EACH_STRUCTURE, 0.02},
     [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.2},
     [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, THUD_INPUT_EACH_STRUCTURE, 0},
+    [THUD_INPUT_LINK] = {"link", THUD_INPUT_RELATIVE, THUD_INPUT_ALL, 0.2},
     [THUD_INPUT_RECORD] = {"ground-motion", THUD_INPUT_CHOICE, THUD_INPUT_ALL, 0},
 };
 
@@ -89,7 +90,7 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
     thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
     thud_error_key(err, "--uncertain");
     thud_error_allow(
-        err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness: 5 %%, up to "
+        err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %%, up to "
              "90 %%; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
              "elevation: 5 cm, up to 10 m; of one building stiffness.A=5 %%, of all of them besides "
              "stiffness.common=10 %%");
@@ -203,6 +204,15 @@ static void change_interfaces(struct thud_scene *scene, enum thud_input input, i
     }
 }
 
+/* Their stiffnesses and dashpots together. */
+static void change_links(struct thud_scene *scene, double size, double u)
+{
+    for (int i = 0; i < scene->nlinks; i++) {
+        scene->link[i].stiffness_npm = changed(THUD_INPUT_LINK, scene->link[i].stiffness_npm, size, u);
+        scene->link[i].damping_nspm = changed(THUD_INPUT_LINK, scene->link[i].damping_nspm, size, u);
+    }
+}
+
 void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *drawn, double u, double *motion)
 {
     enum thud_input input = drawn->input;
@@ -210,6 +220,8 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
         return;
     if (input == THUD_INPUT_MOTION)
         *motion = changed(input, *motion, drawn->size, u);
+    else if (input == THUD_INPUT_LINK)
+        change_links(scene, drawn->size, u);
     else if (infos[input].each != THUD_INPUT_EACH_STRUCTURE)
         change_interfaces(scene, input, drawn->of, drawn->size, u);
     for (int s = 0; infos[input].each == THUD_INPUT_EACH_STRUCTURE && s < scene->nstructures; s++) {
@@ -274,6 +286,8 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_BUMPER_STIFFNESS:
     case THUD_INPUT_BUMPER_EXPONENT:
         return thud_scene_has_bumper(scene);
+    case THUD_INPUT_LINK:
+        return scene->nlinks > 0;
     default:
         return scene->nstructures > 1;
     }
@@ -450,7 +464,10 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
                                          struct thud_error *err)
 {
     struct thud_uncertainty *u = calloc(1, sizeof *u);
-    bool bumper = thud_scene_has_bumper(scene);
+    const bool bumper = thud_scene_has_bumper(scene), measure = thud_scene_has_measure(scene);
+    const enum thud_case written = !bumper             ? THUD_CASE_LINK
+                                   : scene->nlinks > 0 ? THUD_CASE_AS_WRITTEN
+                                                       : THUD_CASE_BUMPER;
     *out = NULL;
     if (!u)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -459,10 +476,10 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     u->nsuite = nsuite;
     u->record = !record && nsuite > 0 ? suite[0] : record;
     u->columns = has_struck(scene, -1, false);
-    if (bumper)
+    if (measure)
         u->which[u->ncases++] = THUD_CASE_NONE;
-    if (!bumper || which != THUD_CASE_NONE)
-        u->which[u->ncases++] = bumper && which == THUD_CASE_AS_WRITTEN ? THUD_CASE_BUMPER : which;
+    if (!measure || which != THUD_CASE_NONE)
+        u->which[u->ncases++] = measure && which == THUD_CASE_AS_WRITTEN ? written : which;
     enum thud_status status = find_inputs(u, inputs, err);
     u->quantity = calloc(1 + (size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
     if (!u->quantity)

@@ -1,7 +1,7 @@
 /* The commands of the `:` line: word, short word, what follows, and what it does: a function, a key of the scene whose
  * value follows, the action of a key, or a command of a screen. */
 THUD_RUN("set", "", "KEY VALUE", set)
-THUD_RUN("case", "", "none|bumper|cavity", case)
+THUD_RUN("case", "", "none|bumper|cavity|link", case)
 THUD_SET("title", "TEXT", "title")
 THUD_SET("record", "FILE", "record.file")
 THUD_SET("peak", "\"0.821 g\"", "record.peak")
@@ -42,6 +42,7 @@ THUD_ACT("exchange", "", EXCHANGE)
 THUD_RUN("state", "", "NAME|#N", state)
 THUD_RUN("name", "", "NAME", name)
 THUD_RUN("bumper", "", "[INTERFACE]", bumper)
+THUD_RUN("link", "", "add INTERFACE | remove LINK", link)
 THUD_RUN("keep-force", "", "", keep_force)
 THUD_OF("beside", "none|LAW|NAME VALUE", CONTACT)
 THUD_RUN("storey", "", "add|delete STRUCTURE FLOOR", storey)

@@ -12,6 +12,9 @@ THUD_KEY(MODEL, SWAP, 'x', 0, "x", "swap", "swap the two structures shown, left 
 THUD_KEY(CONTACT, KEEP_FORCE, 'f', 0, "f", "keep F",
          "after a change of the exponent: choose the stiffness so that F(delta_u) is as before")
 THUD_KEY(CONTACT, TOGGLE_BUMPER, 'B', 0, "B", "bumper", "put the bumper in or take it out")
+THUD_KEY(CONTACT, ADD_LINK, 'a', 0, "a", "link",
+         "tie the two by one more link, a dashpot between their topmost common floors")
+THUD_KEY(CONTACT, DELETE_LINK, 'd', 0, "d", "", "take the link under the cursor away")
 THUD_KEY(CONTACT, BESIDE, 'c', 0, "c", "compare",
          "lay another law beside this one: dashed, with its own values, F and e of both")
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")

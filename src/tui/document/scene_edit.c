@@ -6,6 +6,7 @@
 #include "base/ascii.h"
 #include "base/scan.h"
 #include "io/record/record_file.h"
+#include "study/scene/level.h"
 #include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
 
@@ -184,6 +185,14 @@ void thud_tui_all_floors(struct thud_tui *tui)
     thud_tui_set(tui, key, text);
 }
 
+/* What ties neighbours no more goes with them. */
+static void drop_loose_links(struct thud_scene *scene)
+{
+    for (int i = scene->nlinks - 1; i >= 0; i--)
+        if (!thud_link_stands(scene, i))
+            thud_link_remove(scene, i);
+}
+
 /* `command`: what a log has for it. */
 static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *command)
 {
@@ -226,6 +235,7 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
     char what[160];
     move_floors(structure, floor - 1, floor, structure->storeys - floor);
     structure->storeys--;
+    drop_loose_links(&next);
     /* what lies past the top is zero in every scene, so that equal scenes compare equal */
     for (int i = 0; i < THUD_STRUCTURE_LISTS; i++)
         thud_structure_list(structure, i)[structure->storeys] = 0.0;
@@ -279,6 +289,7 @@ void thud_tui_add_structure(struct thud_tui *tui, int s)
         memmove(&next.interface[from + 1], &next.interface[from], (size_t)(n - 1 - from) * sizeof *next.interface);
     memcpy(next.structure[s + 1].name, name, sizeof name);
     next.nstructures++;
+    drop_loose_links(&next);
     snprintf(what, sizeof what, "%s added to the right of %s, like it%s", name, next.structure[s].name,
              rename_varied(&next) ? "; the study varies interfaces.1" : "");
     char command[64];
@@ -297,6 +308,7 @@ void thud_tui_remove_structure(struct thud_tui *tui, int s)
     memset(&next.structure[n - 1], 0, sizeof *next.structure);
     memset(&next.interface[n - 2], 0, sizeof *next.interface);
     next.nstructures--;
+    drop_loose_links(&next);
     char command[64];
     snprintf(command, sizeof command, "structure remove %d", s + 1);
     change(tui, &next, what, command);
@@ -308,6 +320,7 @@ void thud_tui_swap(struct thud_tui *tui, int s)
     char what[160];
     next.structure[s] = tui->doc.scene.structure[s + 1];
     next.structure[s + 1] = tui->doc.scene.structure[s];
+    drop_loose_links(&next);
     snprintf(what, sizeof what, "%s and %s swapped", next.structure[s + 1].name, next.structure[s].name);
     char command[64];
     snprintf(command, sizeof command, "swap %d", s + 1);
@@ -358,4 +371,45 @@ const char *thud_tui_cannot_change_pair(struct thud_tui *tui, enum thud_action a
     if (action == THUD_DO_PREVIOUS_PAIR)
         return tui->pair > 0 ? NULL : "This is the first pair on the left";
     return NULL;
+}
+
+/* An end of a new link: the floor of a building, or a body or wall by its name. */
+static void name_end(const struct thud_structure *structure, int floor, char end[THUD_NAME_MAX + 8])
+{
+    char name[THUD_NAME_MAX];
+    memcpy(name, structure->name, sizeof name);
+    if (thud_structure_floors(structure) > 1)
+        snprintf(end, THUD_NAME_MAX + 8, "%s.%d", name, floor);
+    else
+        snprintf(end, THUD_NAME_MAX + 8, "%s", name);
+}
+
+void thud_tui_add_link(struct thud_tui *tui, int interface)
+{
+    struct thud_scene next = tui->doc.scene;
+    const struct thud_structure *left = &next.structure[interface], *right = left + 1;
+    int a = thud_structure_floors(left), b = thud_structure_floors(right);
+    if (next.nlinks == THUD_LINKS_MAX) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "There are %d links, and no more can be added", THUD_LINKS_MAX);
+        return;
+    }
+    struct thud_link *link = &next.link[next.nlinks++];
+    thud_link_init(link, THUD_LINK_DASHPOT);
+    link->damping_nspm = 1e6;
+    name_end(left, b > 1 && b < a ? b : a, link->from);
+    name_end(right, a > 1 && a < b ? a : b, link->to);
+    char what[256], command[64];
+    snprintf(what, sizeof what, "a dashpot ties %s and %s", link->from, link->to);
+    snprintf(command, sizeof command, "link add %d", interface + 1);
+    change(tui, &next, what, command);
+}
+
+void thud_tui_delete_link(struct thud_tui *tui, int link)
+{
+    struct thud_scene next = tui->doc.scene;
+    char what[256], command[64];
+    snprintf(what, sizeof what, "the link of %s and %s is gone", next.link[link].from, next.link[link].to);
+    snprintf(command, sizeof command, "link remove %d", link + 1);
+    thud_link_remove(&next, link);
+    change(tui, &next, what, command);
 }

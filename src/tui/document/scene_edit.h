@@ -14,6 +14,8 @@ void thud_tui_add_structure(struct thud_tui *tui, int s);            /* a copy o
 void thud_tui_remove_structure(struct thud_tui *tui, int s);
 void thud_tui_swap(struct thud_tui *tui, int s); /* s and its right neighbour */
 void thud_tui_toggle_bumper(struct thud_tui *tui, int interface);
+void thud_tui_add_link(struct thud_tui *tui, int interface);
+void thud_tui_delete_link(struct thud_tui *tui, int link);
 /* The stiffness with which F(delta_u) is what it was before the exponent changed. */
 void thud_tui_keep_force(struct thud_tui *tui);
 /* The keys that go from one pair of neighbours to the next; false where `action` is another. */

@@ -137,7 +137,8 @@ static void run_log(struct thud_tui *tui, char *rest)
         thud_tui_show_log(tui);
 }
 
-/* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1": structures, floors and interfaces from 1. */
+/* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1", "link add 1", "link remove 2": structures, floors,
+ * interfaces and links from 1. */
 static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
 {
     const struct thud_scene *scene = &tui->doc.scene;
@@ -164,6 +165,10 @@ static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
         thud_tui_swap(tui, number[0] - 1);
     else if (strcmp(word, "bumper") == 0 && s && number[0] < n)
         thud_tui_toggle_bumper(tui, number[0] - 1);
+    else if (strcmp(word, "link") == 0 && add && s && number[0] < n)
+        thud_tui_add_link(tui, number[0] - 1);
+    else if (strcmp(word, "link") == 0 && other && number[0] >= 1 && number[0] <= scene->nlinks)
+        thud_tui_delete_link(tui, number[0] - 1);
     else
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: there is no such thing to do here", word, rest);
 }
@@ -181,6 +186,11 @@ static void run_structure(struct thud_tui *tui, char *rest)
 static void run_swap(struct thud_tui *tui, char *rest)
 {
     edit_scene(tui, "swap", rest);
+}
+
+static void run_link(struct thud_tui *tui, char *rest)
+{
+    edit_scene(tui, "link", rest);
 }
 
 static void run_bumper(struct thud_tui *tui, char *rest)

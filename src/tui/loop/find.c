@@ -86,6 +86,10 @@ void thud_tui_fill_fields(struct thud_tui *tui)
         add_group(tui, THUD_GROUP_BUMPER, prefix, -1);
         add_law(tui, prefix, scene->interface[i].bumper.law);
     }
+    for (int i = 0; i < scene->nlinks; i++) {
+        snprintf(prefix, sizeof prefix, "links.%d", i + 1);
+        add_group(tui, THUD_GROUP_LINK, prefix, -1);
+    }
     for (int i = 0; i < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
         add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);

@@ -93,6 +93,28 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
         thud_tui_prompt(tui, &prompt, field->path + strlen("beside "));
 }
 
+/* The links that cross this interface. */
+static int link_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    int count;
+    const struct thud_param *param = thud_group_params(THUD_GROUP_LINK, &count);
+    for (int i = 0; i < scene->nlinks; i++) {
+        char key[THUD_PATH_MAX], title[48];
+        if (thud_link_interface(scene, i) != tui->pair)
+            continue;
+        snprintf(title, sizeof title, "Link %d (d takes it away)", i + 1);
+        heading(pane, y++, title);
+        for (int k = 0; k < count; k++) {
+            if (!thud_link_has((enum thud_link_law)scene->link[i].law, k))
+                continue;
+            snprintf(key, sizeof key, "links.%d.%s", i + 1, param[k].name);
+            thud_field_row(tui, FORM, pane, y++, param[k].name, key);
+        }
+    }
+    return y;
+}
+
 static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_interface *at = &tui->doc.scene.interface[tui->pair];
@@ -108,12 +130,12 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     y = law_rows(tui, pane, y, "contact", at->contact.law);
     heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
     if (!at->has_bumper)
-        return beside_rows(tui, pane, y);
+        return beside_rows(tui, pane, link_rows(tui, pane, y));
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->pair + 1);
     thud_field_row(tui, FORM, pane, y++, "thickness", key);
     snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->pair + 1);
     thud_field_row(tui, FORM, pane, y++, "cavity", key);
-    return beside_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law));
+    return beside_rows(tui, pane, link_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law)));
 }
 
 /* The loops, made anew where the scene or the pair changed. */
@@ -216,6 +238,14 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     return pane->h;
 }
 
+/* The link whose field the cursor is on, from 0; -1. */
+static int link_here(struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    int link = 0;
+    return field && sscanf(field->path, "links.%d.", &link) == 1 ? link - 1 : -1;
+}
+
 static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_BESIDE)
@@ -224,6 +254,10 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
         thud_tui_keep_force(tui);
     else if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->pair);
+    else if (action == THUD_DO_ADD_LINK)
+        thud_tui_add_link(tui, tui->pair);
+    else if (action == THUD_DO_DELETE_LINK)
+        thud_tui_delete_link(tui, link_here(tui));
     else
         return thud_tui_change_pair(tui, action) ? THUD_DONE : THUD_NOT_MINE;
     return THUD_DONE;
@@ -239,7 +273,10 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_KEEP_FORCE)
         return isnan(tui->kept.before_n) ? "There was no change of the exponent just now" : NULL;
-    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE)
+    if (action == THUD_DO_DELETE_LINK && link_here(tui) < 0)
+        return "The cursor is on no link";
+    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE || action == THUD_DO_ADD_LINK ||
+        action == THUD_DO_DELETE_LINK)
         return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     return thud_tui_cannot_change_pair(tui, action);
 }

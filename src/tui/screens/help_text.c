@@ -134,6 +134,7 @@ static void fields(struct thud_help_text *text, int columns, int screen, bool ot
                 {THUD_GROUP_INTERFACE, THUD_SCREEN_CONTACT, "Fields of an interface"},
                 {THUD_GROUP_CONTACT, THUD_SCREEN_CONTACT, "Fields of the bare contact"},
                 {THUD_GROUP_BUMPER, THUD_SCREEN_CONTACT, "Fields of the bumper"},
+                {THUD_GROUP_LINK, THUD_SCREEN_CONTACT, "Fields of a link"},
                 {THUD_GROUP_RECORD, THUD_SCREEN_RECORD, "Fields of the ground motion"},
                 {THUD_GROUP_ANALYSIS, THUD_SCREEN_RESULTS, "Fields of the analysis"},
                 {THUD_GROUP_STUDY, THUD_SCREEN_SWEEP, "Fields of the study"}};

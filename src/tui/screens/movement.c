@@ -331,6 +331,34 @@ static void draw_contact(struct stage *stage, int index, int *worst, double *for
     }
 }
 
+/* Where an end of a link is drawn; that of one that moves with the ground on the edge of its neighbour's. */
+static double link_edge(const struct stage *stage, int dof, int other, bool right)
+{
+    int s = dof >= 0 ? stage->model->dof_structure[dof] : stage->model->dof_structure[other] + (right ? 1 : -1);
+    return stage->left[s] + (right ? 0.0 : stage->body - 1.0) + (dof >= 0 ? stage->shift[dof] : 0.0);
+}
+
+static double link_row(const struct stage *stage, int dof)
+{
+    int s = stage->model->dof_structure[dof];
+    double level = thud_structure_elevation(&stage->scene->structure[s], dof - stage->model->structure[s].first);
+    return fmax(1.0, isfinite(level) ? row_of(stage, level) : stage->ground - 4.0);
+}
+
+/* From edge to edge; one-sided ones are bright while they act, and muted while they hang loose. */
+static void draw_link(struct stage *stage, int index)
+{
+    const struct thud_model_link *link = &stage->model->link[index];
+    const double force = value_at(stage->history, thud_history_link_force(stage->history, index), stage->t);
+    const int some = link->left_dof >= 0 ? link->left_dof : link->right_dof;
+    const bool loose = link->contact >= 0 && fabs(force) <= touch_n;
+    const double y0 = link_row(stage, link->left_dof >= 0 ? link->left_dof : some),
+                 y1 = link_row(stage, link->right_dof >= 0 ? link->right_dof : some);
+    thud_dots_line(&stage->dots, link_edge(stage, link->left_dof, link->right_dof, false), y0 + 1.0,
+                   link_edge(stage, link->right_dof, link->left_dof, true), y1 + 1.0, 1,
+                   loose ? thud_look(THUD_ROLE_MUTED, 0) : thud_look(THUD_ROLE_SERIES + 5, THUD_BOLD));
+}
+
 static void flashes(struct stage *stage)
 {
     for (int i = 0; i < stage->model->npairs; i++) {
@@ -380,6 +408,8 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
             draw_building(&stage, s);
         for (int i = 0; i < model->npairs; i++)
             draw_contact(&stage, i, &worst, &force);
+        for (int i = 0; i < model->nlinks; i++)
+            draw_link(&stage, i);
         struct thud_look ground = thud_look(THUD_ROLE_BORDER, 0);
         thud_dots_line(&stage.dots, 0.0, stage.ground + 1.0, stage.dots.width - 1.0, stage.ground + 1.0, 1, ground);
         thud_dots_put(&stage.dots);

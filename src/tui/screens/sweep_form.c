@@ -251,7 +251,7 @@ const char *thud_sweep_form_hint(const struct thud_field *field)
            : field->index == SIGNS       ? "both: each motion also in reversed polarity; empty: as it is"
            : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
            : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
-                                         : "of none, bumper, cavity, as-written, with commas";
+                                         : "of none, bumper, cavity, link, as-written, with commas";
 }
 
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
