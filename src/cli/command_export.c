@@ -31,7 +31,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
 static enum thud_status opensees(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                                  struct thud_error *err)
 {
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_text text = {0};
     struct thud_model *model = NULL;
     struct thud_run_options options;
@@ -48,12 +48,12 @@ static enum thud_status opensees(const struct thud_args *args, struct thud_sessi
     if (status == THUD_OK)
         status = thud_scene_options(scene, &options, err);
     if (status == THUD_OK)
-        status = thud_scene_answer(scene, session->record, &options, &answer, err);
+        status = thud_scene_solve(scene, session->record, &options, &solution, err);
     if (status == THUD_OK) {
-        thud_opensees_script(scene, answer.model, session->record, thud_run_result(answer.run), &text);
+        thud_opensees_script(scene, solution.model, session->record, thud_run_result(solution.run), &text);
         status = deliver(args, session, scene, &text, err);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -72,7 +72,7 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
     if (status == THUD_OK && thud_paper_needs_study(which))
         status = make_study(args, (which & THUD_PAPER_REPORT) != 0, &work, &study, err);
     if (status == THUD_OK && work && study.unanswered > 0)
-        fprintf(stderr, "thud: %d runs have no answer, because their integration failed; the curves have gaps there\n",
+        fprintf(stderr, "thud: %d runs have no result, because their integration failed; the curves have gaps there\n",
                 study.unanswered);
     if (status == THUD_OK)
         status = thud_paper_figures_save(which, work ? &study : NULL, folder, &picture.options, err);

@@ -1,4 +1,4 @@
-/* thud run: one scene, one answer. */
+/* thud run: one scene, one result. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,9 +75,10 @@ static const char *case_title(const struct thud_scene *scene)
 
 /* Their data stand in histories.csv. */
 static enum thud_status draw(const struct thud_args *args, struct thud_picture_choice *picture,
-                             const struct thud_scene *scene, const struct thud_answer *answer, struct thud_error *err)
+                             const struct thud_scene *scene, const struct thud_solution *solution,
+                             struct thud_error *err)
 {
-    struct thud_figure_source source = thud_run_source(case_title(scene), scene, answer->run);
+    struct thud_figure_source source = thud_run_source(case_title(scene), scene, solution->run);
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
     thud_progress_start(args);
@@ -114,7 +115,7 @@ static void say(const struct thud_error *what)
     fprintf(stderr, "thud: warning: %s\n", thud_error_text(what, line, sizeof line));
 }
 
-/* What is allowed but unusual, or without effect, one line each; and what the answer shows that no building bears. */
+/* What is allowed but unusual, or without effect, one line each; and what the result shows that no building bears. */
 static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
                          const struct thud_scene *scene, const struct thud_run *run)
 {
@@ -143,20 +144,20 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
         fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
 }
 
-/* What more runs tell of the answer: the error of modes left out, its sensitivity; then the answer. */
+/* What more runs tell of the result: the error of modes left out, its sensitivity; then the result. */
 static enum thud_status report_run(const struct thud_args *args, const struct thud_session *session,
                                    const struct thud_scene *scene, enum thud_case which,
-                                   const struct thud_answer *answer, struct thud_error *err)
+                                   const struct thud_solution *solution, struct thud_error *err)
 {
-    struct thud_report report = thud_session_report(session, scene, which, answer);
+    struct thud_report report = thud_session_report(session, scene, which, solution);
     struct thud_truncation truncation;
     struct thud_sensitivity *sensitivity = NULL;
     struct thud_needed_gap *gap = NULL;
     double change = thud_scene_options_change(args, scene);
     enum thud_status status = THUD_OK;
     warn(report.result);
-    if (answer->model->left_out > 0) {
-        status = thud_truncation_measure(scene, session->record, answer, &truncation, err);
+    if (solution->model->left_out > 0) {
+        status = thud_truncation_measure(scene, session->record, solution, &truncation, err);
         report.truncation = &truncation;
     }
     if (status == THUD_OK && change > 0)
@@ -184,13 +185,13 @@ static void say_effort(const struct thud_args *args, struct thud_session *sessio
 /* A run that failed shows no peaks: as JSON its status, when and why, else the message alone. */
 static enum thud_status report_failure(const struct thud_args *args, const struct thud_session *session,
                                        const struct thud_scene *scene, enum thud_case which,
-                                       const struct thud_answer *answer, const struct thud_error *failure,
+                                       const struct thud_solution *solution, const struct thud_error *failure,
                                        struct thud_error *err)
 {
     struct thud_text text = {0};
-    if (!thud_args_has(args, "json") || !answer->run)
+    if (!thud_args_has(args, "json") || !solution->run)
         return THUD_OK;
-    struct thud_report report = thud_session_report(session, scene, which, answer);
+    struct thud_report report = thud_session_report(session, scene, which, solution);
     report.failure = failure;
     thud_result_json(&report, &text);
     return thud_cli_print(&text, err);
@@ -207,7 +208,7 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
     for (int i = 0; i < cases->n && status == THUD_OK; i++) {
         char path[4096];
         const struct thud_run_case *item = &cases->item[i];
-        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->answer);
+        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->solution);
         if (snprintf(path, sizeof path, "%s/%s", folder, item->folder) >= (int)sizeof path)
             return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
         status = write_folder(&report, path, err);
@@ -266,7 +267,7 @@ static void put_cases(const struct thud_args *args, const struct thud_session *s
     for (int i = 0; i < cases->n; i++) {
         struct thud_text one = {0};
         const struct thud_run_case *item = &cases->item[i];
-        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->answer);
+        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->solution);
         report.which = item->folder;
         (json ? thud_result_json : thud_result_csv)(&report, json ? out : &one);
         if (json)
@@ -295,19 +296,19 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     if (status != THUD_OK)
         return status;
     for (int i = 1; i < cases->n; i++)
-        warn(thud_run_result(cases->item[i].answer.run));
+        warn(thud_run_result(cases->item[i].solution.run));
     const struct thud_run_case *shown = &cases->item[cases->n - 1]; /* whose bumper stands out most */
     for (int i = 1; i < cases->n; i++)
         if (cases->item[i].which == THUD_CASE_BUMPER)
             shown = &cases->item[i];
-    warn_unusual(args, session, &shown->scene, shown->answer.run);
+    warn_unusual(args, session, &shown->scene, shown->solution.run);
     put_cases(args, session, cases, &text);
     status = thud_args_has(args, "json") || thud_args_has(args, "csv") ? thud_cli_print_data(&text, err)
                                                                        : thud_cli_print(&text, err);
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++)
-        if (thud_collapse_remark(&cases->item[i].scene, thud_run_result(cases->item[i].answer.run), err))
+        if (thud_collapse_remark(&cases->item[i].scene, thud_run_result(cases->item[i].solution.run), err))
             status = err->status = THUD_DIVERGED;
     thud_run_cases_free(cases);
     return status;
@@ -321,7 +322,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     if (thud_args_has(args, "cases"))
         return run_cases(args, session, err);
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_picture_choice picture;
     struct thud_made_by by;
     enum thud_case which;
@@ -330,23 +331,23 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         status = begin(args, session, &picture, &options, &by, err);
     if (status != THUD_OK)
         return status;
-    status = thud_session_run(session, which, &options, scene, &answer, err);
+    status = thud_session_run(session, which, &options, scene, &solution, err);
     if (status == THUD_OK) {
-        warn_unusual(args, session, scene, answer.run);
+        warn_unusual(args, session, scene, solution.run);
         if (options.keep_history)
             status = thud_made_by_begin(&by, err);
         if (status == THUD_OK)
-            status = report_run(args, session, scene, which, &answer, err);
+            status = report_run(args, session, scene, which, &solution, err);
         if (status == THUD_OK && options.keep_history)
-            status = thud_made_by_end(&by, draw(args, &picture, scene, &answer, err), err);
-        if (status == THUD_OK && thud_collapse_remark(scene, thud_run_result(answer.run), err))
+            status = thud_made_by_end(&by, draw(args, &picture, scene, &solution, err), err);
+        if (status == THUD_OK && thud_collapse_remark(scene, thud_run_result(solution.run), err))
             status = err->status = THUD_DIVERGED;
     } else if (status == THUD_DIVERGED) {
         struct thud_error failure = *err;
-        enum thud_status printed = report_failure(args, session, scene, which, &answer, &failure, err);
+        enum thud_status printed = report_failure(args, session, scene, which, &solution, &failure, err);
         status = printed == THUD_OK ? status : printed;
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -220,7 +220,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
     enum thud_status status = thud_sweep_output_end(&s->output, err);
     warn_watched(s);
-    if (table && status == THUD_OK && s->suite) { /* the answer of a suite, before those of its motions */
+    if (table && status == THUD_OK && s->suite) { /* the result of a suite, before those of its motions */
         status = thud_suite_table(s->suite, &text, err);
         if (status == THUD_OK)
             status = thud_suite_lowered(s->suite, &text, err);
@@ -247,7 +247,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
         status = s->outcome.pictures;
     }
     if (status == THUD_OK && total->diverged > 0)
-        status = thud_error_set(err, THUD_DIVERGED, "%ld of %ld runs have no answer", total->diverged, total->asked);
+        status = thud_error_set(err, THUD_DIVERGED, "%ld of %ld runs have no result", total->diverged, total->asked);
     if (status == THUD_OK && total->impossible > 0 && total->impossible == total->asked)
         status = thud_error_set(err, THUD_INPUT, "none of the runs is possible");
     return status;

@@ -1,4 +1,4 @@
-/* thud uncertainty: how sure an answer is. */
+/* thud uncertainty: how sure a result is. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -141,7 +141,7 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "Largest acceleration",
                         quantity->ratio ? "" : "m/s²");
         thud_panel_axis(panel, THUD_Y, "", "");
-        thud_panel_answers_on_x(panel);
+        thud_panel_results_on_x(panel);
         add_tornado(panel, study, drawn[i]);
     }
     same_scale(figure, n);
@@ -156,7 +156,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
     struct thud_figure *figure = begin(u, "sampled-ratios", "all inputs sampled together", 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
-    thud_panel_answers_on_x(panel);
+    thud_panel_results_on_x(panel);
     thud_panel_axis(panel, THUD_Y, "Share of the samples below", "%");
     thud_panel_limits(panel, THUD_Y, 0, 100);
     thud_panel_mark(panel, THUD_X, 1, 1, "");

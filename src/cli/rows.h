@@ -1,4 +1,4 @@
-/* Rows of CSV as JSON, for answers that are tables. */
+/* Rows of CSV as JSON, for results that are tables. */
 #ifndef THUD_CLI_ROWS_H
 #define THUD_CLI_ROWS_H
 

@@ -21,7 +21,7 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
 enum thud_status thud_made_by_study(const struct thud_args *args, const struct thud_sweep_plan *plan,
                                     struct thud_made_by *out, struct thud_error *err);
 
-/* Makes the folder of -o before the work begins, and writes the scene into it as scene.json, for commands whose answers
+/* Makes the folder of -o before the work begins, and writes the scene into it as scene.json, for commands whose results
  * are not one run's. Nothing without -o. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_scene_file_write(const struct thud_args *args, const struct thud_scene *scene,
                                        const struct thud_record *record, struct thud_error *err);

@@ -87,7 +87,7 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
                                  struct thud_scene *cased, struct thud_results *results, struct thud_error *err)
 {
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_truncation truncation;
     enum thud_status status = thud_session_case(&scene->session, which, cased, err);
     if (status == THUD_OK)
@@ -95,19 +95,19 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
     if (status != THUD_OK)
         return status;
     options.keep_history = options.keep_impacts = control->histories != 0;
-    status = thud_scene_start(cased, scene->session.record, &options, &answer, err);
+    status = thud_scene_start(cased, scene->session.record, &options, &solution, err);
     if (status == THUD_OK)
-        status = advance(answer.run, control, err);
+        status = advance(solution.run, control, err);
     if (status == THUD_OK) {
-        struct thud_report report = thud_session_report(&scene->session, cased, which, &answer);
-        if (answer.model->left_out > 0) {
-            status = thud_truncation_measure(cased, scene->session.record, &answer, &truncation, err);
+        struct thud_report report = thud_session_report(&scene->session, cased, which, &solution);
+        if (solution.model->left_out > 0) {
+            status = thud_truncation_measure(cased, scene->session.record, &solution, &truncation, err);
             report.truncation = &truncation;
         }
         if (status == THUD_OK)
             status = put_run(&report, control->histories != 0, results, err);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -68,7 +68,7 @@ double bench_processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-double bench_scene_once(const struct bench_scene *s, const struct thud_run_options *options, struct bench_answer *out)
+double bench_scene_once(const struct bench_scene *s, const struct thud_run_options *options, struct bench_solution *out)
 {
     struct thud_run *run = NULL;
     struct thud_error err = {0};
@@ -93,7 +93,7 @@ double bench_scene_once(const struct bench_scene *s, const struct thud_run_optio
 }
 
 void bench_scene_run(const struct bench_scene *s, const char *method, double tolerance, int repeats,
-                     struct bench_answer *out)
+                     struct bench_solution *out)
 {
     struct thud_run_options options = s->options;
     double least = INFINITY;
@@ -106,7 +106,7 @@ void bench_scene_run(const struct bench_scene *s, const char *method, double tol
     out->seconds = least;
 }
 
-double bench_scene_reference(const struct bench_scene *s, struct bench_answer *out, struct bench_answer *other)
+double bench_scene_reference(const struct bench_scene *s, struct bench_solution *out, struct bench_solution *other)
 {
     bench_scene_run(s, "exact", 1e-13, 1, out);
     bench_scene_run(s, "dormand-prince", 1e-12, 1, other);
@@ -114,7 +114,7 @@ double bench_scene_reference(const struct bench_scene *s, struct bench_answer *o
 }
 
 double bench_scene_error(const struct bench_scene *s, const double *acceleration_mps2,
-                         const struct bench_answer *reference)
+                         const struct bench_solution *reference)
 {
     double error = 0;
     for (int i = 0; i < s->model->ndof; i++)

@@ -1,4 +1,4 @@
-/* A scene as thud makes it, for programs that measure: one place for its numbers, its confirmed answer and the exact
+/* A scene as thud makes it, for programs that measure: one place for its numbers, its confirmed result and the exact
  * method's times. */
 #ifndef THUD_BENCH_SCENE_H
 #define THUD_BENCH_SCENE_H
@@ -15,7 +15,7 @@ struct bench_scene {
     struct thud_run_options options;
 };
 
-struct bench_answer {
+struct bench_solution {
     double seconds; /* least of the repeats, of processor time: a run, without setting up its model */
     double end_s;
     int impacts;
@@ -29,16 +29,16 @@ void bench_scene_open(struct bench_scene *scene, int argc, char **argv);
 void bench_scene_close(struct bench_scene *scene);
 /* One run: seconds of processor time. */
 double bench_scene_once(const struct bench_scene *scene, const struct thud_run_options *options,
-                        struct bench_answer *out);
+                        struct bench_solution *out);
 /* `method` by name; the first run warms up. */
 void bench_scene_run(const struct bench_scene *scene, const char *method, double tolerance, int repeats,
-                     struct bench_answer *out);
+                     struct bench_solution *out);
 /* The exact method at its tightest, and Dormand and Prince with located events, who confirm it; returns how far they
  * are apart. The exact method's own errors are measured against the other. */
-double bench_scene_reference(const struct bench_scene *scene, struct bench_answer *out, struct bench_answer *other);
+double bench_scene_reference(const struct bench_scene *scene, struct bench_solution *out, struct bench_solution *other);
 /* Largest relative difference of the floors' peak accelerations. */
 double bench_scene_error(const struct bench_scene *scene, const double *acceleration_mps2,
-                         const struct bench_answer *reference);
+                         const struct bench_solution *reference);
 double bench_processor_s(void);
 
 #endif

@@ -6,11 +6,11 @@
 int main(int argc, char **argv)
 {
     static struct bench_scene scene;
-    static struct bench_answer answer;
+    static struct bench_solution solution;
     bench_scene_open(&scene, argc, argv);
-    bench_scene_run(&scene, "exact", scene.options.tolerance, 15, &answer);
-    printf("%.4g ms  %d impacts  %ld steps  %ld forces  %.2f s of motion\n", 1e3 * answer.seconds, answer.impacts,
-           answer.work.steps, answer.work.force_evaluations, answer.end_s);
+    bench_scene_run(&scene, "exact", scene.options.tolerance, 15, &solution);
+    printf("%.4g ms  %d impacts  %ld steps  %ld forces  %.2f s of motion\n", 1e3 * solution.seconds, solution.impacts,
+           solution.work.steps, solution.work.force_evaluations, solution.end_s);
     bench_scene_close(&scene);
     return 0;
 }

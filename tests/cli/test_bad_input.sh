@@ -68,7 +68,7 @@ rm bad.yaml && mkdir bad.yaml
 refused "folder" ""
 rmdir bad.yaml
 
-# a scene in which nothing moves has no answer, whatever is asked of it; bodies that move need no ground motion
+# a scene in which nothing moves has no result, whatever is asked of it; bodies that move need no ground motion
 sed '/^record:/,/^  sign:/d' good.yaml >still.yaml
 for command in run 'run --case none' gap sweep 'sweep --vary gap=8cm:9cm:1cm' fragility 'uncertainty --samples 8' stiffness \
     bench stability 'export opensees' 'report -o out'; do
@@ -96,9 +96,9 @@ else
     sed 's/^/# /' err.txt
 fi
 if "$THUD" run rigid-bumper --set structures.1.velocity=-0.5m/s --quiet >out.txt 2>err.txt && ! grep -E '(^|[^0-9A-Za-z.-])-0(\.0*)?([^0-9.e]|$)' out.txt; then
-    echo "ok - bodies that part need nothing, and no answer shows -0"
+    echo "ok - bodies that part need nothing, and no result shows -0"
 else
-    echo "not ok - bodies that part need nothing, and no answer shows -0"
+    echo "not ok - bodies that part need nothing, and no result shows -0"
     sed 's/^/# /' err.txt out.txt | head -8
 fi
 

@@ -45,7 +45,7 @@ run bench towers --case none --methods central-difference --patience 0.2s --set 
 is "a step that blows up is told with its place" shows '^ *1e-02  FAILED the response blew up at t = [0-9.]* s, structure 1, floor 2$'
 is "one that takes too long with the time it would" shows '^ *1e-05  skipped would take about [0-9.]* s$'
 is "which is more than none" [ "$(grep -c 'about 0 s' "$tmp/out")" -eq 0 ]
-is "all that blew up are listed" sh -c "sed -n '/^no answer:/,\$p' '$tmp/out' | grep -q '^  central-difference, located: 1e-02'"
+is "all that blew up are listed" sh -c "sed -n '/^no result:/,\$p' '$tmp/out' | grep -q '^  central-difference, located: 1e-02'"
 
 run bench towers --case none --methods central-difference,lagged --patience 1ms --set "structures.1.stiffness=60000 MN/m" -o "$tmp/bad"
 is "methods that blew up are named on the chart" sh -c "grep -q 'Blown up, and not shown:' '$tmp/bad/bench.gp' && grep -q \"^set label [0-9]* 'central-difference at 1e-02\" '$tmp/bad/bench.gp'"
@@ -54,7 +54,7 @@ is "an impact missed is marked on the chart" grep -q "Ringed: runs that missed i
 is "and its run listed" sh -c "sed -n '/^impacts missed or added:/,\$p' '$tmp/out' | grep -q '^  lagged: 1e-02'"
 is "one timing has no spread" awk -F, 'NR > 1 && $4 == "done" && ($7 == 1) != ($6 == "") { exit 1 }' "$tmp/missed/bench.csv"
 run bench rigid-concrete --methods exact -o "$tmp/none"
-is "where none is missed nothing is marked" [ "$(cat "$tmp/out" "$tmp/none/bench.gp" | grep -c 'missed or added\|no answer\|Blown up')" -eq 0 ]
+is "where none is missed nothing is marked" [ "$(cat "$tmp/out" "$tmp/none/bench.gp" | grep -c 'missed or added\|no result\|Blown up')" -eq 0 ]
 run bench towers --cost floors
 is "an axis there is not is wrong usage" [ "$code" -eq 2 ]
 is "and the known ones are named" says 'storeys, buildings, duration or impacts'

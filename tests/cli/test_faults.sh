@@ -71,7 +71,7 @@ survives() { # KIND ARGUMENTS...: what goes to standard output
         status=$?
         tried=$((tried + 1))
         judge
-        [ "$status" -ne 0 ] || cmp -s "$tmp/whole" "$tmp/part" || grep -q "cannot be read: " "$tmp/part" || note "another answer"
+        [ "$status" -ne 0 ] || cmp -s "$tmp/whole" "$tmp/part" || grep -q "cannot be read: " "$tmp/part" || note "another result"
         n=$((n + stride))
     done
     conclude "thud $*"

@@ -55,7 +55,7 @@ is "said on standard error" says "standard output"
 "$THUD" sweep rigid-bumper --vary gap=5cm:8cm:1cm --cases none --quiet -o "$tmp/closed" >"$tmp/out" 2>"$tmp/err"
 is "and the study goes on from a journal without strange rows" [ $? -eq 5 ]
 "$THUD" run rigid-concrete --json 2>&- <&- >"$tmp/out"
-is "with standard error and input closed the answer is whole" [ "$(tail -c 2 "$tmp/out" | head -c 1)" = "}" ]
+is "with standard error and input closed the result is whole" [ "$(tail -c 2 "$tmp/out" | head -c 1)" = "}" ]
 
 # what stands under the names of results
 mkdir "$tmp/linked"

@@ -23,7 +23,7 @@ ok "make install takes the program that make made, whatever the environment call
 ok "the installed program runs a preset from another folder" $?
 "$THUD" run rigid-concrete --json >"$tmp/here" 2>"$tmp/out"
 cmp "$tmp/here" "$tmp/there" >"$tmp/out" 2>&1
-ok "it gives the same answer as in the tree" $?
+ok "it gives the same result as in the tree" $?
 (cd "$tmp" && "$prefix/bin/thud" run towers --quiet) >"$tmp/out" 2>&1
 ok "it finds the towers' ground motion" $?
 (cd "$tmp" && "$prefix/bin/thud" run towers-kaikoura --quiet) >"$tmp/out" 2>&1 && grep -q '^ground motion  kaikoura-wtmc.csv, peak 0.9925 g' "$tmp/out" &&

@@ -68,7 +68,7 @@ refused 3 run towers --record nowhere.csv
 refused 3 run nowhere.yaml
 refused 3 record info nowhere.csv
 
-# thud new, standard input, and answers as data
+# thud new, standard input, and results as data
 is "new writes a preset" gives 0 new "$tmp/mine.yaml" --set gap=7cm --set structures.1.storeys=3
 is "with its comments and what was said" grep -q '^  - gap: 7 cm # at rest$' "$tmp/mine.yaml"
 is "its title goes with it" grep -q '^title: "\{0,1\}mine: 3-storey building and 6-storey building"\{0,1\}$' "$tmp/mine.yaml"

@@ -35,9 +35,9 @@ shows() { grep -q -e "$1" "$tmp/seen"; }
 # what a terminal still shows in the end: each line after its last return and wiping
 left() { tr -d '\r' <"$tmp/seen" | sed "s/.*$esc\[K//"; }
 nothing() { [ -z "$(tr -d '\r\n' <"$1")" ]; }
-stays() { # WHAT: the messages that stay, and the answer, are those of a run without a terminal
+stays() { # WHAT: the messages that stay, and the result, are those of a run without a terminal
     check "$1: it is wiped out in the end" [ "$(left)" = "$(cat "$tmp/err")" ]
-    check "$1: the answer is the same" cmp -s "$tmp/out" "$tmp/piped"
+    check "$1: the result is the same" cmp -s "$tmp/out" "$tmp/piped"
 }
 
 # by a method that takes its time: what is done at once shows no progress

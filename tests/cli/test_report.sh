@@ -121,7 +121,7 @@ is "a report on a suite" report 0 "$tmp/own.yaml" --records "$three" --factor 0.
 pounding() { awk -F, -v c="$1" 'NR > 1 && $7 > m[$1] { m[$1] = $7 } END { for (r in m) n += m[r] > c; print n + 0 }' "$tmp/needs.csv"; }
 is "how many motions pound" in_text "Of the suite of 3 ground motions, $(pounding 0.08) make the buildings pound without bumper"
 is "and touch the bumper" in_text "Of the suite of 3 ground motions, $(pounding 0.03) make the buildings touch the bumper"
-is "the suite leads, one motion follows" in_text '## The answer *Over the suite of 3 ground motions: .*So that nothing touches.*One motion in detail: under [^ ]* (synthetic), peak [0-9.]* g [^,]*, the buildings .*Without bumper they touch'
+is "the suite leads, one motion follows" in_text '## The result *Over the suite of 3 ground motions: .*So that nothing touches.*One motion in detail: under [^ ]* (synthetic), peak [0-9.]* g [^,]*, the buildings .*Without bumper they touch'
 widths=$("$THUD" gap "$tmp/own.yaml" --records "$three" --factor 0.4 2>/dev/null | sed -n 's/^A gap of \([0-9.]*\) cm .*/\1/p')
 is "what half of them need" in_text "2 of them need a gap of up to $(awk -v w="$widths" 'BEGIN { printf "%.1f", w }') cm"
 begins() { awk -F, 'NR > 1 && $7 > m[$1] { m[$1] = $7 } END { for (r in m) print '"$1"' / m[r] }' "$tmp/needs.csv" | sort -g | awk -v k="$2" 'NR == k { printf "%.2f", $1 }'; }
@@ -176,10 +176,10 @@ else
     grep -n 'asks for\|same largest\|isolators\|^| isolated' "$tmp/moat/report.md" | sed 's/^/# /'
 fi
 "$THUD" report slab-against-columns --samples 0 -o "$tmp/columns" >/dev/null 2>&1
-if sed -n '/^## The answer/,/^- /p' "$tmp/columns/report.md" | grep -q 'struck columns fail.*times what they can, at .* has no meaning' &&
+if sed -n '/^## The result/,/^- /p' "$tmp/columns/report.md" | grep -q 'struck columns fail.*times what they can, at .* has no meaning' &&
     sed -n '/^## Cautions/,/^- /p' "$tmp/columns/report.md" | grep -q 'struck columns fail'; then
-    echo "ok - columns above their capacity stand first in answer and cautions"
+    echo "ok - columns above their capacity stand first in result and cautions"
 else
-    echo "not ok - columns above their capacity stand first in answer and cautions"
+    echo "not ok - columns above their capacity stand first in result and cautions"
     grep -n 'columns fail' "$tmp/columns/report.md" | sed 's/^/# /'
 fi

@@ -1,5 +1,5 @@
 #!/bin/sh
-# thud run: the figures of free bodies, the three forms of the answer, its files, its options, its exit statuses.  TAP.
+# thud run: the figures of free bodies, the three forms of the result, its files, its options, its exit statuses.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 
@@ -162,7 +162,7 @@ is "events: a storey yields and unloads in turn" awk -F, '
     $6 != "" && $7 == "unload" { if (!open[$5 $6]) exit 1; open[$5 $6] = 0 }
     END { exit !(n > 10) }' "$tmp/out"
 is "events: not of several cases" gives 2 run towers --cases none,bumper --events
-is "quiet: the answer alone" gives 0 run towers --quiet
+is "quiet: the result alone" gives 0 run towers --quiet
 is "quiet: all of it" cmp -s "$tmp/out" "$tmp/table"
 is "quiet: no remark" silent
 is "a peak for a ground motion that is not there is refused" gives 2 run rigid-concrete --peak 1g
@@ -320,13 +320,13 @@ is "with the nearest" says "tolerance"
 is "an option without its value: usage" gives 2 run towers --peak
 # from a result back to its scene
 scene_of() { sed -n '/^  "scene": /,$p' "$1" | sed '1s/^  "scene": //; $d'; } # JSON: the scene in it, a preset
-again() { # OPTIONS...: of a run; the scene in its answer gives the same answer
+again() { # OPTIONS...: of a run; the scene in its result gives the same result
     gives 0 run "$@" --json || return 1
     scene_of "$tmp/out" >"$tmp/again.yaml"
     sed '2d' "$tmp/out" >"$tmp/json"
     gives 0 run "$tmp/again.yaml" --json && sed '2d' "$tmp/out" | cmp -s - "$tmp/json"
 }
-for p in rigid-concrete three-in-a-row isolated-moat; do is "$p again from its answer" again $p; done
+for p in rigid-concrete three-in-a-row isolated-moat; do is "$p again from its result" again $p; done
 is "a case again, with values in other units and to the last digit" again towers --case cavity --set "gap=3.3333333333333335 in" \
     --set "structures.1.mass.2=298.37364891673 t" --set "record.from=3.3 s" --set record.sign=- --set bumper.exponent=2.6180339887498949 --set "bumper.stiffness=0.36 kN/mm^2.6180339887498949"
 is "a scene without a title again" again rigid-bumper --set title= --method rk4 --step "0.12345678901234567 ms"
@@ -376,7 +376,7 @@ is "a folder that cannot be made: output" gives 6 run rigid-bumper -o "$tmp/file
 sh -c '"$0" run towers --json; echo $? >"$1"' "$THUD" "$tmp/status" 2>"$tmp/err" | head -c 10 >/dev/null
 is "a closed pipe is no crash" grep -q -E '^(0|6|141)$' "$tmp/status"
 
-# what no building bears is said, with the numbers of the answer; what follows from a change too
+# what no building bears is said, with the numbers of the result; what follows from a change too
 gives 0 run towers --json
 depth=$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"indentation_m": *//p' | awk '{ if ($1 > m) m = $1 } END { printf "%.4g", 1000 * m }')
 is "a bumper pressed beyond its thickness" says "the bumper of 50 mm is pressed by $depth mm at floor 4, .*: more than there is of it; past 40 mm in [0-9]* of [0-9]* impacts"
@@ -454,12 +454,12 @@ is "20 buildings of 200 storeys: memory and time are said before the run" says \
 gives 0 run towers
 is "nothing of the kind where a run is short" [ "$(grep -c "a run takes about" "$tmp/err")" = 0 ]
 "$THUD" run towers >"$tmp/out" 2>"$tmp/err"
-told=$(sed -n 's/^answer .* needs \([0-9.]*\) cm.*/\1/p' "$tmp/out")
+told=$(sed -n 's/^summary .* needs \([0-9.]*\) cm.*/\1/p' "$tmp/out")
 widest=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "closing_m") c = i } NR > 1 && $c > m { m = $c } END { print 100 * m }')
-is "the answer: how hard they pound" shows '^answer  *POUNDS at 10 cm: 40 impacts, 39.6 MN   needs '
+is "the result: how hard they pound" shows '^summary  *POUNDS at 10 cm: 40 impacts, 39.6 MN   needs '
 is "and the gap that thud gap says is enough" [ "$(awk -v a="$told" -v b="$widest" 'BEGIN { print (a >= b && a < b + 0.1) }')" = 1 ]
 
-# numbers of one kind in a JSON answer, in order
+# numbers of one kind in a JSON result, in order
 numbers() { # KEY
     grep -o "\"$1\": [-0-9.e+]*" "$tmp/out" | sed 's/.*: //'
 }

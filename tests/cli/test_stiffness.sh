@@ -24,7 +24,7 @@ is "is refused by its place" says 'interfaces.1.bumper.stiffness: .* is not give
 is "what it may be is told" gives 0 stiffness "$tmp/unfinished.yaml" --pad 0.5m2,5MPa,5cm
 is "with what is missing" shows 'interfaces.1.bumper.stiffness: .* is not given'
 is "without bumpers it runs" gives 0 run "$tmp/unfinished.yaml" --case none
-is "as the scene whose bumper is finished" [ "$(grep '^answer' "$tmp/out")" = "$("$THUD" run towers --case none 2> /dev/null | grep '^answer')" ]
+is "as the scene whose bumper is finished" [ "$(grep '^summary' "$tmp/out")" = "$("$THUD" run towers --case none 2> /dev/null | grep '^summary')" ]
 is "so does its gap" gives 0 gap "$tmp/unfinished.yaml"
 is "three slabs" gives 2 stiffness towers --slab 3m2,15m,30GPa --slab 3m2,15m,30GPa --slab 3m2,15m,30GPa
 is "a slab without a modulus" gives 2 stiffness towers --slab 3m2,15m

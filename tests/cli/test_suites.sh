@@ -313,7 +313,7 @@ anova() { awk -F, -v q="none.B.acceleration_mps2" 'FNR == NR { if (FNR == 1) for
         for (i = 1; i <= n; i++) ssw += (x[i] - sum[of[i]] / k[of[i]]) ^ 2
         w = ssw / (n - groups); b = (ssb / (groups - 1) - w) / ((n - e) / (groups - 1)); exit !(groups == 3 && n == 30 && told > 0 && told < 1 && (told - b / (b + w)) ^ 2 < 1e-16) }' "$tmp/drawn/uncertainty.csv" "$tmp/drawn/samples.csv"; }
 is "between them and within" anova
-# the needed gap is one of its answers: of each sample that of its motion where nothing else is uncertain, so that all its variance is between motions
+# the needed gap is one of its results: of each sample that of its motion where nothing else is uncertain, so that all its variance is between motions
 nothing="--uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain mass=0 --uncertain contact-stiffness=1 --uncertain restitution=0 --uncertain bumper-stiffness=0 --uncertain bumper-exponent=0"
 # shellcheck disable=SC2086 # words
 is "the needed gap over a suite" gives 0 uncertainty towers $nothing --records "$three" --samples 9 --quiet -o "$tmp/needed"

@@ -273,13 +273,13 @@ status 3 "$THUD" sweep towers --vary gap=1cm,2cm --cases bumper
 check "a study in which nothing is possible is bad input" grep -q "^thud: none of the runs is possible" "$tmp/err"
 status 4 "$THUD" sweep rigid-concrete --method central-difference --step 1e-4s --vary "contact.stiffness=2500 kN/mm,1e15 kN/mm" --case as-written --csv
 check "a run that blows up has no row" test "$(cut -d, -f4 "$tmp/out" | sort | uniq -c | awk '/left/ { print $1 }')" = 2
-check "and is counted, with the first of them" grep -q "^1 run has no answer (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"
-check "and in the message at the end" grep -q "^thud: 1 of 2 runs have no answer" "$tmp/err"
+check "and is counted, with the first of them" grep -q "^1 run has no result (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"
+check "and in the message at the end" grep -q "^thud: 1 of 2 runs have no result" "$tmp/err"
 status 4 "$THUD" sweep towers --method newmark --step 5e-3s --vary gap=5cm,60cm --cases none --set "contact.stiffness=200000 kN/mm" --csv
 check "a run whose energy is unaccounted for has no row either" test "$(cut -d, -f3 "$tmp/out" | sort -u | tr '\n' ' ')" = "0.6 gap_m "
 status 0 "$THUD" sweep isolated-moat --set structures.2.mass=320t --set structures.2.base-mass=10t --set structures.2.damping=50% --set structures.2.isolation-damping=50% --vary interfaces.1.gap=25cm --csv
 # shellcheck disable=SC2016 # of awk
-check "a light slab on strong dashpots has an answer of this world" awk -F, '$5 == 1 && !($6 < 300) { exit 1 }' "$tmp/out"
+check "a light slab on strong dashpots has a result of this world" awk -F, '$5 == 1 && !($6 < 300) { exit 1 }' "$tmp/out"
 status 0 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none -j 1
 check "too many rows make no table, and say so" grep -q "more than 200000 rows: no figures, no table" "$tmp/out"
 status 2 "$THUD" sweep rigid-concrete --vary contact.restitution=0.1:0.9:1.59e-5 --case none --best contact.restitution --quiet

@@ -9,21 +9,21 @@
 #include "fault.h"
 #include "io/file/file.h"
 #include "io/preset/preset.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 /* Reads the preset and runs its scene without a ground motion, with the n-th allocation failing. */
 static enum thud_status run_once(const char *path, long n, bool *fired, long *lost, char *said)
 {
     struct thud_preset *preset = NULL;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_error err = {0};
     *lost = thud_fault_live();
     thud_fault_arm(THUD_FAULT_MEMORY, n);
     enum thud_status status = thud_preset_read(path, &preset, &err);
     if (status == THUD_OK)
-        status = thud_scene_answer(thud_preset_scene(preset), NULL, NULL, &answer, &err);
+        status = thud_scene_solve(thud_preset_scene(preset), NULL, NULL, &solution, &err);
     *fired = thud_fault_end();
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     thud_preset_free(preset);
     *lost -= thud_fault_live();
     thud_error_text(&err, said, 1024);

@@ -1,5 +1,5 @@
-/* A study's point with its spread, its table, and what more runs tell of an answer, while one allocation after the
- * other fails: out of memory is said, or the answer is the same without what was missing; nothing is left behind. */
+/* A study's point with its spread, its table, and what more runs tell of a result, while one allocation after the
+ * other fails: out of memory is said, or the result is the same without what was missing; nothing is left behind. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -110,16 +110,16 @@ END_TEST
 
 static enum thud_status ask_for_more(void)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_sensitivity *sensitivity = NULL;
     struct thud_truncation truncation;
-    enum thud_status status = thud_scene_answer(scene, motion, NULL, &answer, NULL);
+    enum thud_status status = thud_scene_solve(scene, motion, NULL, &solution, NULL);
     if (status == THUD_OK)
-        status = thud_sensitivity_run(scene, motion, 1e-3, thud_run_result(answer.run), &sensitivity, NULL);
+        status = thud_sensitivity_run(scene, motion, 1e-3, thud_run_result(solution.run), &sensitivity, NULL);
     if (status == THUD_OK)
-        status = thud_truncation_measure(scene, motion, &answer, &truncation, NULL);
+        status = thud_truncation_measure(scene, motion, &solution, &truncation, NULL);
     thud_sensitivity_free(sensitivity);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* Random scenes by every way that must give the same answer: tolerances, methods, the mirror, other units, halved
+/* Random scenes by every way that must give the same result: tolerances, methods, the mirror, other units, halved
  * intervals, histories kept, a study with and without its shortcuts.  usage: cross [FIRST [COUNT [WORD]]]    seeds;
  * only the checks with this word in their names.  Seeds from SCENES_WIDE (1000000000) on are wide scenes,
  * those from SCENES_YIELDING (2000000000) on have storeys that yield, those from SCENES_COLUMNS (3000000000) on slabs

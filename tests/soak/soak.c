@@ -44,7 +44,7 @@ static int one_run(long i)
     static const char *const presets[] = {"towers", "rigid-bumper", "rigid-concrete", "isolated-moat"};
     static struct thud_session session; /* large */
     static struct thud_scene scene;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_run_options options;
     int wrong = thud_session_open(&session, presets[i % 4], NULL) != THUD_OK;
     char gap[48];
@@ -53,8 +53,8 @@ static int one_run(long i)
     wrong = wrong || thud_scene_options(&session.scene, &options, NULL) != THUD_OK;
     options.keep_history = options.keep_impacts = i % 16 == 0;
     options.tail_s = fmin(options.tail_s, 1);
-    wrong = wrong || thud_session_run(&session, THUD_CASE_AS_WRITTEN, &options, &scene, &answer, NULL) != THUD_OK;
-    thud_answer_clear(&answer);
+    wrong = wrong || thud_session_run(&session, THUD_CASE_AS_WRITTEN, &options, &scene, &solution, NULL) != THUD_OK;
+    thud_solution_clear(&solution);
     thud_session_close(&session);
     if (wrong)
         printf("# %s, %s\n", presets[i % 4], gap);

@@ -1,8 +1,8 @@
-/* Random scenes, and ways to run one that must not change its answer. A seed gives the same scene everywhere. */
+/* Random scenes, and ways to run one that must not change its result. A seed gives the same scene everywhere. */
 #ifndef THUD_TESTS_SCENES_H
 #define THUD_TESTS_SCENES_H
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 /* A scene with its ground motion (NULL: none); `peak_m`: the size of its motion without contact. */
 struct scenes_one {
@@ -72,7 +72,7 @@ struct scenes_number {
     int index; /* floor or contact, from 0 */
     double value;
 };
-struct scenes_answer {
+struct scenes_solution {
     enum thud_status status;
     struct thud_error err;
     bool stopped; /* more segments than asked for */
@@ -90,15 +90,15 @@ struct scenes_options {
     long slice; /* segments at a time; 0: 1000 */
     long most;  /* segments; 0: no end */
 };
-void scenes_run(const struct scenes_one *one, const struct scenes_options *options, struct scenes_answer *out);
-void scenes_answer_clear(struct scenes_answer *answer);
+void scenes_run(const struct scenes_one *one, const struct scenes_options *options, struct scenes_solution *out);
+void scenes_answer_clear(struct scenes_solution *solution);
 const char *scenes_kind_name(enum scenes_kind kind);
 
-/* Where two answers are most unlike: |a - b| over the number's own size, but no less than `least` of the largest of its
+/* Where two results are most unlike: |a - b| over the number's own size, but no less than `least` of the largest of its
  * kind, less what `amplify` (per number; NULL: 0) times `eps` explains. Returns the difference; *where the number. */
-double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b, double least, const double *amplify,
-                    double eps, int *where);
-/* The answer of a mirrored scene in the order of the scene itself. */
-void scenes_unmirror(const struct scenes_one *one, struct scenes_answer *answer);
+double scenes_apart(const struct scenes_solution *a, const struct scenes_solution *b, double least,
+                    const double *amplify, double eps, int *where);
+/* The result of a mirrored scene in the order of the scene itself. */
+void scenes_unmirror(const struct scenes_one *one, struct scenes_solution *solution);
 
 #endif

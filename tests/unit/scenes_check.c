@@ -10,17 +10,17 @@
 /* Numbers below this share of the largest of their kind are not looked at by themselves; the second where a tolerance,
  * which is one of the largest force, plays its part. */
 static const double least = 1e-4, least_forced = 1e-2;
-/* The lengths below which the program takes neighbours not to touch, with a margin: what they do to an answer is what
+/* The lengths below which the program takes neighbours not to touch, with a margin: what they do to a result is what
  * as large a change of the gaps does. And the smallest motion that these lengths leave alone. */
 static const double touch_noise_m = 1e-14, smallest_m = 1e-4;
 
 struct subject {
     struct scenes_tally *tally;
     struct scenes_one one;
-    struct scenes_answer base; /* exact, 1e-10 */
-    double *amplify;           /* (base.n) change of a number for a change 1 of the inputs */
-    double worst_amplify;      /* relative */
-    bool linear;               /* the tolerance plays no part */
+    struct scenes_solution base; /* exact, 1e-10 */
+    double *amplify;             /* (base.n) change of a number for a change 1 of the inputs */
+    double worst_amplify;        /* relative */
+    bool linear;                 /* the tolerance plays no part */
 };
 
 static int find_check(struct scenes_tally *tally, const char *name)
@@ -41,9 +41,9 @@ static void report(struct subject *s, const char *name, const char *what)
     s->tally->wrong++;
 }
 
-/* Holds an answer against the base: `tolerance` of each number is allowed, and what a change of the inputs by `eps`
+/* Holds a result against the base: `tolerance` of each number is allowed, and what a change of the inputs by `eps`
  * explains. */
-static void hold(struct subject *s, const char *name, const struct scenes_answer *a, double tolerance, double eps)
+static void hold(struct subject *s, const char *name, const struct scenes_solution *a, double tolerance, double eps)
 {
     double part = strstr(name, "tolerance") ? least_forced : least;
     int at, i = find_check(s->tally, name);
@@ -80,7 +80,7 @@ static bool asked(const struct subject *s, const char *name)
 static void run_and_hold(struct subject *s, const char *name, const struct scenes_one *one,
                          const struct scenes_options *options, double tolerance, double eps, bool mirrored)
 {
-    struct scenes_answer a;
+    struct scenes_solution a;
     scenes_run(one, options, &a);
     if (mirrored)
         scenes_unmirror(one, &a);
@@ -95,7 +95,7 @@ static void find_amplification(struct subject *s)
     static const double eps[] = {1e-9, 1e-7};
     for (int k = 0; k < 2 * SCENES_NUDGES; k++) {
         struct scenes_one near;
-        struct scenes_answer a;
+        struct scenes_solution a;
         scenes_copy(&near, &s->one);
         scenes_nudge(&near, k % SCENES_NUDGES, eps[k / SCENES_NUDGES]);
         scenes_run(&near, &tight, &a);
@@ -125,7 +125,7 @@ static void check_same_bits(struct subject *s)
 }
 
 /* Numbers of a scene in other units, back in its own. */
-static void scale_back(struct scenes_answer *a, double mass, double length)
+static void scale_back(struct scenes_solution *a, double mass, double length)
 {
     for (int i = 0; i < a->n; i++) {
         struct scenes_number *x = &a->number[i];
@@ -148,7 +148,7 @@ static void check_units(struct subject *s, const char *name, bool (*change)(stru
                         bool is_mass)
 {
     struct scenes_one other;
-    struct scenes_answer a;
+    struct scenes_solution a;
     if (!asked(s, name) || (!is_mass && fmin(factor, 1) * s->one.peak_m < smallest_m))
         return;
     scenes_copy(&other, &s->one);
@@ -162,7 +162,7 @@ static void check_units(struct subject *s, const char *name, bool (*change)(stru
     scenes_clear(&other);
 }
 
-/* Bounces that come to rest end by rounding after one more or one less: an answer then lies anywhere in the scatter of the
+/* Bounces that come to rest end by rounding after one more or one less: a result then lies anywhere in the scatter of the
  * nudged ones, at one end of which the base may lie (SCENES_YIELDING + 39). */
 static const double scatter_eps = 2e-9;
 
@@ -297,7 +297,7 @@ void scenes_tally_print(const struct scenes_tally *tally, FILE *out)
 {
     fprintf(
         out,
-        "# %ld scenes: %ld with pounding, %ld too wild or too small to compare, %ld without an answer, %ld too long\n",
+        "# %ld scenes: %ld with pounding, %ld too wild or too small to compare, %ld without a result, %ld too long\n",
         tally->scenes, tally->pounding, tally->wild, tally->failed, tally->stopped);
     for (int i = 0; i < SCENES_CHECKS_MAX && tally->check[i].name; i++)
         fprintf(out, "# %-20s %6ld made, %4ld skipped, %4ld off, worst %.3g of what is allowed\n", tally->check[i].name,

@@ -6,7 +6,7 @@
 
 #include "scenes.h"
 
-static void add(struct scenes_answer *a, enum scenes_kind kind, int place, int index, double value)
+static void add(struct scenes_solution *a, enum scenes_kind kind, int place, int index, double value)
 {
     a->number[a->n++] = (struct scenes_number){kind, place, index, value};
     if (fabs(value) > a->largest[kind])
@@ -15,7 +15,7 @@ static void add(struct scenes_answer *a, enum scenes_kind kind, int place, int i
 
 /* Impacts of a contact that are no mere touch, and when the first of them begins. NaN, which is not compared, where one
  * is neither strong nor weak, or not over. */
-static void add_impacts(struct scenes_answer *a, const struct thud_run *run, int c, double least_ns)
+static void add_impacts(struct scenes_solution *a, const struct thud_run *run, int c, double least_ns)
 {
     const struct thud_contact_result *result = &thud_run_result(run)->contact[c];
     int count, listed = 0, strong = 0;
@@ -44,7 +44,7 @@ static double lightest(const struct thud_model *m)
 }
 
 /* What a number of each kind may be small against: the lightest floor at the largest accelerations and speeds. */
-static void find_natural(struct scenes_answer *a, const struct thud_model *m, double end_s)
+static void find_natural(struct scenes_solution *a, const struct thud_model *m, double end_s)
 {
     double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
     a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
@@ -57,7 +57,7 @@ static void find_natural(struct scenes_answer *a, const struct thud_model *m, do
     a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e9 * end_s; /* a grazing contact lasts any time */
 }
 
-static void take(struct scenes_answer *a, const struct thud_model *model, const struct thud_run *run)
+static void take(struct scenes_solution *a, const struct thud_model *model, const struct thud_run *run)
 {
     const struct thud_result *r = thud_run_result(run);
     int floors = 0, count;
@@ -104,9 +104,9 @@ static void take(struct scenes_answer *a, const struct thud_model *model, const 
     a->steps = r->work.steps;
 }
 
-void scenes_run(const struct scenes_one *one, const struct scenes_options *how, struct scenes_answer *out)
+void scenes_run(const struct scenes_one *one, const struct scenes_options *how, struct scenes_solution *out)
 {
-    *out = (struct scenes_answer){0};
+    *out = (struct scenes_solution){0};
     struct thud_model *model = NULL;
     struct thud_run *run = NULL;
     struct thud_run_options options;
@@ -134,11 +134,11 @@ void scenes_run(const struct scenes_one *one, const struct scenes_options *how, 
     thud_model_free(model);
 }
 
-void scenes_answer_clear(struct scenes_answer *answer)
+void scenes_answer_clear(struct scenes_solution *solution)
 {
-    free(answer->number);
-    answer->number = NULL;
-    answer->n = 0;
+    free(solution->number);
+    solution->number = NULL;
+    solution->n = 0;
 }
 
 const char *scenes_kind_name(enum scenes_kind kind)
@@ -162,8 +162,8 @@ static bool is_nothing(const struct scenes_number *x, const struct scenes_number
            (x->kind == SCENES_TIME && off < time * natural[SCENES_TIME]);
 }
 
-double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b, double least, const double *amplify,
-                    double eps, int *where)
+double scenes_apart(const struct scenes_solution *a, const struct scenes_solution *b, double least,
+                    const double *amplify, double eps, int *where)
 {
     double worst = 0;
     *where = -1;
@@ -184,17 +184,17 @@ double scenes_apart(const struct scenes_answer *a, const struct scenes_answer *b
     return worst;
 }
 
-void scenes_unmirror(const struct scenes_one *one, struct scenes_answer *answer)
+void scenes_unmirror(const struct scenes_one *one, struct scenes_solution *solution)
 {
-    struct scenes_number *sorted = malloc(((size_t)answer->n + 1) * sizeof *sorted);
+    struct scenes_number *sorted = malloc(((size_t)solution->n + 1) * sizeof *sorted);
     int structures = one->scene.nstructures, n = 0;
     assert(sorted);
     for (int contacts = 0; contacts < 2; contacts++)
         for (int place = structures - 1; place >= 0; place--)
-            for (int i = 0; i < answer->n; i++)
-                if (answer->number[i].place == place && (answer->number[i].kind >= SCENES_FORCE) == (contacts > 0))
-                    sorted[n++] = answer->number[i];
-    assert(n == answer->n);
-    free(answer->number);
-    answer->number = sorted;
+            for (int i = 0; i < solution->n; i++)
+                if (solution->number[i].place == place && (solution->number[i].kind >= SCENES_FORCE) == (contacts > 0))
+                    sorted[n++] = solution->number[i];
+    assert(n == solution->n);
+    free(solution->number);
+    solution->number = sorted;
 }

@@ -1,4 +1,4 @@
-/* The motion without contact, kept: a run that begins in it answers as one from t = 0, bit for bit, and its largest
+/* The motion without contact, kept: a run that begins in it goes as one from t = 0, bit for bit, and its largest
  * closings are those that a dense look at the histories finds. */
 #include <check.h>
 #include <math.h>

@@ -457,7 +457,7 @@ static struct setting shaken(void)
     return x;
 }
 
-/* The nearer the slab to a floor, the nearer the answer to floor to floor: by the square of the distance. The same
+/* The nearer the slab to a floor, the nearer the result to floor to floor: by the square of the distance. The same
  * for the ground, which is a wall. */
 START_TEST(slab_at_the_floor_or_the_ground)
 {

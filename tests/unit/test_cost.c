@@ -95,7 +95,7 @@ static void run_all(struct thud_cost *cost, struct thud_bench_jobs jobs)
 START_TEST(sizes_are_the_runs_they_say)
 {
     struct thud_run_options options;
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_record *twice = NULL;
     struct thud_error err = {0};
     double a[20000];
@@ -108,8 +108,8 @@ START_TEST(sizes_are_the_runs_they_say)
     struct thud_cost *cost = cost_of(THUD_COST_DURATION);
     run_all(cost, (struct thud_bench_jobs){.repeats = 1});
     for (int i = 0; i < 2; i++) {
-        ck_assert(thud_scene_answer(&scene, i ? twice : record, &options, &answer, &err) == THUD_OK);
-        const struct thud_result *r = thud_run_result(answer.run);
+        ck_assert(thud_scene_solve(&scene, i ? twice : record, &options, &solution, &err) == THUD_OK);
+        const struct thud_result *r = thud_run_result(solution.run);
         const struct thud_cost_point *p = thud_cost_point(cost, i);
         int impacts = 0;
         for (int c = 0; c < r->ncontacts; c++)
@@ -120,7 +120,7 @@ START_TEST(sizes_are_the_runs_they_say)
         ck_assert_int_eq(p->work.steps, r->work.steps);
         ck_assert_double_eq_tol(p->size, (i + 1) * (double)n * record->dt_s, 1e-9);
         ck_assert(p->repeats == 1);
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     thud_record_free(twice);
     thud_cost_free(cost);

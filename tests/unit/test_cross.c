@@ -1,11 +1,11 @@
-/* Random scenes answered in every way that must give the same answer (tests/soak/cross.c takes many more). */
+/* Random scenes answered in every way that must give the same result (tests/soak/cross.c takes many more). */
 #include <check.h>
 #include <string.h>
 
 #include "scenes.h"
 #include "scenes_check.h"
 
-/* Every way that `only` names gives the same answer. */
+/* Every way that `only` names gives the same result. */
 static void holds(unsigned long long seed, const char *only)
 {
     struct scenes_tally tally = {.only = only};
@@ -74,7 +74,7 @@ START_TEST(scenes_of_columns)
 }
 END_TEST
 
-/* Scenes that once had another answer for every tolerance: a blow at one level turned round the rate of a contact at
+/* Scenes that once had another result for every tolerance: a blow at one level turned round the rate of a contact at
  * another one, which then went on in the wrong phase for a step. */
 START_TEST(scenes_whose_answers_differed)
 {
@@ -120,7 +120,7 @@ START_TEST(series_end_by_each_structure)
 }
 END_TEST
 
-/* Scenes that once had no answer, or none in any time: an indentation of rounding's size at first touch held against
+/* Scenes that once had no result, or none in any time: an indentation of rounding's size at first touch held against
  * one of 0 (38); steps made tiny by the next kink, or by a touch, that never grew again (119, 196, 226); a row
  * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668); equal
  * neighbours that rounding now held and now let go (1526, 20010); a contact without a force, struck by another one
@@ -129,12 +129,12 @@ START_TEST(scenes_that_had_no_answer)
 {
     static const unsigned long long seeds[] = {38, 119, 196, 226, 1094, 2110, 2668, 1526, 20010, 6791, 50290};
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, seeds[_i]);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-10, .most = 30000}, &answer);
-    ck_assert_msg(answer.status == THUD_OK, "%llu: %s", seeds[_i], answer.err.what);
-    ck_assert_msg(!answer.stopped, "%llu: %ld steps", seeds[_i], answer.steps);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-10, .most = 30000}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%llu: %s", seeds[_i], solution.err.what);
+    ck_assert_msg(!solution.stopped, "%llu: %ld steps", seeds[_i], solution.steps);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST
@@ -152,12 +152,12 @@ END_TEST
 START_TEST(stiff_contacts_do_not_chatter)
 {
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, 2551);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-4, .most = 20000}, &answer);
-    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
-    ck_assert_msg(!answer.stopped, "%ld steps", answer.steps);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-4, .most = 20000}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
+    ck_assert_msg(!solution.stopped, "%ld steps", solution.steps);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST
@@ -168,12 +168,12 @@ START_TEST(steps_do_not_stay_short)
 {
     static const unsigned long long seeds[] = {171, 1170};
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, seeds[_i]);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 20000}, &answer);
-    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
-    ck_assert_int_lt(answer.steps, 6000);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 20000}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
+    ck_assert_int_lt(solution.steps, 6000);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST
@@ -195,13 +195,13 @@ END_TEST
 START_TEST(no_sliver_before_a_kink)
 {
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, 40005);
     scenes_halve(&one);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-10, .most = 30000}, &answer);
-    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
-    ck_assert(!answer.stopped);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-10, .most = 30000}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
+    ck_assert(!solution.stopped);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST
@@ -212,15 +212,15 @@ START_TEST(bounces_without_end_are_said)
 {
     static const char *const methods[] = {"exact", "dormand-prince"};
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, SCENES_WIDE + 175);
-    scenes_run(&one, &(struct scenes_options){.method = methods[_i], .tolerance = 1e-6, .most = 1000000}, &answer);
-    ck_assert(!answer.stopped);
-    ck_assert_int_eq(answer.status, THUD_DIVERGED);
-    ck_assert_ptr_nonnull(strstr(answer.err.what, "contacts switch 50000 times from t = 0.065"));
-    ck_assert_ptr_nonnull(strstr(answer.err.what, "last contact between floors 1 and 1"));
-    ck_assert_str_eq(answer.err.key, "interfaces.1");
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.method = methods[_i], .tolerance = 1e-6, .most = 1000000}, &solution);
+    ck_assert(!solution.stopped);
+    ck_assert_int_eq(solution.status, THUD_DIVERGED);
+    ck_assert_ptr_nonnull(strstr(solution.err.what, "contacts switch 50000 times from t = 0.065"));
+    ck_assert_ptr_nonnull(strstr(solution.err.what, "last contact between floors 1 and 1"));
+    ck_assert_str_eq(solution.err.key, "interfaces.1");
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST
@@ -230,11 +230,11 @@ END_TEST
 START_TEST(guesses_stay_near_the_last_step)
 {
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, SCENES_WIDE + 299);
-    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 10500}, &answer);
-    ck_assert_msg(answer.status == THUD_OK, "%s", answer.err.what);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-6, .most = 10500}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST

@@ -102,7 +102,7 @@ END_TEST
 START_TEST(sentences_in_tables_and_what_is_cut)
 {
     thud_document_table(&document, "Verdicts");
-    static const char *const cell[] = {"question", "answer", "n", "enough", "a sentence with several words", "3"};
+    static const char *const cell[] = {"question", "result", "n", "enough", "a sentence with several words", "3"};
     for (int i = 0; i < 6; i++) {
         thud_document_cell(&document, "%s", cell[i]);
         if (i % 3 == 2)

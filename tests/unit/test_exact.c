@@ -29,7 +29,7 @@ static struct march exact(const struct thud_model *model, const struct thud_reco
     return m;
 }
 
-/* What the answer may ask of itself, for gaps from 0 on. */
+/* What the result may ask of itself, for gaps from 0 on. */
 START_TEST(tolerance_keeps_its_promise)
 {
     struct thud_record *record = march_motion(1.5);
@@ -247,7 +247,7 @@ START_TEST(touch_and_release_in_one_step)
 }
 END_TEST
 
-/* Bumpers pressed past their largest strain, unloading as printed: contacts stick on the way, the answer converges. */
+/* Bumpers pressed past their largest strain, unloading as printed: contacts stick on the way, the result converges. */
 START_TEST(sticking_beyond_the_largest_strain)
 {
     struct thud_record *record = march_motion(3.5);

@@ -38,7 +38,7 @@ START_TEST(no_answer_lies_on_the_frame)
     thud_panel_add(panel, line, "a", 3, x, y);
     struct thud_range range = thud_panel_range(panel, THUD_X); /* as asked for, such as gaps: from end to end */
     ck_assert(range.least == -60.0 && range.most == 60.0);
-    thud_panel_answers_on_x(panel);
+    thud_panel_results_on_x(panel);
     range = thud_panel_range(panel, THUD_X);
     ck_assert(range.least < -61.0 && range.most > 61.0 && range.most < 80.0);
     thud_panel_limits(panel, THUD_X, 0.0, NAN); /* what begins at nothing begins at the frame */

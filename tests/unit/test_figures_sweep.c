@@ -185,7 +185,7 @@ START_TEST(means_have_a_curve_per_record)
 }
 END_TEST
 
-/* Of a suite the median stands alone; here nine motions of which two have an answer. Ratios are taken in logarithms; the
+/* Of a suite the median stands alone; here nine motions of which two have a result. Ratios are taken in logarithms; the
  * drifts of this sample are below 0 and are not. */
 START_TEST(a_suite_has_its_median_and_band)
 {

@@ -7,22 +7,22 @@
 #include "core/laws/law_closed_form.h"
 #include "core/run/run.h"
 #include "law_examples.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 struct outcome {
     double force, indentation, duration, restitution, residual, energy_error;
     int impacts;
 };
 
-static struct outcome collide(const struct thud_pair *pair)
+static struct outcome collide(const struct thud_two_body *pair)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_error err = {0};
-    ck_assert_msg(thud_pair_run(pair, 1e-3, &answer, &err) == THUD_OK, "%s", err.what);
-    const struct thud_result *r = thud_run_result(answer.run);
+    ck_assert_msg(thud_two_body_run(pair, 1e-3, &solution, &err) == THUD_OK, "%s", err.what);
+    const struct thud_result *r = thud_run_result(solution.run);
     const struct thud_contact_result *c = &r->contact[0];
     int n;
-    const struct thud_impact *impact = thud_run_impacts(answer.run, &n);
+    const struct thud_impact *impact = thud_run_impacts(solution.run, &n);
     ck_assert_int_ge(n, 1);
     struct outcome out = {c->force.value,
                           c->indentation.value,
@@ -31,7 +31,7 @@ static struct outcome collide(const struct thud_pair *pair)
                           c->residual_m,
                           r->energy.error_ratio,
                           c->impacts};
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return out;
 }
 
@@ -39,12 +39,12 @@ START_TEST(concrete_by_closed_form)
 {
     for (double e = 0.1; e < 0.999; e += 0.1)
         for (int exact = 0; exact < 2; exact++) {
-            struct thud_pair pair;
-            thud_pair_concrete(&pair);
-            thud_pair_set(&pair, "restitution", e);
-            thud_pair_set(&pair, "damping", exact);
+            struct thud_two_body pair;
+            thud_two_body_concrete(&pair);
+            thud_two_body_set(&pair, "restitution", e);
+            thud_two_body_set(&pair, "damping", exact);
             double xi = exact ? thud_kelvin_voigt_cut_xi(e) : thud_kelvin_voigt_xi(e);
-            struct thud_pair_collision want = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
+            struct thud_two_body_collision want = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
             struct outcome got = collide(&pair);
             ck_assert_int_eq(got.impacts, 1);
             ck_assert_double_eq_tol(got.force / want.force_n, 1, 1e-9);
@@ -65,13 +65,13 @@ START_TEST(rubber_by_closed_form)
     static const double speeds[] = {0.003, 0.05, 0.5, 0.93, 1.0, 2.0};
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
         for (int variant = 0; variant < 8; variant++) {
-            struct thud_pair pair;
-            thud_pair_rubber(&pair);
+            struct thud_two_body pair;
+            thud_two_body_rubber(&pair);
             pair.closing_mps = speeds[i];
             pair.duration_s = 8;
-            thud_pair_set(&pair, "damping", variant & 1);
-            thud_pair_set(&pair, "unloading", variant >> 1 & 1);
-            thud_pair_set(&pair, "impact-speed", variant >> 2 & 1);
+            thud_two_body_set(&pair, "damping", variant & 1);
+            thud_two_body_set(&pair, "unloading", variant >> 1 & 1);
+            thud_two_body_set(&pair, "impact-speed", variant >> 2 & 1);
             struct thud_rubber_curve curve = thud_rubber_curve(0.36e3 * pow(1000, 2.65), 2.65, 0.04, 2.5e9);
             double d = thud_rubber_curve_indentation(&curve, 0.5 * 160e3 * speeds[i] * speeds[i]);
             struct thud_law_setup setup = pair.setup;
@@ -102,15 +102,15 @@ START_TEST(table_1)
                {true, 0.5, 1, 1, 2566.5, 28.443, 205.81, 0.50000, 0},
                {true, 1.0, 1, 1, 9643.6, 41.323, 146.80, 0.50000, 0}};
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        struct thud_pair pair;
+        struct thud_two_body pair;
         if (row[i].rubber)
-            thud_pair_rubber(&pair);
+            thud_two_body_rubber(&pair);
         else
-            thud_pair_concrete(&pair);
+            thud_two_body_concrete(&pair);
         pair.closing_mps = row[i].speed;
-        thud_pair_set(&pair, "damping", row[i].damping);
+        thud_two_body_set(&pair, "damping", row[i].damping);
         if (row[i].rubber)
-            thud_pair_set(&pair, "unloading", row[i].unloading);
+            thud_two_body_set(&pair, "unloading", row[i].unloading);
         struct outcome got = collide(&pair);
         ck_assert_double_eq_tol(1e-3 * got.force / row[i].force_kn, 1, 1e-4);
         ck_assert_double_eq_tol(1e3 * got.indentation / row[i].indentation_mm, 1, 1e-4);
@@ -132,14 +132,14 @@ START_TEST(every_law_tells_its_restitution)
             const struct thud_law *law = thud_law_at(i);
             if (law->flags & THUD_LAW_NO_FORCE)
                 continue;
-            struct thud_pair pair;
-            thud_pair_concrete(&pair);
+            struct thud_two_body pair;
+            thud_two_body_concrete(&pair);
             pair.law = law;
             memset(&pair.setup, 0, sizeof pair.setup);
             thud_law_defaults(law, &pair.setup);
             pair.setup.thickness_m = 0.05;
             if (thud_law_param(law, "alpha") >= 0)
-                thud_pair_set(&pair, "stiffness", 0.36e3 * pow(1000, 2.65));
+                thud_two_body_set(&pair, "stiffness", 0.36e3 * pow(1000, 2.65));
             pair.mass_kg[1] = 320e3 * ratios[k];
             pair.duration_s = 2;
             struct thud_law_setup setup = pair.setup;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/suite/gap_suite.h"
 #include "study_setup.h"
 
@@ -186,7 +186,7 @@ START_TEST(what_happens_at_the_gap)
     struct thud_gap_suite suite = {1, names, &gap};
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
         struct thud_gap_ruled ruled;
-        struct thud_answer answer;
+        struct thud_solution solution;
         double force = 0;
         thud_gap_suite_rule(&suite, rule, 1, &ruled);
         if (isnan(ruled.gap_m))
@@ -195,10 +195,10 @@ START_TEST(what_happens_at_the_gap)
         ck_assert_int_eq(thud_gap_pound(scene, motion, &suite, 0, &ruled, &error), THUD_OK);
         ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
         scene[1].interface[0].gap_m = ruled.gap_m;
-        ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, &answer, &error), THUD_OK);
-        for (int c = 0; c < answer.model->ncontacts; c++)
-            force = fmax(force, thud_run_result(answer.run)->contact[c].force.value);
-        thud_answer_clear(&answer);
+        ck_assert_int_eq(thud_scene_solve(scene + 1, motion, NULL, &solution, &error), THUD_OK);
+        for (int c = 0; c < solution.model->ncontacts; c++)
+            force = fmax(force, thud_run_result(solution.run)->contact[c].force.value);
+        thud_solution_clear(&solution);
         ck_assert_double_eq(ruled.force_n, force);
         ck_assert_int_eq(ruled.pounding, force > 0);
         ck_assert_int_eq(ruled.worst, force > 0 ? 0 : -1);

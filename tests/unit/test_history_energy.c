@@ -1,5 +1,5 @@
 /* The histories' energies balance at every row, in contact and out of it, their times never fall, their ground is the
- * record, and histories change no answer. */
+ * record, and histories change no result. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -288,7 +288,7 @@ START_TEST(error_is_a_part_of_the_most_there_was)
 }
 END_TEST
 
-/* A stiff oscillator with steps that are stable but far too long for it: the run goes to its end, and has no answer.
+/* A stiff oscillator with steps that are stable but far too long for it: the run goes to its end, and has no result.
  * Its numbers are there for studies of how methods fail. What may be missing is what rounding explains where motion and
  * contact are exact, what the tolerance explains where forces are found to it, else 5 %. */
 START_TEST(a_ledger_that_does_not_balance_ends_the_run)

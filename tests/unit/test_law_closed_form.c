@@ -129,8 +129,8 @@ START_TEST(critical_damping)
     for (int sign = -1; sign <= 1; sign += 2) {
         double xi = 1 + sign * 1e-9;
         ck_assert_double_eq_tol(thud_kelvin_voigt_cut_restitution(xi), exp(-2), 1e-9);
-        struct thud_pair_collision at = thud_kelvin_voigt_cut_collision(2.5e9, 1, 160e3, 0.5),
-                                   beside = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
+        struct thud_two_body_collision at = thud_kelvin_voigt_cut_collision(2.5e9, 1, 160e3, 0.5),
+                                       beside = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
         ck_assert_double_eq_tol(beside.duration_s / at.duration_s, 1, 1e-8);
         ck_assert_double_eq_tol(beside.indentation_m / at.indentation_m, 1, 1e-8);
     }

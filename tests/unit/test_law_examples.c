@@ -7,27 +7,27 @@
 #include "core/run/run_private.h"
 #include "law_examples.h"
 #include "march.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 #include "suite.h"
 
-static struct thud_answer collide(const char *law, double closing_mps, const char *method, const char *param[],
-                                  const double *value)
+static struct thud_solution collide(const char *law, double closing_mps, const char *method, const char *param[],
+                                    const double *value)
 {
-    struct thud_pair pair;
-    struct thud_answer answer;
+    struct thud_two_body pair;
+    struct thud_solution solution;
     struct thud_error err = {0};
-    thud_pair_concrete(&pair);
+    thud_two_body_concrete(&pair);
     pair.law = thud_law_find(law);
     memset(&pair.setup, 0, sizeof pair.setup);
     thud_law_defaults(pair.law, &pair.setup);
     for (int i = 0; param[i]; i++)
-        thud_pair_set(&pair, param[i], value[i]);
+        thud_two_body_set(&pair, param[i], value[i]);
     pair.closing_mps = closing_mps;
     pair.method = thud_method_find(method);
     pair.method_step_s = 1e-4;
     pair.locate = true;
-    ck_assert_msg(thud_pair_run(&pair, 1e-3, &answer, &err) == THUD_OK, "%s: %s", method, err.what);
-    return answer;
+    ck_assert_msg(thud_two_body_run(&pair, 1e-3, &solution, &err) == THUD_OK, "%s: %s", method, err.what);
+    return solution;
 }
 
 /* F = 5 MN is reached at 8/3 mm and stays: of 80/3 kJ, 20 kJ go into 4 mm that stay, a quarter comes back. */
@@ -41,15 +41,15 @@ START_TEST(permanent_indentation_by_hand)
             if (!(method->flags & (THUD_METHOD_LOCATES | THUD_METHOD_CAN_LOCATE)))
                 continue;
             double near = strcmp(method->name, "exact") == 0 ? 1e-11 : method->order > 2 ? 1e-6 : 2e-3;
-            struct thud_answer answer = collide("permanent-indentation", sqrt(1.0 / 3), method->name, param, value);
-            const struct thud_contact_result *c = &thud_run_result(answer.run)->contact[0];
+            struct thud_solution solution = collide("permanent-indentation", sqrt(1.0 / 3), method->name, param, value);
+            const struct thud_contact_result *c = &thud_run_result(solution.run)->contact[0];
             ck_assert_int_eq(c->impacts, 1);
             ck_assert_double_eq_tol(c->force.value / 5e6, 1, near);
             ck_assert_double_eq_tol(c->indentation.value / (20e-3 / 3), 1, near);
             ck_assert_double_eq_tol(c->restitution, 0.5, near);
             ck_assert_double_eq_tol(c->residual_m, recover ? 0 : 4e-3, 4e-3 * near);
             ck_assert_double_eq_tol(c->dissipated_j / 20e3, 1, 2 * near);
-            thud_answer_clear(&answer);
+            thud_solution_clear(&solution);
         }
 }
 END_TEST

@@ -8,7 +8,7 @@
 #include "base/quantity.h"
 #include "core/laws/law.h"
 #include "march.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 #include "suite.h"
 
 static const double kh = 2.75e9, dm = 0.01, e = 0.6, ratio = 0.1;
@@ -128,17 +128,17 @@ struct outcome {
 
 static struct outcome collide(const struct march_law *law, double mass_kg, double closing_mps)
 {
-    struct thud_pair pair;
-    struct thud_answer answer;
+    struct thud_two_body pair;
+    struct thud_solution solution;
     struct thud_error err = {0};
-    thud_pair_concrete(&pair);
+    thud_two_body_concrete(&pair);
     pair.law = law->law;
     pair.setup = law->setup;
     pair.mass_kg[0] = pair.mass_kg[1] = 2 * mass_kg;
     pair.closing_mps = closing_mps;
-    ck_assert_msg(thud_pair_run(&pair, 1e-3, &answer, &err) == THUD_OK, "%s", err.what);
-    struct outcome out = {thud_run_result(answer.run)->contact[0], thud_run_result(answer.run)->energy.error_ratio};
-    thud_answer_clear(&answer);
+    ck_assert_msg(thud_two_body_run(&pair, 1e-3, &solution, &err) == THUD_OK, "%s", err.what);
+    struct outcome out = {thud_run_result(solution.run)->contact[0], thud_run_result(solution.run)->energy.error_ratio};
+    thud_solution_clear(&solution);
     return out;
 }
 

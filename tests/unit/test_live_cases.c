@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "app/run/live_cases.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "towers.h"
 
 static struct thud_scene scene;
@@ -94,14 +94,14 @@ START_TEST(the_cases_are_runs_of_their_scenes)
     finish();
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
         struct thud_scene one;
-        struct thud_answer answer = {0};
+        struct thud_solution solution = {0};
         ck_assert_int_eq(thud_scene_case(&scene, name[i], &one, NULL), THUD_OK);
-        ck_assert_int_eq(thud_scene_answer(&one, record, NULL, &answer, NULL), THUD_OK);
-        const struct thud_result *wanted = thud_run_result(answer.run),
+        ck_assert_int_eq(thud_scene_solve(&one, record, NULL, &solution, NULL), THUD_OK);
+        const struct thud_result *wanted = thud_run_result(solution.run),
                                  *found = thud_live_result(&live, (enum thud_live_which)i);
         for (int floor = 0; floor < 6; floor++)
             ck_assert(wanted->structure[1].floor[floor].drift.value == found->structure[1].floor[floor].drift.value);
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
 }
 END_TEST

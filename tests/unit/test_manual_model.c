@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 static char page[256 * 1024];
 
@@ -19,21 +19,21 @@ static void read_page(void)
 
 static double parted(const char *law, const char *choice, int index, double e, double closing_mps)
 {
-    struct thud_pair pair;
-    struct thud_answer answer;
-    thud_pair_rubber(&pair);
+    struct thud_two_body pair;
+    struct thud_solution solution;
+    thud_two_body_rubber(&pair);
     if (strcmp(law, "rubber") != 0) {
         pair.law = thud_law_find(law);
         thud_law_defaults(pair.law, &pair.setup);
     }
     if (choice)
-        thud_pair_set(&pair, choice, index);
-    thud_pair_set(&pair, "restitution", e);
+        thud_two_body_set(&pair, choice, index);
+    thud_two_body_set(&pair, "restitution", e);
     pair.closing_mps = closing_mps;
     pair.duration_s = fmax(2, 0.05 / closing_mps);
-    ck_assert_int_eq(thud_pair_run(&pair, pair.duration_s, &answer, NULL), THUD_OK);
-    double found = thud_pair_separation(&answer) / closing_mps;
-    thud_answer_clear(&answer);
+    ck_assert_int_eq(thud_two_body_run(&pair, pair.duration_s, &solution, NULL), THUD_OK);
+    double found = thud_two_body_separation(&solution) / closing_mps;
+    thud_solution_clear(&solution);
     return found;
 }
 

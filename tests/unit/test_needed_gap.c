@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/scene/answer.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/solution.h"
 #include "study_setup.h"
 
 static void set_up(void)
@@ -23,15 +23,15 @@ static struct thud_needed_gap *gap_of(const struct thud_record *record)
 /* Impacts of the scene without bumper at a gap. */
 static int impacts_at(double gap_m)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     int impacts = 0;
     scene->interface[0].gap_m = gap_m;
     ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
-    ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, &answer, &error), THUD_OK);
-    const struct thud_result *result = thud_run_result(answer.run);
+    ck_assert_int_eq(thud_scene_solve(scene + 1, motion, NULL, &solution, &error), THUD_OK);
+    const struct thud_result *result = thud_run_result(solution.run);
     for (int c = 0; c < result->ncontacts; c++)
         impacts += result->contact[c].impacts;
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return impacts;
 }
 
@@ -195,18 +195,18 @@ START_TEST(factor_from_which_on_they_pound)
         ck_assert(_i == 1 || fabs(factor / (i ? 1.3 : 0.6) - 1) < 1e-9);
         ck_assert(i ? factor > 1 : factor < 1);
         for (int end = -1; end <= 1; end += 2) {
-            struct thud_answer answer;
+            struct thud_solution solution;
             struct thud_record *scaled;
             int impacts = 0;
             ck_assert_int_eq(thud_record_create(motion->a_mps2, motion->samples, motion->dt_s, &scaled, &error),
                              THUD_OK);
             thud_record_scale(scaled, factor * (1 + 3e-6 * end));
-            ck_assert_int_eq(thud_scene_answer(scene, scaled, NULL, &answer, &error), THUD_OK);
-            const struct thud_result *result = thud_run_result(answer.run);
+            ck_assert_int_eq(thud_scene_solve(scene, scaled, NULL, &solution, &error), THUD_OK);
+            const struct thud_result *result = thud_run_result(solution.run);
             for (int c = 0; c < result->ncontacts; c++)
                 impacts += result->contact[c].impacts;
             ck_assert_int_eq(impacts > 0, end > 0);
-            thud_answer_clear(&answer);
+            thud_solution_clear(&solution);
             thud_record_free(scaled);
         }
     }

@@ -6,7 +6,7 @@
 
 #include "base/quantity.h"
 #include "march.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 #include "suite.h"
 
@@ -199,12 +199,12 @@ START_TEST(weights_of_a_scene)
 }
 END_TEST
 
-/* A building thrown to one side: with its weight it goes further, and theta, which was a remark, is part of the answer. */
+/* A building thrown to one side: with its weight it goes further, and theta, which was a remark, is part of the result. */
 START_TEST(theta_is_remarked_without)
 {
     static struct thud_scene scene;
     for (int with = 0; with < 2; with++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         struct thud_error remark = {0};
         bool found = false;
         two_storeys(&scene);
@@ -215,14 +215,14 @@ START_TEST(theta_is_remarked_without)
         struct thud_record *record;
         ck_assert_int_eq(thud_record_create(a, 5, 0.1, &record, NULL), THUD_OK);
         strcpy(scene.record.file, "drawn");
-        ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &answer, NULL), THUD_OK);
-        const struct thud_result *r = thud_run_result(answer.run);
+        ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, &solution, NULL), THUD_OK);
+        const struct thud_result *r = thud_run_result(solution.run);
         ck_assert_double_eq_tol(thud_stability_coefficient(&scene.structure[0], &r->structure[0], 0), 8.0 / 60, 1e-12);
         for (int i = 0; thud_storey_remark(&scene, r, i, &remark); i++)
             found = found || strstr(remark.what, "stability coefficient");
         ck_assert(found == (with == 0));
         ck_assert_double_eq(r->energy.gravity_j > 0, with);
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
         thud_record_free(record);
     }
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "plot/figures/figures_paper.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 START_TEST(the_papers_four_cases)
 {
@@ -30,19 +30,19 @@ END_TEST
 /* Unequal bodies: what they part with follows from momentum and the restitution obtained; the impulse from both. */
 START_TEST(momentum_is_kept)
 {
-    struct thud_pair pair;
-    struct thud_answer answer;
-    thud_pair_concrete(&pair);
+    struct thud_two_body pair;
+    struct thud_solution solution;
+    thud_two_body_concrete(&pair);
     pair.mass_kg[1] = 200e3;
-    ck_assert_int_eq(thud_pair_run(&pair, 1e-3, &answer, NULL), THUD_OK);
-    const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
-    const struct thud_history *h = thud_run_history(answer.run);
+    ck_assert_int_eq(thud_two_body_run(&pair, 1e-3, &solution, NULL), THUD_OK);
+    const struct thud_contact_result *contact = &thud_run_result(solution.run)->contact[0];
+    const struct thud_history *h = thud_run_history(solution.run);
     const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
     double left = last[thud_history_velocity(h, 0)], right = last[thud_history_velocity(h, 1)];
     ck_assert(fabs(320e3 * left + 200e3 * right - 320e3 * 0.5) < 1e-6 * 320e3);
     ck_assert(fabs(right - left - contact->separation_mps) < 1e-7);
     ck_assert(fabs(contact->impulse_ns - 200e3 * right) < 1e-5 * contact->impulse_ns);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
 }
 END_TEST
 

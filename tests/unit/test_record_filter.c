@@ -29,7 +29,7 @@ static double gain(double low, double high, int order, double dt, double hz)
     return 1 / (1 + pow(ratio * ratio, order));
 }
 
-/* The answer to one sample of 1 in the middle has the closed form as its Fourier transform: real (no phase is shifted),
+/* The result to one sample of 1 in the middle has the closed form as its Fourier transform: real (no phase is shifted),
  * at every frequency. */
 START_TEST(gain_is_butterworths_squared)
 {

@@ -8,7 +8,7 @@
 
 #include "base/quantity.h"
 #include "io/record/record_file.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "suite.h"
 #include "towers.h"
 
@@ -46,7 +46,7 @@ static bool next_row(FILE *file, struct row *row)
     return false;
 }
 
-static void answer(const struct row *row, const struct thud_record *record, struct thud_answer *out)
+static void solution(const struct row *row, const struct thud_record *record, struct thud_solution *out)
 {
     static struct thud_scene scene, one;
     struct thud_error err = {0};
@@ -55,7 +55,7 @@ static void answer(const struct row *row, const struct thud_record *record, stru
     scene.interface[0].gap_m = row->gap_m;
     ck_assert_int_eq(thud_case_find(row->which, &which, &err), THUD_OK);
     ck_assert_int_eq(thud_scene_case(&scene, which, &one, &err), THUD_OK);
-    ck_assert_msg(thud_scene_answer(&one, record, NULL, out, &err) == THUD_OK, "%s", err.what);
+    ck_assert_msg(thud_scene_solve(&one, record, NULL, out, &err) == THUD_OK, "%s", err.what);
 }
 
 static void near(double value, double expected, const char *what, const struct row *row)
@@ -71,7 +71,7 @@ START_TEST(peaks_of_the_towers)
     struct thud_record *record;
     struct thud_error err = {0};
     struct row row, of = {0};
-    struct thud_answer out = {0};
+    struct thud_solution out = {0};
     char path[80];
     int rows = 0, runs = 0;
     thud_record_choice_init(&choice);
@@ -84,8 +84,8 @@ START_TEST(peaks_of_the_towers)
         if (strcmp(row.record, motions[_i].name) != 0)
             continue;
         if (runs == 0 || row.gap_m != of.gap_m || strcmp(row.which, of.which) != 0) {
-            thud_answer_clear(&out);
-            answer(&row, record, &out);
+            thud_solution_clear(&out);
+            solution(&row, record, &out);
             of = row;
             runs++;
         }
@@ -102,7 +102,7 @@ START_TEST(peaks_of_the_towers)
     fclose(file);
     ck_assert_int_eq(runs, GAPS * CASES);
     ck_assert_int_eq(rows, GAPS * CASES * FLOORS);
-    thud_answer_clear(&out);
+    thud_solution_clear(&out);
     thud_record_free(record);
 }
 END_TEST

@@ -7,7 +7,7 @@
 
 static const double change = 1e-3;
 
-static struct thud_sensitivity *measured(double gap_m, struct thud_answer *answer, struct thud_record *record)
+static struct thud_sensitivity *measured(double gap_m, struct thud_solution *solution, struct thud_record *record)
 {
     static struct thud_scene scene;
     struct thud_sensitivity *s = NULL;
@@ -16,17 +16,17 @@ static struct thud_sensitivity *measured(double gap_m, struct thud_answer *answe
     scene.interface[0].has_bumper = false;
     scene.interface[0].gap_m = gap_m;
     scene.analysis.tolerance = 1e-9;
-    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, answer, &err), THUD_OK);
-    ck_assert_msg(thud_sensitivity_run(&scene, record, change, thud_run_result(answer->run), &s, &err) == THUD_OK, "%s",
-                  err.what);
+    ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, solution, &err), THUD_OK);
+    ck_assert_msg(thud_sensitivity_run(&scene, record, change, thud_run_result(solution->run), &s, &err) == THUD_OK,
+                  "%s", err.what);
     return s;
 }
 
 START_TEST(without_contact_only_the_motion_counts)
 {
     struct thud_record *record = thud_test_motion(1);
-    struct thud_answer answer;
-    struct thud_sensitivity *s = measured(5, &answer, record);
+    struct thud_solution solution;
+    struct thud_sensitivity *s = measured(5, &solution, record);
     ck_assert_int_eq(s->nfloors, 10);
     ck_assert_int_eq(s->runs, 9);
     for (int i = 0; i < s->nfloors; i++)
@@ -39,7 +39,7 @@ START_TEST(without_contact_only_the_motion_counts)
     for (int c = 0; c < s->ncontacts; c++)
         ck_assert(thud_spread_most(&s->contact[c][0]) == 0);
     thud_sensitivity_free(s);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     thud_record_free(record);
 }
 END_TEST
@@ -49,8 +49,8 @@ START_TEST(gap_and_motion_trade_against_each_other)
 {
     static struct thud_scene scene;
     struct thud_record *record = thud_test_motion(1);
-    struct thud_answer answer, traded[2];
-    struct thud_sensitivity *s = measured(0.1, &answer, record);
+    struct thud_solution solution, traded[2];
+    struct thud_sensitivity *s = measured(0.1, &solution, record);
     double lambda[2] = {1 - change, 1 + change};
     int moved = 0, row = 0;
     for (int k = 0; k < 2; k++) {
@@ -58,9 +58,9 @@ START_TEST(gap_and_motion_trade_against_each_other)
         scene.interface[0].has_bumper = false;
         scene.interface[0].gap_m = 0.1 / lambda[k];
         scene.analysis.tolerance = 1e-9;
-        ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &traded[k], NULL), THUD_OK);
+        ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, &traded[k], NULL), THUD_OK);
     }
-    const struct thud_result *r = thud_run_result(answer.run);
+    const struct thud_result *r = thud_run_result(solution.run);
     for (int b = 0; b < r->nstructures; b++)
         for (int i = 0; i < r->structure[b].floors; i++, row++) {
             double before = r->structure[b].floor[i].acceleration.value, most = 0;
@@ -73,9 +73,9 @@ START_TEST(gap_and_motion_trade_against_each_other)
         }
     ck_assert_int_gt(moved, 3); /* there are contacts that matter */
     for (int k = 0; k < 2; k++)
-        thud_answer_clear(&traded[k]);
+        thud_solution_clear(&traded[k]);
     thud_sensitivity_free(s);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     thud_record_free(record);
 }
 END_TEST
@@ -85,19 +85,19 @@ START_TEST(one_building_against_its_neighbour)
 {
     static struct thud_scene scene;
     struct thud_record *record = thud_test_motion(1);
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_sensitivity *s = NULL;
     thud_test_towers(&scene);
     scene.structure[1] = scene.structure[0];
     scene.interface[0].has_bumper = false;
     scene.interface[0].gap_m = 1e-4;
-    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &answer, NULL), THUD_OK);
-    ck_assert_int_eq(thud_sensitivity_run(&scene, record, change, thud_run_result(answer.run), &s, NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, &solution, NULL), THUD_OK);
+    ck_assert_int_eq(thud_sensitivity_run(&scene, record, change, thud_run_result(solution.run), &s, NULL), THUD_OK);
     const struct thud_spread *top = &s->contact[s->ncontacts - 1][0];
     ck_assert(top->by[THUD_CHANGE_STIFFNESS_ODD] == 1 && top->by[THUD_CHANGE_STIFFNESS_EVEN] == 1);
     ck_assert(top->by[THUD_CHANGE_GAP] == 0 && top->by[THUD_CHANGE_SCALE] == 0);
     thud_sensitivity_free(s);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     thud_record_free(record);
 }
 END_TEST

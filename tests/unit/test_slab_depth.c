@@ -54,12 +54,14 @@ static double level_of(const struct thud_structure *s, int floor) /* from 1; 0: 
     return z;
 }
 
-/* Whether a contact of these floors is among them; `struck` as in thud_pairing. */
-static const struct thud_pairing *among(const struct thud_pairing *pairing, int n, int left, int right, int struck)
+/* Whether a contact of these floors is among them; `struck` as in thud_contact_pair. */
+static const struct thud_contact_pair *among(const struct thud_contact_pair *contact_pair, int n, int left, int right,
+                                             int struck)
 {
     for (int i = 0; i < n; i++)
-        if (pairing[i].left_floor == left && pairing[i].right_floor == right && pairing[i].struck == struck)
-            return &pairing[i];
+        if (contact_pair[i].left_floor == left && contact_pair[i].right_floor == right &&
+            contact_pair[i].struck == struck)
+            return &contact_pair[i];
     return NULL;
 }
 
@@ -67,25 +69,25 @@ static const struct thud_pairing *among(const struct thud_pairing *pairing, int 
 START_TEST(an_offset_that_grows)
 {
     static struct thud_scene scene;
-    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair contact_pair[THUD_CONTACT_PAIRS_MAX];
     neighbours(&scene, 0.01 * _i, 0.3);
-    int n = thud_interface_pairings(&scene, 0, pairing);
+    int n = thud_interface_contact_pairs(&scene, 0, contact_pair);
     if (_i < 30) {
         ck_assert_int_eq(n, 4);
         for (int f = 1; f <= 4; f++)
-            ck_assert_ptr_nonnull(among(pairing, n, f, f, 0));
+            ck_assert_ptr_nonnull(among(contact_pair, n, f, f, 0));
         return;
     }
     /* A's floors 1 to 4 strike B's columns (floor 1 those of B's first storey), B's 1 to 3 A's; B's 4 is above A */
     ck_assert_int_eq(n, 7);
     for (int f = 1; f <= 4; f++) {
-        const struct thud_pairing *of_a = among(pairing, n, f, f, 1);
+        const struct thud_contact_pair *of_a = among(contact_pair, n, f, f, 1);
         ck_assert_ptr_nonnull(of_a);
         ck_assert_double_eq_tol(of_a->a_m, 3 - 0.01 * _i - 0.15, 1e-12);
         ck_assert_double_eq_tol(of_a->a_m + of_a->b_m, 2.7, 1e-12);
     }
     for (int f = 1; f <= 3; f++) {
-        const struct thud_pairing *of_b = among(pairing, n, f + 1, f, -1);
+        const struct thud_contact_pair *of_b = among(contact_pair, n, f + 1, f, -1);
         ck_assert_ptr_nonnull(of_b);
         ck_assert_double_eq_tol(of_b->a_m, 0.01 * _i - 0.15, 1e-12);
         ck_assert_double_eq_tol(of_b->a_m + of_b->b_m, 2.7, 1e-12);
@@ -97,10 +99,10 @@ END_TEST
 START_TEST(without_depth)
 {
     static struct thud_scene scene;
-    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair contact_pair[THUD_CONTACT_PAIRS_MAX];
     struct thud_random random = {(uint64_t)_i};
     draw(&scene, &random, false);
-    int n = thud_interface_pairings(&scene, 0, pairing), expected = 0;
+    int n = thud_interface_contact_pairs(&scene, 0, contact_pair), expected = 0;
     for (int side = 0; side < 2; side++) {
         const struct thud_structure *slab = &scene.structure[side], *other = &scene.structure[!side];
         for (int f = 1; f <= slab->storeys; f++) {
@@ -108,10 +110,10 @@ START_TEST(without_depth)
             for (int g = 1; g <= other->storeys; g++) {
                 double upper = level_of(other, g), lower = level_of(other, g - 1);
                 bool level = fabs(z - upper)<0.0101, between = z - lower> 0.0101 && upper - z > 0.0101;
-                const struct thud_pairing *one = among(pairing, n, side ? g : f, side ? f : g,
-                                                       level  ? 0
-                                                       : side ? -1
-                                                              : 1);
+                const struct thud_contact_pair *one = among(contact_pair, n, side ? g : f, side ? f : g,
+                                                            level  ? 0
+                                                            : side ? -1
+                                                                   : 1);
                 ck_assert_int_eq(one != NULL, level || between);
                 if (between) {
                     ck_assert_double_eq_tol(one->a_m, z - lower, 1e-12);
@@ -130,16 +132,16 @@ END_TEST
 START_TEST(random_depths_and_the_mirror)
 {
     static struct thud_scene scene, mirror;
-    struct thud_pairing pairing[THUD_PAIRINGS_MAX], other[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair contact_pair[THUD_CONTACT_PAIRS_MAX], other[THUD_CONTACT_PAIRS_MAX];
     struct thud_random random = {(uint64_t)_i};
     draw(&scene, &random, true);
     mirror = scene;
     mirror.structure[0] = scene.structure[1];
     mirror.structure[1] = scene.structure[0];
-    int n = thud_interface_pairings(&scene, 0, pairing), floors[2][8] = {{0}}, struck[2][8] = {{0}};
-    ck_assert_int_eq(n, thud_interface_pairings(&mirror, 0, other));
+    int n = thud_interface_contact_pairs(&scene, 0, contact_pair), floors[2][8] = {{0}}, struck[2][8] = {{0}};
+    ck_assert_int_eq(n, thud_interface_contact_pairs(&mirror, 0, other));
     for (int i = 0; i < n; i++) {
-        const struct thud_pairing *p = &pairing[i];
+        const struct thud_contact_pair *p = &contact_pair[i];
         ck_assert_int_eq(p->left_floor, other[i].right_floor);
         ck_assert_int_eq(p->right_floor, other[i].left_floor);
         ck_assert_int_eq(p->struck, -other[i].struck);
@@ -174,7 +176,7 @@ END_TEST
 START_TEST(walls_and_bodies)
 {
     static struct thud_scene scene;
-    struct thud_pairing pairing[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair contact_pair[THUD_CONTACT_PAIRS_MAX];
     neighbours(&scene, 0, 0.3);
     thud_structure_init(&scene.structure[1], THUD_WALL);
     const struct {
@@ -183,17 +185,17 @@ START_TEST(walls_and_bodies)
     } wall[] = {{2.6, 0}, {2.8, 1}, {3, 1}, {5.6, 1}, {5.8, 2}, {INFINITY, 4}};
     for (size_t i = 0; i < sizeof wall / sizeof *wall; i++) {
         scene.structure[1].height_m[0] = wall[i].top_m;
-        ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), wall[i].floors);
+        ck_assert_int_eq(thud_interface_contact_pairs(&scene, 0, contact_pair), wall[i].floors);
     }
     thud_structure_init(&scene.structure[1], THUD_RIGID);
     scene.structure[1].height_m[0] = 5.75;
-    ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), 1);
-    ck_assert(pairing[0].left_floor == 2 && pairing[0].struck == 0);
+    ck_assert_int_eq(thud_interface_contact_pairs(&scene, 0, contact_pair), 1);
+    ck_assert(contact_pair[0].left_floor == 2 && contact_pair[0].struck == 0);
     scene.structure[1].height_m[0] = 5.65;
-    ck_assert_int_eq(thud_interface_pairings(&scene, 0, pairing), 1);
-    ck_assert(pairing[0].left_floor == 2 && pairing[0].struck == -1);
-    ck_assert_double_eq_tol(pairing[0].a_m, 2.65, 1e-12);
-    ck_assert_double_eq_tol(pairing[0].b_m, 0.05, 1e-12);
+    ck_assert_int_eq(thud_interface_contact_pairs(&scene, 0, contact_pair), 1);
+    ck_assert(contact_pair[0].left_floor == 2 && contact_pair[0].struck == -1);
+    ck_assert_double_eq_tol(contact_pair[0].a_m, 2.65, 1e-12);
+    ck_assert_double_eq_tol(contact_pair[0].b_m, 0.05, 1e-12);
 }
 END_TEST
 

@@ -143,17 +143,17 @@ enum { STEPS = sizeof steps / sizeof *steps };
 static double gain(const char *method, double omega_dt)
 {
     struct thud_bouncer bouncer;
-    struct thud_answer answer;
+    struct thud_solution solution;
     int n;
     thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, omega_c);
     ck_assert_int_eq(thud_bouncer_run(&bouncer, NULL, thud_stepping_of(method, omega_dt / omega_c, true), bounced_s,
-                                      &answer, NULL, NULL),
+                                      &solution, NULL, NULL),
                      THUD_OK);
-    const struct thud_impact *impact = thud_run_impacts(answer.run, &n);
+    const struct thud_impact *impact = thud_run_impacts(solution.run, &n);
     ck_assert_int_gt(n, 30);
     double ratio = impact[n - 1].approach_mps / impact[0].approach_mps;
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return (ratio * ratio - 1) / (n - 1);
 }
 

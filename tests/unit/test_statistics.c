@@ -16,7 +16,7 @@ START_TEST(quantiles_by_hand)
     struct thud_fractiles f = thud_fractiles_of(x, 5, 3);
     ck_assert_double_eq_tol(f.p84 * f.p16, 16, 1e-14); /* symmetric about the median in logarithms */
     ck_assert_double_eq_tol(f.share, 0.6, 1e-15);
-    f = thud_fractiles_of(y, 4, 0); /* not all positive: of the values; what has no answer is left out */
+    f = thud_fractiles_of(y, 4, 0); /* not all positive: of the values; what has no result is left out */
     ck_assert_uint_eq(f.n, 3);
     ck_assert(f.median == 2);
     ck_assert_double_eq_tol(f.p16, -1 + 0.32 * 3, 1e-15);

@@ -1,4 +1,4 @@
-/* Parametric studies: rows against single answers, ratios by hand, shortcuts that change
+/* Parametric studies: rows against single results, ratios by hand, shortcuts that change
  * nothing, needed gaps against a search by runs. */
 #include <check.h>
 #include <math.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/scene/spacing.h"
 #include "study_setup.h"
 
@@ -49,7 +49,7 @@ static struct thud_text whole(struct thud_sweep_total *total)
         }
         struct thud_sweep_point *point = make_point(group, i);
         thud_sweep_total_add(total, point);
-        /* what a run cost is no answer */
+        /* what a run cost is no result */
         for (int k = 0; k < point->ncases; k++) {
             enum thud_status status = point->effort[k].status;
             point->effort[k] = (struct thud_sweep_effort){.status = status};
@@ -75,7 +75,7 @@ START_TEST(rows_are_those_of_single_runs)
     ck_assert_int_eq(thud_sweep_rows(plan, point, NULL), 24);
     ck_assert_int_eq(thud_sweep_rows(plan, point, row), 24);
     ck_assert_int_eq(thud_sweep_contact_rows(plan, point, contact), 8);
-    struct thud_answer answer[4];
+    struct thud_solution solution[4];
     struct thud_scene *now = malloc(2 * sizeof *now);
     *now = *scene;
     now->interface[0].gap_m = 0.06;
@@ -84,7 +84,7 @@ START_TEST(rows_are_those_of_single_runs)
         if (k == 3)
             now->interface[0].gap_m = 10;
         ck_assert_int_eq(thud_scene_case(now, which[k], now + 1, &error), THUD_OK);
-        ck_assert_int_eq(thud_scene_answer(now + 1, motion, NULL, &answer[k], &error), THUD_OK);
+        ck_assert_int_eq(thud_scene_solve(now + 1, motion, NULL, &solution[k], &error), THUD_OK);
     }
     for (int k = 0, i = 0; k < 2; k++)
         for (int s = 0; s < 2; s++) {
@@ -92,7 +92,7 @@ START_TEST(rows_are_those_of_single_runs)
             double sum[4] = {0}, drift[4] = {0};
             int n = s == 0 ? 4 : 6;
             for (int a = 0; a < 4; a++) {
-                floor[a] = thud_run_result(answer[a].run)->structure[s].floor;
+                floor[a] = thud_run_result(solution[a].run)->structure[s].floor;
                 for (int f = 0; f < n; f++) {
                     sum[a] += floor[a][f].acceleration.value;
                     drift[a] += floor[a][f].drift.value;
@@ -121,7 +121,7 @@ START_TEST(rows_are_those_of_single_runs)
     int impacts = 0;
     for (int k = 0; k < 2; k++)
         for (int c = 0; c < 4; c++) {
-            const struct thud_contact_result *r = &thud_run_result(answer[k].run)->contact[c];
+            const struct thud_contact_result *r = &thud_run_result(solution[k].run)->contact[c];
             const struct thud_sweep_contact_row *x = &contact[4 * k + c];
             ck_assert_int_eq(x->impacts, r->impacts);
             ck_assert(x->force_n == r->force.value && x->impulse_ns == r->impulse_ns);
@@ -130,7 +130,7 @@ START_TEST(rows_are_those_of_single_runs)
         }
     ck_assert_int_gt(impacts, 0);
     for (int k = 0; k < 4; k++)
-        thud_answer_clear(&answer[k]);
+        thud_solution_clear(&solution[k]);
     free(now);
     free(point);
     thud_sweep_group_free(group);
@@ -167,7 +167,7 @@ START_TEST(ratios_by_hand)
     ck_assert(row[1].permanent_m == -0.02 && row[2].ductility == 5);
     ck_assert(row[3].ductility == 7 && row[3].permanent_m == 0.03 && row[4].permanent_m == -0.03);
     ck_assert(isnan(row[5].ductility) && isnan(row[5].hysteretic_j));
-    point.effort[1].status = THUD_DIVERGED; /* no answer, no row */
+    point.effort[1].status = THUD_DIVERGED; /* no result, no row */
     ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 3);
 }
 END_TEST
@@ -245,7 +245,7 @@ START_TEST(runs_with_the_same_contacts_are_made_by_the_first)
 }
 END_TEST
 
-/* What a group keeps has a bound: where there are more answers to share, the rest is made. */
+/* What a group keeps has a bound: where there are more results to share, the rest is made. */
 START_TEST(what_is_kept_for_others_is_bounded)
 {
     enum { GAPS = 15001 };
@@ -312,15 +312,15 @@ END_TEST
 static bool touches(double gap)
 {
     struct thud_scene *now = malloc(2 * sizeof *now);
-    struct thud_answer answer;
+    struct thud_solution solution;
     bool any = false;
     *now = *scene;
     now->interface[0].gap_m = gap;
     ck_assert_int_eq(thud_scene_case(now, THUD_CASE_NONE, now + 1, &error), THUD_OK);
-    ck_assert_int_eq(thud_scene_answer(now + 1, motion, NULL, &answer, &error), THUD_OK);
+    ck_assert_int_eq(thud_scene_solve(now + 1, motion, NULL, &solution, &error), THUD_OK);
     for (int c = 0; c < 4; c++)
-        any |= thud_run_result(answer.run)->contact[c].impacts > 0;
-    thud_answer_clear(&answer);
+        any |= thud_run_result(solution.run)->contact[c].impacts > 0;
+    thud_solution_clear(&solution);
     free(now);
     return any;
 }

@@ -81,7 +81,7 @@ END_TEST
 START_TEST(what_has_no_answer_is_passed_over)
 {
     struct thud_sweep_best *best;
-    /* the first record's best value at the first gap had no answer */
+    /* the first record's best value at the first gap had no result */
     for (int i = 0; i < POINTS; i++)
         if (point[i]->record == 0 && point[i]->at[0] == 0 && point[i]->at[1] == 3)
             for (int k = 0; k < STRUCTURES; k++)

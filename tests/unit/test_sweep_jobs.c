@@ -20,7 +20,7 @@ struct taken {
     long next, step, stop_at;
     atomic_int cancel;
     long shown;
-    bool answers; /* alone, not what they cost */
+    bool results; /* alone, not what they cost */
     struct thud_sweep_total total;
 };
 
@@ -29,7 +29,7 @@ static enum thud_status take(void *context, struct thud_sweep_point *point, stru
     struct taken *t = context;
     ck_assert_int_eq(point->index, t->next);
     thud_sweep_total_add(&t->total, point);
-    for (int k = 0; k < point->ncases && t->answers; k++)
+    for (int k = 0; k < point->ncases && t->results; k++)
         point->effort[k] = (struct thud_sweep_effort){.status = point->effort[k].status};
     thud_sweep_point_write(point, &t->text);
     thud_text_append(&t->text, "\n");
@@ -83,11 +83,11 @@ START_TEST(any_number_of_threads_gives_the_same)
 END_TEST
 
 /* Cases of the same contacts at other gaps: taken over where the other point is in the same work, made where it is not
- * (in parts, or where a study goes on); the answers, and what is told of their cost, are the same. */
+ * (in parts, or where a study goes on); the results, and what is told of their cost, are the same. */
 START_TEST(what_is_the_same_is_taken_over)
 {
     ck_assert_int_eq(thud_sweep_cases(plan, "bumper,as-written,none,cavity", &error), THUD_OK);
-    struct taken all = {.answers = true}, each = {.answers = true};
+    struct taken all = {.results = true}, each = {.results = true};
     ck_assert_int_eq(run(1, 0, 1, &all, NULL), THUD_OK);
     ck_assert_int_gt(all.total.reused, 40); /* as written is case bumper */
     for (int threads = 1; threads <= 8; threads *= 2)
@@ -95,7 +95,7 @@ START_TEST(what_is_the_same_is_taken_over)
             struct taken part[3] = {0};
             long made = 0, reused = 0;
             for (long k = 0; k < step; k++) {
-                part[k].answers = true;
+                part[k].results = true;
                 ck_assert_int_eq(run(threads, k, step, &part[k], NULL), THUD_OK);
                 made += part[k].total.made;
                 reused += part[k].total.reused;

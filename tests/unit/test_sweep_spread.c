@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study_setup.h"
 
 static const double change = 2e-3;
@@ -42,11 +42,11 @@ static double reach(double low, double value, double high)
     return value != 0 ? fmax(high / value - 1, 1 - low / value) : high > 0;
 }
 
-static struct thud_sensitivity *apart(struct thud_answer *answer)
+static struct thud_sensitivity *apart(struct thud_solution *solution)
 {
     struct thud_sensitivity *s;
-    ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, answer, &error), THUD_OK);
-    ck_assert_int_eq(thud_sensitivity_run(scene + 1, motion, change, thud_run_result(answer->run), &s, &error),
+    ck_assert_int_eq(thud_scene_solve(scene + 1, motion, NULL, solution, &error), THUD_OK);
+    ck_assert_int_eq(thud_sensitivity_run(scene + 1, motion, change, thud_run_result(solution->run), &s, &error),
                      THUD_OK);
     return s;
 }
@@ -61,10 +61,10 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
     ck_assert_int_eq(point->changed.made + point->changed.free, 16);
     scene->interface[0].gap_m = 0.07;
     for (int k = 0, i = 0; k < 2; k++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         enum thud_case which = k ? THUD_CASE_NONE : THUD_CASE_BUMPER;
         ck_assert_int_eq(thud_scene_case(scene, which, scene + 1, &error), THUD_OK);
-        struct thud_sensitivity *s = apart(&answer);
+        struct thud_sensitivity *s = apart(&solution);
         for (int floor = 0; floor < 10; i++) {
             if (row[i].floor == 0)
                 continue;
@@ -84,7 +84,7 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
                                     thud_spread_most(&s->contact[c][1]), 1e-12);
         }
         thud_sensitivity_free(s);
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     free(point);
 }
@@ -132,7 +132,7 @@ START_TEST(shortcuts_change_no_spread)
 }
 END_TEST
 
-/* A gap just as wide as the bumper is not made narrower; a bumper wider than the gap has no answer and no spread. */
+/* A gap just as wide as the bumper is not made narrower; a bumper wider than the gap has no result and no spread. */
 START_TEST(a_bumper_keeps_its_room)
 {
     struct thud_sweep_row row[24];

@@ -1,4 +1,4 @@
-/* The table over several ground motions: medians and fractiles by hand, counts, and places without an answer. */
+/* The table over several ground motions: medians and fractiles by hand, counts, and places without a result. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@ enum { RECORDS = 5, GAPS = 3 };
 static const int floors[] = {2, 0};
 static struct thud_error error;
 
-/* Ground motion r is r + 1 times as strong; the last has no answer at the second gap. */
+/* Ground motion r is r + 1 times as strong; the last has no result at the second gap. */
 static struct thud_sweep_summary *point(int record, int gap)
 {
     struct thud_sweep_summary *d = thud_sweep_summary_create(2, 2, floors, false);

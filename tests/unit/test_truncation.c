@@ -31,15 +31,15 @@ static void tear_down(void)
     free(scene);
 }
 
-static struct thud_answer answer_of(int modes, bool history)
+static struct thud_solution answer_of(int modes, bool history)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_run_options options;
     scene->analysis.modes = modes;
     ck_assert_int_eq(thud_scene_options(scene, &options, &error), THUD_OK);
     options.keep_history = history;
-    ck_assert_msg(thud_scene_answer(scene, motion, &options, &answer, &error) == THUD_OK, "%s", error.what);
-    return answer;
+    ck_assert_msg(thud_scene_solve(scene, motion, &options, &solution, &error) == THUD_OK, "%s", error.what);
+    return solution;
 }
 
 /* Sums over the kept modes of one floor at a moment. */
@@ -88,9 +88,9 @@ static void march(const struct thud_model *m, int modes, struct motion most[FLOO
 START_TEST(what_stays_is_the_sum_of_its_modes)
 {
     scene->analysis.tail_s = 0;
-    struct thud_answer whole = answer_of(0, false);
+    struct thud_solution whole = answer_of(0, false);
     for (int modes = 1; modes <= 5; modes += 2) {
-        struct thud_answer few = answer_of(modes, false);
+        struct thud_solution few = answer_of(modes, false);
         struct motion most[FLOORS];
         march(whole.model, modes, most);
         ck_assert_int_eq(few.model->left_out, FLOORS - (modes < 4 ? modes : 4) - modes);
@@ -101,14 +101,14 @@ START_TEST(what_stays_is_the_sum_of_its_modes)
                 ck_assert_double_eq_tol(r->velocity.value / most[dof].velocity, 1, 1e-6);
                 ck_assert_double_eq_tol(r->acceleration.value / most[dof].acceleration, 1, 1e-6);
             }
-        thud_answer_clear(&few);
+        thud_solution_clear(&few);
     }
-    thud_answer_clear(&whole);
+    thud_solution_clear(&whole);
 }
 END_TEST
 
 /* Sum over time and floors of m (u - u of all modes)^2: by orthogonality that of the modes left out alone. */
-static double distance(const struct thud_answer *few, const struct thud_answer *all)
+static double distance(const struct thud_solution *few, const struct thud_solution *all)
 {
     const struct thud_history *a = thud_run_history(few->run), *b = thud_run_history(all->run);
     double sum = 0;
@@ -134,25 +134,25 @@ static double distance(const struct thud_answer *few, const struct thud_answer *
 
 START_TEST(every_mode_brings_it_nearer)
 {
-    struct thud_answer all = answer_of(0, true);
+    struct thud_solution all = answer_of(0, true);
     double before = INFINITY;
     for (int modes = 1; modes <= 6; modes++) {
-        struct thud_answer few = answer_of(modes, true);
+        struct thud_solution few = answer_of(modes, true);
         double now = distance(&few, &all);
         ck_assert(now < before);
         ck_assert((modes == 6) == (now == 0));
         before = now;
-        thud_answer_clear(&few);
+        thud_solution_clear(&few);
     }
-    thud_answer_clear(&all);
+    thud_solution_clear(&all);
 }
 END_TEST
 
 START_TEST(all_modes_are_the_same_answer)
 {
     scene->interface[0].gap_m = 0.05;
-    struct thud_answer all = answer_of(0, false), six = answer_of(6, false), more = answer_of(77, false);
-    const struct thud_answer *same[] = {&six, &more};
+    struct thud_solution all = answer_of(0, false), six = answer_of(6, false), more = answer_of(77, false);
+    const struct thud_solution *same[] = {&six, &more};
     for (int k = 0; k < 2; k++) {
         ck_assert_int_eq(same[k]->model->left_out, 0);
         for (int s = 0; s < 2; s++)
@@ -161,9 +161,9 @@ START_TEST(all_modes_are_the_same_answer)
                                     (size_t)all.model->structure[s].n * sizeof(struct thud_floor_result)),
                              0);
     }
-    thud_answer_clear(&all);
-    thud_answer_clear(&six);
-    thud_answer_clear(&more);
+    thud_solution_clear(&all);
+    thud_solution_clear(&six);
+    thud_solution_clear(&more);
 }
 END_TEST
 
@@ -173,7 +173,7 @@ START_TEST(in_contact_energy_adds_up_and_the_error_is_told)
     scene->interface[0].gap_m = 0.05;
     for (int modes = 1; modes <= 6; modes++) {
         struct thud_truncation t;
-        struct thud_answer few = answer_of(modes, false);
+        struct thud_solution few = answer_of(modes, false);
         const struct thud_result *r = thud_run_result(few.run);
         ck_assert_int_gt(r->contact[3].impacts, 0);
         ck_assert(r->energy.error_ratio < 1e-10);
@@ -183,7 +183,7 @@ START_TEST(in_contact_energy_adds_up_and_the_error_is_told)
             ck_assert(t.acceleration == 0 && t.drift == 0 && t.force == 0);
         else
             ck_assert(t.acceleration > 1e-3 && t.drift > 1e-3 && t.force > 1e-3 && isfinite(t.force));
-        thud_answer_clear(&few);
+        thud_solution_clear(&few);
     }
 }
 END_TEST
@@ -219,13 +219,13 @@ START_TEST(what_is_left_out_costs_nothing)
 {
     scene->interface[0].gap_m = 0.05;
     strcpy(scene->analysis.method, "rk4");
-    struct thud_answer few = answer_of(1, false), all = answer_of(0, false);
+    struct thud_solution few = answer_of(1, false), all = answer_of(0, false);
     ck_assert_int_eq(few.model->ndof, FLOORS);
     ck_assert_int_eq(few.model->nmodes, 2);
     ck_assert_int_eq(all.model->nmodes, FLOORS);
     ck_assert_int_lt(thud_run_result(few.run)->work.steps, thud_run_result(all.run)->work.steps);
-    thud_answer_clear(&few);
-    thud_answer_clear(&all);
+    thud_solution_clear(&few);
+    thud_solution_clear(&all);
 }
 END_TEST
 
@@ -239,22 +239,22 @@ START_TEST(other_methods_find_the_same)
     scene->interface[0].gap_m = 0.05;
     for (int modes = 1; modes <= 3; modes += 2) {
         strcpy(scene->analysis.method, "exact");
-        struct thud_answer exact = answer_of(modes, false);
+        struct thud_solution exact = answer_of(modes, false);
         ck_assert_int_gt(thud_run_result(exact.run)->contact[3].impacts, 0);
         for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
             strcpy(scene->analysis.method, other[i].method);
             scene->analysis.step_s = other[i].step_s;
-            struct thud_answer answer = answer_of(modes, false);
+            struct thud_solution solution = answer_of(modes, false);
             for (int s = 0; s < 2; s++)
                 for (int k = 0; k < exact.model->structure[s].n; k++) {
-                    const struct thud_floor_result *a = &thud_run_result(answer.run)->structure[s].floor[k],
+                    const struct thud_floor_result *a = &thud_run_result(solution.run)->structure[s].floor[k],
                                                    *b = &thud_run_result(exact.run)->structure[s].floor[k];
                     ck_assert_double_eq_tol(a->acceleration.value / b->acceleration.value, 1, other[i].tolerance);
                     ck_assert_double_eq_tol(a->drift.value / b->drift.value, 1, other[i].tolerance);
                 }
-            thud_answer_clear(&answer);
+            thud_solution_clear(&solution);
         }
-        thud_answer_clear(&exact);
+        thud_solution_clear(&exact);
     }
 }
 END_TEST
@@ -263,7 +263,7 @@ END_TEST
  * That is said, not guessed at. */
 START_TEST(blows_that_few_modes_do_not_tell_apart)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_interface *at = &scene->interface[0];
     at->contact.law = thud_law_find("stereomechanical");
     at->contact.value[thud_law_param(at->contact.law, "restitution")] = 0.6;
@@ -272,17 +272,17 @@ START_TEST(blows_that_few_modes_do_not_tell_apart)
     for (int i = 0; i < scene->structure[1].storeys; i++)
         scene->structure[1].stiffness_npm[i] *= 0.5;
     scene->analysis.modes = 1;
-    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_DIVERGED);
+    ck_assert_int_eq(thud_scene_solve(scene, motion, NULL, &solution, &error), THUD_DIVERGED);
     ck_assert_ptr_nonnull(strstr(error.what, "more contacts touch at once than the modes tell apart, at t = "));
     ck_assert_str_eq(error.key, "modes");
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     at->contact.value[thud_law_param(at->contact.law, "restitution")] = 1e-9; /* and then they are held */
-    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_DIVERGED);
+    ck_assert_int_eq(thud_scene_solve(scene, motion, NULL, &solution, &error), THUD_DIVERGED);
     ck_assert_str_eq(error.key, "modes");
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     scene->analysis.modes = 0;
-    ck_assert_int_eq(thud_scene_answer(scene, motion, NULL, &answer, &error), THUD_OK);
-    thud_answer_clear(&answer);
+    ck_assert_int_eq(thud_scene_solve(scene, motion, NULL, &solution, &error), THUD_OK);
+    thud_solution_clear(&solution);
 }
 END_TEST
 
@@ -291,13 +291,13 @@ END_TEST
 START_TEST(events_at_one_moment_do_not_stop_a_method)
 {
     struct scenes_one one;
-    struct scenes_answer answer;
+    struct scenes_solution solution;
     scenes_draw(&one, 50104);
     one.scene.analysis.modes = 1;
-    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .most = 20000}, &answer);
-    ck_assert_int_eq(answer.status, THUD_OK);
-    ck_assert(!answer.stopped && answer.largest[SCENES_IMPACTS] > 0);
-    scenes_answer_clear(&answer);
+    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .most = 20000}, &solution);
+    ck_assert_int_eq(solution.status, THUD_OK);
+    ck_assert(!solution.stopped && solution.largest[SCENES_IMPACTS] > 0);
+    scenes_answer_clear(&solution);
     scenes_clear(&one);
 }
 END_TEST

@@ -492,7 +492,7 @@ static int count_keys(const char *keys)
     return n;
 }
 
-/* Two buildings of one's own, their roofs lighter, on one's own ground motion, at one's own gap: the answer, the figures,
+/* Two buildings of one's own, their roofs lighter, on one's own ground motion, at one's own gap: the result, the figures,
  * the file, and all of it there again. 178 keys before there was a form, a list of files and a step back to what was
  * saved; half of that is the least that was asked for. */
 START_TEST(the_walk_of_an_engineer)
@@ -516,7 +516,7 @@ START_TEST(the_walk_of_an_engineer)
             ck_assert_double_eq_tol(now->structure[0].mass_kg[3], 300e3, 1e-6);
             ck_assert_double_eq_tol(now->structure[1].mass_kg[6], 260e3, 1e-6);
             ck_assert_double_eq_tol(now->structure[1].stiffness_npm[0], 550e6, 1e-3);
-            fixture_expect(&f, " at 8 cm"); /* the answer */
+            fixture_expect(&f, " at 8 cm"); /* the result */
             fixture_expect(&f, "needs ");
             made = *now;
         }
@@ -575,12 +575,12 @@ START_TEST(settings_come_from_a_file)
 }
 END_TEST
 
-/* Every state that was run is there with its answer; one is named, which saves it, compared with and forgotten. */
+/* Every state that was run is there with its result; one is named, which saves it, compared with and forgotten. */
 START_TEST(states_are_gone_to_named_and_compared)
 {
     char first[200], path[160];
     struct thud_preset *preset;
-    snprintf(first, sizeof first, "%.40s", f.tui->doc.variants.item[0].answer);
+    snprintf(first, sizeof first, "%.40s", f.tui->doc.variants.item[0].solution);
     fixture_keys(&f, ":set gap 4 cm<Enter>");
     fixture_keys(&f, ":set gap 6 cm<Enter>");
     fixture_keys(&f, ":set gap 4 cm<Enter>"); /* twice the same is once */

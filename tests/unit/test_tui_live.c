@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -24,17 +24,17 @@ static void teardown(void)
 static double answer_peak(enum thud_case which, int structure, bool drift)
 {
     struct thud_scene scene;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_error err;
     const struct thud_record *record;
     double most = 0.0;
     ck_assert_int_eq(thud_scene_case(&f.tui->doc.scene, which, &scene, &err), THUD_OK);
     ck_assert_int_eq(thud_doc_record(&f.tui->doc, &record, &err), THUD_OK);
-    ck_assert_int_eq(thud_scene_answer(&scene, record, NULL, &answer, &err), THUD_OK);
-    const struct thud_structure_result *result = &thud_run_result(answer.run)->structure[structure];
+    ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, &solution, &err), THUD_OK);
+    const struct thud_structure_result *result = &thud_run_result(solution.run)->structure[structure];
     for (int i = 0; i < result->floors; i++)
         most = fmax(most, drift ? 1e3 * result->floor[i].drift.value : result->floor[i].acceleration.value);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return most;
 }
 
@@ -62,7 +62,7 @@ START_TEST(the_numbers_are_the_answers)
 }
 END_TEST
 
-/* The record goes: nothing of the old answer stays on any screen. */
+/* The record goes: nothing of the old result stays on any screen. */
 START_TEST(no_old_number_after_a_failure)
 {
     char old[24];
@@ -228,7 +228,7 @@ START_TEST(live_turns_itself_off_when_slow)
 }
 END_TEST
 
-/* Beginning and end by keys: the answer is that of the part, what is cut off stays in sight, and undo brings it back.
+/* Beginning and end by keys: the result is that of the part, what is cut off stays in sight, and undo brings it back.
  */
 START_TEST(a_motion_is_trimmed)
 {

@@ -1,4 +1,4 @@
-/* What the screens show: whole ones, and that their numbers are the answer's own. */
+/* What the screens show: whole ones, and that their numbers are the result's own. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>

@@ -302,7 +302,7 @@ START_TEST(the_cursor_sets_the_gap)
     fixture_keys(&f, "<Enter>");
     fixture_expect(&f, "gap is 1.5 cm now");
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.015, 1e-15);
-    fixture_expect(&f, "at 1.5 cm"); /* the answer above */
+    fixture_expect(&f, "at 1.5 cm"); /* the result above */
     fixture_keys(&f, "u");
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.02, 1e-15);
 }

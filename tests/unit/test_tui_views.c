@@ -118,16 +118,16 @@ START_TEST(several_structures)
     fixture_keys(&f, "<Size 100x40><A-4>");
     fixture_expect(&f, " 1:1 ");
     fixture_keys(&f, "<A-1>");
-    f.tui->pair = 0;
+    f.tui->interface = 0;
     fixture_keys(&f, "/structures.3.damping<Enter>");
-    ck_assert_int_eq(f.tui->pair, 1);
+    ck_assert_int_eq(f.tui->interface, 1);
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.3.damping");
     fixture_keys(&f, "/interfaces.1.gap<Enter>");
-    ck_assert_int_eq(f.tui->pair, 0);
+    ck_assert_int_eq(f.tui->interface, 0);
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_CONTACT);
     fixture_keys(&f, "]<A-1>D"); /* the pair to the right goes with its structure */
     ck_assert_int_eq(f.tui->doc.scene.nstructures, 2);
-    ck_assert_int_eq(f.tui->pair, 0);
+    ck_assert_int_eq(f.tui->interface, 0);
 }
 END_TEST
 

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "study/scene/answer.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/solution.h"
 #include "study/uncertainty/sobol.h"
 #include "study/uncertainty/uncertainty.h"
 #include "study_setup.h"
@@ -382,15 +382,15 @@ START_TEST(samples_are_runs)
     y = x + u->nquantities;
     ck_assert_int_eq(thud_uncertainty_evaluate(u, &half, x, &error), THUD_OK);
     ck_assert_int_eq(thud_uncertainty_evaluate(u, &most, y, &error), THUD_OK);
-    struct thud_answer answer;
+    struct thud_solution solution;
     ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
-    ck_assert_int_eq(thud_scene_answer(scene + 1, motion, NULL, &answer, &error), THUD_OK);
-    const struct thud_structure_result *s = &thud_run_result(answer.run)->structure[0];
+    ck_assert_int_eq(thud_scene_solve(scene + 1, motion, NULL, &solution, &error), THUD_OK);
+    const struct thud_structure_result *s = &thud_run_result(solution.run)->structure[0];
     double largest = 0;
     for (int i = 0; i < s->floors; i++)
         largest = fmax(largest, s->floor[i].acceleration.value);
     ck_assert(u->quantity[1].kind == THUD_OF_ACCELERATION && x[1] == largest);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     struct thud_needed_gap *gap; /* whatever the gap of the scene is */
     ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
     ck_assert(u->quantity[0].kind == THUD_OF_GAP && x[0] > 0);

@@ -1,4 +1,4 @@
-/* Expectations: which numbers an answer has, when two methods confirm one, what holds and what moved; files of them
+/* Expectations: which numbers a result has, when two methods confirm one, what holds and what moved; files of them
  * read back, and what is wrong in one is named with its place. */
 #include <check.h>
 #include <math.h>
@@ -12,7 +12,7 @@ static struct thud_floor_result left_floor[2], right_floor[1], body_floor[1];
 static double left_period[2] = {0.5, 0.2}, right_period[1] = {0.3}, body_period[1];
 
 /* Two storeys, one storey, a free body, a wall; one contact between floors, one with the wall. */
-static struct thud_result answer(struct thud_scene *scene, double factor)
+static struct thud_result solution(struct thud_scene *scene, double factor)
 {
     static struct thud_structure_result structure[4];
     static struct thud_contact_result contact[2];
@@ -46,7 +46,7 @@ START_TEST(names_every_number_of_an_answer)
 {
     static struct thud_scene scene;
     struct thud_measures m = {0};
-    struct thud_result result = answer(&scene, 1);
+    struct thud_result result = solution(&scene, 1);
     ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     /* 3 floors of 4, 2 base shears, 3 of the free body, 2 contacts of 4, 3 energies; nothing of the wall */
     ck_assert_uint_eq(m.n, 3 * 4 + 2 + 3 + 2 * 4 + 3);
@@ -65,9 +65,9 @@ START_TEST(ratios_are_over_the_case_without_bumper)
 {
     static struct thud_scene scene;
     struct thud_measures m = {0};
-    struct thud_result result = answer(&scene, 1.25); /* the other case first: the order does not matter */
+    struct thud_result result = solution(&scene, 1.25); /* the other case first: the order does not matter */
     ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_BUMPER, &result, NULL), THUD_OK);
-    result = answer(&scene, 1);
+    result = solution(&scene, 1);
     ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     size_t before = m.n;
     ck_assert_int_eq(thud_measures_add_ratios(&m, NULL), THUD_OK);
@@ -105,7 +105,7 @@ START_TEST(tells_what_holds_what_moved_and_what_is_gone)
 {
     static struct thud_scene scene;
     struct thud_measures m = {0};
-    struct thud_result result = answer(&scene, 1);
+    struct thud_result result = solution(&scene, 1);
     ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     struct thud_expectation e = {THUD_CASE_NONE, "A.2.acceleration_mps2", 4, 0.25, NAN};
     struct thud_check check = thud_verify_check(&e, &m);
@@ -130,7 +130,7 @@ START_TEST(only_what_both_methods_give_is_expected)
     struct thud_measures own = {0}, other = {0};
     struct thud_expectations agreed = {0}, disputed = {0}, read;
     struct thud_text text = {0};
-    struct thud_result result = answer(&scene, 1);
+    struct thud_result result = solution(&scene, 1);
     ck_assert_int_eq(thud_measures_add(&own, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     result.contact[0].impacts = 5;
     left_floor[0].acceleration.value = 2.0002;

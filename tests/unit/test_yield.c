@@ -377,7 +377,7 @@ START_TEST(rows_know_whose_they_are)
 }
 END_TEST
 
-/* ---- other ways to the same answer ---- */
+/* ---- other ways to the same result ---- */
 
 /* Two storeys by the trapezoids of their own equations of motion in tiny steps. */
 START_TEST(an_integrator_of_its_own)
@@ -456,7 +456,7 @@ START_TEST(dormand_prince_agrees)
 }
 END_TEST
 
-/* Every method runs them, and comes to the same answer with short steps, with and without location. */
+/* Every method runs them, and comes to the same result with short steps, with and without location. */
 START_TEST(every_method_converges)
 {
     struct thud_record *record = march_motion(0.6);

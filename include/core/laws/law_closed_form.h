@@ -16,15 +16,15 @@ double thud_kelvin_voigt_cut_restitution(double xi);
 double thud_kelvin_voigt_cut_xi(double e);
 
 /* One collision of two free bodies under the cut law. */
-struct thud_pair_collision {
+struct thud_two_body_collision {
     double force_n;       /* largest; at first touch where xi >= 1/2 */
     double indentation_m; /* largest */
     double duration_s;
     double restitution;
     double residual_m; /* indentation left where the force reaches 0 */
 };
-struct thud_pair_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg,
-                                                           double v_mps);
+struct thud_two_body_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg,
+                                                               double v_mps);
 
 /* Damping in both phases, F = k d^n (1 + s v/v0), any n: e solves s (1 + e) = ln((1 + s)/(1 - s e)), s >= 0; and back,
  * 0 < e <= 1. */

@@ -92,7 +92,7 @@ struct thud_part {
 void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out);
-/* "format": 1, "preset": ..., "version": ...; the first members of every answer in JSON. */
+/* "format": 1, "preset": ..., "version": ...; the first members of every result in JSON. */
 void thud_json_head(struct thud_text *out, const char *preset);
 
 /* Rows of one kind, made one at a time: `make` fills the i-th of them into `row`, of at most THUD_ROW_MAX bytes. */

@@ -24,7 +24,7 @@ struct thud_report {
     const struct thud_sensitivity *sensitivity; /* NULL: not asked for */
     const struct thud_truncation *truncation;   /* NULL: no mode is left out */
     const struct thud_needed_gap *gap;          /* NULL: not known */
-    const struct thud_error *failure;           /* why there is no answer (THUD_DIVERGED); NULL: there is one */
+    const struct thud_error *failure;           /* why there is no result (THUD_DIVERGED); NULL: there is one */
 };
 
 /* The result of `thud run --json`. Its "scene" is a preset that gives the run again. A run that failed has its status,

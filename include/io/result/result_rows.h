@@ -1,4 +1,4 @@
-/* What a run answers, as rows: the tables of their fields, and what fills them from a report. */
+/* What a run gives, as rows: the tables of their fields, and what fills them from a report. */
 #ifndef THUD_IO_RESULT_ROWS_H
 #define THUD_IO_RESULT_ROWS_H
 

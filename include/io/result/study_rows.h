@@ -1,4 +1,4 @@
-/* What studies answer, as rows: gap rules, ground motions of a suite, fragilities. */
+/* What studies give, as rows: gap rules, ground motions of a suite, fragilities. */
 #ifndef THUD_IO_STUDY_ROWS_H
 #define THUD_IO_STUDY_ROWS_H
 

@@ -61,7 +61,7 @@ struct thud_axis {
     const char *label, *unit; /* empty unit: a plain number */
     bool log;
     double least, most; /* NaN: from the data */
-    bool answers;       /* x holds answers, as y does: none of them shall lie on the frame */
+    bool results;       /* x holds results, as y does: none of them shall lie on the frame */
     int nticks;         /* named ticks in place of numbers; 0: numbers */
     struct thud_tick *tick;
 };
@@ -128,8 +128,8 @@ struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int co
 void thud_panel_note(struct thud_panel *panel, const char *text);
 void thud_panel_axis(struct thud_panel *panel, enum thud_side side, const char *label, const char *unit);
 void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double least, double most);
-/* Along x stand answers, not what they were asked for. */
-void thud_panel_answers_on_x(struct thud_panel *panel);
+/* Along x stand results, not what they were asked for. */
+void thud_panel_results_on_x(struct thud_panel *panel);
 void thud_panel_log(struct thud_panel *panel, enum thud_side side);
 void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text);
 void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from, double to, const char *text);

@@ -3,7 +3,7 @@
 #ifndef THUD_STUDY_BENCH_H
 #define THUD_STUDY_BENCH_H
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 enum thud_bench_state { THUD_BENCH_WAITING, THUD_BENCH_DONE, THUD_BENCH_FAILED, THUD_BENCH_SKIPPED };
 

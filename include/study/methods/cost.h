@@ -3,7 +3,7 @@
 #ifndef THUD_STUDY_COST_H
 #define THUD_STUDY_COST_H
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 enum thud_cost_axis {
     THUD_COST_STOREYS,   /* of each of two shear buildings, the right one less stiff */

@@ -1,4 +1,4 @@
-/* Numbers that others published: scenes whose answers stand in textbooks, in other programs' manuals and in a public
+/* Numbers that others published: scenes whose results stand in textbooks, in other programs' manuals and in a public
  * experiment, computed again. What is compared was read from print and is rounded there, so that agreement to half a
  * percent is what it can show. */
 #ifndef THUD_STUDY_PUBLISHED_H

@@ -6,7 +6,7 @@
 #ifndef THUD_STUDY_STABILITY_H
 #define THUD_STUDY_STABILITY_H
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 /* How one run is stepped. */
 struct thud_stepping {
@@ -69,7 +69,7 @@ struct thud_stability {
 };
 
 /* `scene` (that of a case; NULL: none) is not kept, the record must stay. Errors: THUD_MEMORY, those of
- * thud_scene_answer. */
+ * thud_scene_solve. */
 enum thud_status thud_stability_create(const struct thud_scene *scene, const struct thud_record *record,
                                        struct thud_stability **out, struct thud_error *err);
 void thud_stability_free(struct thud_stability *stability);

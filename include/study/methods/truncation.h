@@ -2,7 +2,7 @@
 #ifndef THUD_STUDY_TRUNCATION_H
 #define THUD_STUDY_TRUNCATION_H
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 /* Largest relative difference over floors and contacts, by kind of peak, to the run with all modes; a peak below a
  * thousandth of the largest of its kind counts by that. INFINITY: a peak where all modes give none. */
@@ -11,10 +11,10 @@ struct thud_truncation {
     double acceleration, drift, force;
 };
 
-/* `answer`: of the scene (that of a case), whose model leaves modes out; at its end. Errors: those of
- * thud_scene_answer. */
+/* `solution`: of the scene (that of a case), whose model leaves modes out; at its end. Errors: those of
+ * thud_scene_solve. */
 enum thud_status thud_truncation_measure(const struct thud_scene *scene, const struct thud_record *record,
-                                         const struct thud_answer *answer, struct thud_truncation *out,
+                                         const struct thud_solution *solution, struct thud_truncation *out,
                                          struct thud_error *err);
 
 #endif

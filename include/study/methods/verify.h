@@ -1,4 +1,4 @@
-/* What a preset is expected to give: the answers of its cases as named numbers, compared with stored ones. Names are
+/* What a preset is expected to give: the results of its cases as named numbers, compared with stored ones. Names are
  * STRUCTURE.FLOOR.acceleration_mps2 (displacement_m, velocity_mps, drift_m), STRUCTURE.base_shear_n,
  * contact.INTERFACE.LEFT-RIGHT.impacts (force_n, indentation_m, impulse_ns; floors, or `wall`), energy.input_j
  * (viscous_j, contact_j) and ratio.STRUCTURE.FLOOR.acceleration (displacement, drift): over case `none`. A storey that
@@ -55,7 +55,7 @@ void thud_expectations_clear(struct thud_expectations *list);
  * 0 for counts that are equal. NaN: they do not agree (they differ by more than 1e-4, or in a count). */
 double thud_verify_tolerance(double own, double independent, bool count);
 
-/* Expectations from two methods' answers: values of the independent one. In *disputed what they do not agree on.
+/* Expectations from two methods' results: values of the independent one. In *disputed what they do not agree on.
  * Errors: THUD_MEMORY; both lists stay the caller's to clear. */
 enum thud_status thud_verify_confirm(const struct thud_measures *own, const struct thud_measures *independent,
                                      struct thud_expectations *agreed, struct thud_expectations *disputed,

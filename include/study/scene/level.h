@@ -16,20 +16,20 @@ double thud_structure_depth(const struct thud_structure *structure, int floor);
 double thud_face_overlap(double a, double a_depth, double b, double b_depth);
 
 /* One contact that there may be. */
-struct thud_pairing {
+struct thud_contact_pair {
     int left_floor, right_floor; /* from 1, 0 for a wall; of struck columns the floor above them */
     int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
     double a_m,
         b_m; /* of the middle of the slab's face over the floor (or ground) below the clear columns, and under the
                         face of the floor above */
 };
-enum { THUD_PAIRINGS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
+enum { THUD_CONTACT_PAIRS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 
-/* Of the interface (from 0), from below: how many, into out (THUD_PAIRINGS_MAX). Floors whose faces overlap, or whose
+/* Of the interface (from 0), from below: how many, into out (THUD_CONTACT_PAIRS_MAX). Floors whose faces overlap, or whose
  * levels are within 1 cm of each other, meet. Any other floor whose face's middle lies in the clear height of a storey
  * of the neighbour strikes the columns there. What stands above the neighbour's top floor, below its ground, or within
  * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
-int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out);
+int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out);
 
 /* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
 bool thud_slab_is_left(int left_floor, int struck);
@@ -37,6 +37,6 @@ int thud_slab_floor(int left_floor, int right_floor, int struck);
 /* Whose columns: "left", "right", "". */
 const char *thud_struck_name(int struck);
 /* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
-void thud_pairing_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);
+void thud_contact_pair_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);
 
 #endif

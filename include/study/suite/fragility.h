@@ -27,7 +27,7 @@ struct thud_stripe {
 };
 
 enum thud_fit {
-    THUD_FIT_NONE,      /* fewer than two values have an answer */
+    THUD_FIT_NONE,      /* fewer than two values have a result */
     THUD_FIT_COUNTED,   /* the event need not be monotone in what is varied: none is tried */
     THUD_FIT_NEVER,     /* it happens under no motion at any value */
     THUD_FIT_ALWAYS,    /* under every motion at every value */

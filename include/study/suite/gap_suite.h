@@ -21,7 +21,7 @@ int thud_gap_suite_independent(const struct thud_gap_suite *suite);
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
 /* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
  * value, at the scene's own gap: a run without bumpers, and none where nothing touches. Errors: those of
- * thud_scene_answer. */
+ * thud_scene_solve. */
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
                                 struct thud_error *err);

@@ -40,7 +40,7 @@ struct thud_suite {
     long settings;
     int ndraws;    /* independent motions: one and the same turned round is one */
     int *first;    /* (ndraws + 1) its first record; those of a motion stand one after the other */
-    double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no answer */
+    double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no result */
 };
 /* Whether its runs may have any. */
 bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure);

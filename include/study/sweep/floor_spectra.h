@@ -34,7 +34,7 @@ const char *thud_floor_case_name(int which);
 const char *thud_floor_case_column(int which);
 
 /* `scene` as written. Its runs end no sooner than the longest period after the motion. Errors: THUD_INPUT (another
- * method than the exact one), THUD_MEMORY, those of thud_scene_answer. */
+ * method than the exact one), THUD_MEMORY, those of thud_scene_solve. */
 enum thud_status thud_floor_spectra_run(const struct thud_scene *scene, const struct thud_record *record,
                                         const struct thud_floor_spectra_ask *ask, struct thud_floor_spectra **out,
                                         struct thud_error *err);

@@ -15,11 +15,11 @@
 #include "study/sweep/sensitivity.h"
 #include "study/sweep/sweep_row.h"
 
-/* None of these changes an answer (model.md, section 7). They hold for the exact method; other methods make every run.
+/* None of these changes a result (model.md, section 7). They hold for the exact method; other methods make every run.
  */
 enum thud_sweep_shortcut {
     THUD_SWEEP_FREE =
-        1, /* clearances at least as wide as the largest relative displacements take the contact-free answer */
+        1, /* clearances at least as wide as the largest relative displacements take the contact-free result */
     THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
     THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of laws without force) are left out */
     THUD_SWEEP_SAME = 8,   /* of runs whose contacts are the same one is made */
@@ -106,7 +106,7 @@ struct thud_sweep_contact {
 
 /* What the changed runs of a point cost. */
 struct thud_sweep_changed {
-    int made, free, failed; /* runs; answered without one; without an answer */
+    int made, free, failed; /* runs; answered without one; without a result */
     long steps, events;
 };
 
@@ -123,8 +123,8 @@ struct thud_sweep_point {
     struct thud_sweep_changed changed;
     int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
     struct thud_sweep_floor
-        *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no answer; the last is no pounding */
-    struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no answer */
+        *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no result; the last is no pounding */
+    struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no result */
     struct thud_gap_level *level;       /* (ncontacts) */
 };
 
@@ -133,10 +133,10 @@ struct thud_sweep_point {
 struct thud_sweep_task;
 enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                         long point, struct thud_sweep_task **out, struct thud_error *err);
-/* A run that fails is a run without an answer: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
+/* A run that fails is a run without a result: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
  */
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
-/* To a task that has not been advanced yet: leaves out the runs whose answer is that of another one which a point of
+/* To a task that has not been advanced yet: leaves out the runs whose result is that of another one which a point of
  * `first`, `first + step`, ... makes, for thud_sweep_group_settle. */
 void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
 /* Hands over the point of a task that is done. */

@@ -13,7 +13,7 @@ struct thud_sweep_best {
     double drift_ratio;           /* largest over the structures of the ratio of mean deflections, there */
     double flat_least, flat_most; /* around it, values whose ratio is at most 5 % above the best one's */
     double worst_ratio;           /* over the key's values */
-    int values;                   /* how many had an answer */
+    int values;                   /* how many had a result */
     bool at_end;                  /* the best is the first or the last value: beyond there may be a better one */
     bool idle; /* there the ratio is 1.000: the bumper touches nothing, or hardly, and no value is best */
 };

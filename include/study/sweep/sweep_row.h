@@ -1,4 +1,4 @@
-/* What a parametric study answers, one row per run and floor and one per run and contact: what the CSV files, the
+/* What a parametric study gives, one row per run and floor and one per run and contact: what the CSV files, the
  * figures and the screens read. SI units. */
 #ifndef THUD_STUDY_SWEEP_ROW_H
 #define THUD_STUDY_SWEEP_ROW_H
@@ -45,7 +45,7 @@ struct thud_sweep_row {
     int floor;                   /* from 1; 0: the mean over the structure's floors */
     double acceleration_mps2, drift_m, displacement_m;
     /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
-     * has no answer. */
+     * has no result. */
     double acceleration_ratio, drift_ratio, displacement_ratio;
     /* Over no pounding at all. */
     double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
@@ -53,7 +53,7 @@ struct thud_sweep_row {
      * Ductility, drift at which it carries no force, how many times it yielded, energy lost. */
     double ductility, permanent_m, excursions, hysteretic_j;
     /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
-     * was asked for or one of the runs has no answer. */
+     * was asked for or one of the runs has no result. */
     double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
 };
 

@@ -39,7 +39,7 @@ struct thud_sweep_shares {
 struct thud_sweep_summary {
     int record;                         /* from 0 */
     int at[THUD_VARY_MAX];              /* place of its value on each axis */
-    int nruns;                          /* cases that were asked for and have an answer */
+    int nruns;                          /* cases that were asked for and have a result */
     int nrows;                          /* of a run: a mean and the floors of every structure that has floors */
     bool spread, touches;               /* low and high are there; there are contacts */
     double gap_m;                       /* of the first interface; NaN where there is none */
@@ -70,7 +70,7 @@ struct thud_sweep_table {
 size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread);
 /* An empty one for structures with so many floors each; NULL when out of memory. */
 struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread);
-/* Of a finished point; *out is NULL where no case that was asked for has an answer. Errors: THUD_MEMORY. */
+/* Of a finished point; *out is NULL where no case that was asked for has a result. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err);
 

@@ -110,7 +110,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
 void thud_uncertainty_free(struct thud_uncertainty *uncertainty);
 /* The ground motion at place u of the choice; NaN: the scene's own. */
 const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty *uncertainty, double u);
-/* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no answer. Several threads may ask at
+/* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no result. Several threads may ask at
  * once. Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,
                                            struct thud_error *err);

@@ -22,16 +22,17 @@ static void add_reference(struct thud_bench *bench, struct thud_text *out)
         thud_text_append(out, "they agree to all digits\n");
 }
 
-/* What is told apart from results: runs whose impacts are not those of the reference, and runs without an answer, or
+/* What is told apart from results: runs whose impacts are not those of the reference, and runs without a result, or
  * with one that is none. */
 enum fault { THUD_BENCH_WRONG_IMPACTS, THUD_BENCH_BLOWN_UP };
-static const double no_answer = 100; /* relative error */
+static const double no_solution = 100; /* relative error */
 
 static bool has_fault(const struct thud_bench_point *p, enum fault fault)
 {
     bool done = p->state == THUD_BENCH_DONE;
-    return fault == THUD_BENCH_WRONG_IMPACTS ? done && p->error.missed + p->error.extra > 0
-                                             : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_answer));
+    return fault == THUD_BENCH_WRONG_IMPACTS
+               ? done && p->error.missed + p->error.extra > 0
+               : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_solution));
 }
 
 /* How a list of runs is written: what stands before it, between two curves, behind a curve's name, between two runs. */
@@ -97,7 +98,7 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
                          p->work.force_evaluations);
     }
     add_list(bench, THUD_BENCH_WRONG_IMPACTS, "\nimpacts missed or added:\n  ", out);
-    add_list(bench, THUD_BENCH_BLOWN_UP, "\nno answer:\n  ", out);
+    add_list(bench, THUD_BENCH_BLOWN_UP, "\nno result:\n  ", out);
 }
 
 static void add_field(struct thud_text *out, double value)

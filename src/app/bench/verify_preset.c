@@ -24,15 +24,15 @@ struct work {
 static enum thud_status run_case(struct work *work, enum thud_case which, const struct thud_run_options *options,
                                  struct thud_measures *measures, const char **method, struct thud_error *err)
 {
-    struct thud_answer answer;
-    enum thud_status status = thud_session_run(&work->session, which, options, &work->scene, &answer, err);
+    struct thud_solution solution;
+    enum thud_status status = thud_session_run(&work->session, which, options, &work->scene, &solution, err);
     if (status == THUD_OK) {
-        const struct thud_result *result = thud_run_result(answer.run);
+        const struct thud_result *result = thud_run_result(solution.run);
         const struct thud_method *used = thud_method_find(result->method);
         *method = used ? used->name : "?";
         status = thud_measures_add(measures, &work->scene, which, result, err);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -28,7 +28,7 @@ static const char differences[] =
     "  gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.\n"
     "- **Eq. (1) is taken as a force law**, not as a rule that uses the step before: that would create energy, and "
     "the\n"
-    "  answer would depend on the step. Impacts are located in time.\n"
+    "  result would depend on the step. Impacts are located in time.\n"
     "- **Eq. (5) as printed** lets the force drop where the motion turns past the ultimate strain. Where the "
     "structures go on\n"
     "  pushing with a force between both branches, the contact sticks until that force leaves the interval.\n"
@@ -238,7 +238,7 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
     if (study->unanswered > 0)
         thud_text_append(
             out,
-            "- **Runs without an answer.** In %d of the runs the integration failed; the curves have gaps there, and "
+            "- **Runs without a result.** In %d of the runs the integration failed; the curves have gaps there, and "
             "the tables leave these gaps out.\n",
             study->unanswered);
 }

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "plot/figures/figures_paper.h"
-#include "study/scene/answer.h"
-#include "study/scene/pair.h"
+#include "study/scene/solution.h"
+#include "study/scene/two_body.h"
 
 /* ---- storeys ---- */
 
@@ -60,7 +60,7 @@ static double largest(const struct thud_result *r, const struct thud_result *pou
     return most;
 }
 
-static void read_spike(const struct thud_answer *pounding, const struct thud_answer *alone,
+static void read_spike(const struct thud_solution *pounding, const struct thud_solution *alone,
                        struct thud_paper_spike *out)
 {
     const struct thud_result *r = thud_run_result(pounding->run);
@@ -87,7 +87,7 @@ static enum thud_status vary_stiffness(struct thud_paper_runs *runs, const struc
     static const char *const stiffness[THUD_PAPER_STIFFNESSES] = {"625 kN/mm", "2500 kN/mm", "10000 kN/mm"};
     static const double value[THUD_PAPER_STIFFNESSES] = {625e6, 2500e6, 10000e6};
     struct thud_scene *scene = malloc(2 * sizeof *scene);
-    struct thud_answer alone = {0}, pounding = {0};
+    struct thud_solution alone = {0}, pounding = {0};
     struct thud_run_options options;
     enum thud_status status = scene ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK)
@@ -97,19 +97,19 @@ static enum thud_status vary_stiffness(struct thud_paper_runs *runs, const struc
     if (status == THUD_OK) {
         scene[1] = scene[0];
         scene[1].interface[0].gap_m = 10; /* nothing touches */
-        status = thud_scene_answer(&scene[1], record, &options, &alone, err);
+        status = thud_scene_solve(&scene[1], record, &options, &alone, err);
         options.keep_impacts = true;
     }
     for (int i = 0; i < THUD_PAPER_STIFFNESSES && status == THUD_OK; i++) {
         runs->spike[i] = (struct thud_paper_spike){.stiffness_npm = value[i]};
         status = thud_scene_set(scene, "interfaces.1.contact.stiffness", stiffness[i], err);
         if (status == THUD_OK)
-            status = thud_scene_answer(scene, record, &options, &pounding, err);
+            status = thud_scene_solve(scene, record, &options, &pounding, err);
         if (status == THUD_OK)
             read_spike(&pounding, &alone, &runs->spike[i]);
-        thud_answer_clear(&pounding);
+        thud_solution_clear(&pounding);
     }
-    thud_answer_clear(&alone);
+    thud_solution_clear(&alone);
     free(scene);
     return status;
 }
@@ -142,22 +142,22 @@ enum thud_status thud_paper_collisions(struct thud_paper_collision *out, struct 
     static const double slow_mps = 0.25, history_step_s = 5e-4;
     enum thud_status status = THUD_OK;
     for (int i = 0; i < THUD_PAPER_COLLISIONS && status == THUD_OK; i++) {
-        struct thud_pair pair;
-        struct thud_answer answer;
+        struct thud_two_body pair;
+        struct thud_solution solution;
         bool fig3 = i < THUD_PAPER_FIG3;
-        thud_pair_rubber(&pair);
+        thud_two_body_rubber(&pair);
         pair.closing_mps = fig3 ? thud_paper_fig3_mps : slow_mps;
         out[i] = (struct thud_paper_collision){.closing_mps = pair.closing_mps,
                                                .nominal = fig3 ? thud_paper_fig3_restitution[i] : 0.5};
-        thud_pair_set(&pair, "restitution", out[i].nominal);
-        status = thud_pair_run(&pair, history_step_s, &answer, err);
+        thud_two_body_set(&pair, "restitution", out[i].nominal);
+        status = thud_two_body_run(&pair, history_step_s, &solution, err);
         if (status == THUD_OK) {
-            const struct thud_contact_result *contact = thud_run_result(answer.run)->contact;
+            const struct thud_contact_result *contact = thud_run_result(solution.run)->contact;
             out[i].force_n = contact->force.value;
             out[i].indentation_m = contact->indentation.value;
-            out[i].restitution = thud_pair_separation(&answer) / pair.closing_mps;
+            out[i].restitution = thud_two_body_separation(&solution) / pair.closing_mps;
         }
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     return status;
 }

@@ -31,7 +31,7 @@ static const struct thud_sweep_summary *point(const struct thud_sweep_table *tab
     return record < 0 || d->record == record ? d : NULL;
 }
 
-/* Of a floor, 0: of the mean over them; NULL where the case has no answer. */
+/* Of a floor, 0: of the mean over them; NULL where the case has no result. */
 static const struct thud_sweep_ratio *ratio_of(const struct thud_sweep_summary *d, enum thud_case which, int structure,
                                                int floor)
 {
@@ -632,7 +632,7 @@ static void put_forces(const struct view *v, const char *what, struct thud_text 
     thud_text_append(
         out,
         "- Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with pounding; at "
-        "%d of those it is pressed past its largest strain, where concrete answers.\n",
+        "%d of those it is pressed past its largest strain, where concrete acts.\n",
         what, harder, n, past);
 }
 

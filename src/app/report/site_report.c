@@ -39,9 +39,9 @@ static enum thud_status run_case(struct site *site, struct site_case *one, struc
         status = thud_scene_options(one->scene, &options, err);
     options.keep_history = options.keep_impacts = true;
     if (status == THUD_OK)
-        status = thud_scene_answer(one->scene, site->record, &options, &one->answer, err);
+        status = thud_scene_solve(one->scene, site->record, &options, &one->solution, err);
     if (status == THUD_OK)
-        one->result = thud_run_result(one->answer.run);
+        one->result = thud_run_result(one->solution.run);
     return status;
 }
 
@@ -74,7 +74,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
 static enum thud_status run_reversed(struct site *site, struct thud_error *err)
 {
     struct thud_record *turned = NULL;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     if (!site->record)
         return THUD_OK;
     tell(site, "the motion turned round");
@@ -82,11 +82,11 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
         thud_record_create(site->record->a_mps2, site->record->samples, site->record->dt_s, &turned, err);
     if (status == THUD_OK) {
         thud_record_scale(turned, -1);
-        status = thud_scene_answer(site->own->scene, turned, NULL, &answer, err);
+        status = thud_scene_solve(site->own->scene, turned, NULL, &solution, err);
     }
     if (status == THUD_OK)
-        thud_stiffness_row_read(thud_run_result(answer.run), &site->reversed);
-    thud_answer_clear(&answer);
+        thud_stiffness_row_read(thud_run_result(solution.run), &site->reversed);
+    thud_solution_clear(&solution);
     thud_record_free(turned);
     return status;
 }
@@ -111,21 +111,21 @@ static void compare(struct site *site, const struct thud_measures *own, const st
     }
 }
 
-/* Runs to the end, or until there are too many steps: *answer is then cleared. */
+/* Runs to the end, or until there are too many steps: *result is then cleared. */
 static enum thud_status run_bounded(const struct site *site, const struct thud_run_options *options,
-                                    struct thud_answer *answer, struct thud_error *err)
+                                    struct thud_solution *solution, struct thud_error *err)
 {
     bool done = false;
-    enum thud_status status = thud_scene_assemble(site->own->scene, &answer->model, err);
+    enum thud_status status = thud_scene_assemble(site->own->scene, &solution->model, err);
     if (status == THUD_OK)
-        status = thud_run_create(answer->model, site->record, options, &answer->run, err);
-    while (status == THUD_OK && !done && thud_run_result(answer->run)->work.steps <= STEPS_MOST) {
+        status = thud_run_create(solution->model, site->record, options, &solution->run, err);
+    while (status == THUD_OK && !done && thud_run_result(solution->run)->work.steps <= STEPS_MOST) {
         status = stopped(site, err);
         if (status == THUD_OK)
-            status = thud_run_advance(answer->run, STEPS_AT_A_TIME, &done, err);
+            status = thud_run_advance(solution->run, STEPS_AT_A_TIME, &done, err);
     }
     if (status != THUD_OK || !done)
-        thud_answer_clear(answer);
+        thud_solution_clear(solution);
     return status;
 }
 
@@ -133,7 +133,7 @@ static enum thud_status run_bounded(const struct site *site, const struct thud_r
 static enum thud_status run_second(struct site *site, struct thud_error *err)
 {
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_measures own = {0}, other = {0};
     const struct site_case *one = site->own;
     site->second.method = thud_verify_independent(one->result->method);
@@ -143,17 +143,17 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     options.tolerance = tight_tolerance;
     options.locate = true;
     if (status == THUD_OK)
-        status = run_bounded(site, &options, &answer, err);
-    if (status != THUD_OK || !answer.run)
+        status = run_bounded(site, &options, &solution, err);
+    if (status != THUD_OK || !solution.run)
         return status;
     status = thud_measures_add(&own, one->scene, THUD_CASE_AS_WRITTEN, one->result, err);
     if (status == THUD_OK)
-        status = thud_measures_add(&other, one->scene, THUD_CASE_AS_WRITTEN, thud_run_result(answer.run), err);
+        status = thud_measures_add(&other, one->scene, THUD_CASE_AS_WRITTEN, thud_run_result(solution.run), err);
     if (status == THUD_OK)
         compare(site, &own, &other);
     thud_measures_clear(&own);
     thud_measures_clear(&other);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -258,7 +258,7 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
 static void clear(struct site *site)
 {
     for (int i = 0; i < SITE_CASES; i++) {
-        thud_answer_clear(&site->cases[i].answer);
+        thud_solution_clear(&site->cases[i].solution);
         free(site->cases[i].scene);
     }
     free(site->gap);

@@ -1,5 +1,5 @@
 /* `thud report`: a document about one's own buildings. Runs without pounding, without and with the bumper, the gap that
- * is enough, how sure the answer is, cautions, a second method, and all that is needed to repeat it. */
+ * is enough, how sure the result is, cautions, a second method, and all that is needed to repeat it. */
 #ifndef THUD_APP_SITE_REPORT_H
 #define THUD_APP_SITE_REPORT_H
 

@@ -20,7 +20,7 @@ enum { SITE_FREE, SITE_NONE, SITE_BUMPER, SITE_CASES };
 struct site_case {
     const char *name, *words; /* in a table's head; in a sentence */
     struct thud_scene *scene;
-    struct thud_answer answer;
+    struct thud_solution solution;
     const struct thud_result *result;
 };
 
@@ -89,13 +89,13 @@ void thud_site_effect(const struct site *site, bool drifts, int count[3]);
 /* Runs it; nothing where there is one motion or none. Errors: those of the studies. */
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
 void thud_site_suite_clear(struct site *site);
-/* Its part of the answer, and its own section. */
-void thud_site_suite_answer(struct site *site);
+/* Its part of the result, and its own section. */
+void thud_site_suite_summary(struct site *site);
 void thud_site_suite_section(struct site *site);
 
 /* ---- how sure it is ---- */
 
-void thud_site_samples_answer(struct site *site);
+void thud_site_samples_summary(struct site *site);
 void thud_site_sure_section(struct site *site);
 
 /* ---- words ---- */

@@ -128,7 +128,7 @@ static struct thud_fractiles over(const struct site *site, int k, enum thud_suit
     return thud_suite_fractiles(suite->runs, suite->as_given, k, measure, structure, limit, suite->room);
 }
 
-/* ---- the answer ---- */
+/* ---- the result ---- */
 
 static void say_pounding(struct site *site, int k)
 {
@@ -202,7 +202,7 @@ static void say_bumper(struct site *site, int s, bool drift)
                            f.median, spread);
 }
 
-void thud_site_suite_answer(struct site *site)
+void thud_site_suite_summary(struct site *site)
 {
     if (!site->suite.runs)
         return;

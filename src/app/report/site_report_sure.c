@@ -1,4 +1,4 @@
-/* The section on how sure the answer is: one input at a time, all of them drawn at random, the contact's stiffness. */
+/* The section on how sure the result is: one input at a time, all of them drawn at random, the contact's stiffness. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,7 +128,7 @@ static void samples(struct site *site)
     thud_text_clear(&inputs);
 }
 
-void thud_site_samples_answer(struct site *site)
+void thud_site_samples_summary(struct site *site)
 {
     const struct thud_uncertainty *u = site->uncertainty;
     for (int q = 0; u && q < u->nquantities; q++) {
@@ -189,8 +189,8 @@ static void stiffness(struct site *site)
         add_stiffness_row(site, "ground motion turned round", &site->reversed);
     thud_document_paragraph(
         d, "The stiffness of a contact is the least known number of a scene: the command thud stiffness gives an "
-           "estimate from the slabs or the rubber. Where half or twice of it changes an answer, the "
-           "answer is not known better than that.");
+           "estimate from the slabs or the rubber. Where half or twice of it changes a result, the "
+           "result is not known better than that.");
 }
 
 void thud_site_sure_section(struct site *site)

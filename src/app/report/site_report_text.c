@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
-#include "app/run/answer_line.h"
 #include "app/run/run_figures.h"
+#include "app/run/summary_line.h"
 #include "base/version.h"
 #include "ground/identity.h"
 #include "ground/intensity.h"
@@ -24,7 +24,7 @@ static const double same_within = 0.02;
 /* A storey that drifts by more of its height would have yielded. */
 static const double drift_limit = 0.01;
 
-/* ---- the answer ---- */
+/* ---- the result ---- */
 
 int thud_site_impacts(const struct thud_result *r, int *levels)
 {
@@ -278,12 +278,12 @@ static void say_gap(struct site *site)
         char bumper[120] = "";
         if (out > 0)
             snprintf(bumper, sizeof bumper, "; %.1f cm from concrete to concrete with a bumper that stands out %.1f cm",
-                     thud_answer_gap_cm(needed + out), 100 * out);
+                     thud_summary_gap_cm(needed + out), 100 * out);
         thud_document_item(
             &site->document,
             "Under this motion nothing touches between %s and %s from a gap of %.1f cm on (%s decide%s); "
             "the gap is %.1f cm.",
-            thud_site_name(site, i - 1), thud_site_name(site, i), thud_answer_gap_cm(needed), between, bumper,
+            thud_site_name(site, i - 1), thud_site_name(site, i), thud_summary_gap_cm(needed), between, bumper,
             100 * f->gap_m);
     }
 }
@@ -320,7 +320,7 @@ static int say_failures(struct site *site)
     return n;
 }
 
-static void answer(struct site *site)
+static void solution(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct site_case *free_case = &site->cases[SITE_FREE], *none = &site->cases[SITE_NONE];
@@ -328,10 +328,10 @@ static void answer(struct site *site)
     char peak[96] = "";
     if (site->record)
         thud_record_peak_text(site->record, peak, sizeof peak);
-    thud_document_heading(d, "The answer");
+    thud_document_heading(d, "The result");
     say_failures(site);
     bool pounds = thud_site_impacts(none->result, &levels) > 0;
-    thud_site_suite_answer(site);
+    thud_site_suite_summary(site);
     if (site->record)
         thud_document_paragraph(d, "%s %s%s, %s, the buildings %s at the gap as it is.",
                                 site->suite.runs ? "One motion in detail: under" : "Under",
@@ -361,7 +361,7 @@ static void answer(struct site *site)
     say_columns(site);
     say_reversed(site);
     say_gap(site);
-    thud_site_samples_answer(site);
+    thud_site_samples_summary(site);
 }
 
 /* ---- the scene ---- */
@@ -475,7 +475,7 @@ static void motion(struct site *site)
         const struct thud_structure_result *r = &site->own->result->structure[s];
         if (!thud_site_is_building(site, s))
             continue;
-        double zeta = thud_gap_damping(site->own->answer.model, s);
+        double zeta = thud_gap_damping(site->own->solution.model, s);
         struct thud_spectrum_point p = thud_spectrum_at(site->record, r->period_s[0], zeta);
         thud_document_cell(d, "%s", thud_site_name(site, s));
         thud_document_cell(d, "%.3f", r->period_s[0]);
@@ -553,7 +553,7 @@ static void add_level_cell(struct site *site, int interface, int left, int right
     char between[320];
     thud_site_sides(site, interface, left, right, struck, between, sizeof between);
     if (site->scene->nstructures == 2 && left > 0 && right > 0)
-        thud_pairing_name(left, right, struck, between, sizeof between);
+        thud_contact_pair_name(left, right, struck, between, sizeof between);
     thud_document_cell(&site->document, "%s", between);
 }
 
@@ -649,7 +649,7 @@ static void add_column_table(struct site *site)
 
 static struct thud_figure_source source_of(const struct site_case *one)
 {
-    return thud_run_source(one->name, one->scene, one->answer.run);
+    return thud_run_source(one->name, one->scene, one->solution.run);
 }
 
 static void floors(struct site *site)
@@ -1046,8 +1046,8 @@ static void provenance(struct site *site)
 
 typedef void section(struct site *site);
 static section *const sections[] = {
-    thud_site_verdicts,     foremost, answer, scene,  thud_site_inputs, motion, cases, gap, thud_site_suite_section,
-    thud_site_sure_section, cautions, second, limits, provenance};
+    thud_site_verdicts,     foremost, solution, scene,  thud_site_inputs, motion, cases, gap, thud_site_suite_section,
+    thud_site_sure_section, cautions, second,   limits, provenance};
 
 enum thud_status thud_site_write(struct site *site, struct thud_error *err)
 {

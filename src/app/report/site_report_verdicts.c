@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
-#include "app/run/answer_line.h"
+#include "app/run/summary_line.h"
 #include "ground/identity.h"
 #include "io/preset/preset.h"
 
@@ -41,10 +41,10 @@ static void gap_rows(struct site *site, int i)
         return;
     }
     size_t n = (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm needed between bare faces under this motion",
-                                100 * f->gap_m, thud_answer_gap_cm(needed));
+                                100 * f->gap_m, thud_summary_gap_cm(needed));
     if (stands_out > 0)
         n += (size_t)snprintf(text + n, sizeof text - n, ", %.1f cm with the bumper between them",
-                              thud_answer_gap_cm(needed + stands_out));
+                              thud_summary_gap_cm(needed + stands_out));
     snprintf(text + n, sizeof text - n, ": %s",
              f->gap_m < needed                ? "not enough"
              : f->gap_m < needed + stands_out ? "enough without the bumper, not with it"
@@ -177,7 +177,7 @@ void thud_site_verdicts(struct site *site)
     char text[400], peak[96];
     thud_document_heading(&site->document, "Verdicts");
     thud_document_table(&site->document, "What was asked, and what came out");
-    row(site, "question", "answer");
+    row(site, "question", "result");
     for (int i = 1; i < site->scene->nstructures; i++)
         gap_rows(site, i);
     for (int i = SITE_NONE; i < site->ncases; i++)

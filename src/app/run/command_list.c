@@ -5,7 +5,7 @@
 
 static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_SCREEN] = {"", "[PRESET]", "the terminal interface", THUD_WORD_PRESET, THUD_WORD_NONE},
-    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one answer", THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_RUN] = {"run", "PRESET", "one scene, one result", THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_NEW] = {"new", "FILE", "a preset of two neighbours to start from", THUD_WORD_FILE, THUD_WORD_NONE},
     [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by itself the preset's own", THUD_WORD_PRESET,
                             THUD_WORD_NONE},
@@ -13,7 +13,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                           THUD_WORD_NONE},
     [THUD_COMMAND_FRAGILITY] = {"fragility", "PRESET", "how likely, against intensity and against gap",
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
-    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "how sure an answer is: inputs by name and size",
+    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "how sure a result is: inputs by name and size",
                                   THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
                               THUD_WORD_FIGURE, THUD_WORD_NONE},

@@ -8,8 +8,8 @@
 #include "base/largest.h"
 #include "base/statistics.h"
 #include "plot/figure/figure.h"
-#include "study/scene/answer.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/solution.h"
 #include "study/scene/spacing.h"
 #include "study/sweep/remark.h"
 
@@ -157,7 +157,7 @@ static enum thud_status case_start(struct thud_live_case *c, const struct thud_s
     return thud_run_create(c->model, record, &options, &c->run, &c->error);
 }
 
-/* The last answer goes aside; of a run that was cut off nothing stays, but of what was shown meanwhile. */
+/* The last result goes aside; of a run that was cut off nothing stays, but of what was shown meanwhile. */
 static void keep_old(struct thud_live_case *c)
 {
     struct thud_live_case kept = {0};
@@ -295,7 +295,7 @@ bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which)
     return live->which[which].state == THUD_LIVE_RUNNING && live->which[which].old;
 }
 
-/* What is shown of a case: its answer, or while it runs the one before. */
+/* What is shown of a case: its result, or while it runs the one before. */
 static const struct thud_result *shown(const struct thud_live *live, enum thud_live_which which)
 {
     return thud_live_is_old(live, which) ? thud_run_result(live->which[which].old) : thud_live_result(live, which);

@@ -8,7 +8,7 @@
 #include "base/quantity.h"
 #include "io/file/paths.h"
 #include "io/record/record_file.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 void thud_record_treatment_init(struct thud_record_treatment *treatment)
 {

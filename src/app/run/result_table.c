@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/run/answer_line.h"
 #include "app/run/sensitivity_table.h"
+#include "app/run/summary_line.h"
 #include "base/largest.h"
 #include "base/statistics.h"
 #include "ground/identity.h"
@@ -36,8 +36,8 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
     }
 }
 
-/* The answer, for each two neighbours; a free body goes on for ever, and there is no gap that is enough. */
-static void add_answers(const struct thud_report *report, struct thud_text *out)
+/* The result, for each two neighbours; a free body goes on for ever, and there is no gap that is enough. */
+static void add_results(const struct thud_report *report, struct thud_text *out)
 {
     enum { COLUMNS = 65 };
     struct thud_error fall;
@@ -46,7 +46,7 @@ static void add_answers(const struct thud_report *report, struct thud_text *out)
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
-        struct thud_answer_line line = {.gap_m = scene->interface[i - 1].gap_m, .need_m = NAN};
+        struct thud_summary_line line = {.gap_m = scene->interface[i - 1].gap_m, .need_m = NAN};
         char text[160];
         for (int c = 0; c < r->ncontacts; c++)
             if (r->contact[c].interface == i) {
@@ -61,11 +61,11 @@ static void add_answers(const struct thud_report *report, struct thud_text *out)
             line.abs_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_ABS, NULL);
             line.srss_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_SRSS, NULL);
         }
-        thud_answer_line(&line, COLUMNS, text, sizeof text);
+        thud_summary_line(&line, COLUMNS, text, sizeof text);
         if (scene->nstructures > 2)
-            thud_text_append(out, "answer %-7d %s\n", i, text);
+            thud_text_append(out, "summary %-6d %s\n", i, text);
         else
-            thud_text_append(out, "answer         %s\n", text);
+            thud_text_append(out, "summary        %s\n", text);
     }
 }
 
@@ -159,7 +159,7 @@ static void add_truncation(const struct thud_truncation *t, struct thud_text *ou
 void thud_result_table(const struct thud_report *report, struct thud_text *out)
 {
     add_head(report, out);
-    add_answers(report, out);
+    add_results(report, out);
     for (int s = 0; s < report->result->nstructures; s++)
         add_structure(report, s, out);
     add_contacts(report, out);

@@ -61,7 +61,7 @@ static enum thud_status run_free(struct thud_session *session, const struct thud
     if (!linked)
         thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, NULL);
     enum thud_status status =
-        thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->answer, err);
+        thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->solution, err);
     session->scene = *kept;
     free(kept);
     return status;
@@ -72,7 +72,7 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
 {
     struct thud_run_options plain = *options;
     struct thud_baseline_motion *baseline = NULL;
-    const struct thud_model *model = cases->item[0].answer.model;
+    const struct thud_model *model = cases->item[0].solution.model;
     plain.keep_history = plain.keep_impacts = false;
     bool done = false;
     enum thud_status status = thud_baseline_create(model, record, &plain, &baseline, err);
@@ -104,8 +104,8 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
     if (status == THUD_OK)
         status = run_free(session, cases, options, &cases->item[0], err);
     for (int i = 1; i < cases->n && status == THUD_OK; i++)
-        status = thud_session_run(session, cases->item[i].which, options, &cases->item[i].scene, &cases->item[i].answer,
-                                  err);
+        status = thud_session_run(session, cases->item[i].which, options, &cases->item[i].scene,
+                                  &cases->item[i].solution, err);
     if (status == THUD_OK)
         status = find_needs(cases, session->record, options, err);
     cases->record = session->record;
@@ -120,14 +120,14 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
 void thud_run_cases_free(struct thud_run_cases *cases)
 {
     for (int i = 0; cases && i < cases->n; i++)
-        thud_answer_clear(&cases->item[i].answer);
+        thud_solution_clear(&cases->item[i].solution);
     free(cases);
 }
 
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)
 {
     for (int i = 0; i < cases->n; i++)
-        source[i] = thud_run_source(cases->item[i].name, &cases->item[i].scene, cases->item[i].answer.run);
+        source[i] = thud_run_source(cases->item[i].name, &cases->item[i].scene, cases->item[i].solution.run);
     return cases->n;
 }
 
@@ -135,7 +135,7 @@ int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figur
 
 static const struct thud_result *result_of(const struct thud_run_cases *cases, int i)
 {
-    return thud_run_result(cases->item[i].answer.run);
+    return thud_run_result(cases->item[i].solution.run);
 }
 
 static double peak(const struct thud_run_cases *cases, int i, int structure, int floor, bool drift)

@@ -11,7 +11,7 @@ struct thud_run_case {
     const char *name, *folder; /* "no bumper", "none" */
     enum thud_case which;      /* THUD_CASE_AS_WRITTEN: no pounding */
     struct thud_scene scene;
-    struct thud_answer answer;
+    struct thud_solution solution;
 };
 
 /* Freed by thud_run_cases_free. */

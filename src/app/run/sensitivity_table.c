@@ -20,7 +20,7 @@ static void add_contacts(const struct thud_report *report, struct thud_text *out
     for (int c = 0; c < s->ncontacts; c++) {
         const struct thud_contact_result *r = &report->result->contact[c];
         char pair[40];
-        thud_pairing_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
+        thud_contact_pair_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
         thud_text_append(out, "%5d    %-13s", r->interface, pair);
         for (int k = 0; k < THUD_CONTACT_SPREADS; k++)
             add_spread(out, &s->contact[c][k]);
@@ -78,7 +78,7 @@ static void add_digits(const struct thud_report *report, struct thud_text *out)
         for (int q = 0; q < THUD_CONTACT_SPREADS; q++) {
             const struct thud_contact_result *r = &report->result->contact[c];
             char pair[40];
-            thud_pairing_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
+            thud_contact_pair_name(r->left_floor, r->right_floor, r->struck, pair, sizeof pair);
             if (look(&worst, &s->contact[c][q]))
                 snprintf(worst.peak, sizeof worst.peak, "peak %s of contact %s of interface %d", contact_peak[q], pair,
                          r->interface);

@@ -130,24 +130,24 @@ enum thud_status thud_session_case(struct thud_session *session, enum thud_case 
 
 enum thud_status thud_session_run(struct thud_session *session, enum thud_case which,
                                   const struct thud_run_options *options, struct thud_scene *scene,
-                                  struct thud_answer *answer, struct thud_error *err)
+                                  struct thud_solution *solution, struct thud_error *err)
 {
-    *answer = (struct thud_answer){0};
+    *solution = (struct thud_solution){0};
     enum thud_status status = thud_session_case(session, which, scene, err);
     if (status == THUD_OK)
-        status = thud_scene_answer(scene, session->record, options, answer, err);
+        status = thud_scene_solve(scene, session->record, options, solution, err);
     return status;
 }
 
 struct thud_report thud_session_report(const struct thud_session *session, const struct thud_scene *scene,
-                                       enum thud_case which, const struct thud_answer *answer)
+                                       enum thud_case which, const struct thud_solution *solution)
 {
     struct thud_report report = {.scene = scene,
                                  .which = thud_case_name(which),
                                  .record = session->record,
-                                 .result = thud_run_result(answer->run),
-                                 .history = thud_run_history(answer->run)};
-    report.impact = thud_run_impacts(answer->run, &report.nimpacts);
-    report.event = thud_run_events(answer->run, &report.nevents);
+                                 .result = thud_run_result(solution->run),
+                                 .history = thud_run_history(solution->run)};
+    report.impact = thud_run_impacts(solution->run, &report.nimpacts);
+    report.event = thud_run_events(solution->run, &report.nevents);
     return report;
 }

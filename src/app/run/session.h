@@ -7,7 +7,7 @@
 #include "io/file/paths.h"
 #include "io/preset/preset.h"
 #include "io/result/result_file.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 struct thud_session {
     struct thud_paths paths;
@@ -42,13 +42,13 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
 enum thud_status thud_session_case(struct thud_session *session, enum thud_case which, struct thud_scene *scene,
                                    struct thud_error *err);
 /* Runs a case of the session's scene. `options` NULL: from the scene. *scene gets the case's scene. On
- * THUD_DIVERGED the answer is kept for what came before. Errors: as thud_scene_case and thud_scene_answer. */
+ * THUD_DIVERGED the result is kept for what came before. Errors: as thud_scene_case and thud_scene_solve. */
 enum thud_status thud_session_run(struct thud_session *session, enum thud_case which,
                                   const struct thud_run_options *options, struct thud_scene *scene,
-                                  struct thud_answer *answer, struct thud_error *err);
+                                  struct thud_solution *solution, struct thud_error *err);
 
 /* What the result is shown with; `scene` must stay. */
 struct thud_report thud_session_report(const struct thud_session *session, const struct thud_scene *scene,
-                                       enum thud_case which, const struct thud_answer *answer);
+                                       enum thud_case which, const struct thud_solution *solution);
 
 #endif

@@ -103,7 +103,7 @@ void thud_gap_study_clear(struct thud_gap_study *study)
 /* "2-3", "wall-1", "2-c3" */
 static const char *floors(const struct thud_gap_level *level, char text[24])
 {
-    thud_pairing_name(level->left_floor, level->right_floor, level->struck, text, 24);
+    thud_contact_pair_name(level->left_floor, level->right_floor, level->struck, text, 24);
     return text;
 }
 

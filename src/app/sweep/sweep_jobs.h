@@ -21,7 +21,7 @@ struct thud_sweep_jobs {
 };
 
 /* Errors: THUD_CANCELLED; those of `take`, which end the work; those of groups; THUD_MEMORY. What was taken before
- * stays taken. A run without an answer is no error (see struct thud_sweep_effort). */
+ * stays taken. A run without a result is no error (see struct thud_sweep_effort). */
 enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct thud_error *err);
 
 /* The same work for a caller that has more to do than to wait for it, as a screen has. The plan must stay until the

@@ -119,7 +119,7 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     bool varies = thud_sweep_points(plan) > thud_sweep_points_per_group(plan) * table->nrecords;
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
-    thud_pairing_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
+    thud_contact_pair_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
     thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->closing_m, interface, pair);
     if (varies)
         thud_text_append(out, " at %s", place_of_need(plan, worst, at));
@@ -320,7 +320,7 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
             out, "spread under %g %% less or more gap, ground motion and stiffness, one at a time: %ld more runs\n",
             100 * plan->sensitivity, total->changed.made + total->changed.free);
         if (total->changed.failed > 0)
-            thud_text_append(out, "%ld of them have no answer: the spread is missing there\n", total->changed.failed);
+            thud_text_append(out, "%ld of them have no result: the spread is missing there\n", total->changed.failed);
     }
     if (total->shared_runs > 0) {
         put_runs(total->shared_runs, out);
@@ -331,7 +331,7 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
         thud_text_append(out, "%ld contacts that nothing can close were left out\n", total->left_out);
     put_missing(plan, "is", "are", " not possible", total->impossible, total->impossible_point, total->impossible_case,
                 true, out);
-    put_missing(plan, "has", "have", " no answer (the integration failed)", total->diverged, total->diverged_point,
+    put_missing(plan, "has", "have", " no result (the integration failed)", total->diverged, total->diverged_point,
                 total->diverged_case, false, out);
 }
 

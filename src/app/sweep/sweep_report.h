@@ -8,7 +8,7 @@
  * rules. */
 void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_sweep_outcome *outcome,
                        struct thud_text *out);
-/* How many runs were asked for, made and saved, and what has no answer. */
+/* How many runs were asked for, made and saved, and what has no result. */
 void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thud_sweep_total *total,
                             struct thud_text *out);
 /* The best value of an axis. Errors: THUD_MEMORY. */

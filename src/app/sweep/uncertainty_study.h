@@ -1,4 +1,4 @@
-/* How sure an answer is: the samples made by several threads, and what they say as table, CSV, JSON. */
+/* How sure a result is: the samples made by several threads, and what they say as table, CSV, JSON. */
 #ifndef THUD_APP_UNCERTAINTY_STUDY_H
 #define THUD_APP_UNCERTAINTY_STUDY_H
 
@@ -52,7 +52,7 @@ enum thud_of_input {
 /* What is told of a quantity; NaN where there are no samples or indices. */
 struct thud_uncertainty_told {
     double nominal, low, median, high; /* as it is; 5, 50 and 95 % of the samples */
-    double below, count;               /* share of the samples below 1 (of ratios), and how many have an answer */
+    double below, count;               /* share of the samples below 1 (of ratios), and how many have a result */
     double touches;                    /* share of the samples that are above 0 */
     double between;                    /* share of the variance that lies between the ground motions' means */
     double of[THUD_OF_INPUTS][THUD_DRAWN_MAX];

@@ -183,7 +183,7 @@ static bool fill_level(struct thud_responses *x, struct level *level, double h)
     return true;
 }
 
-/* Modes that move by themselves, one table for all contacts, answer to a contact's force as much as its row has of them;
+/* Modes that move by themselves, one table for all contacts, respond to a contact's force as much as its row has of them;
  * where damping couples them, each contact has its own table. */
 static const double *table_of(const struct thud_responses *x, const struct level *level, int c)
 {
@@ -316,7 +316,7 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
     memcpy(v, sum.rate, sizeof sum.rate);
 }
 
-/* Number of terms of contact c's answer to a rise of the ground acceleration. */
+/* Number of terms of contact c's response to a rise of the ground acceleration. */
 static int ramp_of(struct thud_responses *x, int c)
 {
     /* what is left out of what a bend adds is far below that of the rest */

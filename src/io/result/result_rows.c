@@ -177,7 +177,7 @@ static void make_contact(const void *of, int i, void *out)
     struct contact_row *row = out;
     bool struck = thud_contact_struck(c);
     *row = (struct contact_row){.peak = *c, .columns = thud_struck_name(c->struck), .pair = row->pair_text};
-    thud_pairing_name(c->left_floor, c->right_floor, c->struck, row->pair_text, sizeof row->pair_text);
+    thud_contact_pair_name(c->left_floor, c->right_floor, c->struck, row->pair_text, sizeof row->pair_text);
     if (c->impacts == 0 && c->contact_time_s == 0 && c->impulse_ns == 0)
         row->idle = "no contact";
     if (!struck)

@@ -76,7 +76,7 @@ const struct thud_schema thud_curve_key_schema =
         THUD_COLUMN(struct thud_stripe_row, member, #member, text)                                                     \
     }
 static const struct thud_column stripes[] = {
-    STRIPE(motions, "Ground motions with an answer."),
+    STRIPE(motions, "Ground motions with a result."),
     STRIPE(count, "Of those, how many show the event."),
     STRIPE(share, "Share that they are."),
     STRIPE(share_low,

@@ -90,7 +90,7 @@ static enum thud_status unreadable(const struct thud_sweep_journal *journal, str
     return refuse(journal, err);
 }
 
-/* Another version may answer in other digits; a study is of one. */
+/* Another version may give in other digits; a study is of one. */
 static enum thud_status check_version(const struct thud_sweep_journal *journal, const char *version,
                                       struct thud_error *err)
 {

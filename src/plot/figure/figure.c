@@ -166,10 +166,10 @@ void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double lea
     panel->axis[side].most = most;
 }
 
-void thud_panel_answers_on_x(struct thud_panel *panel)
+void thud_panel_results_on_x(struct thud_panel *panel)
 {
     if (panel)
-        panel->axis[THUD_X].answers = true;
+        panel->axis[THUD_X].results = true;
 }
 
 void thud_panel_log(struct thud_panel *panel, enum thud_side side)

@@ -1,4 +1,4 @@
-/* What the axes of a panel show, and the key of a figure: one answer for every way of drawing. */
+/* What the axes of a panel show, and the key of a figure: one result for every way of drawing. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -76,9 +76,9 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
     range.step = round_step(width, side == THUD_X ? 7 : 6);
     if (tight)
         return range;
-    /* along x a fifth of a step is round enough; no answer shall lie on the frame, except at 0 */
+    /* along x a fifth of a step is round enough; no result shall lie on the frame, except at 0 */
     double unit = side == THUD_X ? 0.2 * range.step : range.step,
-           hair = side == THUD_Y || axis->answers ? 0.02 * width : 0.0;
+           hair = side == THUD_Y || axis->results ? 0.02 * width : 0.0;
     double bottom = range.least >= 0.0 ? 0.0 : -INFINITY; /* what is never negative needs no room there */
     if (isnan(axis->least))
         range.least = fmax(bottom, unit * floor((range.least - (range.least == 0.0 ? 0.0 : hair)) / unit + 1e-9));

@@ -118,7 +118,7 @@ struct thud_figure *thud_figure_columns(const struct thud_figure_source *source,
         snprintf(text, sizeof text, "%.60s, struck by %.60s", own->name, other->name);
         struct thud_panel *panel = thud_figure_panel(figure, 0, p, text);
         thud_panel_axis(panel, THUD_X, "Largest shear", "kN");
-        thud_panel_answers_on_x(panel);
+        thud_panel_results_on_x(panel);
         thud_panel_axis(panel, THUD_Y, "Height", "m");
         thud_panel_limits(panel, THUD_X, 0.0, NAN);
         for (int k = 0; k < nsources; k++)

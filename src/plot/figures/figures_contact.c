@@ -231,7 +231,7 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
     thud_panel_axis(panel, THUD_X, "Indentation", "mm");
-    thud_panel_answers_on_x(panel);
+    thud_panel_results_on_x(panel);
     thud_panel_limits(panel, THUD_X, 0.0, NAN);
     thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
     for (int i = 0; i < n; i++) {

@@ -88,7 +88,7 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
         for (int q = 0; q < QUANTITIES; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, row, q, structure->name);
             thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
-            thud_panel_answers_on_x(panel);
+            thud_panel_results_on_x(panel);
             thud_panel_axis(panel, THUD_Y, "Height", "m");
             thud_panel_limits(panel, THUD_X, 0.0, NAN);
             for (int s = 0; s < nsources; s++)

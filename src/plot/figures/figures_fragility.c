@@ -202,7 +202,7 @@ struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis,
     for (int c = 0; c < columns; c++) {
         struct thud_panel *panel = thud_figure_panel(figure, 0, c, plan->scene.structure[structure[c]].name);
         thud_panel_axis(panel, THUD_X, "Largest interstorey deflection", "cm");
-        thud_panel_answers_on_x(panel);
+        thud_panel_results_on_x(panel);
         thud_panel_limits(panel, THUD_X, 0, NAN);
         thud_panel_varied(panel, THUD_Y, &plan->axis[axis]);
         thud_panel_limits(panel, THUD_Y, 0, NAN);

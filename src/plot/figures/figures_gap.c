@@ -20,7 +20,7 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
         char text[40];
         const struct thud_gap_level *p = &first->level[l];
         int used = several ? snprintf(text, sizeof text, "%d: ", p->interface) : 0;
-        thud_pairing_name(p->left_floor, p->right_floor, p->struck, text + used, sizeof text - (size_t)used);
+        thud_contact_pair_name(p->left_floor, p->right_floor, p->struck, text + used, sizeof text - (size_t)used);
         thud_panel_tick(panel, THUD_X, l + 1, text);
     }
     thud_panel_limits(panel, THUD_X, 0.5, n + 0.5);

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "plot/figures/figures_paper.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 static const double step_s = 5e-4;
 
@@ -14,15 +14,15 @@ static const struct {
 } cases[THUD_PAPER_PAIRS] = {
     {"no bumper", false, 0.5, 0}, {"bumper", true, 0.5, 1}, {"no bumper", false, 1.0, 0}, {"bumper", true, 1.0, 1}};
 
-static enum thud_status run_case(int i, struct thud_answer *answer, struct thud_error *err)
+static enum thud_status run_case(int i, struct thud_solution *solution, struct thud_error *err)
 {
-    struct thud_pair pair;
+    struct thud_two_body pair;
     if (cases[i].rubber)
-        thud_pair_rubber(&pair);
+        thud_two_body_rubber(&pair);
     else
-        thud_pair_concrete(&pair);
+        thud_two_body_concrete(&pair);
     pair.closing_mps = cases[i].closing_mps;
-    return thud_pair_run(&pair, step_s, answer, err);
+    return thud_two_body_run(&pair, step_s, solution, err);
 }
 
 enum trace { FORCE, INDENTATION, RELATIVE_VELOCITY, ACCELERATION, TIME };
@@ -45,10 +45,10 @@ static double value(const struct thud_history *h, size_t i, enum trace what)
 }
 
 /* Against time the whole run, against indentation while in contact. */
-static void line(struct thud_panel *panel, const struct thud_answer *answer, enum trace on_x, enum trace on_y,
+static void line(struct thud_panel *panel, const struct thud_solution *solution, enum trace on_x, enum trace on_y,
                  struct thud_style style, const char *name)
 {
-    const struct thud_history *h = thud_run_history(answer->run);
+    const struct thud_history *h = thud_run_history(solution->run);
     struct thud_series *series = thud_panel_add(panel, style, name, h->rows + 2, NULL, NULL);
     if (!series)
         return;
@@ -97,17 +97,17 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
 {
     struct thud_figure *figure = thud_figure_create("fig2", "The rubber bumper: force against indentation", 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    struct thud_pair pair;
-    struct thud_answer answer = {0};
-    thud_pair_rubber(&pair);
+    struct thud_two_body pair;
+    struct thud_solution solution = {0};
+    thud_two_body_rubber(&pair);
     pair.closing_mps = 0.6;
-    enum thud_status status = thud_pair_run(&pair, step_s, &answer, err);
+    enum thud_status status = thud_two_body_run(&pair, step_s, &solution, err);
     paper_axis(panel, THUD_X, INDENTATION);
     paper_axis(panel, THUD_Y, FORCE);
     thud_panel_limits(panel, THUD_X, 0.0, 50.0);
     thud_panel_limits(panel, THUD_Y, 0.0, NAN);
     if (status == THUD_OK) {
-        const struct thud_history *h = thud_run_history(answer.run);
+        const struct thud_history *h = thud_run_history(solution.run);
         struct thud_style style[2] = {{.color = 0}, {.color = 1}};
         struct thud_series *way[2] = {
             thud_panel_add(panel, style[0], "approach: F = k δⁿ", h->rows, NULL, NULL),
@@ -133,7 +133,7 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
     thud_panel_mark(panel, THUD_X, 40.0, 40.0, "ultimate strain, 0.8 of 5 cm");
     thud_figure_note(figure, "k = 0.36 kN/mm²·⁶⁵, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
                              "the ultimate strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return finish(figure, status, out, err);
 }
 
@@ -220,19 +220,19 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
     thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, "ultimate strain");
     enum thud_status status = THUD_OK;
     for (int i = 0; i < 3 && status == THUD_OK; i++) {
-        struct thud_pair pair;
-        struct thud_answer answer;
+        struct thud_two_body pair;
+        struct thud_solution solution;
         char name[32];
-        thud_pair_rubber(&pair);
-        thud_pair_set(&pair, "restitution", thud_paper_fig3_restitution[i]);
+        thud_two_body_rubber(&pair);
+        thud_two_body_set(&pair, "restitution", thud_paper_fig3_restitution[i]);
         pair.closing_mps = thud_paper_fig3_mps;
-        status = thud_pair_run(&pair, step_s, &answer, err);
+        status = thud_two_body_run(&pair, step_s, &solution, err);
         if (status != THUD_OK)
             break;
         snprintf(name, sizeof name, "COR %g", thud_paper_fig3_restitution[i]);
         for (int p = 0; p < 2; p++)
-            line(panel[p], &answer, on_x[p], FORCE, (struct thud_style){.color = i}, name);
-        thud_answer_clear(&answer);
+            line(panel[p], &solution, on_x[p], FORCE, (struct thud_style){.color = i}, name);
+        thud_solution_clear(&solution);
     }
     thud_figure_note(
         figure, "Bumper of Table 1 between two free bodies of 320 t closing at 1.2 m/s. Eq. (5) as printed: the force "
@@ -254,12 +254,12 @@ enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error 
         thud_panel_limits(panel[p], THUD_Y, 0.0, 18.0);
     }
     for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
-        struct thud_answer answer;
-        status = run_case(i, &answer, err);
+        struct thud_solution solution;
+        status = run_case(i, &solution, err);
         if (status != THUD_OK)
             break;
-        line(panel[i / 2], &answer, INDENTATION, FORCE, (struct thud_style){.color = cases[i].color}, cases[i].name);
-        thud_answer_clear(&answer);
+        line(panel[i / 2], &solution, INDENTATION, FORCE, (struct thud_style){.color = cases[i].color}, cases[i].name);
+        thud_solution_clear(&solution);
     }
     return finish(figure, status, out, err);
 }
@@ -271,8 +271,8 @@ enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error 
         thud_figure_create("fig5", "Two rigid bodies of 320 t: force, velocity and acceleration", 3, 2);
     enum thud_status status = THUD_OK;
     for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
-        struct thud_answer answer;
-        status = run_case(i, &answer, err);
+        struct thud_solution solution;
+        status = run_case(i, &solution, err);
         if (status != THUD_OK)
             break;
         for (int row = 0; row < 3; row++) {
@@ -280,9 +280,9 @@ enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error 
                 thud_figure_panel(figure, row, i / 2, i < 2 ? "Closing at 0.5 m/s" : "Closing at 1.0 m/s");
             paper_axis(panel, THUD_X, TIME);
             paper_axis(panel, THUD_Y, on_y[row]);
-            line(panel, &answer, TIME, on_y[row], (struct thud_style){.color = cases[i].color}, cases[i].name);
+            line(panel, &solution, TIME, on_y[row], (struct thud_style){.color = cases[i].color}, cases[i].name);
         }
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     thud_figure_note(figure,
                      "Relative velocity: left minus right body; acceleration: of the right body. First touch at 0 ms.");
@@ -292,15 +292,15 @@ enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error 
 enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error *err)
 {
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
-        struct thud_answer answer;
-        enum thud_status status = run_case(i, &answer, err);
+        struct thud_solution solution;
+        enum thud_status status = run_case(i, &solution, err);
         if (status != THUD_OK)
             return status;
-        const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
+        const struct thud_contact_result *contact = &thud_run_result(solution.run)->contact[0];
         out[i] = (struct thud_paper_pair){
             cases[i].name,           cases[i].closing_mps,         contact->force.value, contact->indentation.value,
             contact->contact_time_s, contact->nominal_restitution, contact->restitution, contact->residual_m};
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     return THUD_OK;
 }

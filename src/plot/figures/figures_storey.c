@@ -75,7 +75,7 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
         snprintf(text, sizeof text, "%s, storey %d", source->scene->structure[at->structure].name, at->floor + 1);
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, text);
         thud_panel_axis(panel, THUD_X, "Drift", "mm");
-        thud_panel_answers_on_x(panel);
+        thud_panel_results_on_x(panel);
         thud_panel_axis(panel, THUD_Y, "Shear", shown.unit);
         for (int s = 0; s < nsources; s++)
             loop(panel, &source[s], at->storey, shown.factor, nsources > 1 ? source[s].name : "", s);
@@ -134,7 +134,7 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
         for (int q = 0; q < QUANTITIES; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, row, q, source->scene->structure[i].name);
             thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
-            thud_panel_answers_on_x(panel);
+            thud_panel_results_on_x(panel);
             thud_panel_axis(panel, THUD_Y, "Height", "m");
             if (q == DUCTILITY) {
                 thud_panel_limits(panel, THUD_X, 0.0, NAN);

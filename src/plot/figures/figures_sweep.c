@@ -756,7 +756,7 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
              free                      ? "Ratio to no pounding; red: pounding harms;"
              : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
                                        : "Ratio to no bumper at the same gap; blue: the bumper helps;",
-             line ? " line: ratio 1 where something touches;" : "", " white: no change; empty: no answer.");
+             line ? " line: ratio 1 where something touches;" : "", " white: no change; empty: no result.");
     thud_figure_note(figure, text);
     return figure;
 }

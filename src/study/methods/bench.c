@@ -22,7 +22,7 @@ struct thud_bench {
     struct thud_run_options options; /* common to all */
     struct thud_bench_point *point;
     int npoints;
-    struct thud_bench_answer reference[2];
+    struct thud_bench_solution reference[2];
     double reference_error;
 };
 
@@ -82,7 +82,7 @@ void thud_bench_free(struct thud_bench *bench)
     if (!bench)
         return;
     for (int i = 0; i < 2; i++)
-        thud_bench_answer_clear(&bench->reference[i]);
+        thud_bench_solution_clear(&bench->reference[i]);
     thud_model_free(bench->model);
     free(bench->point);
     free(bench);
@@ -143,7 +143,7 @@ enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which,
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
                                              struct thud_error *err)
 {
-    enum thud_status status = run ? thud_bench_answer_take(run, &bench->reference[which], err) : THUD_OK;
+    enum thud_status status = run ? thud_bench_solution_take(run, &bench->reference[which], err) : THUD_OK;
     thud_run_free(run);
     if (status == THUD_OK && bench->reference[0].there && bench->reference[1].there)
         bench->reference_error = thud_bench_compare(&bench->reference[1], &bench->reference[0]).all;
@@ -172,20 +172,20 @@ enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct 
                                   const struct thud_error *failure, struct thud_error *err)
 {
     struct thud_bench_point *p = &bench->point[i];
-    struct thud_bench_answer answer;
+    struct thud_bench_solution solution;
     p->work = thud_run_result(run)->work;
     if (status != THUD_OK) {
         p->state = THUD_BENCH_FAILED;
         snprintf(p->message, sizeof p->message, "%.180s", failure->what);
         return THUD_OK;
     }
-    status = thud_bench_answer_take(run, &answer, err);
+    status = thud_bench_solution_take(run, &solution, err);
     if (status != THUD_OK)
         return status;
     /* no method is its own judge */
     bool own = bench->reference[1].there && p->method == thud_method_find(reference_names[0]);
-    p->error = thud_bench_compare(&answer, &bench->reference[own]);
+    p->error = thud_bench_compare(&solution, &bench->reference[own]);
     p->state = THUD_BENCH_DONE;
-    thud_bench_answer_clear(&answer);
+    thud_bench_solution_clear(&solution);
     return THUD_OK;
 }

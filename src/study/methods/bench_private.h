@@ -4,7 +4,7 @@
 #include "study/methods/bench.h"
 
 /* What is compared: peaks and impacts of one run. */
-struct thud_bench_answer {
+struct thud_bench_solution {
     double *acceleration, *drift, *force; /* (floors), (floors), (contacts) */
     struct thud_impact *impact;           /* (nimpacts) those of some weight */
     int floors, contacts, nimpacts;
@@ -12,10 +12,10 @@ struct thud_bench_answer {
 };
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_bench_answer_take(const struct thud_run *run, struct thud_bench_answer *out,
-                                        struct thud_error *err);
-void thud_bench_answer_clear(struct thud_bench_answer *answer);
-struct thud_bench_errors thud_bench_compare(const struct thud_bench_answer *answer,
-                                            const struct thud_bench_answer *reference);
+enum thud_status thud_bench_solution_take(const struct thud_run *run, struct thud_bench_solution *out,
+                                          struct thud_error *err);
+void thud_bench_solution_clear(struct thud_bench_solution *solution);
+struct thud_bench_errors thud_bench_compare(const struct thud_bench_solution *solution,
+                                            const struct thud_bench_solution *reference);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include "core/laws/law_closed_form.h"
 #include "ground/spectrum.h"
-#include "study/scene/answer.h"
-#include "study/scene/pair.h"
+#include "study/scene/solution.h"
+#include "study/scene/two_body.h"
 
 static const double print = 5e-3;    /* relative: rounding of what is printed, and reading from it */
 static const double identity = 1e-9; /* of two ways to compute one thing: rounding */
@@ -84,11 +84,11 @@ static struct frame frame_of(const struct thud_scene *scene, const struct thud_r
 static enum thud_status run_frame(const struct thud_scene *scene, const struct thud_record *record, struct frame *out,
                                   struct thud_error *err)
 {
-    struct thud_answer answer;
-    enum thud_status status = thud_scene_answer(scene, record, NULL, &answer, err);
+    struct thud_solution solution;
+    enum thud_status status = thud_scene_solve(scene, record, NULL, &solution, err);
     if (status == THUD_OK)
-        *out = frame_of(scene, thud_run_result(answer.run));
-    thud_answer_clear(&answer);
+        *out = frame_of(scene, thud_run_result(solution.run));
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -203,23 +203,23 @@ static enum thud_status vm65(const struct thud_scene *scene, const struct thud_r
                              struct thud_error *err)
 {
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     int impacts = 0;
     if (!scene || !record || scene->nstructures != 2 || scene->structure[1].kind != THUD_RIGID)
         return thud_error_set(err, THUD_INPUT, "the published numbers are of a body that falls on a wall's spring");
     enum thud_status status = thud_scene_options(scene, &options, err);
     options.keep_impacts = true;
     if (status == THUD_OK)
-        status = thud_scene_answer(scene, record, &options, &answer, err);
+        status = thud_scene_solve(scene, record, &options, &solution, err);
     if (status == THUD_OK) {
-        const struct thud_impact *impact = thud_run_impacts(answer.run, &impacts);
+        const struct thud_impact *impact = thud_run_impacts(solution.run, &impacts);
         double inch = 0.0254;
         add(rows, "time of touch", "s", 1, 0.071982, impacts > 0 ? impact[0].start_s : NAN);
         add(rows, "speed of touch", "in/s", inch, 27.785, impacts > 0 ? impact[0].approach_mps : NAN);
         add(rows, "largest drop", "in", inch, 1.5507,
-            thud_run_result(answer.run)->structure[1].floor[0].displacement.value);
+            thud_run_result(solution.run)->structure[1].floor[0].displacement.value);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -233,11 +233,11 @@ static enum thud_status oscillators(bool wall, double *force_n, double *indentat
         {.n = 1, .mass_kg = &mass_kg, .stiffness_npm = &stiffness_npm, .damping = 0.05, .velocity_mps = 0.5},
         {.n = 1, .mass_kg = &mass_kg, .stiffness_npm = &stiffness_npm, .damping = 0.05, .velocity_mps = -0.5},
     };
-    struct thud_pair pair;
-    thud_pair_concrete(&pair);
+    struct thud_two_body pair;
+    thud_two_body_concrete(&pair);
     if (wall) {
         side[1] = (struct thud_structure_input){.n = 0};
-        thud_pair_set(&pair, "stiffness", 2 * pair.setup.value[thud_law_param(pair.law, "stiffness")]);
+        thud_two_body_set(&pair, "stiffness", 2 * pair.setup.value[thud_law_param(pair.law, "stiffness")]);
     }
     struct thud_contact_input contact = {.interface = 1,
                                          .left_floor = 1,
@@ -249,21 +249,21 @@ static enum thud_status oscillators(bool wall, double *force_n, double *indentat
                                          .setup = pair.setup};
     struct thud_model_input input = {.nstructures = 2, .structure = side, .ncontacts = 1, .contact = &contact};
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     bool done = false;
     thud_run_options_init(&options);
     options.tail_s = duration_s;
-    enum thud_status status = thud_model_create(&input, &answer.model, err);
+    enum thud_status status = thud_model_create(&input, &solution.model, err);
     if (status == THUD_OK)
-        status = thud_run_create(answer.model, NULL, &options, &answer.run, err);
+        status = thud_run_create(solution.model, NULL, &options, &solution.run, err);
     while (status == THUD_OK && !done)
-        status = thud_run_advance(answer.run, 1000, &done, err);
+        status = thud_run_advance(solution.run, 1000, &done, err);
     if (status == THUD_OK) {
-        const struct thud_contact_result *r = &thud_run_result(answer.run)->contact[0];
+        const struct thud_contact_result *r = &thud_run_result(solution.run)->contact[0];
         *force_n = r->force.value;
         *indentation_m = r->indentation.value;
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -283,16 +283,17 @@ static enum thud_status two_oscillators(struct rows *rows, struct thud_error *er
 
 static enum thud_status lankarani(struct rows *rows, struct thud_error *err)
 {
-    struct thud_answer answer = {0};
-    struct thud_pair pair;
-    thud_pair_concrete(&pair);
+    struct thud_solution solution = {0};
+    struct thud_two_body pair;
+    thud_two_body_concrete(&pair);
     pair.law = thud_law_find("hertz-damp");
     thud_law_defaults(pair.law, &pair.setup); /* formula muthukumar: 3 (1 - e^2)/4, as Lankarani and Nikravesh */
-    thud_pair_set(&pair, "restitution", 0.3);
-    enum thud_status status = thud_pair_run(&pair, 0, &answer, err);
+    thud_two_body_set(&pair, "restitution", 0.3);
+    enum thud_status status = thud_two_body_run(&pair, 0, &solution, err);
     if (status == THUD_OK)
-        add(rows, "restitution of two bodies of 320 t", "", 1, 0.684, thud_pair_separation(&answer) / pair.closing_mps);
-    thud_answer_clear(&answer);
+        add(rows, "restitution of two bodies of 320 t", "", 1, 0.684,
+            thud_two_body_separation(&solution) / pair.closing_mps);
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -303,20 +304,20 @@ static enum thud_status cart(struct rows *rows, struct thud_error *err)
     const double mass_kg = 0.575, closing_mps = 0.85, e = 0.875, duration_s = 0.26;
     const double measured_n = (5.38 + 5.44 + 5.39) / 3;
     double xi = thud_kelvin_voigt_cut_xi(e), damped = sqrt(1 - xi * xi), omega = 2 * acos(xi) / (damped * duration_s);
-    struct thud_answer answer = {0};
-    struct thud_pair pair;
-    thud_pair_concrete(&pair);
+    struct thud_solution solution = {0};
+    struct thud_two_body pair;
+    thud_two_body_concrete(&pair);
     pair.mass_kg[0] = pair.mass_kg[1] = 2 * mass_kg; /* two bodies of twice the mass are one before a wall */
     pair.closing_mps = closing_mps;
     pair.duration_s = 2 * duration_s;
-    thud_pair_set(&pair, "stiffness", mass_kg * omega * omega);
-    thud_pair_set(&pair, "restitution", e);
-    thud_pair_set(&pair, "damping", 1); /* exact */
-    enum thud_status status = thud_pair_run(&pair, 0, &answer, err);
+    thud_two_body_set(&pair, "stiffness", mass_kg * omega * omega);
+    thud_two_body_set(&pair, "restitution", e);
+    thud_two_body_set(&pair, "damping", 1); /* exact */
+    enum thud_status status = thud_two_body_run(&pair, 0, &solution, err);
     if (status == THUD_OK)
         add(rows, "largest force, mean of three", "N", 1, measured_n,
-            thud_run_result(answer.run)->contact[0].force.value);
-    thud_answer_clear(&answer);
+            thud_run_result(solution.run)->contact[0].force.value);
+    thud_solution_clear(&solution);
     return status;
 }
 

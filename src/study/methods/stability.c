@@ -99,15 +99,15 @@ static void plan(struct thud_stability *s)
 /* The scene by the exact method: what the others are held against. */
 static enum thud_status measure_scene(struct thud_stability *s, const struct thud_scene *scene, struct thud_error *err)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     enum thud_status status = thud_scene_options(scene, &s->options, err);
     if (status != THUD_OK)
         return status;
     s->options.method = thud_method_find("exact");
-    status = thud_scene_answer(scene, s->record, &s->options, &answer, err);
+    status = thud_scene_solve(scene, s->record, &s->options, &solution, err);
     if (status == THUD_OK) {
-        s->model = answer.model;
-        answer.model = NULL;
+        s->model = solution.model;
+        solution.model = NULL;
         s->peak_m = calloc((size_t)s->model->ndof, sizeof *s->peak_m);
         if (!s->peak_m)
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -115,7 +115,7 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
     if (status == THUD_OK)
         for (int i = 0; i < s->model->ndof; i++) {
             const struct thud_model_structure *p = &s->model->structure[s->model->dof_structure[i]];
-            s->peak_m[i] = thud_run_result(answer.run)
+            s->peak_m[i] = thud_run_result(solution.run)
                                ->structure[s->model->dof_structure[i]]
                                .floor[i - p->first]
                                .displacement.value;
@@ -126,7 +126,7 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
         free(s->peak_m);
         s->peak_m = NULL;
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 
@@ -197,16 +197,16 @@ static struct thud_stepping at_step(struct thud_stepping how, double omega_dt, d
 static enum thud_status run_free(struct thud_stability_cell *cell, struct thud_error *err)
 {
     struct thud_bouncer bouncer;
-    struct thud_answer answer;
+    struct thud_solution solution;
     struct thud_bouncer_energy energy;
     thud_bouncer_init(&bouncer);
     enum thud_status status =
         thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, thud_bouncer_omega_radps), duration_s,
-                         &answer, &energy, err);
+                         &solution, &energy, err);
     if (thud_trial_failed(status))
         return status;
     judge(cell, THUD_STABILITY_FREE, isinf(energy.end) ? INFINITY : energy.half[1] / energy.half[0]);
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return THUD_OK;
 }
 
@@ -219,17 +219,17 @@ static enum thud_status run_wall(struct thud_stability_cell *cell, struct thud_e
     cell->end_least = INFINITY;
     cell->end_most = 0;
     for (int i = 0; i < THUD_STABILITY_STARTS; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         struct thud_bouncer_energy energy;
         bouncer.clearance_m = starts_m[i];
         enum thud_status status = thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, wall_radps),
-                                                   duration_s, &answer, &energy, err);
+                                                   duration_s, &solution, &energy, err);
         if (thud_trial_failed(status))
             return status;
         largest = fmax(largest, fmax(energy.half[0], energy.half[1]));
         cell->end_least = fmin(cell->end_least, energy.end);
         cell->end_most = fmax(cell->end_most, energy.end);
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     judge(cell, THUD_STABILITY_WALL, largest);
     return THUD_OK;
@@ -303,14 +303,14 @@ static enum thud_status run_cell(struct thud_stability *s, struct thud_stability
 
 static enum thud_status run_restitution(struct thud_stability_restitution *r, struct thud_error *err)
 {
-    struct thud_pair pair;
-    thud_pair_rubber(&pair);
+    struct thud_two_body pair;
+    thud_two_body_rubber(&pair);
     if (r->law != pair.law) {
         pair.law = r->law;
         thud_law_defaults(r->law, &pair.setup);
     }
     if (!isnan(r->nominal))
-        thud_pair_set(&pair, "restitution", r->nominal);
+        thud_two_body_set(&pair, "restitution", r->nominal);
     pair.closing_mps = r->closing_mps;
     pair.duration_s = 2; /* slow bumpers take long */
     pair.setup.mass_kg = pair.mass_kg[0] / 2;
@@ -319,7 +319,7 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
     if (status != THUD_OK)
         return status;
     r->expected = thud_law_restitution(r->law, &setup, r->closing_mps);
-    return thud_pair_restitution(&pair, r->how, &r->obtained, err);
+    return thud_two_body_restitution(&pair, r->how, &r->obtained, err);
 }
 
 enum thud_status thud_stability_next(struct thud_stability *s, struct thud_error *err)

@@ -7,27 +7,27 @@
 
 static const double tight = 1e-9;
 
-static void spring_pair(struct thud_pair *pair, double left_kg, double right_kg, double stiffness_npm)
+static void spring_pair(struct thud_two_body *pair, double left_kg, double right_kg, double stiffness_npm)
 {
-    thud_pair_concrete(pair);
+    thud_two_body_concrete(pair);
     pair->law = thud_law_find("linear");
     thud_law_defaults(pair->law, &pair->setup);
-    thud_pair_set(pair, "stiffness", stiffness_npm);
+    thud_two_body_set(pair, "stiffness", stiffness_npm);
     pair->mass_kg[0] = left_kg;
     pair->mass_kg[1] = right_kg;
 }
 
-static enum thud_status compare(struct thud_pair *pair, struct thud_stepping naive, struct thud_exhibit *out,
+static enum thud_status compare(struct thud_two_body *pair, struct thud_stepping naive, struct thud_exhibit *out,
                                 struct thud_error *err)
 {
-    enum thud_status status = thud_pair_restitution(pair, naive, &out->wrong, err);
-    return status == THUD_OK ? thud_pair_restitution(pair, thud_stepping_of("exact", tight, true), &out->thud, err)
+    enum thud_status status = thud_two_body_restitution(pair, naive, &out->wrong, err);
+    return status == THUD_OK ? thud_two_body_restitution(pair, thud_stepping_of("exact", tight, true), &out->thud, err)
                              : status;
 }
 
 static enum thud_status lagged(struct thud_exhibit *out, struct thud_error *err)
 {
-    struct thud_pair pair;
+    struct thud_two_body pair;
     double k = 2.5e9, omega = sqrt(k / 160e3);
     spring_pair(&pair, 320e3, 320e3, k);
     *out = (struct thud_exhibit){.name = "lagged-force",
@@ -52,22 +52,22 @@ static enum thud_status trapezoidal(struct thud_exhibit *out, struct thud_error 
     thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, omega);
     for (int i = 0; i < 2; i++) {
-        struct thud_answer answer;
-        enum thud_status status = thud_bouncer_run(&bouncer, NULL, how[i], 50, &answer, NULL, err);
+        struct thud_solution solution;
+        enum thud_status status = thud_bouncer_run(&bouncer, NULL, how[i], 50, &solution, NULL, err);
         if (thud_trial_failed(status))
             return status;
-        *(i ? &out->thud : &out->wrong) = status == THUD_OK ? thud_energy_ratio(&answer) : INFINITY;
-        thud_answer_clear(&answer);
+        *(i ? &out->thud : &out->wrong) = status == THUD_OK ? thud_energy_ratio(&solution) : INFINITY;
+        thud_solution_clear(&solution);
     }
     return THUD_OK;
 }
 
 static enum thud_status dead(struct thud_exhibit *out, struct thud_error *err)
 {
-    struct thud_pair pair;
-    thud_pair_concrete(&pair);
-    thud_pair_set(&pair, "restitution", 1e-3);
-    thud_pair_set(&pair, "damping", 1); /* exact */
+    struct thud_two_body pair;
+    thud_two_body_concrete(&pair);
+    thud_two_body_set(&pair, "restitution", 1e-3);
+    thud_two_body_set(&pair, "damping", 1); /* exact */
     *out = (struct thud_exhibit){.name = "restitution-near-0",
                                  .scene = "two free bodies, Kelvin-Voigt without tension, e 0.001",
                                  .quantity = "separation over closing speed",
@@ -78,7 +78,7 @@ static enum thud_status dead(struct thud_exhibit *out, struct thud_error *err)
 
 static enum thud_status stiff(struct thud_exhibit *out, struct thud_error *err)
 {
-    struct thud_pair pair;
+    struct thud_two_body pair;
     spring_pair(&pair, 320e3, 320e3, 1e13);
     *out = (struct thud_exhibit){.name = "stiffness-1e13",
                                  .scene = "two free bodies, elastic contact of 1e13 N/m",
@@ -90,7 +90,7 @@ static enum thud_status stiff(struct thud_exhibit *out, struct thud_error *err)
 
 static enum thud_status mass_ratio(struct thud_exhibit *out, struct thud_error *err)
 {
-    struct thud_pair pair;
+    struct thud_two_body pair;
     spring_pair(&pair, 320e6, 320, 2.5e9);
     *out = (struct thud_exhibit){.name = "mass-ratio-1e6",
                                  .scene = "a body hits another of a millionth of its mass, elastic contact",
@@ -103,11 +103,11 @@ static enum thud_status mass_ratio(struct thud_exhibit *out, struct thud_error *
 /* At first touch the dashpot alone pushes, and where xi >= 1/2 never again as hard. */
 static enum thud_status touching(struct thud_exhibit *out, struct thud_error *err)
 {
-    struct thud_pair pair;
+    struct thud_two_body pair;
     struct thud_stepping how[2] = {thud_stepping_of("newmark", 1e-3, false), thud_stepping_of("exact", tight, true)};
-    thud_pair_concrete(&pair);
-    thud_pair_set(&pair, "restitution", 0.1);
-    thud_pair_set(&pair, "damping", 1); /* exact */
+    thud_two_body_concrete(&pair);
+    thud_two_body_set(&pair, "restitution", 0.1);
+    thud_two_body_set(&pair, "damping", 1); /* exact */
     *out = (struct thud_exhibit){.name = "event-at-the-start",
                                  .scene = "two bodies that touch at t = 0, Kelvin-Voigt without tension, e 0.1",
                                  .quantity = "largest force over the dashpot's at first touch",
@@ -115,14 +115,14 @@ static enum thud_status touching(struct thud_exhibit *out, struct thud_error *er
                                  .right = 1};
     double k = 2.5e9, mass = 160e3, dashpot = 2 * thud_kelvin_voigt_cut_xi(0.1) * sqrt(k * mass) * pair.closing_mps;
     for (int i = 0; i < 2; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         pair.method = how[i].method;
         pair.method_step_s = how[i].setting;
-        enum thud_status status = thud_pair_run(&pair, pair.duration_s, &answer, err);
+        enum thud_status status = thud_two_body_run(&pair, pair.duration_s, &solution, err);
         if (status != THUD_OK)
             return status;
-        *(i ? &out->thud : &out->wrong) = thud_run_result(answer.run)->contact[0].force.value / dashpot;
-        thud_answer_clear(&answer);
+        *(i ? &out->thud : &out->wrong) = thud_run_result(solution.run)->contact[0].force.value / dashpot;
+        thud_solution_clear(&solution);
     }
     return THUD_OK;
 }

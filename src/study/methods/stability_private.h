@@ -3,7 +3,7 @@
 #define THUD_STUDY_STABILITY_PRIVATE_H
 
 #include "study/methods/stability.h"
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 /* One floor on a spring of 1 Hz (or free), thrown towards a wall on its right. */
 struct thud_bouncer {
@@ -26,19 +26,19 @@ struct thud_bouncer_energy {
     double half[2], end;
 };
 
-/* As thud_scene_answer. `energy` may be NULL; INFINITY where the run diverged. */
+/* As thud_scene_solve. `energy` may be NULL; INFINITY where the run diverged. */
 enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
-                                  struct thud_stepping how, double duration_s, struct thud_answer *out,
+                                  struct thud_stepping how, double duration_s, struct thud_solution *out,
                                   struct thud_bouncer_energy *energy, struct thud_error *err);
 
 /* THUD_DIVERGED is a finding, not a failure. */
 bool thud_trial_failed(enum thud_status status);
 struct thud_stepping thud_stepping_of(const char *method, double setting, bool locate);
 /* Kinetic, strain and contact energy now over the kinetic one at the start. */
-double thud_energy_ratio(const struct thud_answer *answer);
+double thud_energy_ratio(const struct thud_solution *solution);
 /* Restitution of a pair by a method; INFINITY where it blew up. Errors: THUD_MEMORY. */
-enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepping how, double *out,
-                                       struct thud_error *err);
+enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct thud_stepping how, double *out,
+                                           struct thud_error *err);
 
 /* The exhibits, by file. */
 typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);

@@ -29,21 +29,21 @@ static enum thud_status push(double a_mps2, double rise_s, double hold_s, struct
     return thud_record_create(a, n, dt, out, err);
 }
 
-static double last_value(const struct thud_answer *answer, int column)
+static double last_value(const struct thud_solution *solution, int column)
 {
-    const struct thud_history *h = thud_run_history(answer->run);
+    const struct thud_history *h = thud_run_history(solution->run);
     return h->value[(h->rows - 1) * (size_t)h->columns + (size_t)column];
 }
 
 /* Speed at the end over the one that the energy stored at the largest indentation would give. */
-static double rebound(const struct thud_answer *answer)
+static double rebound(const struct thud_solution *solution)
 {
-    const struct thud_model_contact *p = &answer->model->contact[0];
-    const struct thud_history *h = thud_run_history(answer->run);
-    double d = thud_run_result(answer->run)->contact[0].indentation.value;
+    const struct thud_model_contact *p = &solution->model->contact[0];
+    const struct thud_history *h = thud_run_history(solution->run);
+    double d = thud_run_result(solution->run)->contact[0].indentation.value;
     double v =
         sqrt(2 * thud_law_energy(p->law, &p->setup, &(struct thud_law_memory){0}, THUD_APPROACH, d) / p->setup.mass_kg);
-    return -last_value(answer, thud_history_velocity(h, 0)) / v;
+    return -last_value(solution, thud_history_velocity(h, 0)) / v;
 }
 
 static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *err)
@@ -60,14 +60,14 @@ static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *
     thud_bouncer_set(&b, "damping", 1); /* exact */
     enum thud_status status = push(25, 0, 0.02, &record, err);
     for (int i = 0; status == THUD_OK && i < 2; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         thud_bouncer_set(&b, "speed-floor", 1e-9);
         thud_bouncer_set(&b, "impact-speed", i); /* touch, energy */
-        status = thud_bouncer_run(&b, record, thud_stepping_of("exact", tight, true), 2, &answer, NULL, err);
+        status = thud_bouncer_run(&b, record, thud_stepping_of("exact", tight, true), 2, &solution, NULL, err);
         if (status != THUD_OK)
             break;
-        *(i ? &out->thud : &out->wrong) = rebound(&answer);
-        thud_answer_clear(&answer);
+        *(i ? &out->thud : &out->wrong) = rebound(&solution);
+        thud_solution_clear(&solution);
     }
     thud_record_free(record);
     return status;
@@ -89,16 +89,16 @@ static enum thud_status stiff_restitution(struct thud_exhibit *out, struct thud_
     thud_bouncer_set(&b, "damping", 1); /* exact */
     enum thud_status status = push(25, 0, 0.02, &record, err);
     for (int i = 0; status == THUD_OK && i < 2; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         double *value = i ? &out->thud : &out->wrong;
-        status = thud_bouncer_run(&b, record, how[i], 1, &answer, NULL, err);
+        status = thud_bouncer_run(&b, record, how[i], 1, &solution, NULL, err);
         if (thud_trial_failed(status))
             break;
         *value = INFINITY;
         if (status == THUD_OK)
-            *value = -last_value(&answer, thud_history_velocity(thud_run_history(answer.run), 0)) *
+            *value = -last_value(&solution, thud_history_velocity(thud_run_history(solution.run), 0)) *
                      thud_rubber_cv(0.5) / 1e-3;
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
         status = THUD_OK;
     }
     thud_record_free(record);
@@ -112,19 +112,19 @@ static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, doub
     struct thud_record *record;
     enum thud_status status = push(a_mps2, rise_s, 3 - rise_s, &record, err);
     for (int i = 0; status == THUD_OK && i < 2; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         double *value = i ? &out->thud : &out->wrong;
-        status = thud_bouncer_run(b, record, how[i], 3, &answer, NULL, err);
+        status = thud_bouncer_run(b, record, how[i], 3, &solution, NULL, err);
         if (thud_trial_failed(status))
             break;
-        const struct thud_history *h = thud_run_history(answer.run);
+        const struct thud_history *h = thud_run_history(solution.run);
         if (status == THUD_DIVERGED)
             *value = INFINITY;
         else if (force)
-            *value = last_value(&answer, thud_history_force(h, 0)) / (b->mass_kg * a_mps2);
+            *value = last_value(&solution, thud_history_force(h, 0)) / (b->mass_kg * a_mps2);
         else
-            *value = 1e3 * last_value(&answer, thud_history_displacement(h, 0));
-        thud_answer_clear(&answer);
+            *value = 1e3 * last_value(&solution, thud_history_displacement(h, 0));
+        thud_solution_clear(&solution);
         status = THUD_OK;
     }
     thud_record_free(record);

@@ -10,18 +10,18 @@ static enum thud_status throw_at_wall(double reach, struct thud_stepping how, do
                                       struct thud_error *err)
 {
     struct thud_bouncer bouncer;
-    struct thud_answer answer;
+    struct thud_solution solution;
     int count = 0;
     thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, 20 * thud_bouncer_omega_radps);
     bouncer.velocity_mps = reach * bouncer.clearance_m * thud_bouncer_omega_radps;
-    enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 0.4, &answer, NULL, err);
+    enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 0.4, &solution, NULL, err);
     if (thud_trial_failed(status))
         return status;
-    const struct thud_impact *impact = thud_run_impacts(answer.run, &count);
+    const struct thud_impact *impact = thud_run_impacts(solution.run, &count);
     *impacts = count;
     *closing_mps = count > 0 ? impact[0].approach_mps : 0;
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return THUD_OK;
 }
 

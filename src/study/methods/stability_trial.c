@@ -66,13 +66,13 @@ static struct thud_run_options options_of(struct thud_stepping how, double tail_
 }
 
 enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
-                                  struct thud_stepping how, double duration_s, struct thud_answer *out,
+                                  struct thud_stepping how, double duration_s, struct thud_solution *out,
                                   struct thud_bouncer_energy *energy, struct thud_error *err)
 {
     double record_s = record ? (double)(record->samples - 1) * record->dt_s : 0;
     struct thud_run_options options = options_of(how, fmax(duration_s - record_s, 0));
     options.keep_history = record != NULL;
-    *out = (struct thud_answer){0};
+    *out = (struct thud_solution){0};
     enum thud_status status = assemble(bouncer, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, &options, &out->run, err);
@@ -89,7 +89,7 @@ enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const stru
     if (energy && status == THUD_DIVERGED)
         *energy = (struct thud_bouncer_energy){{INFINITY, INFINITY}, INFINITY};
     if (thud_trial_failed(status))
-        thud_answer_clear(out);
+        thud_solution_clear(out);
     return status;
 }
 
@@ -105,24 +105,24 @@ struct thud_stepping thud_stepping_of(const char *method, double setting, bool l
     return how;
 }
 
-double thud_energy_ratio(const struct thud_answer *answer)
+double thud_energy_ratio(const struct thud_solution *solution)
 {
-    const struct thud_energy *e = &thud_run_result(answer->run)->energy;
+    const struct thud_energy *e = &thud_run_result(solution->run)->energy;
     return (e->kinetic_j + e->strain_j + e->stored_j) / e->initial_j;
 }
 
-enum thud_status thud_pair_restitution(struct thud_pair *pair, struct thud_stepping how, double *out,
-                                       struct thud_error *err)
+enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct thud_stepping how, double *out,
+                                           struct thud_error *err)
 {
-    struct thud_answer answer;
+    struct thud_solution solution;
     pair->method = how.method;
     pair->method_step_s = how.setting;
     pair->locate = how.locate;
-    enum thud_status status = thud_pair_run(pair, pair->duration_s, &answer, err);
+    enum thud_status status = thud_two_body_run(pair, pair->duration_s, &solution, err);
     if (status == THUD_OK)
-        *out = thud_pair_separation(&answer) / pair->closing_mps;
+        *out = thud_two_body_separation(&solution) / pair->closing_mps;
     else
         *out = INFINITY;
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return thud_trial_failed(status) ? status : THUD_OK;
 }

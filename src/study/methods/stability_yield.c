@@ -19,7 +19,7 @@ static enum thud_status permanent_drift(struct thud_stepping how, double *out_mm
                                                 .hardening = &hardening};
     const struct thud_model_input input = {.nstructures = 1, .structure = &storey};
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     bool done = false;
     thud_run_options_init(&options);
     options.method = how.method;
@@ -28,14 +28,14 @@ static enum thud_status permanent_drift(struct thud_stepping how, double *out_mm
     options.unjudged = true;
     if (options.method->flags & THUD_METHOD_FIXED_STEP)
         options.step_s = how.setting;
-    enum thud_status status = thud_model_create(&input, &answer.model, err);
+    enum thud_status status = thud_model_create(&input, &solution.model, err);
     if (status == THUD_OK)
-        status = thud_run_create(answer.model, NULL, &options, &answer.run, err);
+        status = thud_run_create(solution.model, NULL, &options, &solution.run, err);
     while (status == THUD_OK && !done)
-        status = thud_run_advance(answer.run, 1000, &done, err);
+        status = thud_run_advance(solution.run, 1000, &done, err);
     if (status == THUD_OK)
-        *out_mm = 1e3 * thud_run_result(answer.run)->structure[0].storey[0].permanent_m;
-    thud_answer_clear(&answer);
+        *out_mm = 1e3 * thud_run_result(solution.run)->structure[0].storey[0].permanent_m;
+    thud_solution_clear(&solution);
     return status;
 }
 

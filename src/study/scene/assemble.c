@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 
 /* Input of the model with the arrays it points to: stiffness and mass of an isolated building begin with its base. */
 struct assembly {
@@ -15,7 +15,7 @@ struct assembly {
     double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double geometric_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double collapse_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
-    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
     struct thud_contact_input *contact;
     int ncontacts, capacity;
     struct thud_link_input link[THUD_LINKS_MAX];
@@ -81,7 +81,8 @@ void thud_interface_contact(const struct thud_interface *interface, struct thud_
 }
 
 /* The struck columns of a storey, from the floor above them (from 1). */
-static struct thud_struck_input columns(const struct thud_structure *s, int floor, const struct thud_pairing *meeting)
+static struct thud_struck_input columns(const struct thud_structure *s, int floor,
+                                        const struct thud_contact_pair *meeting)
 {
     int storey = floor - 1 - (s->kind == THUD_ISOLATED);
     struct thud_struck_input out = {.side = meeting->struck,
@@ -95,7 +96,7 @@ static struct thud_struck_input columns(const struct thud_structure *s, int floo
 }
 
 static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index,
-                        const struct thud_pairing *meeting)
+                        const struct thud_contact_pair *meeting)
 {
     if (a->ncontacts == a->capacity) {
         int more = a->capacity ? 2 * a->capacity : 64;
@@ -121,7 +122,7 @@ static bool add_contact(struct assembly *a, const struct thud_scene *scene, int 
 
 static bool join(struct assembly *a, const struct thud_scene *scene, int index)
 {
-    int n = thud_interface_pairings(scene, index, a->meeting);
+    int n = thud_interface_contact_pairs(scene, index, a->meeting);
     for (int i = 0; i < n; i++)
         if (!add_contact(a, scene, index, &a->meeting[i]))
             return false;

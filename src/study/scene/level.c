@@ -73,7 +73,7 @@ static bool faces_meet(double a, double a_depth, double b, double b_depth)
 
 /* Whether what covers [level - depth, level] strikes columns of the building at its middle, and which: the floor above
  * them (from 1). The clear column ends under the face of that floor. */
-static bool strikes(const struct row *row, double level, double depth, int *floor, struct thud_pairing *out)
+static bool strikes(const struct row *row, double level, double depth, int *floor, struct thud_contact_pair *out)
 {
     double lower = row->structure->base_m, middle = level - 0.5 * depth;
     for (int i = 0; i < row->n && !row->alone; lower = row->level_m[i++]) {
@@ -89,21 +89,22 @@ static bool strikes(const struct row *row, double level, double depth, int *floo
 }
 
 /* Building and wall: floors whose face begins below its top. */
-static int meet_wall(const struct row *row, const struct thud_structure *wall, bool left, struct thud_pairing *out)
+static int meet_wall(const struct row *row, const struct thud_structure *wall, bool left, struct thud_contact_pair *out)
 {
     int n = 0;
     for (int i = 0; i < row->n; i++) {
         double top = wall->height_m[0], level = row->level_m[i];
         if (!(top < level - same_level_m) || top > level - row->depth_m[i] + rounding_m)
-            out[n++] = left ? (struct thud_pairing){.left_floor = i + 1} : (struct thud_pairing){.right_floor = i + 1};
+            out[n++] = left ? (struct thud_contact_pair){.left_floor = i + 1}
+                            : (struct thud_contact_pair){.right_floor = i + 1};
     }
     return n;
 }
 
 /* Building and rigid body, which has no depth: without an elevation it meets the first floor. */
-static int meet_body(const struct row *row, double level, bool left, struct thud_pairing *out)
+static int meet_body(const struct row *row, double level, bool left, struct thud_contact_pair *out)
 {
-    struct thud_pairing one = {0};
+    struct thud_contact_pair one = {0};
     int floor = isfinite(level) ? 0 : 1;
     for (int i = 0; i < row->n && floor == 0; i++)
         if (faces_meet(row->level_m[i], row->depth_m[i], level, 0))
@@ -118,7 +119,8 @@ static int meet_body(const struct row *row, double level, bool left, struct thud
 }
 
 /* Puts a contact behind those that stand no higher. */
-static int insert(struct thud_pairing *out, double *level_m, int n, const struct thud_pairing *one, double level)
+static int insert(struct thud_contact_pair *out, double *level_m, int n, const struct thud_contact_pair *one,
+                  double level)
 {
     int at = n;
     for (; at > 0 && level_m[at - 1] > level + same_level_m; at--) {
@@ -132,9 +134,9 @@ static int insert(struct thud_pairing *out, double *level_m, int n, const struct
 
 /* Faces that overlap meet, each pair once; a face that overlaps none strikes columns. In the order of the lower slab's
  * elevation, so that a mirrored scene has the same one. */
-static int meet_building(const struct row *left, const struct row *right, struct thud_pairing *out)
+static int meet_building(const struct row *left, const struct row *right, struct thud_contact_pair *out)
 {
-    double level_m[THUD_PAIRINGS_MAX];
+    double level_m[THUD_CONTACT_PAIRS_MAX];
     bool met[THUD_STOREYS_MAX + 1] = {false}; /* of the right one's floors */
     int n = 0;
     for (int i = 0, first = 0; i < left->n; i++) {
@@ -143,27 +145,27 @@ static int meet_building(const struct row *left, const struct row *right, struct
         while (first < right->n && right->level_m[first] < level - left->depth_m[i] - same_level_m)
             first++; /* stands below this face, and the next ones */
         for (int k = first; k < right->n && right->level_m[k] - right->depth_m[k] <= level + same_level_m; k++) {
-            struct thud_pairing one = {.left_floor = i + 1, .right_floor = k + 1};
+            struct thud_contact_pair one = {.left_floor = i + 1, .right_floor = k + 1};
             if (!faces_meet(level, left->depth_m[i], right->level_m[k], right->depth_m[k]))
                 continue;
             meets = met[k] = true;
-            if (n < THUD_PAIRINGS_MAX)
+            if (n < THUD_CONTACT_PAIRS_MAX)
                 n = insert(out, level_m, n, &one, fmin(level, right->level_m[k]));
         }
-        struct thud_pairing one = {.left_floor = i + 1, .struck = 1};
-        if (!meets && n < THUD_PAIRINGS_MAX && strikes(right, level, left->depth_m[i], &one.right_floor, &one))
+        struct thud_contact_pair one = {.left_floor = i + 1, .struck = 1};
+        if (!meets && n < THUD_CONTACT_PAIRS_MAX && strikes(right, level, left->depth_m[i], &one.right_floor, &one))
             n = insert(out, level_m, n, &one, level);
     }
     for (int k = 0; k < right->n; k++) {
-        struct thud_pairing one = {.right_floor = k + 1, .struck = -1};
-        if (!met[k] && n < THUD_PAIRINGS_MAX &&
+        struct thud_contact_pair one = {.right_floor = k + 1, .struck = -1};
+        if (!met[k] && n < THUD_CONTACT_PAIRS_MAX &&
             strikes(left, right->level_m[k], right->depth_m[k], &one.left_floor, &one))
             n = insert(out, level_m, n, &one, right->level_m[k]);
     }
     return n;
 }
 
-int thud_interface_pairings(const struct thud_scene *scene, int interface, struct thud_pairing *out)
+int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out)
 {
     struct row left, right;
     fill(&left, &scene->structure[interface]);
@@ -173,7 +175,7 @@ int thud_interface_pairings(const struct thud_scene *scene, int interface, struc
         return meet_building(&left, &right, out);
     if (!thud_kind_is_building(left.structure->kind) &&
         !thud_kind_is_building(right.structure->kind)) { /* two walls do not meet */
-        *out = (struct thud_pairing){.left_floor = left.n, .right_floor = right.n};
+        *out = (struct thud_contact_pair){.left_floor = left.n, .right_floor = right.n};
         return left.n + right.n > 0;
     }
     bool building_left = thud_kind_is_building(left.structure->kind);
@@ -198,7 +200,7 @@ const char *thud_struck_name(int struck)
     return struck < 0 ? "left" : struck > 0 ? "right" : "";
 }
 
-void thud_pairing_name(int left_floor, int right_floor, int struck, char *text, unsigned long size)
+void thud_contact_pair_name(int left_floor, int right_floor, int struck, char *text, unsigned long size)
 {
     char floor[2][16];
     for (int i = 0; i < 2; i++) {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "core/run/baseline.h"
-#include "study/scene/answer.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 #include "study/scene/spacing.h"
 
 double thud_gap_damping(const struct thud_model *model, int s)
@@ -240,7 +240,7 @@ enum thud_status thud_pounding_factor(const struct thud_scene *scene, const stru
         status = used_up_at(scene, record, to, &at_to, err);
     }
     for (int i = 0; i < RUNS && status == THUD_OK && fabs(to - from) > close * to; i++) {
-        /* the secant, which of a linear answer is the root, kept off the ends; every third time the middle */
+        /* the secant, which of a linear result is the root, kept off the ends; every third time the middle */
         double middle =
             from + (to - from) * (i % 3 == 2 ? 0.5 : fmin(0.999999, fmax(1e-6, (1 - at_from) / (at_to - at_from))));
         double at = NAN;

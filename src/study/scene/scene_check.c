@@ -247,8 +247,8 @@ static enum thud_status check_impulses(const struct thud_scene *scene, int i, st
 {
     const struct thud_interface *at = &scene->interface[i];
     const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
-    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
-    int n = law->flags & THUD_LAW_IMPULSIVE ? thud_interface_pairings(scene, i, meeting) : 0;
+    struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
+    int n = law->flags & THUD_LAW_IMPULSIVE ? thud_interface_contact_pairs(scene, i, meeting) : 0;
     for (int k = 0; k < n; k++) {
         bool left = meeting[k].struck < 0;
         const struct thud_structure *s = &scene->structure[i + !left];

@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "core/methods/method.h"
-#include "study/scene/answer.h"
 #include "study/scene/level.h"
 #include "study/scene/scene_slot.h"
+#include "study/scene/solution.h"
 
 struct search {
     int wanted, found;
@@ -179,9 +179,9 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
 static bool look_faces(struct search *search, const struct thud_scene *scene, int i)
 {
     const struct thud_structure *left = &scene->structure[i], *right = left + 1;
-    struct thud_pairing meeting[THUD_PAIRINGS_MAX];
+    struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
     bool buildings = thud_kind_is_building(left->kind) && thud_kind_is_building(right->kind);
-    int n = buildings ? thud_interface_pairings(scene, i, meeting) : 0, few = 0, a = 0, b = 0;
+    int n = buildings ? thud_interface_contact_pairs(scene, i, meeting) : 0, few = 0, a = 0, b = 0;
     double overlap = 0, depth = 0;
     for (int k = n - 1; k >= 0; k--) {
         int l = meeting[k].left_floor - 1, r = meeting[k].right_floor - 1;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa)
 {
@@ -72,16 +72,16 @@ enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struc
     enum thud_status status = changed ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     *n = 0;
     for (int i = 0; i < THUD_STIFFNESS_ROWS && status == THUD_OK; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         *changed = *scene;
         if (!thud_stiffness_scale(changed, which, factor[i]))
             break;
-        status = thud_scene_answer(changed, record, NULL, &answer, err);
+        status = thud_scene_solve(changed, record, NULL, &solution, err);
         if (status == THUD_OK) {
-            thud_stiffness_row_read(thud_run_result(answer.run), &row[*n]);
+            thud_stiffness_row_read(thud_run_result(solution.run), &row[*n]);
             row[(*n)++].factor = factor[i];
         }
-        thud_answer_clear(&answer);
+        thud_solution_clear(&solution);
     }
     free(changed);
     return status;

@@ -342,7 +342,7 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
         [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS,      [THUD_EVENT_FALLS] = THUD_SUITE_DRIFT_ANGLE};
     double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
     double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
-    if (isnan(value)) /* a ratio is missing where there is nothing to compare, an answer where a run has none */
+    if (isnan(value)) /* a ratio is missing where there is nothing to compare, a result where a run has none */
         return -1;
     return value > limit;
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/suite/suite.h"
 
 int thud_gap_suite_independent(const struct thud_gap_suite *suite)
@@ -69,7 +69,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
             touches || thud_gap_falls_short(gap_at(scene, ruled, gap->level[l].interface - 1), gap->level[l].closing_m);
     if (!touches)
         return THUD_OK;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     struct thud_scene *at = malloc(sizeof *at);
     if (!at)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -78,13 +78,13 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
         at->interface[i].gap_m = gap_at(scene, ruled, i);
     const bool refused = status == THUD_OK && thud_scene_check(at, NULL) == THUD_INPUT; /* a law without force, say */
     if (status == THUD_OK && !refused)
-        status = thud_scene_answer(at, record, NULL, &answer, err);
+        status = thud_scene_solve(at, record, NULL, &solution, err);
     for (int l = 0; refused && l < gap->nlevels; l++) {
         const int i = gap->level[l].interface - 1;
         touched[i] = touched[i] || thud_gap_falls_short(gap_at(scene, ruled, i), gap->level[l].closing_m);
     }
-    for (int c = 0; status == THUD_OK && !refused && c < answer.model->npairs; c++) {
-        const struct thud_contact_result *p = &thud_run_result(answer.run)->contact[c];
+    for (int c = 0; status == THUD_OK && !refused && c < solution.model->npairs; c++) {
+        const struct thud_contact_result *p = &thud_run_result(solution.run)->contact[c];
         struct thud_gap_ruled *one = &ruled[p->interface - 1];
         touched[p->interface - 1] = touched[p->interface - 1] || p->impacts > 0;
         if (p->impacts > 0 && (one->worst < 0 || p->force.value > one->force_n)) {
@@ -97,7 +97,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
         if (refused && touched[i] && ruled[i].worst < 0)
             ruled[i].force_n = NAN; /* not known */
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     free(at);
     return status;
 }

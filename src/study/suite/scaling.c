@@ -229,7 +229,7 @@ static bool suite_remark(const struct thud_record *const *record, int count, int
     if (kind == 1 && count > 1 && count < 7) {
         thud_error_set(out, THUD_OK, "%d motions are %s", count,
                        count < 3 ? "fewer than codes accept"
-                                 : "few: codes then ask for the largest answer, not the mean");
+                                 : "few: codes then ask for the largest result, not the mean");
         thud_error_allow(out, "7 or more (EN 1998-1 4.3.3.4.3(3)); at least 3");
         return true;
     }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
 static const struct {
@@ -38,23 +38,23 @@ static enum thud_status run_case(struct thud_floor_spectra *s, int which, const 
                                  struct thud_error *err)
 {
     struct thud_run_options options;
-    struct thud_answer answer = {0};
+    struct thud_solution solution = {0};
     enum thud_status status = thud_scene_options(scene, &options, err);
     if (status != THUD_OK)
         return status;
     options.tail_s = fmax(options.tail_s, s->period_s[s->nperiods - 1]);
     options.floor_spectra = choice;
-    status = thud_scene_answer(scene, record, &options, &answer, err);
+    status = thud_scene_solve(scene, record, &options, &solution, err);
     for (int f = 0; status == THUD_OK && f < s->nfloors; f++) {
-        const struct thud_result *r = thud_run_result(answer.run);
+        const struct thud_result *r = thud_run_result(solution.run);
         const struct thud_floor_place at = s->floor[f];
         s->peak_mps2[which * s->nfloors + f] = thud_floor_struck(r, at.structure, at.floor)
                                                    ? NAN
                                                    : r->structure[at.structure].floor[at.floor].acceleration.value;
         for (int k = 0; k < s->nperiods; k++)
-            s->sa_mps2[(which * s->nfloors + f) * s->nperiods + k] = thud_run_floor_spectrum(answer.run, f, k);
+            s->sa_mps2[(which * s->nfloors + f) * s->nperiods + k] = thud_run_floor_spectrum(solution.run, f, k);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

@@ -8,8 +8,8 @@
 
 #include "base/quantity.h"
 #include "base/scan.h"
-#include "study/scene/answer.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
@@ -86,7 +86,7 @@ static bool look_bumper(const struct thud_scene *scene, int i, const struct thud
                    1e3 * most->indentation.value, where, most->indentation.time_s,
                    most->indentation.value > thickness ? "more than there is of it" : "past its largest strain", often);
     if (!isnan(strain))
-        thud_error_allow(out, "up to %.4g mm it is rubber that answers", 1e3 * limit);
+        thud_error_allow(out, "up to %.4g mm it is rubber that acts", 1e3 * limit);
     thud_error_key(out, key);
     return true;
 }

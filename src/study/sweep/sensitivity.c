@@ -114,18 +114,18 @@ static void compare(struct thud_sensitivity *s, enum thud_change change, const s
 
 static enum thud_status run_changed(const struct thud_scene *scene, const struct thud_record *record,
                                     enum thud_change change, double factor, struct thud_scene *changed,
-                                    struct thud_answer *answer, struct thud_record **scaled, struct thud_error *err)
+                                    struct thud_solution *solution, struct thud_record **scaled, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     *changed = *scene;
-    *answer = (struct thud_answer){0};
+    *solution = (struct thud_solution){0};
     thud_change_scene(changed, change, factor);
     if (change == THUD_CHANGE_SCALE && record) {
         status = thud_record_create(record->a_mps2, record->samples, record->dt_s, scaled, err);
         if (status == THUD_OK)
             thud_record_scale(*scaled, factor);
     }
-    return status == THUD_OK ? thud_scene_answer(changed, *scaled ? *scaled : record, NULL, answer, err) : status;
+    return status == THUD_OK ? thud_scene_solve(changed, *scaled ? *scaled : record, NULL, solution, err) : status;
 }
 
 enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
@@ -141,14 +141,14 @@ enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const stru
         s->runs = 1 + 2 * THUD_CHANGES;
     }
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
-        struct thud_answer answer;
+        struct thud_solution solution;
         struct thud_record *scaled = NULL;
         enum thud_change what = (enum thud_change)(i / 2);
         double factor = i % 2 ? 1 + change : 1 - change;
-        status = run_changed(scene, record, what, factor, changed, &answer, &scaled, err);
+        status = run_changed(scene, record, what, factor, changed, &solution, &scaled, err);
         if (status == THUD_OK)
-            compare(s, what, result, thud_run_result(answer.run));
-        thud_answer_clear(&answer);
+            compare(s, what, result, thud_run_result(solution.run));
+        thud_solution_clear(&solution);
         thud_record_free(scaled);
     }
     free(changed);

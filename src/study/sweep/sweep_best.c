@@ -7,7 +7,7 @@
 /* A ratio so near to 1 is that of a bumper that touches nothing, or hardly. */
 #define THUD_SWEEP_IDLE 5e-4
 
-/* Largest ratios over the structures for one run; NaN: no answer. */
+/* Largest ratios over the structures for one run; NaN: no result. */
 struct cell {
     double acceleration, drift;
 };
@@ -51,7 +51,7 @@ static void fill(const struct grid *g)
     }
 }
 
-/* One record's cell, or the worst over all of them where each has an answer. */
+/* One record's cell, or the worst over all of them where each has a result. */
 static struct cell pick(const struct grid *g, int record, int which, long other, int at)
 {
     if (record >= 0)
@@ -67,7 +67,7 @@ static struct cell pick(const struct grid *g, int record, int which, long other,
     return worst;
 }
 
-/* false: no value had an answer. */
+/* false: no value had a result. */
 static bool find(const struct grid *g, int record, int which, long other, struct thud_sweep_best *out)
 {
     const struct thud_sweep_axis *axis = &g->table->axis[g->axis];

@@ -3,7 +3,7 @@
 #define THUD_STUDY_SWEEP_PRIVATE_H
 
 #include "core/run/baseline.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "study/sweep/sweep.h"
 
 /* The motion without pounding of one variant. */
@@ -69,7 +69,7 @@ enum thud_status thud_sweep_same_create(const struct thud_sweep_plan *plan, stru
 enum thud_status thud_sweep_same_advance(struct thud_sweep_group *group, long budget, bool *done,
                                          struct thud_error *err);
 void thud_sweep_same_free(struct thud_sweep_same *same);
-/* Whether case k of a point has the answer of an earlier run. */
+/* Whether case k of a point has the result of an earlier run. */
 bool thud_sweep_is_made_before(const struct thud_sweep_group *group, long point, int k);
 /* What is left of an effort that another run made. */
 void thud_sweep_effort_taken(struct thud_sweep_effort *effort);

@@ -1,6 +1,6 @@
 /* Within a group, runs whose contacts are the same (laws with their values, clearances) are the same run: case `none`
  * at one gap whatever the bumper, a bumper in a cavity and one that sticks out by as much at another gap. The first of
- * them makes it, the others take its answer. Runs of a group are numbered by point, then by case (the plan's, and after
+ * them makes it, the others take its result. Runs of a group are numbered by point, then by case (the plan's, and after
  * them `none` for the ratios). */
 #include <math.h>
 #include <stdint.h>
@@ -17,7 +17,7 @@ struct key {
     long run; /* in the group */
 };
 
-/* An answer that more than one run has. */
+/* A result that more than one run has. */
 struct kept {
     struct thud_sweep_effort effort;
     struct thud_sweep_floor *floor;     /* (nvariants x nfloors) */
@@ -27,7 +27,7 @@ struct kept {
 struct thud_sweep_same {
     long points, runs, next; /* of the group, and up to which point keys were made */
     struct key *key;         /* (runs) while they are made */
-    int32_t *maker;          /* (runs): the run whose answer it has; -1: no other has it */
+    int32_t *maker;          /* (runs): the run whose result it has; -1: no other has it */
     int32_t *place;          /* (runs): of a maker, its place in `kept` */
     struct kept **kept;      /* (nkept) once made */
     long nkept;

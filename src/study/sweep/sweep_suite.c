@@ -13,7 +13,7 @@ static const char *const no_name[] = {""};
 /* Scratch of the making. */
 struct making {
     const struct thud_sweep_table *table;
-    const struct thud_sweep_summary **of; /* (settings x nrecords) NULL: no answer */
+    const struct thud_sweep_summary **of; /* (settings x nrecords) NULL: no result */
     double *value;                        /* (nrecords) */
 };
 

@@ -56,7 +56,7 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_result *r
         }
 }
 
-/* The answer of the case at work. */
+/* The result of the case at work. */
 static void take(struct thud_sweep_task *task, const struct thud_result *result)
 {
     struct thud_sweep_contact *to = thud_sweep_contacts(task->point, task->variant, task->which);
@@ -211,7 +211,7 @@ static void no_numbers(const struct thud_sweep_task *task)
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
 }
 
-/* The answer without a run where the baseline has it; else a run. */
+/* The result without a run where the baseline has it; else a run. */
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
 {
@@ -276,7 +276,7 @@ static void next_run(struct thud_sweep_task *task)
     }
 }
 
-/* A case without an answer has no spread. */
+/* A case without a result has no spread. */
 static bool skipped(const struct thud_sweep_task *task)
 {
     return task->variant > 0 && task->point->effort[task->which].status != THUD_OK;

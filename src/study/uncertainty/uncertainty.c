@@ -8,9 +8,9 @@
 #include "base/largest.h"
 #include "base/quantity.h"
 #include "base/statistics.h"
-#include "study/scene/answer.h"
 #include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
 static const struct thud_input_info infos[THUD_INPUTS] = {
@@ -237,10 +237,10 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 /* Whether a slab strikes columns of a structure (-1: of any), and with `given` columns whose stiffness is. */
 static bool has_struck(const struct thud_scene *scene, int structure, bool given)
 {
-    struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
+    struct thud_contact_pair *meeting = malloc(THUD_CONTACT_PAIRS_MAX * sizeof *meeting);
     bool found = false;
     for (int i = 0; meeting && i + 1 < scene->nstructures && !found; i++)
-        for (int k = thud_interface_pairings(scene, i, meeting) - 1; k >= 0 && !found; k--) {
+        for (int k = thud_interface_contact_pairs(scene, i, meeting) - 1; k >= 0 && !found; k--) {
             int own = meeting[k].struck > 0 ? i + 1 : i;
             const struct thud_structure *s = &scene->structure[own];
             int floor = meeting[k].struck > 0 ? meeting[k].right_floor : meeting[k].left_floor;
@@ -413,10 +413,10 @@ static int asked_of(const struct thud_structure *structure)
 /* Whether a gap can be asked for: some floors of neighbours stand where they could touch, and none goes on for ever. */
 static bool has_gap(const struct thud_scene *scene)
 {
-    struct thud_pairing *meeting = malloc(THUD_PAIRINGS_MAX * sizeof *meeting);
+    struct thud_contact_pair *meeting = malloc(THUD_CONTACT_PAIRS_MAX * sizeof *meeting);
     bool found = false;
     for (int i = 0; meeting && i + 1 < scene->nstructures; i++)
-        found = found || thud_interface_pairings(scene, i, meeting) > 0;
+        found = found || thud_interface_contact_pairs(scene, i, meeting) > 0;
     for (int i = 0; i < scene->nstructures; i++)
         found = found && scene->structure[i].kind != THUD_RIGID;
     free(meeting);
@@ -582,17 +582,17 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         free(gap);
     }
     for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
-        struct thud_answer answer = {0};
+        struct thud_solution solution = {0};
         status = thud_scene_case(scene, u->which[k], scene + 1, err);
         if (status == THUD_OK)
             status = thud_scene_check(scene + 1, err);
         if (status == THUD_OK)
-            status = thud_scene_answer(scene + 1, scaled ? scaled : record, NULL, &answer, err);
+            status = thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
         if (status == THUD_OK)
-            to = put_case(u, k, thud_run_result(answer.run), first, to);
-        thud_answer_clear(&answer);
+            to = put_case(u, k, thud_run_result(solution.run), first, to);
+        thud_solution_clear(&solution);
     }
-    if (status == THUD_DIVERGED) /* a sample without an answer from there on */
+    if (status == THUD_DIVERGED) /* a sample without a result from there on */
         status = THUD_OK;
     thud_record_free(scaled);
     free(scene);

@@ -149,13 +149,13 @@ void thud_tui_go_to_field(struct thud_tui *tui, const char *key)
     int number = 0, last = tui->doc.scene.nstructures - 2, screen = screen_of(tui, key);
     const char *at = key;
     if (thud_scan_word(&at, "structures.") && thud_scan_count(&at, &number)) {
-        if (number - 1 < tui->pair || number - 1 > tui->pair + 1)
-            tui->pair = number - 1 > last ? last : number - 1;
+        if (number - 1 < tui->interface || number - 1 > tui->interface + 1)
+            tui->interface = number - 1 > last ? last : number - 1;
     } else if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &number)) {
-        tui->pair = number - 1;
+        tui->interface = number - 1;
     }
-    if (tui->pair < 0)
-        tui->pair = 0;
+    if (tui->interface < 0)
+        tui->interface = 0;
     if (screen < 0)
         return;
     thud_form_focus_on(&tui->form, screen, key);

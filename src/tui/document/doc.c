@@ -8,7 +8,7 @@
 
 #include "io/file/file.h"
 #include "io/record/record_file.h"
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "tui/document/doc.h"
 
 static struct thud_stamp stamp_of(const char *path)

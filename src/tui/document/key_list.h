@@ -71,7 +71,7 @@ THUD_KEY(GENERAL, PIN, 'v', 0, "v", "+pin",
 THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "+exchange",
          "exchange this state with the pinned one (at first the saved one)")
 THUD_KEY(GENERAL, STATES, 'U', 0, "U", "+states",
-         "the states of this session with their answers: go to one (Enter), compare with it (Tab), name it (F2, which "
+         "the states of this session with their results: go to one (Enter), compare with it (Tab), name it (F2, which "
          "saves it as a preset), forget it (Del)")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
 THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG", "write all figures as PNG")

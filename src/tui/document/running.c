@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 #include "tui/document/session_log.h"
 #include "tui/document/state.h"
 
@@ -44,7 +44,7 @@ void thud_tui_opened(struct thud_tui *tui)
         if (view->begin)
             view->begin(tui);
     }
-    tui->pair = 0;
+    tui->interface = 0;
     tui->look_at.wanted = false;
     thud_pin_take(&tui->pin, &tui->doc, false);
     tui->kept.before_n = NAN;
@@ -64,11 +64,11 @@ void thud_tui_follow(struct thud_tui *tui)
     enum thud_live_history wanted = thud_tui_wants_history(tui);
     const int last = tui->doc.scene.nstructures - 2;
     bool changed = tui->run.seen != tui->doc.revision;
-    if (tui->pair > last)
-        tui->pair = last > 0 ? last : 0;
+    if (tui->interface > last)
+        tui->interface = last > 0 ? last : 0;
     if (!changed && wanted <= tui->run.seen_history)
         return;
-    bool same = tui->run.revision == tui->doc.revision; /* the same answer, with its histories */
+    bool same = tui->run.revision == tui->doc.revision; /* the same result, with its histories */
     tui->run.seen = tui->doc.revision;
     tui->run.seen_history = wanted;
     if (same ? wanted > tui->run.live.history : tui->run.on) {

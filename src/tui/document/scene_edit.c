@@ -84,7 +84,7 @@ static void warn(struct thud_tui *tui, const char *key)
 /* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */
 static bool set_exponent(struct thud_tui *tui, const char *key, const char *text, struct thud_error *err)
 {
-    int interface = tui->pair;
+    int interface = tui->interface;
     const char *at = key;
     if (thud_scan_word(&at, "interfaces.") && thud_scan_count(&at, &interface))
         interface--;
@@ -356,20 +356,20 @@ void thud_tui_keep_force(struct thud_tui *tui)
     change(tui, &next, "stiffness chosen so that F(delta_u) is as before", command);
 }
 
-bool thud_tui_change_pair(struct thud_tui *tui, enum thud_action action)
+bool thud_tui_change_interface(struct thud_tui *tui, enum thud_action action)
 {
     if (action != THUD_DO_NEXT_PAIR && action != THUD_DO_PREVIOUS_PAIR)
         return false;
-    tui->pair += action == THUD_DO_NEXT_PAIR ? 1 : -1;
+    tui->interface += action == THUD_DO_NEXT_PAIR ? 1 : -1;
     return true;
 }
 
-const char *thud_tui_cannot_change_pair(struct thud_tui *tui, enum thud_action action)
+const char *thud_tui_cannot_change_interface(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_NEXT_PAIR)
-        return tui->pair + 2 < tui->doc.scene.nstructures ? NULL : "This is the last pair on the right";
+        return tui->interface + 2 < tui->doc.scene.nstructures ? NULL : "This is the last pair on the right";
     if (action == THUD_DO_PREVIOUS_PAIR)
-        return tui->pair > 0 ? NULL : "This is the first pair on the left";
+        return tui->interface > 0 ? NULL : "This is the first pair on the left";
     return NULL;
 }
 

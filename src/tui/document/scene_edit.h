@@ -19,7 +19,7 @@ void thud_tui_delete_link(struct thud_tui *tui, int link);
 /* The stiffness with which F(delta_u) is what it was before the exponent changed. */
 void thud_tui_keep_force(struct thud_tui *tui);
 /* The keys that go from one pair of neighbours to the next; false where `action` is another. */
-bool thud_tui_change_pair(struct thud_tui *tui, enum thud_action action);
-const char *thud_tui_cannot_change_pair(struct thud_tui *tui, enum thud_action action);
+bool thud_tui_change_interface(struct thud_tui *tui, enum thud_action action);
+const char *thud_tui_cannot_change_interface(struct thud_tui *tui, enum thud_action action);
 
 #endif

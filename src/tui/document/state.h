@@ -40,7 +40,7 @@ enum thud_reaction {
 struct thud_view {
     const char *title;
     int where;        /* its bit in the key table */
-    bool verdict;     /* the answer in one line stands above its panes */
+    bool verdict;     /* the result in one line stands above its panes */
     bool moved;       /* its figures are of the scene's ground motion */
     bool many;        /* and of many gaps */
     const char *keys; /* its fields are those of the scene that begin so; the longest that fits holds */
@@ -191,7 +191,7 @@ struct thud_tui {
     const struct thud_view *view[THUD_SCREENS + 1]; /* (screens) */
     void *own[THUD_SCREENS + 1];                    /* the state of each */
     int screens, screen, before;                    /* how many, the one shown, and the one shown before */
-    int pair;                                       /* the interface shown on Model and Contact, from 0 */
+    int interface;                                  /* the interface shown on Model and Contact, from 0 */
     struct thud_look_at look_at;
     struct {
         double before_n; /* F(delta_u) before a change of the exponent; NaN: none */
@@ -202,7 +202,7 @@ struct thud_tui {
         enum thud_role role;
     } said;
     struct {
-        char text[240]; /* the answer in one line, as last known */
+        char text[240]; /* the result in one line, as last known */
         int role;
     } verdict;
     struct thud_chart_frame chart;    /* where the chart that is read stands; no cells: there is none */

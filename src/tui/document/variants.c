@@ -35,7 +35,7 @@ void thud_variants_forget(struct thud_variants *variants, struct thud_variant *v
 }
 
 void thud_variants_note(struct thud_variants *variants, const struct thud_scene *scene, const char *what,
-                        const char *answer)
+                        const char *solution)
 {
     struct thud_variant *v = thud_variants_find(variants, scene);
     int oldest = 0;
@@ -55,7 +55,7 @@ void thud_variants_note(struct thud_variants *variants, const struct thud_scene 
         snprintf(v->what, sizeof v->what, "%.60s", what);
         variants->n++;
     }
-    snprintf(v->answer, sizeof v->answer, "%.155s", answer);
+    snprintf(v->solution, sizeof v->solution, "%.155s", solution);
 }
 
 void thud_variants_clear(struct thud_variants *variants)

@@ -1,4 +1,4 @@
-/* The states of a session with their answers: every scene that was run, until newer ones take its place; those with a
+/* The states of a session with their results: every scene that was run, until newer ones take its place; those with a
  * name stay. */
 #ifndef THUD_TUI_VARIANTS_H
 #define THUD_TUI_VARIANTS_H
@@ -10,7 +10,7 @@ struct thud_variant {
     struct thud_scene *scene;
     char name[40]; /* empty: none was given */
     char what[64]; /* the change that led to it; empty: none did */
-    char answer[160];
+    char solution[160];
 };
 struct thud_variants {
     struct thud_variant item[THUD_VARIANTS_MAX]; /* (n) as they came */
@@ -21,9 +21,9 @@ struct thud_variants {
 struct thud_variant *thud_variants_find(struct thud_variants *variants, const struct thud_scene *scene);
 /* By its name, or by its number as "#3"; NULL: there is none. */
 struct thud_variant *thud_variants_named(struct thud_variants *variants, const char *name);
-/* Keeps a scene with its answer; out of memory, or where all have names, it is left out. */
+/* Keeps a scene with its result; out of memory, or where all have names, it is left out. */
 void thud_variants_note(struct thud_variants *variants, const struct thud_scene *scene, const char *what,
-                        const char *answer);
+                        const char *solution);
 void thud_variants_forget(struct thud_variants *variants, struct thud_variant *variant);
 void thud_variants_clear(struct thud_variants *variants);
 

@@ -90,8 +90,8 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
 {
     const struct thud_scene *scene = &tui->doc.scene;
     char gap[40] = "", stem[640], base[200];
-    if (tui->pair + 1 < scene->nstructures && !thud_tui_view(tui)->many) /* a study has many */
-        snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->pair].gap_m);
+    if (tui->interface + 1 < scene->nstructures && !thud_tui_view(tui)->many) /* a study has many */
+        snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->interface].gap_m);
     snprintf(base, sizeof base, "%.60s %.60s %.20s%s", scene->name, what, of_case, gap);
     plain(base);
     snprintf(name, size, "%s", base);

@@ -57,7 +57,7 @@ void thud_tui_export(struct thud_tui *tui)
     thud_tui_write(tui, &csv, file);
 }
 
-/* The cases that have an answer, with the bumper's last: what `thud run -o` draws of one, over each other. */
+/* The cases that have a result, with the bumper's last: what `thud run -o` draws of one, over each other. */
 struct sources {
     struct thud_figure_source source[THUD_LIVE_CASES];
     int n, figures;

@@ -120,7 +120,7 @@ void thud_tui_palette(struct thud_tui *tui)
         const struct thud_variant *v = &tui->doc.variants.item[i];
         char value[32];
         snprintf(value, sizeof value, "v #%d", i + 1);
-        thud_chooser_add(&tui->dialog.chooser, value, "state %s #%d  %s  %.80s", v->name, i + 1, v->what, v->answer);
+        thud_chooser_add(&tui->dialog.chooser, value, "state %s #%d  %s  %.80s", v->name, i + 1, v->what, v->solution);
     }
     for (int i = 0; i < tui->screens; i++)
         if (tui->view[i]->offer)

@@ -4,7 +4,7 @@
 
 #include "tui/loop/loop.h"
 
-/* Carries out the commands of options->play, and prints each with what came of it: messages, and the answer where it is
+/* Carries out the commands of options->play, and prints each with what came of it: messages, and the result where it is
  * another one. Errors: THUD_INPUT with file and line where a command was refused, THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_tui_play(const struct thud_tui_options *options, struct thud_error *err);
 /* The same on screens that are there; what would be printed goes to `out`. */

@@ -42,7 +42,7 @@ void thud_tui_go_to_state(struct thud_tui *tui, const char *name)
         return;
     }
     thud_tui_log(tui, "state %s", name);
-    thud_tui_say(tui, THUD_ROLE_GOOD, "This is state %s (u undoes): %s", text, v->answer);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This is state %s (u undoes): %s", text, v->solution);
 }
 
 /* A preset of that name beside this one, or in the working folder beside one that comes with thud. */
@@ -128,6 +128,6 @@ void thud_tui_list_states(struct thud_tui *tui)
         char text[48], number[16];
         snprintf(number, sizeof number, "#%d", i + 1);
         thud_chooser_add(&tui->dialog.chooser, number, "%s%-9.9s %-20.20s %.100s", v == now ? "*" : " ",
-                         called(tui, v, text), v->what, v->answer);
+                         called(tui, v, text), v->what, v->solution);
     }
 }

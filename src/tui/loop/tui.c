@@ -269,11 +269,11 @@ static bool comparing(const struct thud_tui *tui)
 static void ran(struct thud_tui *tui)
 {
     enum thud_action action = tui->files.whole_wanted;
-    char answer[160];
-    thud_verdict_words(tui, 60, answer, sizeof answer);
+    char solution[160];
+    thud_verdict_words(tui, 60, solution, sizeof solution);
     const char *what = thud_undo_what(&tui->doc.undo, 0);
-    if (*answer && tui->run.revision == tui->doc.revision)
-        thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened", answer);
+    if (*solution && tui->run.revision == tui->doc.revision)
+        thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened", solution);
     tui->files.whole_wanted = THUD_DO_NOTHING;
     if (tui->files.pictures_wanted)
         thud_tui_run_pictures(tui);

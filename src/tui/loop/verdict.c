@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/run/answer_line.h"
+#include "app/run/summary_line.h"
 
 /* With P-Delta: that a case ends in a collapse. */
 static void say_collapse(const struct thud_tui *tui, enum thud_live_which which, char *text, size_t size)
@@ -22,24 +22,24 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
 static void words_of(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    const struct thud_live_need *need = &tui->run.live.need[tui->pair];
-    struct thud_answer_line line = {.need_m = NAN};
+    const struct thud_live_need *need = &tui->run.live.need[tui->interface];
+    struct thud_summary_line line = {.need_m = NAN};
     *text = '\0';
-    line.force_n = thud_live_force(&tui->run.live, THUD_LIVE_NONE, tui->pair + 1, &line.impacts);
-    line.impulse_ns = thud_live_impulse(&tui->run.live, THUD_LIVE_NONE, tui->pair + 1);
+    line.force_n = thud_live_force(&tui->run.live, THUD_LIVE_NONE, tui->interface + 1, &line.impacts);
+    line.impulse_ns = thud_live_impulse(&tui->run.live, THUD_LIVE_NONE, tui->interface + 1);
     *pounds = line.impacts > 0;
-    if (tui->pair + 1 >= scene->nstructures)
+    if (tui->interface + 1 >= scene->nstructures)
         return;
-    line.gap_m = scene->interface[tui->pair].gap_m;
+    line.gap_m = scene->interface[tui->interface].gap_m;
     bool free_body =
-        scene->structure[tui->pair].kind == THUD_RIGID || scene->structure[tui->pair + 1].kind == THUD_RIGID;
+        scene->structure[tui->interface].kind == THUD_RIGID || scene->structure[tui->interface + 1].kind == THUD_RIGID;
     if (!free_body) { /* that goes on for ever */
         line.need_m = need->closing_m;
         line.abs_m = need->abs_m;
         line.srss_m = need->srss_m;
     }
     line.compared = true;
-    line.bumper_force_n = thud_live_force(&tui->run.live, THUD_LIVE_BUMPER, tui->pair + 1, &line.bumper_impacts);
+    line.bumper_force_n = thud_live_force(&tui->run.live, THUD_LIVE_BUMPER, tui->interface + 1, &line.bumper_impacts);
     say_collapse(tui, THUD_LIVE_NONE, text, size);
     if (!*text)
         say_collapse(tui, THUD_LIVE_BUMPER, text, size);
@@ -49,7 +49,7 @@ static void words_of(const struct thud_tui *tui, int columns, char *text, size_t
         return;
     if (*text)
         snprintf(text + said, size - said, "   ");
-    thud_answer_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
+    thud_summary_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
 }
 
 void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size)

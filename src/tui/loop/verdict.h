@@ -1,10 +1,10 @@
-/* The answer in one line: whether the two neighbours shown pound, how hard, which gap they need, what the bumper does. */
+/* The result in one line: whether the two neighbours shown pound, how hard, which gap they need, what the bumper does. */
 #ifndef THUD_TUI_VERDICT_H
 #define THUD_TUI_VERDICT_H
 
 #include "tui/document/state.h"
 
-/* Draws it, dimmed while a run goes on whose answer it is not yet. */
+/* Draws it, dimmed while a run goes on whose result it is not yet. */
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row);
 
 /* It in at most so many columns; empty where there is nothing to say. */

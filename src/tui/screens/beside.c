@@ -63,7 +63,7 @@ void thud_tui_beside(struct thud_tui *tui, const char *words)
         thud_tui_choose_beside(tui);
         return;
     }
-    if (tui->pair + 1 >= tui->doc.scene.nstructures) {
+    if (tui->interface + 1 >= tui->doc.scene.nstructures) {
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no interface");
         return;
     }
@@ -75,7 +75,7 @@ void thud_tui_beside(struct thud_tui *tui, const char *words)
                      !*next.law ? "no law lies beside: :beside LAW first" : "the law beside has no such parameter");
         return;
     }
-    if (*next.law && thud_beside_scene(&next, &tui->doc.scene, tui->pair, &with, &err) != THUD_OK) {
+    if (*next.law && thud_beside_scene(&next, &tui->doc.scene, tui->interface, &with, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }

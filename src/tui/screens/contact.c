@@ -28,7 +28,7 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    int i = tui->pair;
+    int i = tui->interface;
     if (index == FORM && i + 1 < scene->nstructures)
         snprintf(text, size, "Between %s and %s (%d of %d)", scene->structure[i].name, scene->structure[i + 1].name,
                  i + 1, scene->nstructures - 1);
@@ -44,10 +44,10 @@ static int law_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, c
                     const struct thud_law *law)
 {
     char key[THUD_PATH_MAX];
-    snprintf(key, sizeof key, "interfaces.%d.%s.law", tui->pair + 1, part);
+    snprintf(key, sizeof key, "interfaces.%d.%s.law", tui->interface + 1, part);
     thud_field_row(tui, FORM, pane, y++, "law", key);
     for (int i = 0; law && i < law->nparams; i++) {
-        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, part, law->params[i].name);
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->interface + 1, part, law->params[i].name);
         thud_field_row(tui, FORM, pane, y++, law->params[i].name, key);
     }
     return y;
@@ -69,10 +69,10 @@ static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y
     heading(pane, y++, "Beside it, dashed (c)");
     snprintf(text, sizeof text, "%-19s%s", "law", law ? law->name : "none");
     thud_field_line(tui, FORM, pane, y++, -1, "beside", text);
-    if (!law || thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->pair, &with, NULL) != THUD_OK)
+    if (!law || thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->interface, &with, NULL) != THUD_OK)
         return y;
     for (int i = 0; i < law->nparams; i++) {
-        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->pair + 1, thud_beside_part(&with, tui->pair),
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->interface + 1, thud_beside_part(&with, tui->interface),
                  law->params[i].name);
         if (thud_scene_get(&with, key, value, sizeof value, NULL) != THUD_OK)
             continue;
@@ -101,7 +101,7 @@ static int link_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
     const struct thud_param *param = thud_group_params(THUD_GROUP_LINK, &count);
     for (int i = 0; i < scene->nlinks; i++) {
         char key[THUD_PATH_MAX], title[48];
-        if (thud_link_interface(scene, i) != tui->pair)
+        if (thud_link_interface(scene, i) != tui->interface)
             continue;
         snprintf(title, sizeof title, "Link %d (d takes it away)", i + 1);
         heading(pane, y++, title);
@@ -117,12 +117,12 @@ static int link_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
 
 static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    const struct thud_interface *at = &tui->doc.scene.interface[tui->pair];
+    const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
     char key[THUD_PATH_MAX], number[24];
     int y = 0;
-    snprintf(key, sizeof key, "interfaces.%d.gap", tui->pair + 1);
+    snprintf(key, sizeof key, "interfaces.%d.gap", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "gap", key);
-    snprintf(key, sizeof key, "interfaces.%d.levels", tui->pair + 1);
+    snprintf(key, sizeof key, "interfaces.%d.levels", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "levels", key);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
                     thud_tui_number(100.0 * thud_interface_clearance(at), number));
@@ -131,9 +131,9 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
     if (!at->has_bumper)
         return beside_rows(tui, pane, link_rows(tui, pane, y));
-    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->pair + 1);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "thickness", key);
-    snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->pair + 1);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "cavity", key);
     return beside_rows(tui, pane, link_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law)));
 }
@@ -141,7 +141,7 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 /* The loops, made anew where the scene or the pair changed. */
 static void refresh(struct thud_tui *tui)
 {
-    if (state(tui)->revision == tui->doc.revision && state(tui)->pair == tui->pair &&
+    if (state(tui)->revision == tui->doc.revision && state(tui)->pair == tui->interface &&
         state(tui)->pin == tui->pin.number)
         return;
     struct thud_scene with;
@@ -151,14 +151,14 @@ static void refresh(struct thud_tui *tui)
     for (int i = 0; i < THUD_MEETINGS; i++)
         state(tui)->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
     if (*state(tui)->beside.law &&
-        thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->pair, &with, &state(tui)->error) == THUD_OK)
+        thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->interface, &with, &state(tui)->error) == THUD_OK)
         behind = (struct thud_law_behind){&with, state(tui)->beside.law, state(tui)->beside_meeting};
     else if (tui->pin.scene.nstructures > 1)
         behind.scene = &tui->pin.scene;
     state(tui)->figure =
-        thud_tui_law_figure(&tui->doc.scene, &behind, tui->pair, state(tui)->meeting, &state(tui)->error);
+        thud_tui_law_figure(&tui->doc.scene, &behind, tui->interface, state(tui)->meeting, &state(tui)->error);
     state(tui)->revision = tui->doc.revision;
-    state(tui)->pair = tui->pair;
+    state(tui)->pair = tui->interface;
     state(tui)->pin = tui->pin.number;
 }
 
@@ -170,7 +170,7 @@ static const char *restitution(const struct thud_meeting *m, char text[24])
 /* F and e of this law and of the one behind it, beside each other. */
 static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
-    const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->pair);
+    const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->interface);
     char name[2][64], a[24], b[24], c[24], d[24], e[24];
     thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
     thud_utf8_fit(*state(tui)->beside.law ? state(tui)->beside.law : thud_tui_pin_name(tui), 13, name[1],
@@ -191,11 +191,11 @@ static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
 static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    double m1 = thud_tui_pair_mass(scene, tui->pair), m2 = thud_tui_pair_mass(scene, tui->pair + 1);
+    double m1 = thud_tui_pair_mass(scene, tui->interface), m2 = thud_tui_pair_mass(scene, tui->interface + 1);
     double mass = isinf(m1)   ? m2
                   : isinf(m2) ? m1
                               : m1 * m2 / (m1 + m2),
-           force = thud_scene_force_at_knee(scene, tui->pair);
+           force = thud_scene_force_at_knee(scene, tui->interface);
     char a[24], b[24], c[24], d[24];
     int y = 0;
     int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "eff. mass %s t",
@@ -221,7 +221,7 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
-    if (tui->pair + 1 >= tui->doc.scene.nstructures)
+    if (tui->interface + 1 >= tui->doc.scene.nstructures)
         return 0;
     if (index == FORM)
         return draw_form(tui, pane);
@@ -253,13 +253,13 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
     else if (action == THUD_DO_KEEP_FORCE)
         thud_tui_keep_force(tui);
     else if (action == THUD_DO_TOGGLE_BUMPER)
-        thud_tui_toggle_bumper(tui, tui->pair);
+        thud_tui_toggle_bumper(tui, tui->interface);
     else if (action == THUD_DO_ADD_LINK)
-        thud_tui_add_link(tui, tui->pair);
+        thud_tui_add_link(tui, tui->interface);
     else if (action == THUD_DO_DELETE_LINK)
         thud_tui_delete_link(tui, link_here(tui));
     else
-        return thud_tui_change_pair(tui, action) ? THUD_DONE : THUD_NOT_MINE;
+        return thud_tui_change_interface(tui, action) ? THUD_DONE : THUD_NOT_MINE;
     return THUD_DONE;
 }
 
@@ -277,13 +277,13 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
         return "The cursor is on no link";
     if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE || action == THUD_DO_ADD_LINK ||
         action == THUD_DO_DELETE_LINK)
-        return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
-    return thud_tui_cannot_change_pair(tui, action);
+        return tui->interface + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
+    return thud_tui_cannot_change_interface(tui, action);
 }
 
 static const struct thud_figure *figure(struct thud_tui *tui)
 {
-    if (tui->pair + 1 < tui->doc.scene.nstructures)
+    if (tui->interface + 1 < tui->doc.scene.nstructures)
         refresh(tui);
     return state(tui)->figure;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 #include "tui/screens/law_figure.h"
 
 double thud_tui_pair_mass(const struct thud_scene *scene, int s)
@@ -13,11 +13,11 @@ double thud_tui_pair_mass(const struct thud_scene *scene, int s)
 }
 
 /* Two free bodies of the lowest floors' masses; a wall is a body a million times as heavy. */
-static struct thud_pair bodies(const struct thud_scene *scene, int pair, double speed)
+static struct thud_two_body bodies(const struct thud_scene *scene, int pair, double speed)
 {
     const struct thud_interface *at = &scene->interface[pair];
     const struct thud_law_choice *choice = at->has_bumper ? &at->bumper : &at->contact;
-    struct thud_pair two = {.closing_mps = speed, .duration_s = 1.0, .law = choice->law};
+    struct thud_two_body two = {.closing_mps = speed, .duration_s = 1.0, .law = choice->law};
     for (int i = 0; i < 2; i++)
         two.mass_kg[i] = thud_tui_pair_mass(scene, pair + i);
     for (int i = 0; i < 2; i++)
@@ -49,15 +49,15 @@ static enum thud_status add_speed(struct thud_panel *panel, const struct thud_sc
                                   double speed, const char *behind, struct thud_meeting *meeting,
                                   struct thud_error *err)
 {
-    struct thud_pair two = bodies(scene, pair, speed);
-    struct thud_answer answer = {0};
-    enum thud_status status = thud_pair_run(&two, 1e-3, &answer, err);
+    struct thud_two_body two = bodies(scene, pair, speed);
+    struct thud_solution solution = {0};
+    enum thud_status status = thud_two_body_run(&two, 1e-3, &solution, err);
     if (status == THUD_OK) {
-        const struct thud_contact_result *contact = &thud_run_result(answer.run)->contact[0];
+        const struct thud_contact_result *contact = &thud_run_result(solution.run)->contact[0];
         *meeting = (struct thud_meeting){speed, contact->force.value, contact->indentation.value, contact->restitution};
-        add_loop(panel, answer.run, index, speed, behind);
+        add_loop(panel, solution.run, index, speed, behind);
     }
-    thud_answer_clear(&answer);
+    thud_solution_clear(&solution);
     return status;
 }
 

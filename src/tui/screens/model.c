@@ -45,7 +45,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         thud_peaks_strip_title(tui, tui->canvas.width - 2, text, size);
         return;
     }
-    int s = tui->pair + index;
+    int s = tui->interface + index;
     char period[32], name[THUD_NAME_MAX + 4];
     int w = tui->canvas.width, room = (w < 80 || tui->canvas.height < 24 ? w : w / 2) - 30;
     if (s < scene->nstructures)
@@ -205,7 +205,7 @@ struct elevation {
 static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
 {
     struct elevation e = {pane_rows, INFINITY, -INFINITY};
-    for (int s = tui->pair; s < tui->pair + 2 && s < tui->doc.scene.nstructures; s++) {
+    for (int s = tui->interface; s < tui->interface + 2 && s < tui->doc.scene.nstructures; s++) {
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
         if (!thud_kind_is_building(structure->kind))
             continue;
@@ -272,7 +272,8 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
     struct thud_pane area = thud_pane_inside(pane, 1, pane->h - 1 - e.rows, pane->w - 2, e.rows);
     if (thud_dots_init(&dots, &area, NULL) != THUD_OK)
         return;
-    struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->pair), 0), faint = thud_look(THUD_ROLE_MUTED, 0);
+    struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->interface), 0),
+                     faint = thud_look(THUD_ROLE_MUTED, 0);
     draw_building(&dots, &e, structure, look);
     for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
         char text[32], number[24];
@@ -303,17 +304,17 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     if (index == PEAKS)
         return thud_peaks_strip_draw(tui, pane);
-    if (tui->pair + index >= tui->doc.scene.nstructures) {
+    if (tui->interface + index >= tui->doc.scene.nstructures) {
         thud_field_note(pane, 0, "A adds one");
         return 1;
     }
-    return draw_structure(tui, index, pane, tui->pair + index);
+    return draw_structure(tui, index, pane, tui->interface + index);
 }
 
 /* The structure the cursor is in. */
 static int current(const struct thud_tui *tui)
 {
-    int pane = tui->form.pane[THUD_SCREEN_MODEL], s = tui->pair + (pane == 1);
+    int pane = tui->form.pane[THUD_SCREEN_MODEL], s = tui->interface + (pane == 1);
     return s < tui->doc.scene.nstructures ? s : tui->doc.scene.nstructures - 1;
 }
 
@@ -348,10 +349,10 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
         thud_tui_remove_structure(tui, current(tui));
         return THUD_DONE;
     case THUD_DO_SWAP:
-        thud_tui_swap(tui, tui->pair);
+        thud_tui_swap(tui, tui->interface);
         return THUD_DONE;
     default:
-        return thud_tui_change_pair(tui, action) ? THUD_DONE : THUD_NOT_MINE;
+        return thud_tui_change_interface(tui, action) ? THUD_DONE : THUD_NOT_MINE;
     }
 }
 
@@ -376,9 +377,9 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_REMOVE_STRUCTURE:
         return scene->nstructures > 2 ? NULL : "Two structures have to stay";
     case THUD_DO_SWAP:
-        return tui->pair + 1 < scene->nstructures ? NULL : "There is only one structure";
+        return tui->interface + 1 < scene->nstructures ? NULL : "There is only one structure";
     default:
-        return thud_tui_cannot_change_pair(tui, action);
+        return thud_tui_cannot_change_interface(tui, action);
     }
 }
 

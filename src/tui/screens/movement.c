@@ -381,7 +381,7 @@ static void say_contact(struct stage *stage, const struct thud_pane *pane, int w
     double depth = value_at(stage->history, thud_history_indentation(stage->history, worst), stage->t);
     char text[80], name[32];
     if (contact->struck)
-        thud_pairing_name(contact->left_floor, contact->right_floor, contact->struck, name, sizeof name);
+        thud_contact_pair_name(contact->left_floor, contact->right_floor, contact->struck, name, sizeof name);
     else
         snprintf(name, sizeof name, "%d", contact->left_floor > 0 ? contact->left_floor : contact->right_floor);
     snprintf(text, sizeof text, "*%s %.3g MN %.3g mm", name, 1e-6 * force, 1e3 * depth);

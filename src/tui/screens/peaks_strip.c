@@ -17,8 +17,8 @@ struct strip {
 static struct strip strip_of(const struct thud_tui *tui, int w)
 {
     int name = 1;
-    for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++) {
-        int n = thud_utf8_columns(tui->doc.scene.structure[tui->pair + s].name);
+    for (int s = 0; s < 2 && tui->interface + s < tui->doc.scene.nstructures; s++) {
+        int n = thud_utf8_columns(tui->doc.scene.structure[tui->interface + s].name);
         name = n > name ? n : name;
     }
     int most = w >= 72 ? w - 72 + 8 : 8; /* the column of the impacts gives way, those of numbers do not */
@@ -137,36 +137,38 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
         tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     int unused;
     for (int kind = 0; kind < 2; kind++)
-        for (int s = 0; s < 2 && tui->pair + s < tui->doc.scene.nstructures; s++, y++) {
+        for (int s = 0; s < 2 && tui->interface + s < tui->doc.scene.nstructures; s++, y++) {
             char label[200], name[160];
-            if (tui->doc.scene.structure[tui->pair + s].kind == THUD_WALL) {
+            if (tui->doc.scene.structure[tui->interface + s].kind == THUD_WALL) {
                 if (kind == 0)
-                    thud_field_note(pane, y, "%s moves with the ground", tui->doc.scene.structure[tui->pair + s].name);
+                    thud_field_note(pane, y, "%s moves with the ground",
+                                    tui->doc.scene.structure[tui->interface + s].name);
                 else
                     y--;
                 continue;
             }
-            thud_utf8_fit(tui->doc.scene.structure[tui->pair + s].name, layout.name, name, sizeof name);
+            thud_utf8_fit(tui->doc.scene.structure[tui->interface + s].name, layout.name, name, sizeof name);
             snprintf(label, sizeof label, "%s %s", name, kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
-                value[i] = (kind ? 1e3 : 1.0) * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->pair + s,
-                                                               kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
-            double before =
-                pinned ? thud_live_peak(pinned, last, tui->pair + s, kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
-                       : NAN;
+                value[i] =
+                    (kind ? 1e3 : 1.0) * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->interface + s,
+                                                        kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
+            double before = pinned ? thud_live_peak(pinned, last, tui->interface + s,
+                                                    kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
+                                   : NAN;
             peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, (kind ? 1e3 : 1.0) * before);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
-        value[i] = 1e-6 * thud_live_force(&tui->run.live, (enum thud_live_which)i, tui->pair + 1, &impacts[i]);
+        value[i] = 1e-6 * thud_live_force(&tui->run.live, (enum thud_live_which)i, tui->interface + 1, &impacts[i]);
     peak_row(tui, &layout, pane, y, "force", "MN", value,
-             pinned ? 1e-6 * thud_live_force(pinned, last, tui->pair + 1, &unused) : NAN);
+             pinned ? 1e-6 * thud_live_force(pinned, last, tui->interface + 1, &unused) : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
         if (tui->run.live.which[i].state == THUD_LIVE_DONE)
             thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],
                             impacts[i] == 1 ? "" : "s");
-    if (tui->pair + 1 < tui->doc.scene.nstructures) {
+    if (tui->interface + 1 < tui->doc.scene.nstructures) {
         char number[24];
-        double clearance = thud_interface_clearance(&tui->doc.scene.interface[tui->pair]);
+        double clearance = thud_interface_clearance(&tui->doc.scene.interface[tui->interface]);
         thud_field_note(pane, y + 1, "clearance %s mm", thud_tui_number(1e3 * clearance, number));
     }
     int right = column_x[THUD_LIVE_CASES + 1];

@@ -255,7 +255,7 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
     if (action == THUD_DO_TOGGLE_BUMPER)
-        thud_tui_toggle_bumper(tui, tui->pair);
+        thud_tui_toggle_bumper(tui, tui->interface);
     if (action == THUD_DO_TOGGLE_BUMPER || place(tui) == THUD_AT_SIDE)
         return action == THUD_DO_TOGGLE_BUMPER ? THUD_DONE : THUD_NOT_MINE;
     if (thud_plots_act_on_time(tui, action))
@@ -285,7 +285,7 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_TOGGLE_BUMPER)
-        return tui->pair + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
+        return tui->interface + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     bool of_time = action == THUD_DO_PLAY || action == THUD_DO_SCRUB_BACK || action == THUD_DO_SCRUB_FORWARD ||
                    action == THUD_DO_NEXT_IMPACT || action == THUD_DO_PREVIOUS_IMPACT ||
                    action == THUD_DO_LARGEST_IMPACT || action == THUD_DO_ZOOM || action == THUD_DO_UNZOOM ||

@@ -25,7 +25,7 @@ static int fields(struct thud_tui *tui, int index, const struct thud_pane *pane,
 {
     for (size_t i = 0; i < n; i++) {
         char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "interfaces.%d.%s", tui->pair + 1, row[i].key);
+        snprintf(path, sizeof path, "interfaces.%d.%s", tui->interface + 1, row[i].key);
         if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
             thud_field_row(tui, index, pane, y++, row[i].label, path);
     }
@@ -61,8 +61,8 @@ int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int y = 0;
-    if (tui->pair + 1 < scene->nstructures) {
-        const struct thud_interface *at = &scene->interface[tui->pair];
+    if (tui->interface + 1 < scene->nstructures) {
+        const struct thud_interface *at = &scene->interface[tui->interface];
         char number[24];
         y = fields(tui, index, pane, y, interface_key, sizeof interface_key / sizeof *interface_key);
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0),

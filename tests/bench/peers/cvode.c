@@ -215,7 +215,7 @@ static int integrate(struct problem *p, int lmm, double tolerance, double end_s,
 int main(int argc, char **argv)
 {
     static struct bench_scene scene;
-    static struct bench_answer reference, other;
+    static struct bench_solution reference, other;
     static struct problem p;
     SUNContext context;
     bench_scene_open(&scene, argc, argv);

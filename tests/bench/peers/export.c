@@ -1,4 +1,4 @@
-/* A scene with linear contacts for integrators outside: matrices, record, contacts and the confirmed answer, as JSON.
+/* A scene with linear contacts for integrators outside: matrices, record, contacts and the confirmed result, as JSON.
  * usage: export PRESET CASE KEY=VALUE... */
 #include <stdio.h>
 
@@ -72,7 +72,7 @@ static bool contacts(const struct thud_model *m)
 int main(int argc, char **argv)
 {
     static struct bench_scene scene;
-    static struct bench_answer reference, other;
+    static struct bench_solution reference, other;
     bench_scene_open(&scene, argc, argv);
     const struct thud_model *m = scene.model;
     double trust = bench_scene_reference(&scene, &reference, &other);

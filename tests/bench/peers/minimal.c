@@ -875,7 +875,7 @@ static bool located(struct scene *s, double step, double tolerance)
 /* ---- the table */
 
 static struct bench_scene opened;
-static struct bench_answer reference, other;
+static struct bench_solution reference, other;
 
 enum kind { CENTRAL, NEAR, NEWMARK, RK4, DORMAND_PRINCE, EXACT, OWN };
 enum { ROWS_MAX = 96, ROUNDS = 9 };
@@ -907,14 +907,14 @@ static void run_minimal(struct scene *s, struct row *row)
 /* thud's own: the exact method with a tolerance, the others with a step and nothing located. */
 static double run_thud(struct row *row)
 {
-    static struct bench_answer answer;
+    static struct bench_solution solution;
     struct thud_run_options options = opened.options;
     options.method = thud_method_find(row->name);
     options.locate = false;
     *(row->kind == EXACT ? &options.tolerance : &options.step_s) = row->setting;
-    double seconds = bench_scene_once(&opened, &options, &answer);
-    row->steps = answer.work.steps;
-    row->error = bench_scene_error(&opened, answer.acceleration_mps2, row->kind == EXACT ? &other : &reference);
+    double seconds = bench_scene_once(&opened, &options, &solution);
+    row->steps = solution.work.steps;
+    row->error = bench_scene_error(&opened, solution.acceleration_mps2, row->kind == EXACT ? &other : &reference);
     return seconds;
 }
 

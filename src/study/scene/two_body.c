@@ -1,51 +1,51 @@
 #include <assert.h>
 #include <math.h>
 
-#include "study/scene/pair.h"
+#include "study/scene/two_body.h"
 
 static const double tolerance = 1e-9;
 
-void thud_pair_set(struct thud_pair *pair, const char *param, double value)
+void thud_two_body_set(struct thud_two_body *pair, const char *param, double value)
 {
     int index = thud_law_param(pair->law, param);
     assert(index >= 0);
     pair->setup.value[index] = value;
 }
 
-static void start(struct thud_pair *pair, const char *law)
+static void start(struct thud_two_body *pair, const char *law)
 {
-    *pair = (struct thud_pair){.mass_kg = {320e3, 320e3}, .closing_mps = 0.5, .duration_s = 0.3};
+    *pair = (struct thud_two_body){.mass_kg = {320e3, 320e3}, .closing_mps = 0.5, .duration_s = 0.3};
     pair->law = thud_law_find(law);
     assert(pair->law);
     thud_law_defaults(pair->law, &pair->setup);
 }
 
-void thud_pair_concrete(struct thud_pair *pair)
+void thud_two_body_concrete(struct thud_two_body *pair)
 {
     start(pair, "kelvin-voigt-no-tension");
-    thud_pair_set(pair, "stiffness", 2500e6);
-    thud_pair_set(pair, "restitution", 0.6);
+    thud_two_body_set(pair, "stiffness", 2500e6);
+    thud_two_body_set(pair, "restitution", 0.6);
 }
 
-void thud_pair_rubber(struct thud_pair *pair)
+void thud_two_body_rubber(struct thud_two_body *pair)
 {
     start(pair, "rubber");
     pair->setup.thickness_m = 0.05;
-    thud_pair_set(pair, "stiffness", 0.36e3 * pow(1000.0, 2.65));
-    thud_pair_set(pair, "exponent", 2.65);
-    thud_pair_set(pair, "max-strain", 0.8);
-    thud_pair_set(pair, "post-yield", 2500e6);
-    thud_pair_set(pair, "restitution", 0.5);
+    thud_two_body_set(pair, "stiffness", 0.36e3 * pow(1000.0, 2.65));
+    thud_two_body_set(pair, "exponent", 2.65);
+    thud_two_body_set(pair, "max-strain", 0.8);
+    thud_two_body_set(pair, "post-yield", 2500e6);
+    thud_two_body_set(pair, "restitution", 0.5);
 }
 
-double thud_pair_separation(const struct thud_answer *answer)
+double thud_two_body_separation(const struct thud_solution *solution)
 {
-    const struct thud_history *h = thud_run_history(answer->run);
+    const struct thud_history *h = thud_run_history(solution->run);
     const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
     return last[thud_history_velocity(h, 1)] - last[thud_history_velocity(h, 0)];
 }
 
-static enum thud_status assemble(const struct thud_pair *pair, struct thud_model **model, struct thud_error *err)
+static enum thud_status assemble(const struct thud_two_body *pair, struct thud_model **model, struct thud_error *err)
 {
     struct thud_structure_input bodies[2] = {
         {.n = 1, .mass_kg = &pair->mass_kg[0], .velocity_mps = pair->closing_mps},
@@ -62,12 +62,12 @@ static enum thud_status assemble(const struct thud_pair *pair, struct thud_model
     return thud_model_create(&input, model, err);
 }
 
-enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, struct thud_answer *out,
-                               struct thud_error *err)
+enum thud_status thud_two_body_run(const struct thud_two_body *pair, double step_s, struct thud_solution *out,
+                                   struct thud_error *err)
 {
     struct thud_run_options options;
     bool done = false;
-    *out = (struct thud_answer){0};
+    *out = (struct thud_solution){0};
     thud_run_options_init(&options);
     options.tolerance = tolerance;
     options.tail_s = pair->duration_s;
@@ -84,6 +84,6 @@ enum thud_status thud_pair_run(const struct thud_pair *pair, double step_s, stru
     while (status == THUD_OK && !done)
         status = thud_run_advance(out->run, 1000, &done, err);
     if (status != THUD_OK)
-        thud_answer_clear(out);
+        thud_solution_clear(out);
     return status;
 }

@@ -1,6 +1,6 @@
 /* A scene and a record in, a finished run out. */
-#ifndef THUD_STUDY_ANSWER_H
-#define THUD_STUDY_ANSWER_H
+#ifndef THUD_STUDY_SOLUTION_H
+#define THUD_STUDY_SOLUTION_H
 
 #include "base/status.h"
 #include "core/run/run.h"
@@ -21,20 +21,20 @@ enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, stru
                                             struct thud_error *err);
 
 /* A finished run together with its model (the run keeps pointing to the model and to the caller's record). */
-struct thud_answer {
+struct thud_solution {
     struct thud_model *model;
     struct thud_run *run;
 };
 /* Assembles and creates the run. `options` NULL: from the scene. */
 enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
-                                  const struct thud_run_options *options, struct thud_answer *out,
+                                  const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err);
-/* The same, and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the answer is kept for
+/* The same, and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the result is kept for
  * what came before. */
-enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
-                                   const struct thud_run_options *options, struct thud_answer *out,
-                                   struct thud_error *err);
-void thud_answer_clear(struct thud_answer *answer);
+enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct thud_record *record,
+                                  const struct thud_run_options *options, struct thud_solution *out,
+                                  struct thud_error *err);
+void thud_solution_clear(struct thud_solution *solution);
 
 /* Whether anything moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's velocity.
  * Errors: THUD_INPUT with key. */

@@ -1,4 +1,4 @@
-#include "app/run/answer_line.h"
+#include "app/run/summary_line.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +6,7 @@
 
 #include "base/quantity.h"
 
-double thud_answer_gap_cm(double gap_m)
+double thud_summary_gap_cm(double gap_m)
 {
     return 0.1 * thud_shown(ceil(1e3 * gap_m - 1e-6), 0);
 }
@@ -19,7 +19,7 @@ static void add(char *text, size_t size, int columns, const char *part)
         snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
 }
 
-static void bumper_words(const struct thud_answer_line *line, bool brief, char *part, size_t size)
+static void bumper_words(const struct thud_summary_line *line, bool brief, char *part, size_t size)
 {
     *part = '\0';
     if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
@@ -33,7 +33,7 @@ static void bumper_words(const struct thud_answer_line *line, bool brief, char *
         snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
 }
 
-void thud_answer_line(const struct thud_answer_line *line, int columns, char *text, size_t size)
+void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size)
 {
     char part[160], bumper[80], gap[48];
     double force = 1e-6 * line->force_n;
@@ -59,10 +59,10 @@ void thud_answer_line(const struct thud_answer_line *line, int columns, char *te
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
         int rest = *bumper ? 3 + (int)strlen(bumper) : 0;
-        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_answer_gap_cm(line->need_m),
-                 thud_answer_gap_cm(line->abs_m), thud_answer_gap_cm(line->srss_m));
+        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->need_m),
+                 thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part, sizeof part, "needs %.1f cm", thud_answer_gap_cm(line->need_m));
+            snprintf(part, sizeof part, "needs %.1f cm", thud_summary_gap_cm(line->need_m));
         add(text, size, columns, part);
     }
     if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)

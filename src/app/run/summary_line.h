@@ -1,28 +1,28 @@
-/* The answer for two neighbours in one line: whether they pound at this gap, how often and how hard, the gap they need,
+/* The result for two neighbours in one line: whether they pound at this gap, how often and how hard, the gap they need,
  * and what the bumper does. */
-#ifndef THUD_APP_ANSWER_LINE_H
-#define THUD_APP_ANSWER_LINE_H
+#ifndef THUD_APP_SUMMARY_LINE_H
+#define THUD_APP_SUMMARY_LINE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-struct thud_answer_line {
+struct thud_summary_line {
     double gap_m;
     int impacts;
-    double force_n;        /* largest; NaN: there is no answer, or with impacts: impulses, which have no force */
+    double force_n;        /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
     double impulse_ns;     /* in all */
     double need_m;         /* the clearance that is never used up; NaN: not known */
     double abs_m, srss_m;  /* by the codes' rules, where need_m is known */
     bool compared;         /* the bumper's run stands beside that without, of which the rest tells */
     int bumper_impacts;    /* of that run */
-    double bumper_force_n; /* likewise; NaN: it has no answer */
+    double bumper_force_n; /* likewise; NaN: it has no result */
 };
 
 /* A gap in cm, up to the next millimetre, so that the number written is enough. */
-double thud_answer_gap_cm(double gap_m);
+double thud_summary_gap_cm(double gap_m);
 
 /* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". Gaps are rounded up
- * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without an answer. */
-void thud_answer_line(const struct thud_answer_line *line, int columns, char *text, size_t size);
+ * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without a result. */
+void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
 
 #endif

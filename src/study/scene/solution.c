@@ -1,4 +1,4 @@
-#include "study/scene/answer.h"
+#include "study/scene/solution.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,11 +26,11 @@ enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_
 }
 
 enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
-                                  const struct thud_run_options *options, struct thud_answer *out,
+                                  const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err)
 {
     struct thud_run_options own;
-    *out = (struct thud_answer){0};
+    *out = (struct thud_solution){0};
     enum thud_status status = THUD_OK;
     if (!options) {
         status = thud_scene_options(scene, &own, err);
@@ -41,27 +41,27 @@ enum thud_status thud_scene_start(const struct thud_scene *scene, const struct t
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, options, &out->run, err);
     if (status != THUD_OK)
-        thud_answer_clear(out);
+        thud_solution_clear(out);
     return status;
 }
 
-enum thud_status thud_scene_answer(const struct thud_scene *scene, const struct thud_record *record,
-                                   const struct thud_run_options *options, struct thud_answer *out,
-                                   struct thud_error *err)
+enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct thud_record *record,
+                                  const struct thud_run_options *options, struct thud_solution *out,
+                                  struct thud_error *err)
 {
     enum thud_status status = thud_scene_start(scene, record, options, out, err);
     for (bool done = false; status == THUD_OK && !done;)
         status = thud_run_advance(out->run, 1000, &done, err);
     if (status != THUD_OK && status != THUD_DIVERGED)
-        thud_answer_clear(out);
+        thud_solution_clear(out);
     return status;
 }
 
-void thud_answer_clear(struct thud_answer *answer)
+void thud_solution_clear(struct thud_solution *solution)
 {
-    thud_run_free(answer->run);
-    thud_model_free(answer->model);
-    *answer = (struct thud_answer){0};
+    thud_run_free(solution->run);
+    thud_model_free(solution->model);
+    *solution = (struct thud_solution){0};
 }
 
 /* Mean of the fundamental periods of a model's buildings, the shortest and the longest; 0: none has any. */
