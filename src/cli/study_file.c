@@ -11,6 +11,7 @@
 #include "io/file/json.h"
 #include "io/result/result_file.h"
 #include "io/result/scene_json.h"
+#include "io/result/schemas.h"
 
 /* An option and its value, which is cleared. */
 static void put_option(struct thud_text *out, const char *option, struct thud_text *value, bool *any)
@@ -118,7 +119,8 @@ static enum thud_status begin(const struct thud_args *args, const char *group, c
                               struct thud_made_by *out, struct thud_error *err)
 {
     struct thud_text text = {0};
-    *out = (struct thud_made_by){.folder = thud_args_value(args, "o"), .replace = thud_args_has(args, "replace")};
+    *out = (struct thud_made_by){
+        .folder = thud_args_value(args, "o"), .replace = thud_args_has(args, "replace"), .schema = thud_schema_at};
     snprintf(out->group, sizeof out->group, "%s", group);
     struct thud_scene *untitled = malloc(sizeof *untitled); /* what it is called changes no result */
     if (!untitled)

@@ -44,7 +44,7 @@ general_json() {
     agree "$1"
 }
 # storeys that yield, and slabs that strike columns
-"$THUD" run slab-against-columns --set structures.2.yield=5mm --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
+"$THUD" run slab-against-columns --set structures.2.yield=5mm --set p-delta=yes --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --csv >"$tmp/run.csv" 2>/dev/null
 "$THUD" sweep towers --set structures.2.yield=5mm --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
 two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
@@ -63,7 +63,8 @@ for name in verdicts.csv energies.csv restitutions.csv exhibits.csv; do csv $nam
 csv "record spectrum" "$tmp/spectrum.csv"
 csv "record convert" "$tmp/record.csv"
 "$THUD" run towers --method central-difference --step 0.05s --set structures.1.stiffness=6000MN/m --json >"$tmp/diverged.json" 2>/dev/null
-json result.json "$tmp/run/result.json" "$tmp/diverged.json"
+"$THUD" run towers-yielding --case none --set p-delta=yes --set structures.1.hardening=0% --set structures.2.hardening=0% --json >"$tmp/collapsed.json" 2>/dev/null
+json result.json "$tmp/run/result.json" "$tmp/diverged.json" "$tmp/collapsed.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
@@ -117,4 +118,4 @@ echo AXIS >>"$tmp/written"
 sort -u -o "$tmp/written" "$tmp/written"
 agree cost-AXIS.csv
 json "verify --published --json" "$tmp/published.json"
-is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,Gap (cm),Peak acceleration ratio,Peak deflection ratio$' "$tmp/figures/fig8.csv"
+is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,kind,Gap (cm),Peak acceleration ratio,Peak deflection ratio$' "$tmp/figures/fig8.csv"

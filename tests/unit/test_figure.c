@@ -275,9 +275,23 @@ START_TEST(csv_says_what_its_numbers_are)
     thud_panel_zoom(thud_figure_panel(figure, 0, 2, "closer"), a, 0.0, 2.0); /* the same data again */
     struct thud_text text = {0};
     thud_figure_csv(figure, &text);
-    ck_assert_str_eq(text.data, "panel,series,Time (s),Force (MN),Speed (m/s)\n"
-                                "A,,1,,\n"
-                                ",v,1,,1\n");
+    ck_assert_str_eq(text.data, "panel,series,kind,Time (s),Force (MN),Speed (m/s)\n"
+                                "A,,line,1,,\n"
+                                ",v,line,1,,1\n");
+    thud_text_clear(&text);
+    thud_figure_free(figure);
+}
+END_TEST
+
+START_TEST(csv_has_no_digits_of_a_conversion)
+{
+    struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
+    const double gap_cm = 0.145 / 0.01; /* 14.499999999999998 */
+    struct thud_text text = {0};
+    ck_assert_double_ne(gap_cm, 14.5);
+    thud_panel_add(thud_figure_panel(figure, 0, 0, "A"), line, "a", 1, &gap_cm, &gap_cm);
+    thud_figure_csv(figure, &text);
+    ck_assert_str_eq(text.data, "panel,series,kind,x,y\nA,a,line,14.5,14.5\n");
     thud_text_clear(&text);
     thud_figure_free(figure);
 }
@@ -295,7 +309,8 @@ START_TEST(csv_keeps_variables_apart)
     thud_panel_add(alike, line, "b", 1, &one, &two);
     struct thud_text text = {0};
     thud_figure_csv(figure, &text);
-    ck_assert_str_eq(text.data, "panel,series,x,y,Force (MN),\"Force (MN), upward\"\nA,a,1,2,,\nB,b,,,1,2\n");
+    ck_assert_str_eq(text.data,
+                     "panel,series,kind,x,y,Force (MN),\"Force (MN), upward\"\nA,a,line,1,2,,\nB,b,line,,,1,2\n");
     thud_text_clear(&text);
     thud_figure_free(figure);
 }
@@ -312,10 +327,10 @@ START_TEST(csv_holds_all_data_and_quotes_names)
     thud_panel_fill(panel, line, "band", 1, x, low, high);
     struct thud_text text = {0};
     thud_figure_csv(figure, &text);
-    ck_assert_str_eq(text.data, "panel,series,Time (s),Force (MN),\"Force (MN), upper end\"\n"
-                                "\"A \"\"top\"\"\",\"a,b\",0.1,0.3333333333333333,\n"
-                                "\"A \"\"top\"\"\",\"a,b\",0.2,2,\n"
-                                "\"A \"\"top\"\"\",band,0.1,0.3333333333333333,4\n");
+    ck_assert_str_eq(text.data, "panel,series,kind,Time (s),Force (MN),\"Force (MN), upper end\"\n"
+                                "\"A \"\"top\"\"\",\"a,b\",line,0.1,0.333333333333333,\n"
+                                "\"A \"\"top\"\"\",\"a,b\",line,0.2,2,\n"
+                                "\"A \"\"top\"\"\",band,band,0.1,0.333333333333333,4\n");
     thud_text_clear(&text);
     thud_figure_free(figure);
 }
@@ -339,6 +354,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, reduced_traces_keep_every_spike);
     tcase_add_test(tcase, reduced_traces_keep_breaks_loops_and_what_crosses_the_limits);
     tcase_add_test(tcase, csv_says_what_its_numbers_are);
+    tcase_add_test(tcase, csv_has_no_digits_of_a_conversion);
     tcase_add_test(tcase, csv_keeps_variables_apart);
     tcase_add_test(tcase, csv_holds_all_data_and_quotes_names);
     suite_add_tcase(suite, tcase);

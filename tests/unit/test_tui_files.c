@@ -538,7 +538,7 @@ START_TEST(numbers_are_copied)
     ck_assert_ptr_nonnull(strstr(f.script.copied, "\nA 2\t"));
     fixture_keys(&f, "<A-6><Enter><C-u>gap=1 cm:2 cm:1 cm<Enter><Tab>");
     fixture_keys(&f, "y");
-    ck_assert_ptr_nonnull(strstr(f.script.copied, "panel,series,"));
+    ck_assert_ptr_nonnull(strstr(f.script.copied, "panel,series,kind,"));
 }
 END_TEST
 

@@ -7,6 +7,8 @@
 
 #include "base/status.h"
 
+struct thud_schema;
+
 #define THUD_MADE_BY_FILE "made-by.txt"
 
 struct thud_made_by {
@@ -16,6 +18,7 @@ struct thud_made_by {
     unsigned long long scene; /* thud_hash of the scene */
     unsigned long long asked; /* of everything that is asked of it */
     bool replace;             /* remove what another scene's results are made of */
+    const struct thud_schema *(*schema)(int); /* kinds of rows, for datapackage.json; NULL: none is written */
 };
 
 /* Makes the folder. Results that lie there may be gone on with or written anew by what made them; those of another
@@ -27,7 +30,7 @@ enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_e
 enum thud_status thud_made_by_enter(const struct thud_made_by *by, struct thud_error *err);
 /* As thud_made_by_begin, but nothing is made, removed or remembered: before long work. */
 enum thud_status thud_made_by_check(const struct thud_made_by *by, struct thud_error *err);
-/* Writes the list, as often as there is more. Errors: THUD_OUTPUT, THUD_MEMORY. */
+/* Writes the list, and what the tables among the files are made of (datapackage.json), as often as there is more. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_error *err);
 
 /* thud_made_by_keep where the results are there: `before` is THUD_OK, or THUD_GNUPLOT, whose message stands. What else it

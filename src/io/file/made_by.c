@@ -10,6 +10,7 @@
 
 #include "base/scan.h"
 #include "base/text.h"
+#include "io/file/data_package.h"
 #include "io/file/file.h"
 #include "io/file/file_private.h"
 
@@ -227,6 +228,18 @@ static void put_sorted(const struct thud_text *files, struct thud_text *out)
     free(line);
 }
 
+/* What the tables of the folder are made of. It is a file of the list too. */
+static enum thud_status describe(const struct thud_made_by *by, struct thud_text *list, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    enum thud_status status =
+        list->failed || !by->schema ? THUD_OK : thud_data_package(by->folder, list->data, by->schema, &text, err);
+    if (status == THUD_OK && text.size > 0)
+        status = thud_text_write_in(&text, by->folder, THUD_DATA_PACKAGE_FILE, err);
+    thud_text_clear(&text);
+    return status;
+}
+
 enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_error *err)
 {
     char *text = NULL, *at;
@@ -243,8 +256,13 @@ enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_er
     }
     free(text);
     thud_text_append(&out, "made %s %016llx %016llx %s\n", by->group, by->scene, by->asked, by->what);
+    size_t own = out.size;
     put_sorted(&written.files, &out);
     out.failed |= written.files.failed;
+    if (status == THUD_OK)
+        status = describe(by, &out, err);
+    out.size = own;
+    put_sorted(&written.files, &out);
     if (status == THUD_OK)
         status = thud_text_write_in(&out, by->folder, THUD_MADE_BY_FILE, err);
     thud_text_clear(&out);

@@ -80,10 +80,17 @@ static void put_row(struct thud_text *out, const struct thud_text *prefix, const
     for (int c = 0; c < columns->n; c++) {
         thud_text_bytes(out, ",", 1);
         for (int k = 0; k < 3; k++)
-            if (at[k] == c && !isnan(value[k]))
-                thud_text_number(out, value[k]);
+            if (at[k] == c && !isnan(value[k])) /* in a unit: the last digits are those of the conversion from SI */
+                thud_text_append(out, "%.15g", value[k] + 0.0);
     }
     thud_text_bytes(out, "\n", 1);
+}
+
+static const char *kind_of(const struct thud_series *series)
+{
+    static const char *const kind[] = {[THUD_LINES] = "line",  [THUD_POINTS] = "points", [THUD_LINES_POINTS] = "line",
+                                       [THUD_STEPS] = "steps", [THUD_FILL] = "band",     [THUD_BARS] = "bars"};
+    return series->y_high ? "band" : kind[series->style.kind];
 }
 
 static void series_rows(struct thud_text *out, const struct thud_panel *panel, const struct thud_series *series,
@@ -94,6 +101,7 @@ static void series_rows(struct thud_text *out, const struct thud_panel *panel, c
                  series->y_high ? axis_column(columns, panel, THUD_Y, high) : -1};
     field(&prefix, panel->title);
     field(&prefix, series->name);
+    field(&prefix, kind_of(series));
     for (size_t i = 0; i < series->n && !prefix.failed; i++)
         put_row(out, &prefix, columns, at,
                 (double[]){series->x[i], series->y[i], series->y_high ? series->y_high[i] : NAN});
@@ -109,6 +117,7 @@ static void map_rows(struct thud_text *out, const struct thud_panel *panel, stru
                  map_column(columns, map)};
     field(&prefix, panel->title);
     field(&prefix, "");
+    field(&prefix, "map");
     for (size_t i = 0; i < map->nx * map->ny && !prefix.failed; i++)
         put_row(out, &prefix, columns, at, (double[]){map->x[i % map->nx], map->y[i / map->nx], map->z[i]});
     out->failed |= prefix.failed;
@@ -123,7 +132,7 @@ void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out)
         return;
     }
     find_columns(figure, columns);
-    thud_text_append(out, "panel,series");
+    thud_text_append(out, "panel,series,kind");
     for (int c = 0; c < columns->n; c++) {
         struct thud_text head = {0};
         field(&head, columns->text[c]);
