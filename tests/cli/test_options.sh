@@ -84,6 +84,14 @@ is "a preset comes from standard input" cmp "$tmp/file.json" "$tmp/piped.json"
 "$THUD" run towers --record - --peak 0.821g --json --quiet <"$record" | sed -n 's/.*\("acceleration_mps2": [^,]*\),.*/\1/p' >"$tmp/got"
 is "and so does a ground motion" cmp "$tmp/wanted" "$tmp/got"
 refused 2 - </dev/null
+why=$(sh tests/tools/no-terminal.sh script)
+if [ -z "$why" ]; then # kinds, storeys, then the usual values but for the gap
+    printf '\n\n3\n5\n\n\n\n\n\n\n\n\n8\n\n' | script -qec "'$THUD' new '$tmp/asked.yaml'" /dev/null >"$tmp/out" 2>"$tmp/err"
+    is "new asks at a terminal" shows 'right storeys \[6\]: '
+    is "and takes the answers" [ "$(grep -c -e '^    storeys: [35]$' -e '^  - gap: 8 cm ' "$tmp/asked.yaml")" -eq 3 ]
+else
+    echo "ok - new asks at a terminal # SKIP $why"
+fi
 is "a run without its figures" gives 0 run towers -o "$tmp/bare" --no-figures --quiet
 is "leaves tables and data" [ "$(cd "$tmp/bare" && echo *)" = "histories.csv impacts.csv made-by.txt result.json" ]
 is "cases as CSV" gives 0 run towers --cases none,bumper --csv --quiet
