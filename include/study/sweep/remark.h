@@ -42,16 +42,17 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
 
 /* Over the runs of a study: how many collapse, how many drift by more than buildings bear elastically, and how many press a bumper past its
  * largest strain, or by more than there is of it; and where that is worst. Zeros at first. */
+struct thud_sweep_worst {
+    double value; /* drift over height; stability coefficient; compression over thickness */
+    long point;
+    enum thud_case which;
+    int structure, storey; /* from 0, from 1; `structure` the interface of a bumper */
+};
 struct thud_sweep_watch {
-    long runs, drifting, with_bumper, pressed, beyond, collapsed;
+    long runs, drifting, unstable, with_bumper, pressed, beyond, collapsed;
     long fall_point; /* the first that collapsed, and its case */
     enum thud_case fall_which;
-    struct {
-        double value; /* drift over height; compression over thickness */
-        long point;
-        enum thud_case which;
-        int structure, storey; /* from 0, from 1; `structure` the interface of a bumper */
-    } drift, press;
+    struct thud_sweep_worst drift, theta, press;
     double press_m, thickness_m; /* of the worst press */
 };
 /* Errors: THUD_MEMORY, THUD_INPUT. */

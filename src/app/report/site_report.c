@@ -157,7 +157,7 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     return status;
 }
 
-/* All uncertain inputs drawn together. A scene where nothing is uncertain, or where a sample is no possible scene, has
+/* All uncertain inputs drawn together, of a suite a ground motion for each sample. A scene where nothing is uncertain, or where a sample is no possible scene, has
  * no such table. */
 static enum thud_status draw_samples(struct site *site, struct thud_error *err)
 {
@@ -166,8 +166,10 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
     if (options->samples == 0)
         return THUD_OK;
     tell(site, "samples of the uncertain inputs");
-    enum thud_status status = thud_uncertainty_create(site->scene, site->record, NULL, 0, THUD_CASE_AS_WRITTEN,
-                                                      options->inputs, &site->uncertainty, &refused);
+    const struct thud_record_list *suite = options->records;
+    enum thud_status status = thud_uncertainty_create(
+        site->scene, site->record, suite ? (const struct thud_record *const *)suite->record : NULL,
+        suite && suite->n > 1 ? suite->n : 0, THUD_CASE_AS_WRITTEN, options->inputs, &site->uncertainty, &refused);
     site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
                                                     .samples = options->samples,
                                                     .sampling = options->sampling,

@@ -53,7 +53,11 @@ static void sensitivity(struct site *site)
                             &s->floor[row + a][0]);
         if (!thud_site_is_building(site, k))
             continue;
-        snprintf(what, sizeof what, "drift of storey %d of %s", b + 1, thud_site_name(site, k));
+        const int slab = site->scene->structure[k].kind == THUD_ISOLATED; /* its storey is the isolators */
+        if (b < slab)
+            snprintf(what, sizeof what, "drift of the isolators of %s", thud_site_name(site, k));
+        else
+            snprintf(what, sizeof what, "drift of storey %d of %s", b + 1 - slab, thud_site_name(site, k));
         add_sensitivity_row(site, what, 1e3 * r->structure[k].floor[b].drift.value, "mm", &s->floor[row + b][3]);
     }
     const struct thud_contact_result *most = thud_site_strongest(r);
@@ -177,7 +181,8 @@ static void stiffness(struct site *site)
     for (int s = 0; s < site->scene->nstructures; s++)
         if (site->scene->structure[s].kind != THUD_WALL) {
             thud_document_cell(d, "acceleration of %s g", thud_site_name(site, s));
-            thud_document_cell(d, "drift of %s mm", thud_site_name(site, s));
+            thud_document_cell(d, "drift of %s%s mm", thud_site_name(site, s),
+                               site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
         }
     thud_document_row(d);
     for (int i = 0; i < site->nrows; i++) {

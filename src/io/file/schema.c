@@ -213,6 +213,12 @@ static int places_of(const struct thud_rows *rows, const struct thud_column *fie
     return places > 0 ? places : 0;
 }
 
+/* What shows as -0.00 with so many places is 0. */
+static double rounded(double x, int places)
+{
+    return fabs(x) <= 0.5 * pow(10, -places) ? fabs(x) : x;
+}
+
 static void put_shown(const struct thud_column *field, int places, const struct value *v, struct thud_text *out)
 {
     const struct thud_shown *s = &field->shown;
@@ -224,11 +230,11 @@ static void put_shown(const struct thud_column *field, int places, const struct 
     else if (!v->known)
         thud_text_append(out, "%*s", s->width, "-");
     else if (s->how == THUD_DIGITS_WORD)
-        thud_text_append(out, "%*.0f", s->width, x);
+        thud_text_append(out, "%*.0f", s->width, rounded(x, 0));
     else if (s->how == THUD_DIGITS_FIXED)
-        thud_text_append(out, "%*.*f", s->width, s->digits, x);
+        thud_text_append(out, "%*.*f", s->width, s->digits, rounded(x, s->digits));
     else if (s->how == THUD_DIGITS_PLACES && places >= 0 && fabs(x) < 1e9)
-        thud_text_append(out, "%*.*f", s->width, places, x);
+        thud_text_append(out, "%*.*f", s->width, places, rounded(x, places));
     else if (s->how == THUD_DIGITS_PLACES)
         thud_text_append(out, "%*.5g", s->width, x);
     else if (fabs(x) < pow(10, s->digits))

@@ -414,13 +414,29 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
 
 /* ---- the runs of a study ---- */
 
+/* The largest stability coefficient W/(k h) of a building's elastic storeys that drift; a point has no shear of those
+ * that yield. */
+static double worst_theta(const struct thud_structure *s, const double *drift_m, int *storey)
+{
+    const int slab = s->kind == THUD_ISOLATED;
+    double worst = 0;
+    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++) {
+        double theta = thud_structure_weight(s, i) / (s->stiffness_npm[i] * s->height_m[i]);
+        if (drift_m[i + slab] > 0 && theta > worst) {
+            worst = theta;
+            *storey = i + 1;
+        }
+    }
+    return worst;
+}
+
 /* A case of a point: its scene has been made for it. */
 static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scene, const struct thud_sweep_point *point,
                        int k)
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
-    bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false;
+    bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false, unstable = false;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
         double drift_m[THUD_STOREYS_MAX + 1];
         int storey;
@@ -442,6 +458,10 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             w->drift.structure = s;
             w->drift.storey = storey;
         }
+        double theta = scene->p_delta ? 0 : worst_theta(structure, drift_m, &storey);
+        unstable = unstable || theta > theta_small;
+        if (theta > w->theta.value)
+            w->theta = (struct thud_sweep_worst){theta, point->index, point->which[k], s, storey};
     }
     for (int c = 0; c < point->ncontacts; c++) {
         int i = point->level[c].interface - 1;
@@ -467,6 +487,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
     }
     w->runs++;
     w->drifting += drifts;
+    w->unstable += unstable;
     w->with_bumper += bumper;
     w->pressed += pressed;
     w->beyond += beyond;
@@ -529,6 +550,16 @@ bool thud_sweep_watch_remark(const struct thud_sweep_watch *w, const struct thud
                        100 * drift_most, w->drifting, w->runs, w->drift.storey,
                        plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
         thud_error_allow(out, "buildings yield before %g %%", 100 * drift_most);
+        return true;
+    }
+    if (w->unstable > 0 && n-- == 0) {
+        where_text(plan, w->theta.point, w->theta.which, where, sizeof where);
+        thud_error_set(out, THUD_OK,
+                       "%sthe stability coefficient of elastic storeys is above %g in %ld of %ld runs: %.3g at storey "
+                       "%d of %.40s (%s)",
+                       w->theta.value > theta_most ? "caution: " : "", theta_small, w->unstable, w->runs,
+                       w->theta.value, w->theta.storey, plan->scene.structure[w->theta.structure].name, where);
+        thud_error_allow(out, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
         return true;
     }
     return false;
