@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "app/run/record_list.h"
-#include "base/version.h"
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/result_file.h"
@@ -72,9 +71,9 @@ static void put_records(const struct thud_sweep_plan *plan, struct thud_text *ou
 /* The first line. */
 static void put_head(struct thud_text *out, const struct thud_scene *scene)
 {
-    thud_text_append(out, "{\n  \"preset\": ");
-    thud_json_string(out, scene->name);
-    thud_text_append(out, ", \"version\": \"%s\",\n", THUD_VERSION);
+    thud_text_append(out, "{\n  ");
+    thud_json_head(out, scene->name);
+    thud_text_append(out, ",\n");
 }
 
 static void put_scene(struct thud_text *out, const struct thud_scene *scene, const char *record)

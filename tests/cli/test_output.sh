@@ -119,3 +119,21 @@ sort -u -o "$tmp/written" "$tmp/written"
 agree cost-AXIS.csv
 json "verify --published --json" "$tmp/published.json"
 is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,kind,Gap (cm),Peak acceleration ratio,Peak deflection ratio$' "$tmp/figures/fig8.csv"
+
+# a number is the same in CSV and JSON, and a folder says of each of its tables what its columns are
+grep '^  {"record"' "$tmp/sweep.json" | sed 's/"[^"]*": //g; s/^  {//; s/},*$//; s/, /,/g; s/null//g; s/"//g' >"$tmp/objects"
+sed 1d "$tmp/suite/sweep.csv" >"$tmp/rows"
+is "sweep --json has the rows of sweep.csv" cmp "$tmp/rows" "$tmp/objects"
+is "and there are some" [ -s "$tmp/rows" ]
+described() { # FOLDER: the columns of every table, in their order; but of names with commas
+    for file in "$1"/*.csv; do
+        head -1 "$file" | grep -q '"' && continue
+        head -1 "$file" | tr , '\n' >"$tmp/named"
+        awk -v path="\"path\": \"${file##*/}\"" 'index($0, path) { on = 1; next } /"path": / { on = 0 }
+            on && sub(/^ *\{"name": "/, "") { sub(/".*/, ""); print }' "$1/datapackage.json" >"$tmp/written"
+        cmp "$tmp/named" "$tmp/written" || return 1
+    done
+}
+for folder in run sweep suite gap fragility uncertainty; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
+is "with type, unit and meaning" grep -q '{"name": "closing_m", "type": "number", "unit": "m", "description": "Gap that is needed' "$tmp/gap/datapackage.json"
+is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"

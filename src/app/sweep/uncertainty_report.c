@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "app/sweep/uncertainty_study.h"
-#include "base/version.h"
 #include "io/file/json.h"
+#include "io/file/schema.h"
 
 /* Shown units: m/s2, cm, MN, ratios and numbers as they are. */
 static double shown(const struct thud_quantity_of_run *q, double value)
@@ -289,10 +289,10 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
 {
     const struct thud_uncertainty *u = study->uncertainty;
     double size[THUD_DRAWN_MAX], head[HEADS];
-    thud_text_append(out, "{\"preset\": ");
-    thud_json_string(out, u->scene.name);
-    thud_text_append(out, ", \"version\": \"%s\", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu", THUD_VERSION,
-                     thud_uncertainty_samples(study), thud_sampling_name(study->sampling), study->seed);
+    thud_text_append(out, "{");
+    thud_json_head(out, u->scene.name);
+    thud_text_append(out, ", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu", thud_uncertainty_samples(study),
+                     thud_sampling_name(study->sampling), study->seed);
     for (int i = 0; i < u->ninputs; i++)
         size[i] = u->input[i].size;
     put_json_inputs("sizes", u, size, out);

@@ -1,6 +1,7 @@
 #include "io/result/floor_spectra_file.h"
 
 #include "io/file/json.h"
+#include "io/file/schema.h"
 
 void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_floor_spectra *s, struct thud_text *out)
 {
@@ -35,8 +36,8 @@ static void numbers(const double *value, int n, struct thud_text *out)
 void thud_floor_spectra_json(const struct thud_scene *scene, const struct thud_floor_spectra *s, struct thud_text *out)
 {
     int largest;
-    thud_text_append(out, "{\"preset\": ");
-    thud_json_string(out, scene->name);
+    thud_text_append(out, "{");
+    thud_json_head(out, scene->name);
     thud_text_append(out, ",\n \"record\": ");
     thud_json_string(out, scene->record.file);
     thud_text_append(out, ",\n ");
