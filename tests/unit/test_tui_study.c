@@ -453,6 +453,30 @@ START_TEST(unreadable_motions_are_skipped)
 }
 END_TEST
 
+/* Of a linear law the force goes with the speed: half of it at half the speed. */
+START_TEST(a_value_is_solved_for)
+{
+    fixture_close(&f);
+    fixture_open(&f, "bodies", 80, 24, true);
+    double force = thud_live_force(&f.tui->run.live, THUD_LIVE_NONE, 0, &(int){0}), found;
+    char keys[160];
+    fixture_keys(&f, "/structures.1.velocity<Enter>G");
+    fixture_expect(&f, "structures.1.velocity=0.167 m/s:1.5 m/s");
+    snprintf(keys, sizeof keys, "<C-u>force <lt> %.9g MN; structures.1.velocity=0.1 m/s:0.7 m/s<Enter>",
+             0.5e-6 * force);
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "holds up to structures.1.velocity");
+    fixture_keys(&f, "<Enter>");
+    found = f.tui->doc.scene.structure[0].velocity_mps;
+    ck_assert_msg(found < 0.25 && found > 0.25 - 0.0011 * 0.6, "%.9g", found);
+    fixture_keys(&f, "u:solve pounding; gap=0 cm:5 cm<Enter>"); /* it does at every gap */
+    fixture_expect(&f, "holds at every value");
+    ck_assert_double_eq_tol(f.tui->doc.scene.structure[0].velocity_mps, 0.5, 1e-15);
+    fixture_keys(&f, ":solve force; gap=0 cm:5 cm<Enter>");
+    fixture_expect(&f, "is not understood");
+}
+END_TEST
+
 /* What is there already and was not written here is not written over. */
 START_TEST(tables_of_others_stay)
 {
@@ -493,6 +517,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, a_structure_more_names_the_studys_interface);
     tcase_add_test(words, a_study_that_cannot_begin_says_why);
     tcase_add_test(words, unreadable_motions_are_skipped);
+    tcase_add_test(words, a_value_is_solved_for);
     tcase_add_test(words, tables_of_others_stay);
     suite_add_tcase(suite, words);
     return suite;

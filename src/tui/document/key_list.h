@@ -62,6 +62,8 @@ THUD_KEY(FORMS, STEP_UP, '+', 0, "+", "", "one step up")
 THUD_KEY(FORMS, STEP_DOWN, '-', 0, "-", "~+/- step", "one step down")
 THUD_KEY(FORMS, LEAP_UP, '}', 0, "}", "", "ten steps up")
 THUD_KEY(FORMS, LEAP_DOWN, '{', 0, "{", "", "ten steps down")
+THUD_KEY(FORMS, SOLVE, 'G', 0, "G", "+solve",
+         "which value of this field makes something hold (force < 10 MN, drift < 1 %, no pounding); Enter takes it")
 THUD_KEY(FORMS, NEW, 'n', 0, "n", "new", "a new scene: two neighbours, their gap and a ground motion from nothing")
 THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")

@@ -113,6 +113,7 @@ struct thud_prompt {
 };
 /* A question: what is done at `y`, with the target it was asked about. */
 struct thud_question {
+    bool enter;   /* Enter is yes too */
     bool unsaved; /* it is what becomes of unsaved changes: `s` saves them before */
     void (*yes)(struct thud_tui *tui, const char *target);
 };

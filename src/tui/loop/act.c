@@ -170,6 +170,9 @@ static void rest(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_EXCHANGE:
         thud_tui_exchange(tui);
         break;
+    case THUD_DO_SOLVE:
+        thud_tui_solve_field(tui);
+        break;
     case THUD_DO_STATES:
         thud_tui_list_states(tui);
         break;

@@ -50,6 +50,7 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_EDIT_OLD:
     case THUD_DO_TOGGLE:
         return on_value(tui) ? NULL : "The cursor is on no value";
+    case THUD_DO_SOLVE:
     case THUD_DO_STEP_UP:
     case THUD_DO_STEP_DOWN:
     case THUD_DO_LEAP_UP:

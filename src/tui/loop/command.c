@@ -198,6 +198,11 @@ static void run_bumper(struct thud_tui *tui, char *rest)
     edit_scene(tui, "bumper", *rest ? rest : "1");
 }
 
+static void run_solve(struct thud_tui *tui, char *rest)
+{
+    thud_tui_solve(tui, rest);
+}
+
 static void run_state(struct thud_tui *tui, char *rest)
 {
     thud_tui_go_to_state(tui, rest);

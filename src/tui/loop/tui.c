@@ -139,7 +139,8 @@ static void choosing_key(struct thud_tui *tui, int key)
 static void answered(struct thud_tui *tui, int key)
 {
     const struct thud_question *question = tui->dialog.question;
-    bool yes = key == 'y' || key == 'Y', no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;
+    bool yes = key == 'y' || key == 'Y' || (question->enter && key == THUD_KEY_ENTER),
+         no = key == 'n' || key == 'N' || key == THUD_KEY_ESC;
     bool save = question->unsaved && (key == 's' || key == 'S');
     char target[sizeof tui->dialog.target];
     if (!yes && !no && !save)

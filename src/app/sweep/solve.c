@@ -1,0 +1,251 @@
+#include "app/sweep/solve.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/sweep/sweep_jobs.h"
+#include "io/file/json.h"
+
+enum { SCAN = 9, PARTS = 5 };    /* values of the scan; parts that a change is cut into in each round */
+static const double fine = 1e-3; /* of the range: where a change is known so well it is known */
+
+enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *out, struct thud_error *err)
+{
+    char event[sizeof out->text];
+    size_t n = strcspn(text, " <>");
+    const char *rest = text + n + strspn(text + n, " ");
+    *out = (struct thud_criterion){.happens = *rest == '>'};
+    snprintf(out->text, sizeof out->text, "%s", text);
+    if (*rest == '<' || *rest == '>') {
+        rest += 1 + strspn(rest + 1, " =");
+        snprintf(event, sizeof event, "%.*s:%s", (int)n, text, rest);
+    } else if (n == 2 && strncmp(text, "no", 2) == 0) {
+        snprintf(event, sizeof event, "%s", rest);
+    } else {
+        out->happens = true;
+        snprintf(event, sizeof event, "%s", text);
+    }
+    if (strlen(text) < sizeof out->text && strchr(event, ':') == strrchr(event, ':') &&
+        thud_event_parse(event, &out->event, NULL) == THUD_OK && out->event.kind != THUD_EVENT_WORSE)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" is not understood", text);
+    thud_error_allow(err, "force < 10 MN, acceleration < 1 g, drift < 1 %%, drift < 3 cm, ductility < 2, permanent < 1 "
+                          "cm, column < 1, no pounding, no collapse; or > in place of <");
+    return THUD_USAGE;
+}
+
+static bool holds(const struct thud_solve *solve, const struct thud_solve_try *tried)
+{
+    return tried->n > 0 && tried->held >= solve->share * tried->n - 1e-9;
+}
+
+/* The points of a plan go to its suite. */
+static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+{
+    enum thud_status status = thud_suite_add(context, point, err);
+    free(point);
+    return status;
+}
+
+static void put(struct thud_solve *solve, const struct thud_solve_try *tried)
+{
+    int at = solve->n;
+    while (at > 0 && solve->tried[at - 1].x > tried->x)
+        at--;
+    memmove(&solve->tried[at + 1], &solve->tried[at], (size_t)(solve->n - at) * sizeof *tried);
+    solve->tried[at] = *tried;
+    solve->n++;
+}
+
+/* Runs the values, `axis` as a sweep's, and puts them among those tried. */
+static enum thud_status run_values(struct thud_solve *solve, const struct thud_scene *scene,
+                                   const struct thud_record_list *records, const char *axis, const atomic_int *cancel,
+                                   struct thud_error *err)
+{
+    struct thud_sweep_plan plan;
+    struct thud_suite *suite = NULL;
+    struct thud_fragility counts = {0};
+    struct thud_fragility_ask ask = {.event = &solve->criterion.event};
+    thud_sweep_plan_init(&plan, scene);
+    plan.nrecords = records ? records->n : 0;
+    plan.record = plan.nrecords ? (const struct thud_record *const *)records->record : NULL;
+    enum thud_status status = thud_sweep_vary(&plan, axis, err);
+    if (status == THUD_OK)
+        status = thud_suite_create(&plan, &suite, err);
+    if (status == THUD_OK) {
+        struct thud_sweep_jobs jobs = {.plan = &plan,
+                                       .step = 1,
+                                       .count = thud_sweep_points(&plan),
+                                       .cancel = cancel,
+                                       .context = suite,
+                                       .take = take};
+        status = thud_sweep_jobs_run(&jobs, err);
+    }
+    if (status == THUD_OK)
+        status = thud_fragility_make(suite, &ask, &counts, err);
+    for (int i = 0; status == THUD_OK && i < plan.axis[0].n && solve->n < THUD_SOLVE_TRIES_MAX; i++) {
+        const struct thud_stripe *s = &counts.stripe[i];
+        struct thud_solve_try tried = {.x = s->x, .n = s->n};
+        tried.held = solve->criterion.happens ? s->count : s->n - s->count;
+        snprintf(tried.text, sizeof tried.text, "%.40s", plan.axis[0].text[i]);
+        put(solve, &tried);
+    }
+    thud_fragility_clear(&counts);
+    thud_suite_free(suite);
+    thud_sweep_plan_clear(&plan);
+    return status;
+}
+
+/* "KEY=V1,V2,...": n values between two, without them where `inner`. */
+static void write_axis(const char *key, const char *unit, double from, double to, int parts, bool inner,
+                       struct thud_text *out)
+{
+    char value[48];
+    thud_text_append(out, "%s=", key);
+    for (int i = inner; i <= parts - inner; i++) {
+        const char *rest = value;
+        double number = 0;
+        thud_quantity_format(from + (to - from) * i / parts, unit, value, sizeof value);
+        thud_number_parse(value, &rest, &number);
+        thud_text_append(out, "%s%.6g%s", i > inner ? "," : "", number, rest);
+    }
+}
+
+static void find_changes(struct thud_solve *solve)
+{
+    solve->changes = 0;
+    for (int i = 0; i + 1 < solve->n; i++)
+        if (holds(solve, &solve->tried[i]) != holds(solve, &solve->tried[i + 1]) &&
+            solve->changes < THUD_SOLVE_CHANGES_MAX)
+            solve->change[solve->changes++] = i;
+}
+
+/* KEY=FROM:TO */
+static enum thud_status read_by(const struct thud_scene *scene, const char *by, struct thud_solve *solve,
+                                const struct thud_param **param, double range[2], struct thud_error *err)
+{
+    int floor;
+    size_t n = strcspn(by, "=");
+    char from[48];
+    const char *value = by + n + (by[n] == '='), *colon = strchr(value, ':');
+    struct thud_quantity low = {.value = NAN}, high = {.value = NAN};
+    snprintf(solve->key, sizeof solve->key, "%.*s", (int)n, by);
+    *param = n < sizeof solve->key ? thud_scene_param(scene, solve->key, &floor) : NULL;
+    bool number = *param && (*param)->kind == THUD_PARAM_QUANTITY && colon && colon - value < (long)sizeof from;
+    if (number) {
+        snprintf(from, sizeof from, "%.*s", (int)(colon - value), value);
+        number = thud_quantity_parse(from, (*param)->dimension, (*param)->unit, &low, NULL) == THUD_OK &&
+                 thud_quantity_parse(colon + 1, (*param)->dimension, (*param)->unit, &high, NULL) == THUD_OK;
+    }
+    range[0] = low.value;
+    range[1] = high.value;
+    if (number && high.value > low.value)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "\"%.80s\" is no range of a quantity", by);
+    thud_error_allow(err, "KEY=FROM:TO, rising, e.g. gap=2cm:20cm");
+    return THUD_USAGE;
+}
+
+enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thud_record_list *records, const char *by,
+                                const struct thud_criterion *criterion, double share, const atomic_int *cancel,
+                                struct thud_solve *out, struct thud_error *err)
+{
+    const struct thud_param *param;
+    double range[2];
+    *out = (struct thud_solve){.criterion = *criterion, .share = share, .nrecords = records ? records->n : 0};
+    enum thud_status status = read_by(scene, by, out, &param, range, err);
+    const char *unit = status == THUD_OK && param->unit ? param->unit : "";
+    struct thud_text axis = {0};
+    if (status == THUD_OK) {
+        write_axis(out->key, unit, range[0], range[1], SCAN - 1, false, &axis);
+        status = axis.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
+                             : run_values(out, scene, records, axis.data, cancel, err);
+    }
+    for (bool more = true; status == THUD_OK && more;) {
+        more = false;
+        find_changes(out);
+        for (int i = out->changes - 1; status == THUD_OK && i >= 0; i--) { /* the last first: those before stay */
+            double from = out->tried[out->change[i]].x, to = out->tried[out->change[i] + 1].x;
+            if (to - from <= fine * (range[1] - range[0]) || out->n + PARTS > THUD_SOLVE_TRIES_MAX)
+                continue;
+            thud_text_clear(&axis);
+            write_axis(out->key, unit, from, to, PARTS, true, &axis);
+            status = axis.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
+                                 : run_values(out, scene, records, axis.data, cancel, err);
+            more = true;
+        }
+    }
+    thud_text_clear(&axis);
+    return status;
+}
+
+const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve)
+{
+    if (solve->changes != 1)
+        return NULL;
+    const struct thud_solve_try *below = &solve->tried[solve->change[0]];
+    return holds(solve, below) ? below : below + 1;
+}
+
+void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
+{
+    const struct thud_solve_try *answer = thud_solve_answer(solve), *last = &solve->tried[solve->n - 1];
+    const char *text = solve->criterion.text;
+    if (solve->n > 0 && solve->changes == 0)
+        thud_text_append(out, "%s %s at every value of %s tried from %s to %s", text,
+                         holds(solve, last) ? "holds" : "does not hold", solve->key, solve->tried[0].text, last->text);
+    else if (answer) {
+        bool below = answer == &solve->tried[solve->change[0]];
+        thud_text_append(out, "%s holds %s %s = %s (not at %s)", text, below ? "up to" : "from", solve->key,
+                         answer->text, below ? answer[1].text : answer[-1].text);
+    } else
+        thud_text_append(out, "%s is not monotone in %s: it changes %d times or more from %s to %s", text, solve->key,
+                         solve->changes, solve->tried[0].text, last->text);
+    if (solve->nrecords > 1)
+        thud_text_append(out, ", under %g %% of %d ground motions", 100 * solve->share, solve->nrecords);
+    thud_text_append(out, "\n");
+    for (int i = 0; !answer && i < solve->changes; i++) {
+        const struct thud_solve_try *below = &solve->tried[solve->change[i]];
+        thud_text_append(out, "  %s at %s, %s at %s\n", holds(solve, below) ? "holds" : "does not", below->text,
+                         holds(solve, below) ? "does not" : "holds", below[1].text);
+    }
+}
+
+void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
+{
+    thud_solve_words(solve, out);
+    thud_text_append(out, "\n%-20.40s  %s\n", solve->key, "holds under");
+    for (int i = 0; i < solve->n; i++) {
+        const struct thud_solve_try *t = &solve->tried[i];
+        if (t->n == 0)
+            thud_text_append(out, "%-20s  not possible\n", t->text);
+        else
+            thud_text_append(out, "%-20s  %d of %d%s\n", t->text, t->held, t->n, holds(solve, t) ? "" : "  no");
+    }
+    thud_text_append(out,
+                     "\nBetween values that were tried nothing is known: a change and its way back may lie there.\n");
+}
+
+void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
+{
+    const struct thud_solve_try *answer = thud_solve_answer(solve);
+    thud_text_append(out, "{\"format\": 1, \"for\": ");
+    thud_json_string(out, solve->criterion.text);
+    thud_text_append(out, ", \"key\": ");
+    thud_json_string(out, solve->key);
+    thud_text_append(out, ", \"share\": %.17g, \"changes\": %d, \"answer\": ", solve->share, solve->changes);
+    if (answer)
+        thud_json_string(out, answer->text);
+    else
+        thud_text_append(out, "null");
+    thud_text_append(out, ", \"tried\": [");
+    for (int i = 0; i < solve->n; i++) {
+        thud_text_append(out, "%s\n  {\"value\": ", i ? "," : "");
+        thud_json_string(out, solve->tried[i].text);
+        thud_text_append(out, ", \"x\": %.17g, \"motions\": %d, \"held\": %d}", solve->tried[i].x, solve->tried[i].n,
+                         solve->tried[i].held);
+    }
+    thud_text_append(out, "\n]}\n");
+}

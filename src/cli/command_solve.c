@@ -1,0 +1,71 @@
+/* thud solve: which value makes something hold. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "app/sweep/solve.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/records_option.h"
+#include "cli/scene_options.h"
+
+static enum thud_status refuse(const char *option, const char *why, const char *allowed, struct thud_error *err)
+{
+    thud_error_set(err, THUD_USAGE, "%s", why);
+    thud_args_key(option, err);
+    thud_error_allow(err, "%s", allowed);
+    return THUD_USAGE;
+}
+
+/* --share: above 0, at most 1; all without it. */
+static enum thud_status read_share(const struct thud_args *args, double *share, struct thud_error *err)
+{
+    const char *text = thud_args_value(args, "share");
+    struct thud_quantity q = {.value = 1};
+    if (text && (thud_quantity_parse(text, THUD_RATIO, NULL, &q, NULL) != THUD_OK || !(q.value > 0 && q.value <= 1)))
+        return refuse("share", "is no share of the ground motions", "above 0, at most 100 %", err);
+    *share = q.value;
+    return THUD_OK;
+}
+
+static enum thud_status solve(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                              struct thud_error *err)
+{
+    struct thud_record_list records = {0};
+    struct thud_criterion criterion;
+    struct thud_text text = {0};
+    double share;
+    const char *what = thud_args_value(args, "for"), *by = thud_args_value(args, "by");
+    struct thud_solve *found = malloc(sizeof *found);
+    enum thud_status status = found ? read_share(args, &share, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK && !what)
+        status = refuse("for", "says what has to hold", "e.g. --for \"force < 10 MN\"", err);
+    if (status == THUD_OK && !by)
+        status = refuse("by", "says which value may change", "e.g. --by gap=2cm:20cm", err);
+    if (status == THUD_OK && (status = thud_criterion_parse(what, &criterion, err)) != THUD_OK)
+        thud_args_key("for", err);
+    if (status == THUD_OK)
+        status = thud_scene_options_of_case(args, session, scene, err);
+    if (status == THUD_OK)
+        status = thud_records_option_read(args, session, &records, err);
+    if (status == THUD_OK) {
+        status = thud_solve_run(scene, &records, by, &criterion, share, thud_interrupt_watch(), found, err);
+        if (status == THUD_USAGE)
+            thud_args_key("by", err);
+    }
+    if (status == THUD_OK && thud_args_has(args, "json")) {
+        thud_solve_json(found, &text);
+        status = thud_cli_print_data(&text, err);
+    } else if (status == THUD_OK) {
+        thud_solve_report(found, &text);
+        status = thud_cli_print(&text, err);
+    }
+    thud_text_clear(&text);
+    thud_record_list_clear(&records);
+    free(found);
+    return status;
+}
+
+enum thud_status thud_command_solve(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, solve, err);
+}
