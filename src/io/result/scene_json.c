@@ -105,8 +105,9 @@ void thud_scene_json(const struct thud_scene *scene, const char *file, int inden
         return;
     }
     thud_text_append(out, "{\n%*s", indent, "");
-    put_keys(&w, (struct thud_section){THUD_GROUP_SCENE, 0}); /* may be none: a comma stands only between */
-    put_group(&w, THUD_GROUP_ANALYSIS, *scene->title != '\0');
+    /* without a title there may be none: a comma stands only between two */
+    const int keys = put_keys(&w, (struct thud_section){THUD_GROUP_SCENE, 0});
+    put_group(&w, THUD_GROUP_ANALYSIS, keys > 0);
     if (scene->record.file[0])
         put_group(&w, THUD_GROUP_RECORD, true);
     put_items(&w, THUD_GROUP_STRUCTURE, scene->nstructures);
