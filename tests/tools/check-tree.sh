@@ -31,6 +31,8 @@ report "no note to oneself" "$(search '\<(T[O]DO|F[I]XME|X[X]X|H[A]CK)\>')"
 report "no trailing blank" "$(search '[[:blank:]]+$')"
 report "no carriage return" "$(search "$(printf '\r')")"
 report "no conflict mark" "$(search '^(<{7}|>{7})( |$)')"
+# names that are given up: a solution, two bodies, a contact pair, an interface, a batch
+report "no name of the old dialect" "$(search '\<thud_(answer|pair(ing)?)(_|\>)|tui->pai[r]\>|\<[Aa]breas[t]\>')"
 report "every file ends with a newline" "$(printf '%s\n' "$sources" | while read -r f; do
     if [ -s "$f" ] && [ -n "$(tail -c 1 "$f")" ]; then echo "$f"; fi
 done)"

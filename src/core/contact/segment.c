@@ -540,31 +540,31 @@ static double side_term(const struct thud_model_side *side, const double *modal)
     return thud_dot(side->modes, side->row, modal + side->first_mode);
 }
 
-enum { ABREAST = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
+enum { READ = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
 
-struct terms_abreast {
+struct four_terms {
     thud_vec2 low, high;
 };
 
 /* Those of four orders, n apart, each summed as thud_dot does: an indentation's start has the same bits here and by
  * thud_contact_indentation, or contacts at rest on each other would switch without end. */
-static inline struct terms_abreast side_terms(const struct thud_model_side *side, const double *modal, int n)
+static inline struct four_terms side_terms(const struct thud_model_side *side, const double *modal, int n)
 {
     const double *q = modal + side->first_mode, *row = side->row;
-    thud_vec2 even[ABREAST] = {0}, odd[ABREAST] = {0};
+    thud_vec2 even[READ] = {0}, odd[READ] = {0};
     int j = 0;
     for (; j + 4 <= side->modes; j += 4)
-        for (int i = 0; i < ABREAST; i++) {
+        for (int i = 0; i < READ; i++) {
             even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
             odd[i] += thud_vec2_at(row + j + 2) * thud_vec2_at(q + i * n + j + 2);
         }
-    for (int i = 0; i < ABREAST && j + 2 <= side->modes; i++)
+    for (int i = 0; i < READ && j + 2 <= side->modes; i++)
         even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
     j = side->modes & ~1;
-    for (int i = 0; i < ABREAST; i++)
+    for (int i = 0; i < READ; i++)
         even[i] += odd[i];
-    struct terms_abreast sum = {thud_vec2_set(even[0][0], even[1][0]) + thud_vec2_set(even[0][1], even[1][1]),
-                                thud_vec2_set(even[2][0], even[3][0]) + thud_vec2_set(even[2][1], even[3][1])};
+    struct four_terms sum = {thud_vec2_set(even[0][0], even[1][0]) + thud_vec2_set(even[0][1], even[1][1]),
+                             thud_vec2_set(even[2][0], even[3][0]) + thud_vec2_set(even[2][1], even[3][1])};
     if (j < side->modes) {
         sum.low += row[j] * thud_vec2_set(q[j], q[n + j]);
         sum.high += row[j] * thud_vec2_set(q[2 * n + j], q[3 * n + j]);
@@ -601,9 +601,9 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int zeros = 0;
     if (!thud_row_starts_at_zero(state, c)) {
-        for (int k = 0; k < seg->terms; k += ABREAST) {
+        for (int k = 0; k < seg->terms; k += READ) {
             const double *modal = seg->q + k * m->nmodes;
-            struct terms_abreast left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
+            struct four_terms left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
             thud_vec2_put(left.low - right.low, out + k);
             thud_vec2_put(left.high - right.high, out + k + 2);
         }
