@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/run/baseline.h"
+#include "study/scene/level.h"
 
 /* ---- chance: SplitMix64 (Steele, Lea and Flood 2014) ---- */
 
@@ -314,12 +315,44 @@ static bool draw_yields(struct scenes_one *one, double *closing)
     return any && one->peak_m > 10 * least_m && look_without_contact(one, closing) && one->peak_m > 0;
 }
 
+/* One end of a link: a floor, or a wall by its name. */
+static void draw_end(const struct thud_structure *structure, char *end, size_t size)
+{
+    int floors = thud_structure_floors(structure);
+    if (floors > 0)
+        snprintf(end, size, "%.4s.%d", structure->name, 1 + below(floors));
+    else
+        snprintf(end, size, "%.4s", structure->name);
+}
+
+/* Up to two between neighbours, of springs from a hundredth to ten times as stiff as turns their mass at 10 rad/s, and
+ * dashpots up to their critical ones and beyond. */
+static void draw_links(struct thud_scene *scene, int interface, double mass)
+{
+    const struct thud_structure *left = &scene->structure[interface], *right = left + 1;
+    int n = left->kind == THUD_WALL && right->kind == THUD_WALL ? 0 : below(3);
+    for (int i = 0; i < n; i++) {
+        struct thud_link *link = &scene->link[scene->nlinks++];
+        double stiffness = mass * pow(10 * between_log(0.1, 10), 2);
+        thud_link_init(link, (enum thud_link_law)below(THUD_LINK_LAWS));
+        draw_end(left, link->from, sizeof link->from);
+        draw_end(right, link->to, sizeof link->to);
+        link->stiffness_npm = link->law == THUD_LINK_DASHPOT ? 0 : stiffness;
+        link->damping_nspm = link->law > THUD_LINK_DASHPOT ? 0 : between_log(0.01, 3) * sqrt(stiffness * mass);
+        link->slack_m = link->law > THUD_LINK_DASHPOT && chance(0.8) ? between_log(1e-4, 0.05) : 0;
+    }
+}
+
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    bool weights = one->seed >= SCENES_P_DELTA, columns = one->seed >= SCENES_COLUMNS && !weights,
+    const bool links = one->seed >= SCENES_LINKS;
+    bool weights = one->seed >= SCENES_P_DELTA && !links,
+         columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights,
          wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-    bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0 : !columns || one->seed % 3 == 0);
+    bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0
+                                                   : links ? one->seed % 3 == 0
+                                                           : !columns || one->seed % 3 == 0);
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -338,6 +371,8 @@ static bool draw(struct scenes_one *one)
     }
     if (weights)
         draw_weights(scene);
+    for (int i = 0; links && i + 1 < scene->nstructures; i++)
+        draw_links(scene, i, mass);
     if (chance(0.9))
         draw_record(one);
     else
@@ -497,6 +532,10 @@ bool scenes_heavier(struct scenes_one *one, double factor)
         p->base_mass_kg *= factor;
         p->isolation_stiffness_npm *= factor;
     }
+    for (int i = 0; i < s->nlinks; i++) {
+        s->link[i].stiffness_npm *= factor;
+        s->link[i].damping_nspm *= factor;
+    }
     for (int i = 0; i + 1 < s->nstructures; i++) {
         struct thud_law_choice *law = law_in_use(&s->interface[i]);
         if (is_rubber(law) && value_of(law, "damping", 0) == 0)
@@ -512,6 +551,8 @@ bool scenes_longer(struct scenes_one *one, double factor)
     struct thud_scene *s = &one->scene;
     if (s->p_delta) /* heights are lengths too */
         return false;
+    for (int i = 0; i < s->nlinks; i++)
+        s->link[i].slack_m *= factor;
     for (int i = 0; i < s->nstructures; i++)
         if (s->structure[i].kind == THUD_RIGID)
             s->structure[i].velocity_mps *= factor;

@@ -22,6 +22,9 @@ struct scenes_one {
 #define SCENES_COLUMNS 3000000000ull
 /* From this seed on, the weight on drifting storeys counts; in every other scene storeys yield too. */
 #define SCENES_P_DELTA 4000000000ull
+/* From this seed on, links of all laws tie neighbours; in every third scene storeys yield, in every fourth slabs strike
+ * columns. */
+#define SCENES_LINKS 5000000000ull
 
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);

@@ -49,6 +49,17 @@ START_TEST(scenes_with_p_delta)
 }
 END_TEST
 
+/* Springs, dashpots, restrainers and struts between neighbours, in all kinds of rows. */
+START_TEST(linked_scenes)
+{
+    struct scenes_tally tally = {.only = ""};
+    for (int i = 0; i < 12; i++)
+        scenes_check(SCENES_LINKS + (unsigned long long)i, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 3);
+}
+END_TEST
+
 /* Light and heavy floors in one building, dashpots up to the critical ones, walls, isolated buildings and first speeds. */
 START_TEST(wide_scenes)
 {
@@ -246,6 +257,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("cross");
     tcase_set_timeout(tcase, 60);
     tcase_add_test(tcase, drawn_scenes);
+    tcase_add_test(tcase, linked_scenes);
     tcase_add_test(tcase, wide_scenes);
     tcase_add_test(tcase, yielding_scenes);
     tcase_add_test(tcase, scenes_with_p_delta);
