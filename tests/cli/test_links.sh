@@ -1,0 +1,36 @@
+#!/bin/sh
+# Links between neighbours, as a user types them: keys and their errors with place, cases, results, studies.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+scene=towers-linked
+refused() { # WHAT KEY=VALUE PATTERN: by --set; the message begins with the key
+    # shellcheck disable=SC2154 # tmp is program.sh's
+    is "--set: $1" gives 3 run $scene --set "$2"
+    is "is told: $3" says "^thud: ${2%%=*}: .*$3"
+}
+in_file() { # WHAT OLD NEW PLACE PATTERN: of the preset's text
+    sed "s/$2/$3/" presets/$scene.yaml >"$tmp/p.yaml"
+    is "in a file: $1" gives 3 run "$tmp/p.yaml"
+    is "at its place: $5" says "p\\.yaml:$4: .*$5"
+}
+refused "a link to itself" links.1.to=A.4 'the link ties A.4 to itself'
+refused "both ends of one building" links.1.to=A.3 'both ends are of A'
+refused "a floor that is not there" links.1.to=B.7 'B has no floor "7" (1 to 6)'
+refused "a structure that is not there" links.1.from=C.1 'there is no structure "C.1"'
+refused "a building without a floor" links.1.from=A 'which floor of A is not said'
+refused "a link that is not there" links.3.damping=1kNs/m 'there is no link "3"'
+refused "a law that is none" links.1.law=rope 'unknown law "rope" (spring, dashpot, restrainer, strut)'
+refused "a negative dashpot" links.1.damping=-1kNs/m 'is too small (0 kN s/m'
+refused "a slack of what has none" links.1.slack=1cm 'unknown key "slack"'
+in_file "a floor that is not there" 'to: B.4' 'to: B.9' 40:9 'links.1.to: B has no floor "9"'
+in_file "a negative slack" 'law: spring' 'slack: -1 cm\n    law: restrainer' 38:12 'links.1.slack: -1 cm is too small'
+in_file "no law" '- law: spring' '- slack: 1 cm' 38:5 'links.1.law: the law of the link is not given'
+
+is "a scene without links has no such case" gives 3 run towers --case link
+is "and it is said" says 'the scene has no link for the case "link"'
+is "one is added by its law" gives 0 run towers --case link --set links.1.law=dashpot --set links.1.from=A.4 \
+    --set links.1.to=B.4 --set links.1.damping=3MNs/m --json --quiet
+is "and stands in the answer" shows '"ends": "A.4-B.4", "law": "dashpot"'
+is "case none goes without" gives 0 run $scene --case none --json --quiet
+is "and has no list of them" test "$(grep -c '"links"' "$tmp/out")" = 0
