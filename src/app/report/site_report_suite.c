@@ -33,6 +33,12 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
     struct thud_scene *scene = &suite->plan.scene;
     thud_sweep_plan_init(&suite->plan, site->scene);
     scene->record.factor = 1; /* the motions are scaled already */
+    if (site->scene->nlinks > 0) {
+        thud_error_set(err, THUD_INPUT, "the suite of a report compares a bumper with none, and knows no links");
+        thud_error_key(err, "links");
+        thud_error_allow(err, "a study without records, or thud sweep, which tells what links do over a suite");
+        return THUD_INPUT;
+    }
     suite->plan.record = (const struct thud_record *const *)site->options->records->record;
     suite->plan.nrecords = site->options->records->n;
     enum thud_status status = thud_sweep_vary(&suite->plan, scales, err);

@@ -440,6 +440,14 @@ static void scene(struct site *site)
                 d, "Its bumper: %.4g cm thick in a cavity of %.4g cm, which leaves a clearance of %.4g cm.",
                 100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m, 100 * thud_interface_clearance(f));
     }
+    for (int i = 0; i < site->scene->nlinks; i++) {
+        const struct thud_link_result *l = &site->own->result->link[i];
+        char name[2 * THUD_NAME_MAX];
+        thud_link_name(site->scene, i, name, sizeof name);
+        thud_document_item(d, "Link %d, %s (%s), in every case: largest force %s kN, stroke %s mm, %s kJ lost.", i + 1,
+                           name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 4).text,
+                           thud_site_number(1e3 * l->stroke.value, 4).text, thud_site_number(1e-3 * l->lost_j, 4).text);
+    }
 }
 
 /* ---- the ground motion ---- */
