@@ -21,13 +21,14 @@ static void add_presets(struct thud_text *out)
         thud_text_append(out, "%s\n", names.list[i]);
 }
 
-/* A group's keys; of a structure those of a shear building. */
+/* A group's keys; of a structure those of a shear building, and of one by its matrix or modes. */
 static void add_group(enum thud_group group, const char *prefix, struct thud_text *out)
 {
     int n;
     const struct thud_param *param = thud_group_params(group, &n);
     for (int i = 0; i < n; i++)
-        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, i))
+        if (group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, i) || thud_structure_has(THUD_MATRIX, i) ||
+            thud_structure_has(THUD_MODES, i))
             thud_text_append(out, "%s%s\n", prefix, param[i].name);
 }
 
@@ -68,6 +69,8 @@ static void add_words(enum thud_word word, struct thud_text *out)
         thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
     else if (word == THUD_WORD_RECORD_VERB)
         thud_text_append(out, "info\nimport\nconvert\nlist\nsynthesize\nspectrum\n");
+    else if (word == THUD_WORD_BUILDING_VERB)
+        thud_text_append(out, "import\n");
     else if (word == THUD_WORD_PROGRAM)
         thud_text_append(out, "opensees\n");
     for (int i = 0; word == THUD_WORD_COST && i < THUD_COST_AXES; i++)

@@ -88,12 +88,12 @@ static void put_kinds(struct thud_text *out, int param)
     while (strcmp(params[kind].name, "kind") != 0)
         kind++;
     int have = 0;
-    for (int k = 0; k <= THUD_WALL; k++)
+    for (int k = 0; k < THUD_KINDS; k++)
         have += thud_structure_has((enum thud_structure_kind)k, param);
-    if (have > THUD_WALL)
+    if (have == THUD_KINDS)
         return;
     thud_text_append(out, " Pq ");
-    for (int k = 0, n = 0; k <= THUD_WALL; k++)
+    for (int k = 0, n = 0; k < THUD_KINDS; k++)
         if (thud_structure_has((enum thud_structure_kind)k, param))
             thud_text_append(out, "%s%s", n++ ? ", " : "", params[kind].choices[k]);
 }

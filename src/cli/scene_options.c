@@ -8,6 +8,7 @@
 
 #include "app/run/record_list.h"
 #include "base/scan.h"
+#include "io/building/building_file.h"
 
 /* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */
 static const struct {
@@ -131,6 +132,8 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     const char *assignment;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = thud_session_assign(session, assignment, err);
+    if (status == THUD_OK)
+        status = thud_building_files_read(&session->scene, session->preset_path, err);
     if (status == THUD_OK)
         status = refuse_exponent(args, session, err);
     return status == THUD_OK ? refuse_idle(args, session, err) : status;

@@ -43,7 +43,7 @@ file 755 "$thud" bin/thud
 completion bash share/bash-completion/completions/thud
 completion zsh share/zsh/site-functions/_thud
 completion fish share/fish/vendor_completions.d/thud.fish
-for f in presets/*.yaml presets/*.expected.csv presets/published/* records/*; do
+for f in presets/*.yaml presets/*.csv presets/published/* records/*; do
     if [ -f "$f" ]; then file 644 "$f" "share/thud/$f"; fi
 done
 for f in man/*.[1-8]; do

@@ -26,6 +26,10 @@ struct scenes_one {
  * columns. */
 #define SCENES_LINKS 5000000000ull
 
+/* From this seed on, scenes are like those of columns, and shear buildings are given by their matrix, with floors that
+ * other floors than their neighbours hold too, or by their modes. */
+#define SCENES_MATRICES 6000000000ull
+
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
 void scenes_clear(struct scenes_one *one);

@@ -85,6 +85,18 @@ START_TEST(scenes_of_columns)
 }
 END_TEST
 
+/* Buildings by their matrix or modes among others, also where slabs strike their columns; with Dormand-Prince as well. */
+START_TEST(scenes_of_matrices)
+{
+    struct scenes_tally tally = {.only = "", .slow = true};
+    for (unsigned long long seed = 0; seed < 10; seed++)
+        scenes_check(SCENES_MATRICES + seed, &tally);
+    scenes_tally_print(&tally, stdout);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 4);
+}
+END_TEST
+
 /* Scenes that once had another result for every tolerance: a blow at one level turned round the rate of a contact at
  * another one, which then went on in the wrong phase for a step. */
 START_TEST(scenes_whose_answers_differed)
@@ -262,6 +274,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, yielding_scenes);
     tcase_add_test(tcase, scenes_with_p_delta);
     tcase_add_test(tcase, scenes_of_columns);
+    tcase_add_test(tcase, scenes_of_matrices);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
     tcase_add_test(tcase, series_end_by_each_structure);
     tcase_add_test(tcase, a_held_contact_does_not_bounce);

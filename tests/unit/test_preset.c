@@ -143,7 +143,8 @@ static const struct {
     {"storeys: 3", "storeys: 4", "p:17:7: structures.2.mass: the list has 3 values, the structure has 4 storeys"},
     {"storeys: 3", "Storeys: 3", "p:15:5: structures.2.Storeys: unknown key \"Storeys\"; did you mean \"storeys\"?"},
     {"kind: shear", "kind: sheer",
-     "p:9:11: structures.1.kind: unknown choice \"sheer\"; did you mean \"shear\"? (shear, rigid, isolated, wall)"},
+     "p:9:11: structures.1.kind: unknown choice \"sheer\"; did you mean \"shear\"? (shear, rigid, isolated, wall, "
+     "matrix, modes)"},
     {"kind: shear", "kind: wall", "p:10:5: structures.1.mass: unknown key \"mass\" (name, kind, height)"},
     {"kind: shear", "kind: isolated",
      "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg)"},

@@ -23,7 +23,15 @@
  *     K - K_G,   storeys of k - W/h
  *
  * and a storey that yields keeps its row's force: the weight acts on the whole drift, and beyond yield the slope is
- * r k - W/h, which may be negative. k, V and the strain energy stay those of the storey itself. */
+ * r k - W/h, which may be negative. k, V and the strain energy stay those of the storey itself.
+ *
+ * A building by its matrix has any symmetric, positive definite K of its floors. The shear of storey i is the sum of
+ * K u over the floors from i up, with d the drifts of the storeys:
+ *
+ *     V_i = sum_j s_ij q_j,   s_ij = sum_(k >= i) sum_l K_kl phi_lj
+ *         = sum_l T_il d_l,   T_il = sum_(k >= i) sum_(p >= l) K_kp
+ *
+ * T of a shear building is diagonal: the stiffnesses of its storeys. */
 #ifndef THUD_CORE_MODEL_H
 #define THUD_CORE_MODEL_H
 
@@ -38,10 +46,13 @@ struct thud_model_structure {
     int first_mode, modes;       /* its slice of modes */
     const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
     const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
-    const double *stiffness_npm; /* (n) storeys; NULL for a rigid body */
-    const double *omega;         /* (n) its own natural frequencies, also of modes that are left out, rad/s */
-    int system;                  /* index of the system that it belongs to */
-    int first_shape;             /* modes of the structures before it, counted for each of them */
+    const double *stiffness_npm; /* (n) storeys; NULL for a rigid body and a building by its matrix */
+    const double *matrix_npm;    /* (n x n) lateral stiffness of a building by its matrix, else NULL */
+    const double *shear; /* its storey shears: s (n x modes) by modal values and, behind it, T (n x n); else NULL */
+    bool drifts;         /* it has storeys */
+    const double *omega; /* (n) its own natural frequencies, also of modes that are left out, rad/s */
+    int system;          /* index of the system that it belongs to */
+    int first_shape;     /* modes of the structures before it, counted for each of them */
     const double *geometric_npm; /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
     const double *collapse_m;    /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
     double collapse_least_m;     /* the least of them */
@@ -113,6 +124,7 @@ struct thud_model {
     struct thud_model_storey *storey;       /* (nstoreys) */
     struct thud_model_column *column;       /* (ncolumns) */
     bool collapses;                         /* a structure may: P-Delta */
+    bool shears;                            /* the stiffness of a structure is a matrix */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof) */
@@ -133,7 +145,8 @@ struct thud_model_input {
     const struct thud_structure_input {
         int n;
         const double *mass_kg;       /* (n) */
-        const double *stiffness_npm; /* (n) storey i between floors i - 1 and i; NULL: a free rigid body */
+        const double *stiffness_npm; /* (n) storey i between floors i - 1 and i; NULL: a free rigid body, or */
+        const double *matrix_npm;    /* (n x n) a building by its lateral stiffness, symmetric, positive definite */
         double damping;              /* ratio in every mode (of the superstructure for an isolated building) */
         bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
         double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */

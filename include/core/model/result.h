@@ -16,6 +16,7 @@ struct thud_floor_result {
     struct thud_peak displacement; /* relative to the ground, m */
     struct thud_peak velocity;     /* relative to the ground, m/s */
     struct thud_peak drift;        /* interstorey deflection, m; 0 for a rigid body */
+    struct thud_peak shear;        /* of the storey below, N; 0 for a rigid body */
 };
 
 enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };

@@ -32,6 +32,11 @@ enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *n
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
                                    char *path, unsigned long size, struct thud_error *err);
 
+/* A file that a preset names: as given (from the working folder), beside the preset (NULL: none), or in the presets
+ * folder. Errors: THUD_INPUT. */
+enum thud_status thud_paths_beside(const char *preset_path, const char *name, char *path, unsigned long size,
+                                   struct thud_error *err);
+
 /* The names of the files in a folder that may be ground motions, in order: not hidden, neither prose (.md) nor a list
  * (.list). Errors: THUD_INPUT (no such folder), THUD_MEMORY. */
 enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err);

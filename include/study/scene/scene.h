@@ -11,12 +11,24 @@
 
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_LINKS_MAX = 32, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
 
-enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL };
+enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL, THUD_MATRIX, THUD_MODES, THUD_KINDS };
 /* Of storeys. */
 static inline bool thud_kind_is_building(enum thud_structure_kind kind)
 {
-    return kind == THUD_SHEAR || kind == THUD_ISOLATED;
+    return kind != THUD_RIGID && kind != THUD_WALL;
 }
+
+/* Its stiffness is no list of storeys but read from a file. */
+static inline bool thud_kind_is_read(enum thud_structure_kind kind)
+{
+    return kind == THUD_MATRIX || kind == THUD_MODES;
+}
+
+/* The order of the floors in such a file; ask: it is refused where they seem to stand from the roof down. */
+enum thud_floor_order { THUD_ORDER_ASK, THUD_ORDER_LOWEST_FIRST, THUD_ORDER_ROOF_FIRST };
+/* What such files hold, of all structures together: a building of 79 floors, or four of 39: every copy of a scene has
+ * them. */
+enum { THUD_SHAPE_ROOM = 6400 };
 
 /* How a struck place moves between the floors, and shares a slab's force: as a member clamped in both, or on the line
  * between them. */
@@ -48,6 +60,13 @@ struct thud_structure {
     double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
     double column_shape;                           /* enum thud_column_shape */
     double gravity_n[THUD_STOREYS_MAX];            /* of each floor, weight that P-Delta counts; 0: of its mass */
+    /* By matrix or modes. What has been read is a part of the scene's `shape` in SI units, lowest floor first; of a
+     * matrix, rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
+    char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
+    char unit[16];            /* for files that do not say; empty: not given */
+    double order;             /* enum thud_floor_order */
+    double period_factor;     /* multiplies all periods */
+    int shape_at, shape_rows; /* shape_rows 0: it has not been read */
 };
 
 /* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
@@ -147,6 +166,7 @@ struct thud_scene {
     struct thud_structure structure[THUD_STRUCTURES_MAX];
     struct thud_interface interface[THUD_STRUCTURES_MAX - 1]; /* nstructures - 1 in use */
     struct thud_analysis analysis;
+    double shape[THUD_SHAPE_ROOM]; /* parts of the structures that are read from files */
     struct thud_study_choice study;
     int nlinks;
     struct thud_link link[THUD_LINKS_MAX];
@@ -220,6 +240,8 @@ const struct thud_param *thud_group_params(enum thud_group group, int *count);
 const char *thud_group_key(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
+/* The word of a kind in presets. */
+const char *thud_kind_name(enum thud_structure_kind kind);
 
 /* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
  * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one

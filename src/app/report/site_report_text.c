@@ -369,7 +369,8 @@ static void solution(struct site *site)
 static void add_structure_rows(struct site *site)
 {
     struct thud_document *d = &site->document;
-    static const char *const kinds[] = {"shear building", "rigid body", "isolated building", "wall"};
+    static const char *const kinds[] = {"shear building",         "rigid body",           "isolated building", "wall",
+                                        "building by its matrix", "building by its modes"};
     static const char *const head[] = {"structure", "kind", "storeys", "height m", "mass t",
                                        "damping %", "T1 s", "T2 s",    "T3 s"};
     thud_document_table(d, "Structures from left to right");
@@ -417,7 +418,10 @@ static void add_floor_rows(struct site *site, int s)
     for (int i = p->storeys - 1; i >= 0; i--) {
         thud_document_cell(d, "%d", i + 1);
         thud_document_cell(d, "%.5g", 1e-3 * p->mass_kg[i]);
-        thud_document_cell(d, "%.5g", 1e-6 * p->stiffness_npm[i]);
+        if (thud_kind_is_read(p->kind))
+            thud_document_cell(d, "matrix");
+        else
+            thud_document_cell(d, "%.5g", 1e-6 * p->stiffness_npm[i]);
         thud_document_cell(d, "%.4g", p->height_m[i]);
         thud_document_row(d);
     }

@@ -33,6 +33,8 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                              THUD_WORD_PRESET},
     [THUD_COMMAND_STIFFNESS] = {"stiffness", "PRESET", "of a contact: from its slabs, and what it changes",
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_BUILDING] = {"building", "import FILE", "a stiffness matrix, or periods and shapes, as read",
+                               THUD_WORD_BUILDING_VERB, THUD_WORD_FILE},
     [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE,
                            THUD_WORD_NONE},
     [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE,
@@ -58,6 +60,7 @@ enum {
     BENCH = 1 << THUD_COMMAND_BENCH,
     STIFFNESS = 1 << THUD_COMMAND_STIFFNESS,
     SOLVE = 1 << THUD_COMMAND_SOLVE,
+    BUILDING = 1 << THUD_COMMAND_BUILDING,
     REPORT = 1 << THUD_COMMAND_REPORT,
     EXPORT = 1 << THUD_COMMAND_EXPORT,
     VERIFY = 1 << THUD_COMMAND_VERIFY,
@@ -69,7 +72,7 @@ enum {
 
 static const struct thud_option options[] = {
     {"set", "KEY=VALUE", "set a value: gap=12cm", THUD_WORD_KEY, true,
-     STUDY | MEASURE | RECORD_VERBS | SCREEN | EXPORT | REPORT | STIFFNESS | SOLVE | NEW},
+     STUDY | MEASURE | RECORD_VERBS | SCREEN | EXPORT | REPORT | STIFFNESS | SOLVE | NEW | BUILDING},
     {"case", "CASE", "none, bumper, cavity or link; else as written", THUD_WORD_CASE, false,
      RUN | SWEEP | UNCERTAINTY | MEASURE | EXPORT | STIFFNESS | SOLVE},
     {"record", "FILE", "the ground motion", THUD_WORD_FILE, false,
@@ -250,9 +253,16 @@ const char *thud_option_choice(const struct thud_option *option, int i)
 const char *thud_word_list_name(enum thud_word word)
 {
     static const char *const names[THUD_WORDS] = {
-        [THUD_WORD_PRESET] = "presets",   [THUD_WORD_KEY] = "keys",         [THUD_WORD_CASE] = "cases",
-        [THUD_WORD_METHOD] = "methods",   [THUD_WORD_FIGURE] = "figures",   [THUD_WORD_RECORD_VERB] = "verbs",
-        [THUD_WORD_PROGRAM] = "programs", [THUD_WORD_COMMAND] = "commands", [THUD_WORD_COST] = "costs",
+        [THUD_WORD_PRESET] = "presets",
+        [THUD_WORD_KEY] = "keys",
+        [THUD_WORD_CASE] = "cases",
+        [THUD_WORD_METHOD] = "methods",
+        [THUD_WORD_FIGURE] = "figures",
+        [THUD_WORD_RECORD_VERB] = "verbs",
+        [THUD_WORD_BUILDING_VERB] = "building-verbs",
+        [THUD_WORD_PROGRAM] = "programs",
+        [THUD_WORD_COMMAND] = "commands",
+        [THUD_WORD_COST] = "costs",
         [THUD_WORD_VARIED] = "varied",
     };
     return names[word];

@@ -17,13 +17,19 @@ static int kept_of(int n, int modes)
     return modes > 0 && modes < n ? modes : n;
 }
 
-/* Modes of the structure whose columns are struck, and of those that it may be tied to. */
+/* Modes of a structure, and of those that it may be tied to. */
+static int modes_of(const struct thud_model_input *in, int structure)
+{
+    int modes = 0;
+    for (int s = 0; s < in->nstructures; s++)
+        modes += s == structure || in->nlinks > 0 ? kept_of(in->structure[s].n, in->modes) : 0;
+    return modes;
+}
+
+/* Of the structure whose columns are struck. */
 static int struck_modes(const struct thud_model_input *in, const struct thud_contact_input *contact)
 {
-    int struck = contact->struck.side < 0 ? contact->left_structure : contact->right_structure, modes = 0;
-    for (int s = 0; s < in->nstructures; s++)
-        modes += s == struck || in->nlinks > 0 ? kept_of(in->structure[s].n, in->modes) : 0;
-    return modes;
+    return modes_of(in, contact->struck.side < 0 ? contact->left_structure : contact->right_structure);
 }
 
 /* Whether storey i of a structure yields: one whose stiffness stays the same beyond its yield drift is elastic. */
@@ -68,6 +74,9 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
         size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
         bytes += thud_arena_room(n * kept, sizeof(double)) + thud_arena_room(kept * kept, sizeof(double)) +
                  4 * thud_arena_room(n, sizeof(double));
+        if (in->structure[s].matrix_npm)
+            bytes += thud_arena_room(n * n, sizeof(double)) +
+                     thud_arena_room(n * (n + (size_t)modes_of(in, s)), sizeof(double));
     }
     return bytes;
 }
@@ -93,20 +102,28 @@ static enum thud_status fill_isolated(struct thud_arena *arena, struct thud_mode
     return status;
 }
 
-/* What the weight takes off the stiffness of each storey: net = k - W/h. */
+/* What the weight takes off the stiffness: net, storeys of k - W/h, or K - K_G. */
 static void fill_weight(struct thud_arena *arena, struct thud_model_structure *to,
                         const struct thud_structure_input *in, double *net)
 {
-    size_t n = (size_t)in->n;
-    memcpy(net, in->stiffness_npm, n * sizeof *net);
+    const size_t n = (size_t)in->n;
+    memcpy(net, in->matrix_npm ? in->matrix_npm : in->stiffness_npm, (in->matrix_npm ? n * n : n) * sizeof *net);
     if (!in->geometric_npm)
         return;
     double *geometric = thud_arena_take(arena, n, sizeof(double)),
            *collapse = thud_arena_take(arena, n, sizeof(double));
     memcpy(geometric, in->geometric_npm, n * sizeof *geometric);
     memcpy(collapse, in->collapse_m, n * sizeof *collapse);
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n && !in->matrix_npm; i++)
         net[i] -= geometric[i];
+    for (size_t i = 0; i < n && in->matrix_npm; i++) {
+        net[i * n + i] -= geometric[i];
+        if (i == 0)
+            continue;
+        net[(i - 1) * n + i - 1] -= geometric[i];
+        net[(i - 1) * n + i] += geometric[i];
+        net[i * n + i - 1] += geometric[i];
+    }
     to->collapse_least_m = collapse[0];
     for (size_t i = 1; i < n; i++)
         to->collapse_least_m = fmin(to->collapse_least_m, collapse[i]);
@@ -114,22 +131,51 @@ static void fill_weight(struct thud_arena *arena, struct thud_model_structure *t
     to->collapse_m = collapse;
 }
 
-static enum thud_status fill_shear(struct thud_arena *arena, struct thud_model_structure *to,
-                                   const struct thud_structure_input *in, struct thud_error *err)
+/* Rows of the storey shears of a building by its matrix, by the modes that it has in the end. */
+static void fill_shears(struct thud_model *m, struct thud_arena *arena, struct thud_model_structure *to)
+{
+    const int n = to->n, modes = to->modes;
+    const double *k = to->matrix_npm;
+    double *shear = thud_arena_take(arena, (size_t)n * (size_t)(modes + n), sizeof *shear),
+           *by_drift = shear + n * modes;
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = 0; j < modes; j++) {
+            double force = 0;
+            for (int l = 0; l < n; l++)
+                force += k[i * n + l] * to->phi[l * modes + j];
+            shear[i * modes + j] = force + (i + 1 < n ? shear[(i + 1) * modes + j] : 0);
+        }
+        double sum = 0; /* of the rest of row i of K */
+        for (int l = n - 1; l >= 0; l--) {
+            sum += k[i * n + l];
+            by_drift[i * n + l] = sum + (i + 1 < n ? by_drift[(i + 1) * n + l] : 0);
+        }
+    }
+    to->shear = shear;
+    m->shears = true;
+}
+
+static enum thud_status fill_building(struct thud_arena *arena, struct thud_model_structure *to,
+                                      const struct thud_structure_input *in, struct thud_error *err)
 {
     size_t n = (size_t)in->n, square = n * n;
     double *phi = thud_arena_take(arena, n * (size_t)to->modes, sizeof(double)),
-           *k = thud_arena_take(arena, n, sizeof(double)), *omega = thud_arena_take(arena, n, sizeof(double));
-    memcpy(k, in->stiffness_npm, n * sizeof(double));
+           *k = thud_arena_take(arena, in->matrix_npm ? square : n, sizeof(double)),
+           *omega = thud_arena_take(arena, n, sizeof(double));
     to->phi = phi;
-    to->stiffness_npm = k;
+    if (in->matrix_npm)
+        to->matrix_npm = memcpy(k, in->matrix_npm, square * sizeof(double));
+    else
+        to->stiffness_npm = memcpy(k, in->stiffness_npm, n * sizeof(double));
     to->omega = omega;
-    double *all = malloc((4 * n + 3 * square) * sizeof *all);
+    to->drifts = true;
+    double *all = malloc((3 * n + 4 * square) * sizeof *all);
     if (!all)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    double *net = all, *modes = net + n, *damping = modes + square, *work = damping + square;
+    double *net = all, *modes = net + square, *damping = modes + square, *work = damping + square;
     fill_weight(arena, to, in, net);
-    enum thud_status status = thud_modes_shear(in->n, in->mass_kg, net, omega, modes, work, err);
+    enum thud_status status =
+        (in->matrix_npm ? thud_modes_matrix : thud_modes_shear)(in->n, in->mass_kg, net, omega, modes, work, err);
     if (status == THUD_OK)
         keep_columns(modes, in->n, in->n, to->modes, phi);
     if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0))
@@ -210,8 +256,8 @@ static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *
 {
     struct thud_model_structure *to = &m->structure[s];
     enum thud_status status = THUD_OK;
-    if (in->stiffness_npm && in->n > 0)
-        status = fill_shear(arena, to, in, err);
+    if ((in->stiffness_npm || in->matrix_npm) && in->n > 0)
+        status = fill_building(arena, to, in, err);
     else
         fill_rigid(arena, to, in);
     for (int j = 0; j < to->modes && status == THUD_OK; j++)
@@ -559,6 +605,9 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
         status = fill_structure(m, arena, s, &input->structure[s], err);
     if (status == THUD_OK)
         status = tie_structures(m, arena, input, tied, err);
+    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
+        if (m->structure[s].matrix_npm)
+            fill_shears(m, arena, &m->structure[s]);
     for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
         status = fill_contact(m, arena, c, &input->contact[c], err);
     if (status == THUD_OK)

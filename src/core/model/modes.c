@@ -4,6 +4,33 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const char none_found[] = "the modes of a structure were not found";
+
+/* From the squares of omega and the eigenvectors (column by column) of M^-1/2 K M^-1/2. */
+static void scale_modes(int n, const double *mass_kg, const double *z, double *omega, double *phi)
+{
+    for (int j = 0; j < n; j++) {
+        omega[j] = sqrt(fmax(omega[j], 0));
+        const double *column = z + (size_t)j * (size_t)n;
+        double sign = column[0] < 0 ? -1 : 1;
+        for (int i = 0; i < n; i++)
+            phi[i * n + j] = sign * column[i] / sqrt(mass_kg[i]);
+    }
+}
+
+enum thud_status thud_modes_matrix(int n, const double *mass_kg, const double *matrix_npm, double *omega, double *phi,
+                                   double *work, struct thud_error *err)
+{
+    double *z = work, *scratch = z + (size_t)n * (size_t)n;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            z[i * n + j] = matrix_npm[i * n + j] / sqrt(mass_kg[i] * mass_kg[j]);
+    if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'V', 'U', n, z, n, omega, scratch, 3 * n) != 0)
+        return thud_error_set(err, THUD_INPUT, none_found);
+    scale_modes(n, mass_kg, z, omega, phi);
+    return THUD_OK;
+}
+
 enum thud_status thud_modes_shear(int n, const double *mass_kg, const double *stiffness_npm, double *omega, double *phi,
                                   double *work, struct thud_error *err)
 {
@@ -16,14 +43,8 @@ enum thud_status thud_modes_shear(int n, const double *mass_kg, const double *st
             off[i] = -above / sqrt(mass_kg[i] * mass_kg[i + 1]);
     }
     if (LAPACKE_dstev_work(LAPACK_COL_MAJOR, 'V', n, omega, off, z, n, scratch) != 0)
-        return thud_error_set(err, THUD_INPUT, "the modes of a structure were not found");
-    for (int j = 0; j < n; j++) {
-        omega[j] = sqrt(fmax(omega[j], 0));
-        const double *column = z + (size_t)j * (size_t)n;
-        double sign = column[0] < 0 ? -1 : 1;
-        for (int i = 0; i < n; i++)
-            phi[i * n + j] = sign * column[i] / sqrt(mass_kg[i]);
-    }
+        return thud_error_set(err, THUD_INPUT, none_found);
+    scale_modes(n, mass_kg, z, omega, phi);
     return THUD_OK;
 }
 

@@ -10,6 +10,10 @@
 enum thud_status thud_modes_shear(int n, const double *mass_kg, const double *stiffness_npm, double *omega, double *phi,
                                   double *work, struct thud_error *err);
 
+/* The same of a building by its stiffness matrix (n x n). work: n n + 3 n. */
+enum thud_status thud_modes_matrix(int n, const double *mass_kg, const double *matrix_npm, double *omega, double *phi,
+                                   double *work, struct thud_error *err);
+
 /* Modal damping matrix (n x n) of an isolated building: the superstructure has the ratio `zeta` in each of its own
  * (fixed-base) modes, the isolator a dashpot c = 2 zeta_b sqrt(k_b total mass). phi: modes of the whole.
  * Errors: THUD_INPUT when LAPACK finds none, THUD_MEMORY. */

@@ -208,7 +208,7 @@ static void drift_rows(struct thud_free_vibration *f, const struct thud_model_st
         const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
         double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
         for (int t = 0; t < f->ends; t++)
-            drift[t] = !p->stiffness_npm ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
+            drift[t] = !p->drifts ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
     }
 }
 

@@ -104,6 +104,16 @@ static void structure_margins(struct thud_free_vibration *f, const struct thud_m
     }
 }
 
+double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                int mode)
+{
+    double bound[BOUNDS];
+    if (m->structure[structure].damping)
+        return f->bound[2 * f->n + mode];
+    mode_bounds(f, m, mode, 0, bound);
+    return bound[2];
+}
+
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
 {
     double slope = 0;

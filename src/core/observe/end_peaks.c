@@ -29,9 +29,8 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
     for (int s = 0; s < model->nstructures; s++) /* a rigid body has no drift, and the rest of a row is no floor */
         for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
             for (int i = 0; i < stride; i++)
-                *next++ = i < model->structure[s].n && (model->structure[s].stiffness_npm || x != THUD_FLOOR_DRIFT)
-                              ? 0
-                              : INFINITY;
+                *next++ =
+                    i < model->structure[s].n && (model->structure[s].drifts || x != THUD_FLOOR_DRIFT) ? 0 : INFINITY;
     ends->value = next + 2;
     for (int i = -2; i < THUD_FLOOR_QUANTITIES * stride; i++)
         ends->value[i] = 0;

@@ -367,7 +367,7 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
     const struct thud_model *m = o->state->model;
     const struct thud_model_structure *p = &m->structure[index];
     const int stride = peaks->stride;
-    const bool drifts = p->stiffness_npm != NULL;
+    const bool drifts = p->drifts;
     structure_modes(peaks, o, p, reach);
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);

@@ -143,7 +143,7 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
     const struct thud_model *m = state->model;
     const struct thud_model_structure *p = &m->structure[structure];
     int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
-    for (int x = 0; x < (p->stiffness_npm ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
+    for (int x = 0; x < (p->drifts ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
         const double margin = f->margin[x * m->nstructures + structure];
         reach_of_floors(peaks, m, p, x, peaks->value);
         for (int i = 0; i < p->n; i++) {

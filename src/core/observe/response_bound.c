@@ -32,7 +32,7 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
                 sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
                 sum[THUD_FLOOR_VELOCITY] += a * a;
                 sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
-                sum[THUD_FLOOR_DRIFT] += p->stiffness_npm ? (a - below) * (a - below) / (w * w) : 0;
+                sum[THUD_FLOOR_DRIFT] += p->drifts ? (a - below) * (a - below) / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
                 peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);

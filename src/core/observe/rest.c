@@ -21,6 +21,20 @@ void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, dou
         most[x] = rest->later[x * m->ndof + p->first + floor] + add[x];
 }
 
+double thud_rest_shear(const struct thud_rest *rest, int structure, int storey)
+{
+    const struct thud_model *m = rest->model;
+    const struct thud_model_structure *p = &m->structure[structure];
+    const double *row = p->shear + storey * p->modes, *by_drift = p->shear + p->n * (p->modes + storey),
+                 *later = rest->later + THUD_FLOOR_DRIFT * m->ndof + p->first;
+    double sum = 0;
+    for (int j = 0; j < p->modes; j++)
+        sum += fabs(row[j]) * rest->amplitudes[p->first_mode + j];
+    for (int l = 0; l < p->n; l++)
+        sum += fabs(by_drift[l]) * later[l];
+    return sum;
+}
+
 double thud_rest_drift(const struct thud_rest *rest, const struct thud_model_column *column)
 {
     double drift = rest->later[THUD_FLOOR_DRIFT * rest->model->ndof + column->dof];

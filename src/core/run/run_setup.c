@@ -10,6 +10,7 @@
 #include "core/observe/observe_columns.h"
 #include "core/observe/observe_contacts.h"
 #include "core/observe/observe_links.h"
+#include "core/observe/observe_shear.h"
 #include "core/run/run_private.h"
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -135,7 +136,7 @@ static void pick_method(struct thud_run *run)
     bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
     run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
     run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
-                        run->state.model->nstoreys > 0 || run->state.model->ncolumns > 0 ||
+                        run->state.model->nstoreys > 0 || run->state.model->shears || run->state.model->ncolumns > 0 ||
                         run->state.model->nlinks > 0; /* their peaks are read there */
 }
 
@@ -188,6 +189,8 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
         thud_run_observe(run, &thud_observe_columns, &run->result);
     if (m->nlinks > 0)
         thud_run_observe(run, &thud_observe_links, &run->result);
+    if (m->shears)
+        thud_run_observe(run, &thud_observe_shear, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
                                 run->options.history_look_s, err);
@@ -343,12 +346,15 @@ void thud_run_finish(struct thud_run *run)
     }
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_model_structure *p = &run->state.model->structure[s];
-        if (p->n == 0 || !p->stiffness_npm)
-            continue;
-        struct thud_peak drift = r->structure[s].floor[0].drift;
-        r->structure[s].base_shear = (struct thud_peak){drift.value * p->stiffness_npm[0], drift.time_s};
-        if (r->structure[s].storey && r->structure[s].storey[0].yields)
-            r->structure[s].base_shear = r->structure[s].storey[0].shear;
+        struct thud_structure_result *to = &r->structure[s];
+        for (int i = 0; i < p->n && p->stiffness_npm; i++) {
+            const bool yields = to->storey && to->storey[i].yields;
+            const struct thud_peak drift = to->floor[i].drift;
+            to->floor[i].shear =
+                yields ? to->storey[i].shear : (struct thud_peak){drift.value * p->stiffness_npm[i], drift.time_s};
+        }
+        if (p->drifts)
+            to->base_shear = to->floor[0].shear;
     }
 }
 

@@ -176,19 +176,46 @@ enum thud_status thud_paths_preset(const struct thud_paths *paths, const char *n
     return not_found("preset", name, paths->presets, ".yaml", err);
 }
 
+/* As given, or beside the preset; *found: there is such a file. */
+static enum thud_status look_beside(const char *preset_path, const char *name, char *path, unsigned long size,
+                                    bool *found, struct thud_error *err)
+{
+    const char *slash = preset_path && name[0] != '/' ? strrchr(preset_path, '/') : NULL;
+    if (!fits(snprintf(path, size, "%s", name), size))
+        return too_long(err);
+    *found = is_there(path);
+    if (*found || !slash)
+        return THUD_OK;
+    if (!fits(snprintf(path, size, "%.*s/%s", (int)(slash - preset_path), preset_path, name), size))
+        return too_long(err);
+    *found = is_there(path);
+    return THUD_OK;
+}
+
+enum thud_status thud_paths_beside(const char *preset_path, const char *name, char *path, unsigned long size,
+                                   struct thud_error *err)
+{
+    bool found = false;
+    enum thud_status status = look_beside(preset_path, name, path, size, &found, err);
+    if (status != THUD_OK || found)
+        return status;
+    struct thud_paths paths;
+    thud_paths_find(&paths);
+    if (name[0] != '/' && fits(snprintf(path, size, "%s/%s", paths.presets, name), size) && is_there(path))
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT, "there is no file \"%.200s\"", name);
+    thud_error_allow(err, "a path from the working folder, beside the preset, or in the presets folder");
+    return THUD_INPUT;
+}
+
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,
                                    char *path, unsigned long size, struct thud_error *err)
 {
-    if (!fits(snprintf(path, size, "%s", name), size))
-        return too_long(err);
-    if (is_there(path))
-        return THUD_OK;
-    const char *slash = preset_path ? strrchr(preset_path, '/') : NULL;
+    bool found = false;
+    enum thud_status status = look_beside(preset_path, name, path, size, &found, err);
+    if (status != THUD_OK || found)
+        return status;
     if (name[0] != '/') {
-        if (slash && !fits(snprintf(path, size, "%.*s/%s", (int)(slash - preset_path), preset_path, name), size))
-            return too_long(err);
-        if (slash && is_there(path))
-            return THUD_OK;
         if (!fits(snprintf(path, size, "%s/%s", paths->records, name), size))
             return too_long(err);
         if (is_there(path))

@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "base/scan.h"
+#include "io/building/building_file.h"
 #include "io/preset/preset_private.h"
 
 enum { PATH_BYTES = 128, KEY_BYTES = 60 };
@@ -516,9 +517,12 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
         status = walk_group(preset, 0, "analysis", err);
     if (status == THUD_OK)
         status = walk_group(preset, 0, "study", err);
-    if (status != THUD_OK)
-        return status;
-    return check_scene(preset, err);
+    if (status == THUD_OK) {
+        status = thud_building_files_read(&preset->scene, preset->name, err);
+        if (status != THUD_OK && err && !err->file[0])
+            at(preset, thud_preset_node(preset, err->key), status, err);
+    }
+    return status == THUD_OK ? check_scene(preset, err) : status;
 }
 
 int thud_preset_node(const struct thud_preset *preset, const char *path)

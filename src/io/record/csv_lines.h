@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "io/record/record_source.h"
 
-enum { CSV_FIELDS_MAX = 64 };
+enum { CSV_FIELDS_MAX = 256 };
 
 struct csv_lines {
     struct csv_parser parser;

@@ -114,7 +114,7 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
         if (scene->structure[s].kind == THUD_ISOLATED)
             return refuse(err, key,
                           "has modal damping of whole buildings alone, not of the part above a damped isolator",
-                          "shear, rigid, wall");
+                          "shear, matrix, modes, rigid, wall");
     }
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
@@ -173,6 +173,8 @@ static void head(struct thud_text *out, const struct thud_scene *scene, const st
 /* Nodes: a floor's is its number from 1 over all structures, a structure's ground is 1001, 1002, ... A weight's element
  * has the number of the floor above it and 100000. */
 enum { GROUND = 1000, WEIGHT = 100000 };
+/* The springs of stiffness matrices are numbered from here on. */
+enum { SPRINGS = 200001 };
 
 /* A storey's spring, with the number of the floor above it. */
 static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
@@ -201,15 +203,36 @@ static void weight(struct thud_text *out, double geometric_npm, int node, int be
                      WEIGHT + node, below, node, WEIGHT + node);
 }
 
+/* A stiffness matrix as springs: -K_ij between floors i and j, and the sum of row i between floor i and the ground. */
+static void springs(struct thud_text *out, const struct thud_model_structure *m, int ground, int *tag)
+{
+    for (int i = 0; i < m->n; i++) {
+        double sum = 0;
+        for (int j = 0; j < m->n; j++)
+            sum += m->matrix_npm[i * m->n + j];
+        for (int j = -1; j < i; j++) {
+            const double k = j < 0 ? sum : -m->matrix_npm[i * m->n + j];
+            if (k == 0)
+                continue;
+            thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, ", *tag);
+            number(out, k);
+            thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", *tag,
+                             j < 0 ? ground : m->first + j + 1, m->first + i + 1, *tag);
+            ++*tag;
+        }
+    }
+}
+
 static void nodes(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
 {
+    int tag = SPRINGS;
     thud_text_append(out, "\nops.wipe()\nops.model(\"basic\", \"-ndm\", 1, \"-ndf\", 1)\n");
     for (int s = 0; s < model->nstructures; s++) {
         const struct thud_model_structure *m = &model->structure[s];
         thud_text_append(out, "\n# structure %d: ", s + 1);
         thud_json_string(out, scene->structure[s].name);
         thud_text_append(out, "\n");
-        if (m->n == 0 || m->stiffness_npm)
+        if (m->n == 0 || m->drifts)
             thud_text_append(out, "ops.node(%d, 0.0)\nops.fix(%d, 1)\n", GROUND + s + 1, GROUND + s + 1);
         for (int i = 0; i < m->n; i++) {
             int node = m->first + i + 1;
@@ -223,6 +246,8 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
             if (m->geometric_npm)
                 weight(out, m->geometric_npm[i], node, i == 0 ? GROUND + s + 1 : node - 1);
         }
+        if (m->matrix_npm)
+            springs(out, m, GROUND + s + 1, &tag);
     }
 }
 

@@ -3,12 +3,6 @@
 #include "io/result/scene_json.h"
 #include "study/sweep/remark.h"
 
-static const char *kind_name(enum thud_structure_kind kind)
-{
-    static const char *const names[] = {"shear", "rigid", "isolated", "wall"};
-    return names[kind];
-}
-
 static void add_record(const struct thud_report *report, struct thud_text *out)
 {
     thud_text_append(out, "  \"record\": ");
@@ -47,7 +41,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     const struct thud_structure_result *r = &report->result->structure[s];
     thud_text_append(out, "    {\"name\": ");
     thud_json_string(out, report->scene->structure[s].name);
-    thud_text_append(out, ", \"kind\": \"%s\", \"periods_s\": [", kind_name(report->scene->structure[s].kind));
+    thud_text_append(out, ", \"kind\": \"%s\", \"periods_s\": [", thud_kind_name(report->scene->structure[s].kind));
     for (int i = 0; i < r->floors; i++) {
         thud_text_append(out, "%s", i > 0 ? ", " : "");
         thud_json_number(out, r->period_s[i]);

@@ -31,6 +31,11 @@ static const struct thud_column floors[] = {
     {FLOOR(peak.drift.value, "drift_m", "Relative to the floor below, m."),
      .shown = {"drift", "mm", 1e3, 10, 4, THUD_DIGITS_PLACES}},
     {FLOOR(peak.drift.time_s, "drift_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(
+        peak.shear.value, "storey_shear_n",
+        "Of the storey below the floor, N: of a building by its matrix or modes the sum of K u from it up; no value of "
+        "a rigid body.")},
+    {FLOOR(peak.shear.time_s, "storey_shear_time_s", "Its time, s.")},
     {FLOOR(stability, "stability_coefficient",
            "Theta = W d/(V h) of the storey below the floor, see thud-model(7); no value where there is none.")},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
@@ -87,6 +92,8 @@ static void make_floor(const void *of, int i, void *out)
         .storey = {false, NAN, NAN, NAN, NAN, NAN, THUD_NO_COUNT, NAN, no_peak},
         .note = p->kind == THUD_ISOLATED && i == 0 ? "base" : NULL,
     };
+    if (p->kind == THUD_RIGID)
+        row->peak.shear = no_peak;
     if (thud_floor_struck(r, s, i)) /* an impulse has no finite one */
         row->peak.acceleration = no_peak;
     row->yields = own->storey && own->storey[i].yields;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
 
@@ -16,6 +17,7 @@ struct assembly {
     double geometric_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double collapse_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
+    double *matrix_npm[THUD_STRUCTURES_MAX]; /* (n x n) of a building by its matrix, else NULL */
     struct thud_contact_input *contact;
     int ncontacts, capacity;
     struct thud_link_input link[THUD_LINKS_MAX];
@@ -55,7 +57,8 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
         to->velocity_mps = s->velocity_mps;
         return;
     }
-    to->stiffness_npm = n > 0 ? stiffness : NULL;
+    to->matrix_npm = a->matrix_npm[index];
+    to->stiffness_npm = n > 0 && !to->matrix_npm ? stiffness : NULL;
     a->yield_m[index][0] = INFINITY; /* isolators do not yield */
     a->hardening[index][0] = 0;
     for (int i = base; i < n; i++) {
@@ -69,6 +72,18 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->isolation_damping = s->isolation_damping;
     if (p_delta && n > 0)
         fill_weights(a, index, s);
+}
+
+static enum thud_status fill_matrix(struct assembly *a, const struct thud_scene *scene, int index,
+                                    struct thud_error *err)
+{
+    const size_t n = (size_t)scene->structure[index].storeys;
+    if (!thud_kind_is_read(scene->structure[index].kind))
+        return THUD_OK;
+    a->matrix_npm[index] = malloc(n * n * sizeof(double));
+    if (!a->matrix_npm[index])
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    return thud_structure_lateral(scene, index, a->matrix_npm[index], err);
 }
 
 void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to)
@@ -156,19 +171,22 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
 {
     *out = NULL;
     struct assembly *a = malloc(sizeof *a); /* of its 140 KB a scene fills little */
-    bool ok = a != NULL;
-    if (ok) {
-        a->contact = NULL;
-        a->ncontacts = a->capacity = a->nlinks = 0;
-    }
-    for (int s = 0; ok && s < scene->nstructures; s++)
+    if (!a)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    a->contact = NULL;
+    a->ncontacts = a->capacity = a->nlinks = 0;
+    memset(a->matrix_npm, 0, sizeof a->matrix_npm);
+    enum thud_status status = THUD_OK;
+    for (int s = 0; status == THUD_OK && s < scene->nstructures; s++) {
+        status = fill_matrix(a, scene, s, err);
         fill_structure(a, s, &scene->structure[s], scene->p_delta);
-    for (int s = 0; ok && s + 1 < scene->nstructures; s++)
-        ok = join(a, scene, s);
-    for (int i = 0; ok && i < scene->nlinks; i++)
+    }
+    for (int s = 0; status == THUD_OK && s + 1 < scene->nstructures; s++)
+        if (!join(a, scene, s))
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; status == THUD_OK && i < scene->nlinks; i++)
         add_link(a, scene, &scene->link[i]);
-    enum thud_status status = THUD_MEMORY;
-    if (ok) {
+    if (status == THUD_OK) {
         struct thud_model_input input = {.nstructures = scene->nstructures,
                                          .structure = a->structure,
                                          .ncontacts = a->ncontacts,
@@ -177,11 +195,10 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
                                          .nlinks = a->nlinks,
                                          .link = a->link};
         status = thud_model_create(&input, out, err);
-    } else {
-        thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    if (a)
-        free(a->contact);
+    for (int s = 0; s < scene->nstructures; s++)
+        free(a->matrix_npm[s]);
+    free(a->contact);
     free(a);
     return status;
 }

@@ -12,12 +12,15 @@ int thud_structure_floors(const struct thud_structure *s)
 {
     switch (s->kind) {
     case THUD_SHEAR:
+    case THUD_MATRIX:
+    case THUD_MODES:
         return s->storeys;
     case THUD_ISOLATED:
         return s->storeys + 1;
     case THUD_RIGID:
         return 1;
     case THUD_WALL:
+    case THUD_KINDS:
         break;
     }
     return 0;
@@ -28,7 +31,7 @@ double thud_structure_elevation(const struct thud_structure *s, int floor)
     if (!thud_kind_is_building(s->kind))
         return s->height_m[0];
     double level = s->base_m;
-    for (int i = 0; i < floor + (s->kind == THUD_SHEAR); i++)
+    for (int i = 0; i < floor + (s->kind != THUD_ISOLATED); i++)
         level += s->height_m[i];
     return level;
 }
@@ -58,8 +61,8 @@ static void fill(struct row *row, const struct thud_structure *s)
     row->n = thud_structure_floors(s);
     double level = s->base_m;
     for (int i = 0; i < row->n; i++) {
-        if (i > 0 || s->kind == THUD_SHEAR)
-            level += s->height_m[s->kind == THUD_SHEAR ? i : i - 1];
+        if (i > 0 || s->kind != THUD_ISOLATED)
+            level += s->height_m[s->kind != THUD_ISOLATED ? i : i - 1];
         row->level_m[i] = thud_kind_is_building(s->kind) ? level : s->height_m[0];
         row->depth_m[i] = thud_structure_depth(s, i);
     }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/scene_slot.h"
 
@@ -149,6 +150,8 @@ static enum thud_status check_depths(const struct thud_structure *structure, int
 static enum thud_status check_weight(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
+    if (scene->p_delta && thud_kind_is_read(structure->kind))
+        return thud_structure_check_weight(scene, s, err);
     for (int i = 0; i < structure->storeys && scene->p_delta && thud_kind_is_building(structure->kind); i++) {
         char key[64];
         double weight = thud_structure_weight(structure, i), geometric = weight / structure->height_m[i];
@@ -170,6 +173,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
     enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
     if (status == THUD_OK)
         status = check_group(scene, s, THUD_GROUP_COLUMN, "column.", err);
+    if (status == THUD_OK && thud_kind_is_read(scene->structure[s].kind))
+        status = thud_structure_check_shape(scene, s, err);
     if (status == THUD_OK)
         status = check_yield(&scene->structure[s], s, err);
     if (status == THUD_OK)
@@ -327,7 +332,7 @@ enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_er
     }
     if (status == THUD_OK && !moves) {
         thud_error_set(err, THUD_INPUT, "there are only walls, so nothing moves");
-        return refuse(err, "structures", "at least one shear, rigid or isolated");
+        return refuse(err, "structures", "at least one building or rigid body");
     }
     for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++)
         status = check_interface(scene, i, err);

@@ -23,9 +23,12 @@
 #define USUAL(a, b)   .soft_least = (a), .soft_most = (b)
 #define ANY_USUAL     .soft_least = NAN, .soft_most = NAN
 
-enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL, STOREYS = SHEAR | ISOLATED, ALL = 15 };
+enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL,
+       MATRIX = 1 << THUD_MATRIX, MODES = 1 << THUD_MODES, READ = MATRIX | MODES, SPRINGS = SHEAR | ISOLATED, STOREYS = SPRINGS | READ,
+       ALL = (1 << THUD_KINDS) - 1 };
 
-static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", NULL};
+static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes", NULL};
+static const char *const orders[] = {"ask", "lowest-first", "roof-first", NULL};
 static const char *const signs[] = {"+", "-", NULL};
 static const char *const one_or_both[] = {"one", "both", NULL};
 static const char *const columns[] = {"all", NULL};
@@ -85,12 +88,18 @@ static const struct thud_place record_places[] = {
 
 static const struct thud_param structure_params[] = {
     WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."),
-    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground.",
+    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: as a file says.",
            kinds, THUD_SHEAR),
     {COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN),
      .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
     {NUMBER("mass", "floor mass", "Of each floor, or of the body.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
     {NUMBER("stiffness", "storey stiffness", "Of each storey against shear.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), USUAL(1e7, 1e10)},
+    WORD("stiffness-matrix", "stiffness matrix", "A CSV of the lateral stiffness of the floors, n rows of n values: looked for from the working folder, beside the preset, and in the presets folder."),
+    WORD("flexibility-matrix", "flexibility matrix", "The same of the displacements by unit forces, in place of stiffness-matrix."),
+    WORD("periods", "periods and shapes", "A CSV with one row a mode: its period and the shape's value of every floor; at most as many modes as floors."),
+    WORD("unit", "unit of the file", "Of the matrix (kN/m, mm/kN) or of the periods (s), for files that do not say it."),
+    CHOICE("order", "order of the floors", "In the file; ask: one whose floors seem to stand from the roof down is refused.", orders, THUD_ORDER_ASK),
+    {NUMBER("period-factor", "factor of the periods", "Multiplies all periods of the building.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(100), USUAL(0.5, 2)},
     {NUMBER("height", "storey height", "Of each storey, from floor level to floor level: the elevations at which neighbours meet follow from it.",
             THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)},
     {NUMBER("height", "elevation", "Of the body's contact; where it is not given it meets its neighbours' first floor.",
@@ -116,17 +125,23 @@ static const struct thud_param structure_params[] = {
 static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(name), .size = THUD_NAME_MAX, .kinds = ALL},
     {.store = THUD_STORE_KIND, .offset = AT(kind), .kinds = ALL},
-    {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS},
+    {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS, .reads = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~WALL},
-    {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = STOREYS},
+    {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = SPRINGS},
+    {.store = THUD_STORE_TEXT, .offset = AT(stiffness_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
+    {.store = THUD_STORE_TEXT, .offset = AT(flexibility_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
+    {.store = THUD_STORE_TEXT, .offset = AT(periods_file), .size = THUD_TEXT_MAX, .kinds = MODES, .reads = true},
+    {.store = THUD_STORE_TEXT, .offset = AT(unit), .size = 16, .kinds = READ, .reads = true},
+    {.store = THUD_STORE_NUMBER, .offset = AT(order), .kinds = READ, .reads = true},
+    {.store = THUD_STORE_NUMBER, .offset = AT(period_factor), .kinds = READ},
     {.store = THUD_STORE_FLOORS, .offset = AT(height_m), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = NAN, .kinds = RIGID},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = INFINITY, .kinds = WALL},
     {.store = THUD_STORE_NUMBER, .offset = AT(base_m), .kinds = STOREYS},
     {.store = THUD_STORE_FLOORS, .offset = AT(slab_depth_m), .kinds = STOREYS},
-    {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = STOREYS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = SPRINGS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = SPRINGS, .optional = true},
+    {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = SPRINGS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(gravity_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
@@ -274,6 +289,11 @@ const struct thud_place *thud_group_places(enum thud_group group)
 const char *thud_group_key(enum thud_group group)
 {
     return groups[group].key;
+}
+
+const char *thud_kind_name(enum thud_structure_kind kind)
+{
+    return kinds[kind];
 }
 
 bool thud_structure_has(enum thud_structure_kind kind, int param)

@@ -101,12 +101,16 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     int keys = column ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
     int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
     if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
-        thud_error_set(err, THUD_INPUT, "%s has no %s",
-                       scene->structure[s - 1].kind == THUD_WALL ? "a wall" : "a rigid body",
+        static const char *const what[THUD_KINDS] = {[THUD_WALL] = "a wall",
+                                                     [THUD_RIGID] = "a rigid body",
+                                                     [THUD_MATRIX] = "a building by its matrix",
+                                                     [THUD_MODES] = "a building by its modes"};
+        thud_error_set(err, THUD_INPUT, "%s has no %s", what[scene->structure[s - 1].kind],
                        column                               ? "columns"
                        : strcmp(part[keys], "gravity") == 0 ? "storeys"
                                                             : "storeys that could yield");
-        thud_error_allow(err, "%.40s is of shear and isolated structures", part[keys]);
+        thud_error_allow(err, column ? "%.40s is of buildings" : "%.40s is of shear and isolated structures",
+                         part[keys]);
         return THUD_INPUT;
     }
     if (i < 0)

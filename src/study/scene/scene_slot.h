@@ -29,6 +29,7 @@ struct thud_place {
     double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
     unsigned kinds;      /* bit set of structure kinds, of links that of their laws */
     bool optional;       /* THUD_STORE_FLOORS: need not be given */
+    bool reads;          /* a structure's file is read anew for it */
 };
 
 struct thud_slot {

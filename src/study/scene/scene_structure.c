@@ -66,7 +66,8 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
         structure->height_m[0] = NAN;
         return;
     }
-    structure->stiffness_npm[0] = NAN;
+    structure->stiffness_npm[0] = thud_kind_is_read(kind) ? 0 : NAN;
+    structure->period_factor = thud_kind_is_read(kind) ? 1 : 0;
     structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
     structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
     structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
@@ -94,6 +95,15 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
     return THUD_OK;
 }
 
+/* Storeys that a building by its matrix has not, or has no more. */
+static void change_springs(struct thud_structure *structure, int i)
+{
+    if (thud_kind_is_read(structure->kind))
+        structure->stiffness_npm[i] = structure->yield_m[i] = structure->yield_shear_n[i] = structure->hardening[i] = 0;
+    else if (!(structure->stiffness_npm[i] > 0))
+        structure->stiffness_npm[i] = 600e6;
+}
+
 /* What the new kind has and the old one had not gets the values of the paper's buildings, so that a change of kind
  * alone leaves a structure that can be computed. */
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind)
@@ -108,7 +118,8 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
         return THUD_OK;
     structure->mass_kg[0] = before.storeys > 0 ? before.mass_kg[0] : 320e3;
     if (storeys) {
-        structure->stiffness_npm[0] = 600e6;
+        if (!thud_kind_is_read(kind))
+            structure->stiffness_npm[0] = 600e6;
         if (had) {
             structure->storeys = before.storeys;
             for (int which = 0; which < THUD_STRUCTURE_LISTS; which++)
@@ -116,6 +127,8 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                        sizeof before.mass_kg);
             structure->damping = before.damping;
             structure->base_m = before.base_m;
+            for (int i = 0; i < structure->storeys; i++)
+                change_springs(structure, i);
             structure->column_shape = before.column_shape;
         }
     }

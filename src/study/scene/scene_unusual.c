@@ -89,7 +89,7 @@ static bool look_columns(struct search *search, const struct thud_structure *s, 
 {
     for (int i = 0; i < s->storeys && thud_structure_has_columns(s); i++) {
         double length = thud_clear_height(s, i), k = 12 * thud_column_ei(s, i) / (length * length * length);
-        if (!(k > s->stiffness_npm[i] * (1 + 1e-9)) || search->found++ != search->wanted)
+        if (!(s->stiffness_npm[i] > 0) || !(k > s->stiffness_npm[i] * (1 + 1e-9)) || search->found++ != search->wanted)
             continue;
         char key[96];
         snprintf(key, sizeof key, "%s.%s", prefix, s->column_stiffness_npm[i] > 0 ? "stiffness" : "EI");
@@ -101,6 +101,22 @@ static bool look_columns(struct search *search, const struct thud_structure *s, 
         return true;
     }
     return false;
+}
+
+/* Modes that are fewer than the floors. */
+static bool look_modes(struct search *search, const struct thud_structure *s, const char *prefix)
+{
+    if (s->kind != THUD_MODES || s->shape_rows == 0 || s->shape_rows >= s->storeys || search->found++ != search->wanted)
+        return false;
+    char key[96];
+    snprintf(key, sizeof key, "%s.periods", prefix);
+    thud_error_set(search->out, THUD_OK,
+                   "%d of %d modes: what they leave out is taken as ten times faster than the fastest of them, so that "
+                   "the local give at a struck floor is not known",
+                   s->shape_rows, s->storeys);
+    thud_error_allow(search->out, "as many modes as floors");
+    thud_error_key(search->out, key);
+    return true;
 }
 
 /* A cavity that leaves less of the bumper outside than it can be compressed by: the walls would touch first. */
@@ -238,6 +254,8 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
         char key[64];
         snprintf(key, sizeof key, "structures.%d", s + 1);
         if (look_group(&search, THUD_GROUP_STRUCTURE, at, 1u << at->kind, at->storeys, key))
+            return true;
+        if (look_modes(&search, at, key))
             return true;
         snprintf(key, sizeof key, "structures.%d.column", s + 1);
         if (look_group(&search, THUD_GROUP_COLUMN, at, 1u << at->kind, at->storeys, key) ||

@@ -253,6 +253,8 @@ enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot
     enum thud_status status = thud_value_trimmed(text, &clean, err);
     if (status == THUD_OK && (*clean || !unset(scene, slot)))
         status = set(scene, slot, clean, err);
+    if (status == THUD_OK && slot->place.reads)
+        scene->structure[slot->structure].shape_rows = 0;
     free(clean);
     return status;
 }

@@ -130,12 +130,9 @@ double thud_stability_coefficient(const struct thud_structure *structure, const 
                                   int storey)
 {
     int floor = storey + (structure->kind == THUD_ISOLATED);
-    bool building = structure->kind == THUD_SHEAR || structure->kind == THUD_ISOLATED;
-    if (!building || storey < 0 || storey >= structure->storeys)
+    if (!thud_kind_is_building(structure->kind) || storey < 0 || storey >= structure->storeys)
         return NAN;
-    double drift = result->floor[floor].drift.value;
-    bool yields = result->storey && result->storey[floor].yields;
-    double shear = yields ? result->storey[floor].shear.value : structure->stiffness_npm[storey] * drift;
+    double drift = result->floor[floor].drift.value, shear = result->floor[floor].shear.value;
     return shear > 0 ? thud_structure_weight(structure, storey) * drift / (shear * structure->height_m[storey]) : NAN;
 }
 

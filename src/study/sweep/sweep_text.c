@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/scene/building.h"
 #include "study/sweep/sweep_private.h"
 
 /* A number as its 64 bits in hexadecimal after an `x`: exact, and many times faster to write and read than the shortest
@@ -327,8 +328,13 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
         h = thud_hash(h, &scene->p_delta, sizeof scene->p_delta);
     if (!isnan(scene->record.period_s)) /* that of record.sa */
         h = thud_hash(h, &scene->record.period_s, sizeof scene->record.period_s);
-    for (int s = 0; s < scene->nstructures; s++)
-        h = thud_hash(h, &scene->structure[s], sizeof scene->structure[s]); /* zeros where nothing is given */
+    for (int s = 0; s < scene->nstructures; s++) {
+        const struct thud_structure *p = &scene->structure[s];
+        const double *shape = thud_structure_shape(scene, s);
+        h = thud_hash(h, p, sizeof *p); /* zeros where nothing is given */
+        if (shape)
+            h = thud_hash(h, shape, (size_t)(p->shape_rows * thud_shape_columns(p)) * sizeof *shape);
+    }
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
     for (int i = 0; i < plan->naxes; i++) {

@@ -131,6 +131,17 @@ static void change_law(struct thud_law_choice *choice, const char *name, enum th
     *value = x;
 }
 
+/* The stiffness of a building by its matrix or modes is in the factor of its periods. With another mass, shapes of the
+ * same periods would be those of another stiffness, which is not what is not known. */
+static void change_periods(struct thud_structure *p, enum thud_input input, double size, double u)
+{
+    const double factor = changed(input, 1, size, u);
+    if (input == THUD_INPUT_STIFFNESS)
+        p->period_factor /= sqrt(factor);
+    else if (input == THUD_INPUT_MASS && p->kind == THUD_MODES)
+        p->period_factor *= sqrt(factor);
+}
+
 static void change_structure(struct thud_structure *p, enum thud_input input, double size, double u)
 {
     int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
@@ -142,6 +153,8 @@ static void change_structure(struct thud_structure *p, enum thud_input input, do
     } else {
         p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
     }
+    if (thud_kind_is_read(p->kind))
+        change_periods(p, input, size, u);
     for (int i = 0; i < n; i++) {
         double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
         *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);

@@ -6,10 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/building/building_file.h"
 #include "io/file/file.h"
 #include "io/record/record_file.h"
 #include "study/scene/solution.h"
 #include "tui/document/doc.h"
+#include "tui/widgets/form.h"
 
 static struct thud_stamp stamp_of(const char *path)
 {
@@ -181,12 +183,28 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     return THUD_OK;
 }
 
+/* A kind that is read from a file may have its name behind it: "matrix k.csv". */
+static enum thud_status set_value(struct thud_scene *next, const char *key, const char *text, struct thud_error *err)
+{
+    char structure[THUD_PATH_MAX], kind[16];
+    const char *end = strrchr(key, '.'), *file = strchr(text, ' ');
+    if (!file || !end || strcmp(end, ".kind") != 0 || (size_t)(file - text) >= sizeof kind)
+        return thud_scene_set(next, key, text, err);
+    snprintf(kind, sizeof kind, "%.*s", (int)(file - text), text);
+    enum thud_status status = thud_scene_set(next, key, kind, err);
+    snprintf(structure, sizeof structure, "%.*s.%s", (int)(end - key), key,
+             strcmp(kind, "modes") == 0 ? "periods" : "stiffness-matrix");
+    return status == THUD_OK ? thud_scene_set(next, structure, file + strspn(file, " "), err) : status;
+}
+
 enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char *text, struct thud_error *err)
 {
     struct thud_scene next = doc->scene;
     char before[96] = "", after[96] = "", what[300];
     thud_scene_get(&doc->scene, key, before, sizeof before, NULL);
-    enum thud_status status = thud_scene_set(&next, key, text, err);
+    enum thud_status status = set_value(&next, key, text, err);
+    if (status == THUD_OK)
+        status = thud_building_files_read(&next, doc->path, err);
     if (status != THUD_OK)
         return status;
     thud_scene_get(&next, key, after, sizeof after, NULL);

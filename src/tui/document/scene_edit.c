@@ -145,6 +145,28 @@ bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
     return true;
 }
 
+/* The files of kinds that are read, asked for before the kind is set. */
+static void take_matrix(struct thud_tui *tui, const char *text)
+{
+    char value[THUD_LINE_MAX + 16], key[sizeof tui->dialog.target];
+    snprintf(value, sizeof value, "matrix %s", text);
+    snprintf(key, sizeof key, "%s", tui->dialog.target);
+    thud_tui_set(tui, key, value);
+}
+
+static void take_modes(struct thud_tui *tui, const char *text)
+{
+    char value[THUD_LINE_MAX + 16], key[sizeof tui->dialog.target];
+    snprintf(value, sizeof value, "modes %s", text);
+    snprintf(key, sizeof key, "%s", tui->dialog.target);
+    thud_tui_set(tui, key, value);
+}
+
+static const struct thud_prompt matrix_file = {
+    .words = "CSV of the lateral stiffness, a row a floor: ", .files = true, .done = take_matrix};
+static const struct thud_prompt modes_file = {
+    .words = "CSV of periods and shapes, a row a mode: ", .files = true, .done = take_modes};
+
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
 {
     struct thud_error err = {0};
@@ -153,6 +175,12 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
         return strcmp(text, tui->doc.scene.record.file) == 0 || thud_tui_choose_record(tui, text);
     }
     char full[THUD_LINE_MAX + 64];
+    if (ends_with(key, ".kind") && (strcmp(text, "matrix") == 0 || strcmp(text, "modes") == 0)) {
+        if (key != tui->dialog.target) /* the list's own */
+            snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", key);
+        thud_tui_prompt(tui, text[1] == 'o' ? &modes_file : &matrix_file, "");
+        return true;
+    }
     thud_tui_with_unit(tui, key, text, full, sizeof full);
     thud_tui_hush(tui);
     tui->kept.before_n = NAN;

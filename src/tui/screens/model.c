@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "base/scan.h"
 #include "core/model/model.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
@@ -147,7 +148,10 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
         for (int c = 0; c < COLUMNS; c++) {
             char key[THUD_PATH_MAX];
             snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
-            if (c >= first && c <= last)
+            if (!thud_scene_param(&tui->doc.scene, key, &(int){0})) {
+                if (c >= first && c <= last)
+                    thud_pane_put(pane, column[c].x - shift, y, thud_look(THUD_ROLE_MUTED, 0), "-");
+            } else if (c >= first && c <= last)
                 thud_field_value(tui, index, pane, column[c].x - shift, y, column[c].w, key, false);
             else
                 thud_form_add_beside(&tui->form, index, column[c].x - shift, y, column[c].w, key);
@@ -159,17 +163,34 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
 /* The values that are not by floor, two in a row where they are short. */
 static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
-    enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL };
+    enum {
+        SHEAR = 1 << THUD_SHEAR,
+        RIGID = 1 << THUD_RIGID,
+        ISOLATED = 1 << THUD_ISOLATED,
+        WALL = 1 << THUD_WALL,
+        MATRIX = 1 << THUD_MATRIX,
+        MODES = 1 << THUD_MODES,
+        READ = MATRIX | MODES,
+        BUILDINGS = SHEAR | ISOLATED | READ
+    };
     static const struct {
         const char *key, *label;
         int kinds, y, x, value;
     } field[] = {
-        {"kind", "kind", SHEAR | RIGID | ISOLATED | WALL, 0, 1, 9},
-        {"name", "name", SHEAR | RIGID | ISOLATED | WALL, 0, 20, 28},
-        {"storeys", "storeys", SHEAR | ISOLATED, 1, 1, 9},
-        {"damping", "damping", SHEAR | ISOLATED, 1, 20, 28},
-        {"base", "base", SHEAR | ISOLATED, 2, 1, 9},
-        {"p-delta", "P-Delta", SHEAR | ISOLATED, 2, 20, 28}, /* of the scene */
+        {"kind", "kind", BUILDINGS | RIGID | WALL, 0, 1, 9},
+        {"name", "name", BUILDINGS | RIGID | WALL, 0, 20, 28},
+        {"storeys", "storeys", BUILDINGS, 1, 1, 9},
+        {"damping", "damping", BUILDINGS, 1, 20, 28},
+        {"base", "base", BUILDINGS, 2, 1, 9},
+        {"p-delta", "P-Delta", BUILDINGS, 2, 20, 28}, /* of the scene */
+        {"period-factor", "T times", READ, 3, 1, 9},
+        {"stiffness-matrix", "stiffness", MATRIX, 4, 1, 13},
+        {"flexibility-matrix", "flexibility", MATRIX, 5, 1, 13},
+        {"unit", "unit", MATRIX, 6, 1, 9},
+        {"order", "order", MATRIX, 6, 20, 28},
+        {"periods", "modes file", MODES, 4, 1, 13},
+        {"unit", "unit", MODES, 5, 1, 9},
+        {"order", "order", MODES, 5, 20, 28},
         {"base-mass", "base mass", ISOLATED, 3, 1, 18},
         {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
         {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
@@ -209,7 +230,11 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
         if (!thud_kind_is_building(structure->kind))
             continue;
-        int table = (structure->kind == THUD_SHEAR ? 3 : 6) + 1 + structure->storeys + 2, rows = pane_rows - table - 2;
+        int table = (structure->kind == THUD_SHEAR   ? 3
+                     : structure->kind == THUD_MODES ? 5
+                                                     : 6) +
+                    1 + structure->storeys + 2,
+            rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
         e.low_m = fmin(e.low_m, structure->base_m);
         e.high_m = fmax(e.high_m, thud_structure_elevation(structure, thud_structure_floors(structure) - 1));
@@ -224,15 +249,18 @@ static double row_of(const struct thud_dots *dots, const struct elevation *e, do
 }
 
 static void draw_building(struct thud_dots *dots, const struct elevation *e, const struct thud_structure *structure,
-                          struct thud_look look)
+                          bool wall, struct thud_look look)
 {
     double base = row_of(dots, e, structure->base_m), left = 1.0 * dots->across,
            right = (BUILDING - 5.0) * dots->across;
     int n = thud_structure_floors(structure);
     double top = row_of(dots, e, thud_structure_elevation(structure, n - 1));
     thud_dots_line(dots, 0.0, base, right + left, base, 1, thud_look(THUD_ROLE_MUTED, 0));
-    thud_dots_line(dots, left, base, left, top, 1, look);
-    thud_dots_line(dots, right, base, right, top, 1, look);
+    const double core = wall ? 0.35 * (right - left) : 0.0;
+    for (double x = left + core; x <= right - core && wall; x += 1.0)
+        thud_dots_line(dots, x, base, x, top, 1, look);
+    thud_dots_line(dots, left + core, base, left + core, top, 1, look);
+    thud_dots_line(dots, right - core, base, right - core, top, 1, look);
     for (int i = 0; i < n; i++) {
         double y = row_of(dots, e, thud_structure_elevation(structure, i));
         thud_dots_line(dots, left, y, right, y, 1, look);
@@ -274,7 +302,7 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
         return;
     struct thud_look look = thud_look(THUD_ROLE_SERIES + (s - tui->interface), 0),
                      faint = thud_look(THUD_ROLE_MUTED, 0);
-    draw_building(&dots, &e, structure, look);
+    draw_building(&dots, &e, structure, thud_structure_bends(structure, m), look);
     for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
         char text[32], number[24];
         draw_shape(&dots, &e, structure, m, j, look);

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "tui/screens/figures.h"
 #include "tui/screens/movement.h"
@@ -246,6 +247,9 @@ static const struct thud_model_contact *pressing(const struct stage *stage, int 
     return found;
 }
 
+/* A building that bends as a wall is drawn as one in the middle of its slabs, from this part of their width on. */
+static const double wall_edge = 0.35;
+
 /* Both columns of a storey (from 0): kinked where it yielded, by way of the slab's edge where one presses them in. */
 static void draw_storey(struct stage *stage, int s, int storey, struct storey at, struct thud_look look)
 {
@@ -259,9 +263,13 @@ static void draw_storey(struct stage *stage, int s, int storey, struct storey at
         drift = value_at(stage->history, thud_history_storey_drift(stage->history, yielding), stage->t);
         yield = stage->model->storey[yielding].yield_m;
     }
+    const bool bends = thud_structure_bends(&stage->scene->structure[s], &stage->model->structure[s]);
+    for (double in = wall_edge * body; bends && in <= (1.0 - wall_edge) * body; in += 1.0)
+        thud_dots_line(&stage->dots, at.x0 + in, at.y0, at.x1 + in, at.y1, 1, look);
     for (int side = 0; side < 2; side++) {
         const struct thud_model_contact *c = pressing(stage, s, storey, side == 1);
-        struct storey column = {at.x0 + side * body, at.y0, at.x1 + side * body, at.y1};
+        const double in = c || !bends ? 0.0 : (side ? -wall_edge : wall_edge) * body;
+        struct storey column = {at.x0 + side * body + in, at.y0, at.x1 + side * body + in, at.y1};
         if (c) {
             double y = row_of(stage, contact_level(stage, c)),
                    x = side ? stage->left[s + 1] + side_shift(stage, &c->right) - 1.0

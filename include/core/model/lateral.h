@@ -1,0 +1,38 @@
+/* The lateral stiffness K (n x n, symmetric) of a building's floors, as other programs give it: as a matrix, as its
+ * inverse, or as periods and shapes.
+ *
+ *     modes, as many as floors:   K = M Phi Omega^2 Phi^T M,  Phi^T M Phi = I
+ *     fewer:                      K = M Phi Omega^2 Phi^T M + omega_x^2 (M - M Phi Phi^T M)
+ *
+ * What the shapes leave out gets the one frequency omega_x, ten times the largest given. Shapes are scaled, and made
+ * orthogonal as evenly as can be: W (W^T W)^(-1/2) with W = M^(1/2) Phi (Loewdin 1950, J. Chem. Phys. 18:365). */
+#ifndef THUD_CORE_LATERAL_H
+#define THUD_CORE_LATERAL_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+
+/* Largest difference between two elements that ought to be equal, over the root of their diagonal elements, and where
+ * (row, column from 0). */
+double thud_lateral_asymmetry(int n, const double *k, int *row, int *column);
+/* Smallest eigenvalue; NaN where LAPACK finds none. Errors: THUD_MEMORY. */
+enum thud_status thud_lateral_least(int n, const double *k, double *least, struct thud_error *err);
+/* In place, of a definite one. Errors: THUD_INPUT (it is not), THUD_MEMORY. */
+enum thud_status thud_lateral_invert(int n, double *k, struct thud_error *err);
+/* Whether the first floor sways further than the last one under equal loads on all: then they stand from the roof
+ * down. Errors: THUD_MEMORY. */
+enum thud_status thud_lateral_hangs(int n, const double *k, bool *hangs, struct thud_error *err);
+
+/* `row` (modes x (1 + n)): a period and the shape's values. */
+/* Largest phi_a^T M phi_b of two scaled shapes, and of which (from 0). */
+double thud_lateral_overlap(int n, int modes, const double *mass_kg, const double *row, int *a, int *b);
+/* Errors: THUD_INPUT (shapes that are nearly the same), THUD_MEMORY. */
+enum thud_status thud_lateral_from_modes(int n, int modes, const double *mass_kg, const double *row, double *k,
+                                         struct thud_error *err);
+/* Periods, longest first, and the mass that takes part in each mode, (sum m phi)^2, kg: (n) each. Errors: THUD_INPUT,
+ * THUD_MEMORY. */
+enum thud_status thud_lateral_modes(int n, const double *mass_kg, const double *k, double *period_s,
+                                    double *participating_kg, struct thud_error *err);
+
+#endif

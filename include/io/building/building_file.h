@@ -1,0 +1,41 @@
+/* Lateral stiffness, flexibility, or periods and shapes of a building, as ETABS and SAP2000 export tables: CSV, a row a
+ * floor or a mode, the unit in the header or said beside it. */
+#ifndef THUD_IO_BUILDING_FILE_H
+#define THUD_IO_BUILDING_FILE_H
+
+#include <stdbool.h>
+
+#include "study/scene/scene.h"
+
+enum thud_building_content { THUD_CONTENT_STIFFNESS, THUD_CONTENT_FLEXIBILITY, THUD_CONTENT_PERIODS };
+
+/* What is expected of a file. */
+struct thud_building_ask {
+    enum thud_building_content content;
+    bool any;         /* the content is what the file's header and unit say */
+    int floors;       /* 0: as many as there are */
+    const char *unit; /* for files that do not say; empty: not given */
+    enum thud_floor_order order;
+};
+
+/* What was read: SI units, lowest floor first. A flexibility has become a stiffness. */
+struct thud_building_table {
+    enum thud_building_content content; /* of the file */
+    int floors, rows;
+    double *value; /* (rows x floors), of periods (rows x (1 + floors)); free with thud_building_table_clear */
+    char unit[32]; /* as the file has it, or was said */
+    double asymmetry;
+    int row, column; /* the elements that differ most, from 0 */
+    bool reversed;   /* the file begins with the roof */
+};
+
+/* Errors: THUD_INPUT with file, line and column; THUD_MEMORY. */
+enum thud_status thud_building_file_read(const char *path, const struct thud_building_ask *ask,
+                                         struct thud_building_table *out, struct thud_error *err);
+void thud_building_table_clear(struct thud_building_table *table);
+
+/* Reads what the structures of a scene name and have not yet: looked for from the working folder and beside the preset
+ * (path; NULL: none). Errors: also the key. */
+enum thud_status thud_building_files_read(struct thud_scene *scene, const char *preset, struct thud_error *err);
+
+#endif

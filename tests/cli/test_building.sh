@@ -1,0 +1,52 @@
+#!/bin/sh
+# Buildings by their matrix or modes: what is read, refused, saved and written for other programs.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+frame=presets/frame-beside-wall.frame.csv
+wall=presets/frame-beside-wall.wall.csv
+
+is "a matrix is read" gives 0 building import "$frame" --set mass="[250 t, 250 t, 250 t, 250 t, 250 t, 200 t]"
+is "with its unit and floors" shows '^stiffness matrix, kN/m; 6 floors; the file begins with the lowest floor$'
+is "symmetric" shows '^symmetric$'
+is "its periods and masses" shows '^   1    1.1284      0.88623        82.71           82.71$'
+is "without masses" gives 0 building import "$frame"
+is "they are asked for" shows 'follow with the masses: --set mass='
+is "modes are read" gives 0 building import "$wall" --set mass="[300 t, 300 t, 300 t, 300 t, 300 t, 240 t]"
+is "how far from orthogonal" shows '^shapes overlap by .* % at most'
+is "all the mass in the end" shows '^   6 .* 100.00$'
+is "masses of another building" gives 3 building import "$wall" --set mass="[300 t, 300 t, 300 t, 300 t, 300 t, 900 t]"
+is "do not go with the shapes" says 'the shapes of modes . and . overlap'
+is "no verb" gives 2 building "$frame"
+sed 's/kN\/m/kN/g' "$frame" >"$tmp/unit.csv"
+is "a wrong unit" gives 3 building import "$tmp/unit.csv"
+is "the header's place" says 'unit.csv:2: kN is no unit of a stiffness or a flexibility'
+grep -v kN "$tmp/unit.csv" >"$tmp/bare.csv"
+is "no unit" gives 3 building import "$tmp/bare.csv"
+is "is asked for" says "bare.csv:1: the unit of the matrix is not said (in the header, (kN/m), or unit: kN/m"
+is "and given" gives 0 building import "$tmp/bare.csv" --set unit=MN/m
+
+is "the shipped scene" gives 0 run frame-beside-wall --json
+is "has storey shears" [ "$(grep -c '"storey_shear_n"' "$tmp/out")" -eq 12 ]
+cp "$tmp/out" "$tmp/first"
+sed -n '/"scene": {/,$p' "$tmp/first" | sed '1s/.*/{/; $d' >"$tmp/again.yaml"
+is "runs again from its own scene" gives 0 run "$tmp/again.yaml" --json
+force() { sed -n 's/.*"force_n": \([0-9.e+-]*\),.*/\1/p' "$1" | sort -g | tail -1; }
+is "to the same force" [ "$(force "$tmp/first")" = "$(force "$tmp/out")" ]
+is "longer periods by a key" gives 0 run frame-beside-wall --set structures.1.period-factor=1.1
+is "are those" shows '^F: T1 1.241 s'
+is "yield is refused" gives 3 run frame-beside-wall --set structures.1.yield="2 cm"
+is "with a sentence" says 'a building by its matrix has no storeys that could yield'
+cp presets/frame-beside-wall.yaml "$tmp/own.yaml"
+cp "$frame" "$wall" "$tmp"
+sed -i 's/-349473.602,537/-349400,537/' "$tmp/frame-beside-wall.frame.csv"
+is "a preset beside its files" gives 3 run "$tmp/own.yaml"
+is "says which file is wrong, and where" says 'frame-beside-wall.frame.csv:4:8: structures.1.stiffness-matrix: not symmetric'
+rm "$tmp/frame-beside-wall.frame.csv"
+sed -i 's/frame-beside-wall.frame/none/' "$tmp/own.yaml"
+is "a file that is not there" gives 3 run "$tmp/own.yaml"
+is "is named by the key" says "own.yaml:11:.*structures.1.stiffness-matrix: there is no file \"none.csv\""
+is "a sweep of one" gives 0 sweep frame-beside-wall --vary structures.2.period-factor=0.9:1.1:0.1 --cases none --csv --quiet
+is "has its points" [ "$(grep -c 'W,1,' "$tmp/out")" -eq 3 ]
+is "for OpenSees" gives 0 export opensees frame-beside-wall --case none --set contact.law=kelvin-voigt
+# K_21 of the frame is -349473602 N/m: a spring of it between floors 2 and 1
+is "its matrix is springs" shows '^ops.uniaxialMaterial("Elastic", 20000[0-9]*, 349473602\(\.0*\)*)'
