@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/sha256.h"
 #include "base/status.h"
 
 #define THUD_RECORD_COMPUTED "computed, not recorded"
@@ -16,7 +17,8 @@ struct thud_record {
     char station[96];
     char component[64];
     char event[96];
-    char note[160]; /* how the samples were found in the file, for a person to see; may be empty */
+    char sha256[THUD_SHA256_TEXT]; /* of its file, unpacked; empty: it is of none */
+    char note[160];                /* how the samples were found in the file, for a person to see; may be empty */
     double dt_s;
     size_t samples;
     double *a_mps2; /* (samples), already scaled and signed */

@@ -258,6 +258,8 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
     status = format->read(&source, choice, &raw, err);
     if (!status)
         status = build(&source, format, choice, &raw, out, err);
+    if (!status)
+        thud_sha256(text, size, (*out)->sha256);
     free(raw.value);
     return status;
 }

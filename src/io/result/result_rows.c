@@ -479,7 +479,7 @@ const struct thud_schema thud_truncation_schema = THUD_SCHEMA(
     "truncation", "In\n.Pa result.json ,\nwith\n.Fl -modes :\nthe error of leaving modes out.\n", truncations);
 
 struct record_row {
-    const char *file, *event, *station, *component;
+    const char *file, *event, *station, *component, *sha256;
     double peak_mps2, scale, dt_s;
     bool synthetic;
     size_t samples;
@@ -499,14 +499,16 @@ static const struct thud_column record_fields[] = {
     RECORD(samples, "How many."),
     RECORD(event, "As its file says."),
     RECORD(station, "As its file says."),
-    RECORD(component, "As its file says.")};
+    RECORD(component, "As its file says."),
+    RECORD(sha256, "SHA-256 of its file, before it is scaled; of one that is packed, unpacked; null: of no file.")};
 const struct thud_schema thud_record_schema =
     THUD_SCHEMA("record", "A ground motion wherever JSON has one.\n", record_fields);
 
 void thud_record_json(const struct thud_record *r, struct thud_text *out)
 {
-    const struct record_row row = {r->file,  r->event, r->station,   r->component, thud_record_peak(r),
-                                   r->scale, r->dt_s,  r->synthetic, r->samples};
+    const struct record_row row = {
+        r->file,  r->event, r->station,   r->component, r->sha256[0] ? r->sha256 : NULL, thud_record_peak(r),
+        r->scale, r->dt_s,  r->synthetic, r->samples};
     thud_text_append(out, "{");
     thud_json_members(&thud_record_schema, 0, &row, out);
     thud_text_append(out, "}");
