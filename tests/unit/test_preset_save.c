@@ -427,6 +427,30 @@ START_TEST(random_edits_read_back)
 }
 END_TEST
 
+/* An interface without a law: another value of its contact names the law and leaves the rest of the file, comments and
+ * all; a value elsewhere leaves the interface. Both once wrote the whole file anew. */
+START_TEST(an_interface_without_a_law_keeps_the_file)
+{
+    static const char text[] = "structures:\n  - kind: rigid\n    mass: 3 t\n    velocity: 1 m/s\n  # the second\n"
+                               "  - kind: rigid\n    mass: 4 t\ninterfaces:\n  - gap: 5 cm\n";
+    struct thud_preset *preset = parse(text, sizeof text - 1);
+    size_t size;
+    scene = *thud_preset_scene(preset);
+    set(&scene, "structures.1.mass", "5 t");
+    char *out = text_of(preset, &scene, &size);
+    ck_assert_uint_eq(size, sizeof text - 1);
+    ck_assert_ptr_nonnull(strstr(out, "mass: 5 t\n    velocity: 1 m/s\n  # the second\n"));
+    free(out);
+    scene = *thud_preset_scene(preset);
+    set(&scene, "interfaces.1.contact.restitution", "0.55");
+    out = text_of(preset, &scene, &size);
+    ck_assert_int_eq(memcmp(out, text, sizeof text - 1), 0);
+    ck_assert_ptr_nonnull(strstr(out, "  - gap: 5 cm\n    contact:\n      law: kelvin-voigt-no-tension\n"));
+    free(out);
+    thud_preset_free(preset);
+}
+END_TEST
+
 START_TEST(carriage_returns_and_a_missing_newline_stay)
 {
     static const char crlf[] = "structures:\r\n  - kind: rigid  # one\r\n    mass: 3 t\r\nanalysis:\r\n  tail: 2 s";
@@ -482,6 +506,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, comments_in_a_list_stay);
     tcase_add_test(tests, bumpers_and_structures_come_and_go);
     tcase_add_test(tests, random_edits_read_back);
+    tcase_add_test(tests, an_interface_without_a_law_keeps_the_file);
     tcase_add_test(tests, carriage_returns_and_a_missing_newline_stay);
     tcase_add_test(tests, a_file_is_replaced_whole);
     suite_add_tcase(suite, tests);

@@ -396,8 +396,10 @@ static void save_interface(struct saving *s, int i, int node)
     int key = -1, contact = thud_yaml_find(&s->preset->tree, node, "contact", NULL);
     int bumper = thud_yaml_find(&s->preset->tree, node, "bumper", &key);
     bool now = s->now->interface[i].has_bumper;
-    const struct thud_law_choice *was = &s->preset->scene.interface[i].contact, *is = &s->now->interface[i].contact;
-    bool changed = contact < 0 && memcmp(was, is, sizeof *was) != 0; /* no law was given */
+    const struct thud_law_choice *is = &s->now->interface[i].contact;
+    struct thud_law_choice was = s->preset->scene.interface[i].contact;
+    was.assumed = is->assumed;
+    bool changed = contact < 0 && memcmp(&was, is, sizeof was) != 0; /* no law was given */
     if (node_at(s, node)->flow && ((bumper >= 0) != now || changed)) {
         rewrite_flow(s, section, node);
         return;
