@@ -343,306 +343,306 @@ static void draw_links(struct thud_scene *scene, int interface, double mass)
         link->damping_nspm = link->law > THUD_LINK_DASHPOT ? 0 : between_log(0.01, 3) * sqrt(stiffness * mass);
         link->slack_m = link->law > THUD_LINK_DASHPOT && chance(0.8) ? between_log(1e-4, 0.05) : 0;
     }
-    /* A shear building by its matrix, with springs between floors that are no neighbours and to the ground; or by the modes of
+}
+
+/* A shear building by its matrix, with springs between floors that are no neighbours and to the ground; or by the modes of
  * that one. */
-    static void give_matrix(struct thud_scene * scene, int index)
-    {
-        struct thud_structure *s = &scene->structure[index];
-        const int n = s->storeys;
-        double k[12 * 12] = {0}, rows[12 * 13];
-        if (s->kind != THUD_SHEAR || n > 12 || chance(0.25))
-            return;
-        const double bending = chance(0.3) ? 0 : between_log(1e-3, 0.3);
-        for (int i = 0; i < n; i++)
-            for (int j = -1; j < i; j++) {
-                double spring = j + 1 == i ? s->stiffness_npm[i] : bending * s->stiffness_npm[i] * between(0, 1);
-                k[i * n + i] += spring;
-                if (j < 0)
-                    continue;
-                k[j * n + j] += spring;
-                k[i * n + j] -= spring;
-                k[j * n + i] -= spring;
-            }
-        s->kind = chance(0.5) ? THUD_MODES : THUD_MATRIX;
-        s->period_factor = 1;
-        int modes = s->kind == THUD_MODES ? chance(0.7) ? n : 1 + below(n) : n;
-        if (s->kind == THUD_MODES) {
-            double omega[12], phi[12 * 12], work[12 * 12 + 36];
-            enum thud_status status = thud_modes_matrix(n, s->mass_kg, k, omega, phi, work, NULL);
-            assert(status == THUD_OK);
-            (void)status;
-            for (int j = 0; j < modes; j++)
-                for (int i = 0; i <= n; i++)
-                    rows[j * (1 + n) + i] = i == 0 ? 2 * THUD_PI / omega[j] : phi[(i - 1) * n + j];
+static void give_matrix(struct thud_scene *scene, int index)
+{
+    struct thud_structure *s = &scene->structure[index];
+    const int n = s->storeys;
+    double k[12 * 12] = {0}, rows[12 * 13];
+    if (s->kind != THUD_SHEAR || n > 12 || chance(0.25))
+        return;
+    const double bending = chance(0.3) ? 0 : between_log(1e-3, 0.3);
+    for (int i = 0; i < n; i++)
+        for (int j = -1; j < i; j++) {
+            double spring = j + 1 == i ? s->stiffness_npm[i] : bending * s->stiffness_npm[i] * between(0, 1);
+            k[i * n + i] += spring;
+            if (j < 0)
+                continue;
+            k[j * n + j] += spring;
+            k[i * n + j] -= spring;
+            k[j * n + i] -= spring;
         }
-        for (int i = 0; i < n; i++) {
-            s->stiffness_npm[i] = s->yield_m[i] = s->yield_shear_n[i] = s->hardening[i] = 0;
-            s->column_ei_nm2[i] = fmin(s->column_ei_nm2[i], 1e15);
-        }
-        enum thud_status status =
-            thud_structure_keep_shape(scene, index, modes, s->kind == THUD_MODES ? rows : k, NULL);
+    s->kind = chance(0.5) ? THUD_MODES : THUD_MATRIX;
+    s->period_factor = 1;
+    int modes = s->kind == THUD_MODES ? chance(0.7) ? n : 1 + below(n) : n;
+    if (s->kind == THUD_MODES) {
+        double omega[12], phi[12 * 12], work[12 * 12 + 36];
+        enum thud_status status = thud_modes_matrix(n, s->mass_kg, k, omega, phi, work, NULL);
         assert(status == THUD_OK);
         (void)status;
+        for (int j = 0; j < modes; j++)
+            for (int i = 0; i <= n; i++)
+                rows[j * (1 + n) + i] = i == 0 ? 2 * THUD_PI / omega[j] : phi[(i - 1) * n + j];
     }
+    for (int i = 0; i < n; i++) {
+        s->stiffness_npm[i] = s->yield_m[i] = s->yield_shear_n[i] = s->hardening[i] = 0;
+        s->column_ei_nm2[i] = fmin(s->column_ei_nm2[i], 1e15);
+    }
+    enum thud_status status = thud_structure_keep_shape(scene, index, modes, s->kind == THUD_MODES ? rows : k, NULL);
+    assert(status == THUD_OK);
+    (void)status;
+}
 
-    static bool draw(struct scenes_one * one)
-    {
-        struct thud_scene *scene = &one->scene;
-        const bool links = one->seed >= SCENES_LINKS && (one->seed < SCENES_MATRICES || one->seed % 3 == 1);
-        bool weights = one->seed >= SCENES_P_DELTA && !links,
-             columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights,
-             wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-        bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0
-                                                       : links ? one->seed % 3 == 0
-                                                               : !columns || one->seed % 3 == 0);
-        double closing[THUD_STRUCTURES_MAX] = {0},
-               mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
-        bool extreme = chance(0.15);
-        thud_scene_init(scene);
-        strcpy(scene->name, "drawn");
-        scene->nstructures = chance(0.05) ? 1 : chance(0.6) ? 2 : 3 + below(4);
-        for (int s = 0; s < scene->nstructures; s++) {
-            bool same = s > 0 && chance(0.12);
-            if (same)
-                scene->structure[s] = scene->structure[s - 1];
-            else
-                draw_structure(&scene->structure[s], s, mass, extreme, wide);
-            if (columns && (scene->structure[s].kind == THUD_SHEAR || scene->structure[s].kind == THUD_ISOLATED))
-                draw_columns(&scene->structure[s]);
-            scene->structure[s].name[0] = (char)('A' + s);
-        }
-        if (weights)
-            draw_weights(scene);
-        for (int i = 0; links && i + 1 < scene->nstructures; i++)
-            draw_links(scene, i, mass);
-        for (int s = 0; s < scene->nstructures && one->seed >= SCENES_MATRICES; s++)
-            give_matrix(scene, s);
-        if (chance(0.9))
-            draw_record(one);
+static bool draw(struct scenes_one *one)
+{
+    struct thud_scene *scene = &one->scene;
+    const bool links = one->seed >= SCENES_LINKS && (one->seed < SCENES_MATRICES || one->seed % 3 == 1);
+    bool weights = one->seed >= SCENES_P_DELTA && !links,
+         columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights,
+         wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
+    bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0
+                                                   : links ? one->seed % 3 == 0
+                                                           : !columns || one->seed % 3 == 0);
+    double closing[THUD_STRUCTURES_MAX] = {0},
+           mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
+    bool extreme = chance(0.15);
+    thud_scene_init(scene);
+    strcpy(scene->name, "drawn");
+    scene->nstructures = chance(0.05) ? 1 : chance(0.6) ? 2 : 3 + below(4);
+    for (int s = 0; s < scene->nstructures; s++) {
+        bool same = s > 0 && chance(0.12);
+        if (same)
+            scene->structure[s] = scene->structure[s - 1];
         else
-            scene->analysis.tail_s = between_log(0.1, 5);
-        for (int i = 0; i + 1 < scene->nstructures; i++) {
-            thud_interface_init(&scene->interface[i]);
-            scene->interface[i].has_bumper = false;
-            scene->interface[i].levels = columns ? THUD_LEVELS_ALL : THUD_LEVELS_ALIGNED;
+            draw_structure(&scene->structure[s], s, mass, extreme, wide);
+        if (columns && (scene->structure[s].kind == THUD_SHEAR || scene->structure[s].kind == THUD_ISOLATED))
+            draw_columns(&scene->structure[s]);
+        scene->structure[s].name[0] = (char)('A' + s);
+    }
+    if (weights)
+        draw_weights(scene);
+    for (int i = 0; links && i + 1 < scene->nstructures; i++)
+        draw_links(scene, i, mass);
+    for (int s = 0; s < scene->nstructures && one->seed >= SCENES_MATRICES; s++)
+        give_matrix(scene, s);
+    if (chance(0.9))
+        draw_record(one);
+    else
+        scene->analysis.tail_s = between_log(0.1, 5);
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        thud_interface_init(&scene->interface[i]);
+        scene->interface[i].has_bumper = false;
+        scene->interface[i].levels = columns ? THUD_LEVELS_ALL : THUD_LEVELS_ALIGNED;
+    }
+    if (!look_without_contact(one, closing) || !(one->peak_m > 0))
+        return false;
+    if (yields && !draw_yields(one, closing))
+        return false;
+    const char *law = draw_bare_law();
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        draw_interface(&scene->interface[i], mass, fmax(one->peak_m, 1e-9), closing[i],
+                       chance(0.5) ? law : draw_bare_law());
+    return thud_scene_check(scene, NULL) == THUD_OK;
+}
+
+void scenes_draw(struct scenes_one *one, unsigned long long seed)
+{
+    state = seed * 0xd1342543de82ef95ull + 1;
+    next();
+    for (bool drawn = false; !drawn;) {
+        *one = (struct scenes_one){.seed = seed};
+        drawn = draw(one);
+        if (!drawn)
+            thud_record_free(one->record);
+    }
+}
+
+void scenes_clear(struct scenes_one *one)
+{
+    thud_record_free(one->record);
+    one->record = NULL;
+}
+
+static void replace_record(struct scenes_one *one, const double *a, size_t samples, double dt)
+{
+    struct thud_record *made;
+    enum thud_status status = thud_record_create(a, samples, dt, &made, NULL);
+    assert(status == THUD_OK);
+    (void)status;
+    one->record = made;
+}
+
+void scenes_copy(struct scenes_one *to, const struct scenes_one *from)
+{
+    *to = *from;
+    if (from->record)
+        replace_record(to, from->record->a_mps2, from->record->samples, from->record->dt_s);
+}
+
+void scenes_describe(const struct scenes_one *one, char *text, size_t size)
+{
+    static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes"};
+    size_t at = (size_t)snprintf(text, size, "%llu:", one->seed);
+    for (int s = 0; s < one->scene.nstructures && at < size; s++) {
+        const struct thud_structure *p = &one->scene.structure[s];
+        at += (size_t)snprintf(text + at, size - at, " %s %d (%.2g)", kinds[p->kind], p->storeys, p->damping);
+        if (s + 1 < one->scene.nstructures && at < size) {
+            const struct thud_interface *i = &one->scene.interface[s];
+            at += (size_t)snprintf(text + at, size - at, " |%s %.3g|",
+                                   i->has_bumper ? i->bumper.law->name : i->contact.law->name,
+                                   thud_interface_clearance(i));
         }
-        if (!look_without_contact(one, closing) || !(one->peak_m > 0))
+    }
+    if (at < size && one->record)
+        snprintf(text + at, size - at, "; %zu x %g s of %.3g, tail %g, peak %.3g m", one->record->samples,
+                 one->record->dt_s, thud_record_peak(one->record), one->scene.analysis.tail_s, one->peak_m);
+}
+
+/* ---- what must change nothing ---- */
+
+void scenes_mirror(struct scenes_one *one)
+{
+    struct thud_scene *was = malloc(sizeof *was), *s = &one->scene;
+    assert(was);
+    *was = *s;
+    for (int i = 0; i < s->nstructures; i++) {
+        s->structure[i] = was->structure[s->nstructures - 1 - i];
+        if (s->structure[i].kind == THUD_RIGID)
+            s->structure[i].velocity_mps = -s->structure[i].velocity_mps;
+    }
+    for (int i = 0; i + 1 < s->nstructures; i++)
+        s->interface[i] = was->interface[s->nstructures - 2 - i];
+    if (one->record)
+        thud_record_scale(one->record, -1);
+    free(was);
+}
+
+void scenes_halve(struct scenes_one *one)
+{
+    if (!one->record)
+        return;
+    struct thud_record *old = one->record;
+    size_t n = 2 * old->samples - 1;
+    double *a = malloc(n * sizeof *a);
+    assert(a);
+    for (size_t i = 0; i < n; i++)
+        a[i] = i % 2 == 0 ? old->a_mps2[i / 2] : 0.5 * (old->a_mps2[i / 2] + old->a_mps2[i / 2 + 1]);
+    replace_record(one, a, n, old->dt_s / 2);
+    thud_record_free(old);
+    free(a);
+}
+
+void scenes_pad(struct scenes_one *one, int zeros)
+{
+    if (!one->record)
+        return;
+    struct thud_record *old = one->record;
+    int room = (int)floor(one->scene.analysis.tail_s / old->dt_s * (1 - 1e-12)) - 1; /* the first zero ends a ramp */
+    zeros = zeros < room ? zeros : room;
+    bool ends_at_zero = old->a_mps2[old->samples - 1] == 0;
+    if (zeros <= 0 || !ends_at_zero)
+        return;
+    size_t n = old->samples + (size_t)zeros;
+    double *a = calloc(n, sizeof *a);
+    assert(a);
+    memcpy(a, old->a_mps2, old->samples * sizeof *a);
+    replace_record(one, a, n, old->dt_s);
+    one->scene.analysis.tail_s -= zeros * old->dt_s;
+    thud_record_free(old);
+    free(a);
+}
+
+static struct thud_law_choice *law_in_use(struct thud_interface *at)
+{
+    return at->has_bumper ? &at->bumper : &at->contact;
+}
+
+static double value_of(const struct thud_law_choice *choice, const char *name, double absent)
+{
+    int i = thud_law_param(choice->law, name);
+    return i >= 0 ? choice->value[i] : absent;
+}
+
+static bool is_rubber(const struct thud_law_choice *choice)
+{
+    return strcmp(choice->law->name, "rubber") == 0;
+}
+
+bool scenes_heavier(struct scenes_one *one, double factor)
+{
+    struct thud_scene *s = &one->scene;
+    for (int i = 0; i < s->nstructures; i++) {
+        struct thud_structure *p = &s->structure[i];
+        for (int f = 0; f < p->storeys; f++) {
+            p->mass_kg[f] *= factor;
+            p->stiffness_npm[f] *= factor;
+            p->yield_shear_n[f] *= factor;
+            p->gravity_n[f] *= factor;
+            p->column_ei_nm2[f] *= factor;
+            p->column_stiffness_npm[f] *= factor;
+        }
+        p->base_mass_kg *= factor;
+        p->isolation_stiffness_npm *= factor;
+        for (int k = 0; p->kind == THUD_MATRIX && k < p->storeys * p->storeys; k++)
+            s->shape[p->shape_at + k] *= factor;
+    }
+    for (int i = 0; i < s->nlinks; i++) {
+        s->link[i].stiffness_npm *= factor;
+        s->link[i].damping_nspm *= factor;
+    }
+    for (int i = 0; i + 1 < s->nstructures; i++) {
+        struct thud_law_choice *law = law_in_use(&s->interface[i]);
+        if (is_rubber(law) && value_of(law, "damping", 0) == 0)
             return false;
-        if (yields && !draw_yields(one, closing))
+        set_value(law, "stiffness", factor * value_of(law, "stiffness", 0));
+        set_value(law, "post-yield", factor * value_of(law, "post-yield", 0));
+    }
+    return true;
+}
+
+bool scenes_longer(struct scenes_one *one, double factor)
+{
+    struct thud_scene *s = &one->scene;
+    if (s->p_delta) /* heights are lengths too */
+        return false;
+    for (int i = 0; i < s->nlinks; i++)
+        s->link[i].slack_m *= factor;
+    for (int i = 0; i < s->nstructures; i++)
+        if (s->structure[i].kind == THUD_RIGID)
+            s->structure[i].velocity_mps *= factor;
+    for (int i = 0; i < s->nstructures; i++)
+        for (int f = 0; f < s->structure[i].storeys; f++)
+            s->structure[i].yield_m[f] *= factor;
+    for (int i = 0; i + 1 < s->nstructures; i++) {
+        struct thud_interface *at = &s->interface[i];
+        struct thud_law_choice *law = law_in_use(at);
+        double n = strcmp(law->law->name, "hertz") == 0 ? 1.5 : value_of(law, "exponent", 1);
+        if (is_rubber(law) && value_of(law, "damping", 0) == 0)
             return false;
-        const char *law = draw_bare_law();
-        for (int i = 0; i + 1 < scene->nstructures; i++)
-            draw_interface(&scene->interface[i], mass, fmax(one->peak_m, 1e-9), closing[i],
-                           chance(0.5) ? law : draw_bare_law());
-        return thud_scene_check(scene, NULL) == THUD_OK;
+        set_value(law, "stiffness", pow(factor, 1 - n) * value_of(law, "stiffness", 0));
+        set_value(law, "speed-floor", factor * value_of(law, "speed-floor", 0));
+        at->gap_m *= factor;
+        at->bumper_thickness_m *= factor;
+        at->bumper_cavity_m *= factor;
     }
+    if (one->record)
+        thud_record_scale(one->record, factor);
+    one->peak_m *= factor;
+    return true;
+}
 
-    void scenes_draw(struct scenes_one * one, unsigned long long seed)
-    {
-        state = seed * 0xd1342543de82ef95ull + 1;
-        next();
-        for (bool drawn = false; !drawn;) {
-            *one = (struct scenes_one){.seed = seed};
-            drawn = draw(one);
-            if (!drawn)
-                thud_record_free(one->record);
+void scenes_nudge(struct scenes_one *one, int way, double eps)
+{
+    struct thud_scene *s = &one->scene;
+    double sign = way % 2 ? -1 : 1;
+    for (int i = 0; i + 1 < s->nstructures && way < 2; i++) {
+        struct thud_interface *at = &s->interface[i];
+        double out = at->has_bumper ? at->bumper_thickness_m - at->bumper_cavity_m : 0;
+        at->gap_m = fmax(at->gap_m + sign * eps * one->peak_m, out);
+    }
+    for (int i = 0; i < s->nstructures && way >= 2; i++) {
+        struct thud_structure *p = &s->structure[i];
+        double factor = 1 + sign * eps * (i % 2 ? -0.7 : 1);
+        for (int f = 0; f < p->storeys; f++)
+            p->stiffness_npm[f] *= factor;
+        p->isolation_stiffness_npm *= factor;
+        p->period_factor /= sqrt(factor);
+        if (p->kind == THUD_RIGID) {
+            p->mass_kg[0] *= factor;
+            p->velocity_mps *= factor;
         }
     }
-
-    void scenes_clear(struct scenes_one * one)
-    {
-        thud_record_free(one->record);
-        one->record = NULL;
-    }
-
-    static void replace_record(struct scenes_one * one, const double *a, size_t samples, double dt)
-    {
-        struct thud_record *made;
-        enum thud_status status = thud_record_create(a, samples, dt, &made, NULL);
-        assert(status == THUD_OK);
-        (void)status;
-        one->record = made;
-    }
-
-    void scenes_copy(struct scenes_one * to, const struct scenes_one *from)
-    {
-        *to = *from;
-        if (from->record)
-            replace_record(to, from->record->a_mps2, from->record->samples, from->record->dt_s);
-    }
-
-    void scenes_describe(const struct scenes_one *one, char *text, size_t size)
-    {
-        static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes"};
-        size_t at = (size_t)snprintf(text, size, "%llu:", one->seed);
-        for (int s = 0; s < one->scene.nstructures && at < size; s++) {
-            const struct thud_structure *p = &one->scene.structure[s];
-            at += (size_t)snprintf(text + at, size - at, " %s %d (%.2g)", kinds[p->kind], p->storeys, p->damping);
-            if (s + 1 < one->scene.nstructures && at < size) {
-                const struct thud_interface *i = &one->scene.interface[s];
-                at += (size_t)snprintf(text + at, size - at, " |%s %.3g|",
-                                       i->has_bumper ? i->bumper.law->name : i->contact.law->name,
-                                       thud_interface_clearance(i));
-            }
-        }
-        if (at < size && one->record)
-            snprintf(text + at, size - at, "; %zu x %g s of %.3g, tail %g, peak %.3g m", one->record->samples,
-                     one->record->dt_s, thud_record_peak(one->record), one->scene.analysis.tail_s, one->peak_m);
-    }
-
-    /* ---- what must change nothing ---- */
-
-    void scenes_mirror(struct scenes_one * one)
-    {
-        struct thud_scene *was = malloc(sizeof *was), *s = &one->scene;
-        assert(was);
-        *was = *s;
-        for (int i = 0; i < s->nstructures; i++) {
-            s->structure[i] = was->structure[s->nstructures - 1 - i];
-            if (s->structure[i].kind == THUD_RIGID)
-                s->structure[i].velocity_mps = -s->structure[i].velocity_mps;
-        }
-        for (int i = 0; i + 1 < s->nstructures; i++)
-            s->interface[i] = was->interface[s->nstructures - 2 - i];
-        if (one->record)
-            thud_record_scale(one->record, -1);
-        free(was);
-    }
-
-    void scenes_halve(struct scenes_one * one)
-    {
-        if (!one->record)
-            return;
-        struct thud_record *old = one->record;
-        size_t n = 2 * old->samples - 1;
-        double *a = malloc(n * sizeof *a);
-        assert(a);
-        for (size_t i = 0; i < n; i++)
-            a[i] = i % 2 == 0 ? old->a_mps2[i / 2] : 0.5 * (old->a_mps2[i / 2] + old->a_mps2[i / 2 + 1]);
-        replace_record(one, a, n, old->dt_s / 2);
-        thud_record_free(old);
-        free(a);
-    }
-
-    void scenes_pad(struct scenes_one * one, int zeros)
-    {
-        if (!one->record)
-            return;
-        struct thud_record *old = one->record;
-        int room =
-            (int)floor(one->scene.analysis.tail_s / old->dt_s * (1 - 1e-12)) - 1; /* the first zero ends a ramp */
-        zeros = zeros < room ? zeros : room;
-        bool ends_at_zero = old->a_mps2[old->samples - 1] == 0;
-        if (zeros <= 0 || !ends_at_zero)
-            return;
-        size_t n = old->samples + (size_t)zeros;
-        double *a = calloc(n, sizeof *a);
-        assert(a);
-        memcpy(a, old->a_mps2, old->samples * sizeof *a);
-        replace_record(one, a, n, old->dt_s);
-        one->scene.analysis.tail_s -= zeros * old->dt_s;
-        thud_record_free(old);
-        free(a);
-    }
-
-    static struct thud_law_choice *law_in_use(struct thud_interface * at)
-    {
-        return at->has_bumper ? &at->bumper : &at->contact;
-    }
-
-    static double value_of(const struct thud_law_choice *choice, const char *name, double absent)
-    {
-        int i = thud_law_param(choice->law, name);
-        return i >= 0 ? choice->value[i] : absent;
-    }
-
-    static bool is_rubber(const struct thud_law_choice *choice)
-    {
-        return strcmp(choice->law->name, "rubber") == 0;
-    }
-
-    bool scenes_heavier(struct scenes_one * one, double factor)
-    {
-        struct thud_scene *s = &one->scene;
-        for (int i = 0; i < s->nstructures; i++) {
-            struct thud_structure *p = &s->structure[i];
-            for (int f = 0; f < p->storeys; f++) {
-                p->mass_kg[f] *= factor;
-                p->stiffness_npm[f] *= factor;
-                p->yield_shear_n[f] *= factor;
-                p->gravity_n[f] *= factor;
-                p->column_ei_nm2[f] *= factor;
-                p->column_stiffness_npm[f] *= factor;
-            }
-            p->base_mass_kg *= factor;
-            p->isolation_stiffness_npm *= factor;
-            for (int k = 0; p->kind == THUD_MATRIX && k < p->storeys * p->storeys; k++)
-                s->shape[p->shape_at + k] *= factor;
-        }
-        for (int i = 0; i < s->nlinks; i++) {
-            s->link[i].stiffness_npm *= factor;
-            s->link[i].damping_nspm *= factor;
-        }
-        for (int i = 0; i + 1 < s->nstructures; i++) {
-            struct thud_law_choice *law = law_in_use(&s->interface[i]);
-            if (is_rubber(law) && value_of(law, "damping", 0) == 0)
-                return false;
-            set_value(law, "stiffness", factor * value_of(law, "stiffness", 0));
-            set_value(law, "post-yield", factor * value_of(law, "post-yield", 0));
-        }
-        return true;
-    }
-
-    bool scenes_longer(struct scenes_one * one, double factor)
-    {
-        struct thud_scene *s = &one->scene;
-        if (s->p_delta) /* heights are lengths too */
-            return false;
-        for (int i = 0; i < s->nlinks; i++)
-            s->link[i].slack_m *= factor;
-        for (int i = 0; i < s->nstructures; i++)
-            if (s->structure[i].kind == THUD_RIGID)
-                s->structure[i].velocity_mps *= factor;
-        for (int i = 0; i < s->nstructures; i++)
-            for (int f = 0; f < s->structure[i].storeys; f++)
-                s->structure[i].yield_m[f] *= factor;
-        for (int i = 0; i + 1 < s->nstructures; i++) {
-            struct thud_interface *at = &s->interface[i];
-            struct thud_law_choice *law = law_in_use(at);
-            double n = strcmp(law->law->name, "hertz") == 0 ? 1.5 : value_of(law, "exponent", 1);
-            if (is_rubber(law) && value_of(law, "damping", 0) == 0)
-                return false;
-            set_value(law, "stiffness", pow(factor, 1 - n) * value_of(law, "stiffness", 0));
-            set_value(law, "speed-floor", factor * value_of(law, "speed-floor", 0));
-            at->gap_m *= factor;
-            at->bumper_thickness_m *= factor;
-            at->bumper_cavity_m *= factor;
-        }
-        if (one->record)
-            thud_record_scale(one->record, factor);
-        one->peak_m *= factor;
-        return true;
-    }
-
-    void scenes_nudge(struct scenes_one * one, int way, double eps)
-    {
-        struct thud_scene *s = &one->scene;
-        double sign = way % 2 ? -1 : 1;
-        for (int i = 0; i + 1 < s->nstructures && way < 2; i++) {
-            struct thud_interface *at = &s->interface[i];
-            double out = at->has_bumper ? at->bumper_thickness_m - at->bumper_cavity_m : 0;
-            at->gap_m = fmax(at->gap_m + sign * eps * one->peak_m, out);
-        }
-        for (int i = 0; i < s->nstructures && way >= 2; i++) {
-            struct thud_structure *p = &s->structure[i];
-            double factor = 1 + sign * eps * (i % 2 ? -0.7 : 1);
-            for (int f = 0; f < p->storeys; f++)
-                p->stiffness_npm[f] *= factor;
-            p->isolation_stiffness_npm *= factor;
-            p->period_factor /= sqrt(factor);
-            if (p->kind == THUD_RIGID) {
-                p->mass_kg[0] *= factor;
-                p->velocity_mps *= factor;
-            }
-        }
-    }
+}
