@@ -108,7 +108,7 @@ for name in fig2 fig3 fig4 fig5 fig6 fig7 fig8 fig9 fig10; do
     is "$name" is_png "$tmp/all/$name.png"
     is "$name is in the report" grep -q "($name.png)" "$tmp/all/report.md"
 done
-# | statement | criterion | as given | turned round | **verdict** |
+# | statement | criterion | as given | reversed | **verdict** |
 awk -F ' [|] ' '/^[|] .*[*][*](yes|partly|no)[*][*] [|]$/ { print }' "$tmp/all/report.md" >"$tmp/statements"
 # shellcheck disable=SC2016 # of awk
 is "every statement of the paper has its criterion, numbers and verdict" awk -F ' [|] ' 'NF != 5 || $2 == "" || $3 !~ /[0-9]/ { bad = 1 } END { exit NR != 25 || bad }' "$tmp/statements"
@@ -121,7 +121,7 @@ for sign in + -; do
     "$THUD" gap towers --csv --sign=$sign --records $three |
         awk -F, 'NR > 1 && $7 > need[$1] { need[$1] = $7 } END { for (r in need) printf "%s,needs,%.17g\n", r, need[r] }' >>"$tmp/study$sign.csv"
 done
-counts() { # COLUMN STATEMENT AWK_PROGRAM: what it prints stands in that column of the statement; 3: as given, 4: turned round
+counts() { # COLUMN STATEMENT AWK_PROGRAM: what it prints stands in that column of the statement; 3: as given, 4: reversed
     sign=+
     [ "$1" -eq 3 ] || sign=-
     awk -F, "function low(x) { return x != \"\" && x < 0.999 } function high(x) { return x != \"\" && x > 1.001 }

@@ -17,7 +17,7 @@ is "info as JSON" gives 0 record info records/kobe-surrogate.csv --json
 for key in format samples dt_s duration_s pga_mps2 pgv_mps pgd_m arias_mps d5_95_s d5_75_s cav_mps bracketed_s predominant_s; do
     is "JSON has $key" shows "\"$key\":"
 done
-is "scaled, turned round and cut" gives 0 record info kobe-surrogate.csv --peak "1 g" --sign - --from 2s --to 12s
+is "scaled, reversed and cut" gives 0 record info kobe-surrogate.csv --peak "1 g" --sign - --from 2s --to 12s
 is "PGA after scaling" shows 'PGA  *1.0000 g at 4.49 s'
 is "length after cutting" shows '10 s long'
 

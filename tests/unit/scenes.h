@@ -38,7 +38,7 @@ void scenes_copy(struct scenes_one *to, const struct scenes_one *from);
 /* One line. */
 void scenes_describe(const struct scenes_one *one, char *text, size_t size);
 
-/* The row and the motion the other way round. */
+/* The row and the motion reversed. */
 void scenes_mirror(struct scenes_one *one);
 /* Every interval of the record in two, half way on the line between. */
 void scenes_halve(struct scenes_one *one);

@@ -97,7 +97,7 @@ START_TEST(scenes_of_matrices)
 }
 END_TEST
 
-/* Scenes that once had another result for every tolerance: a blow at one level turned round the rate of a contact at
+/* Scenes that once had another result for every tolerance: a blow at one level reversed the rate of a contact at
  * another one, which then went on in the wrong phase for a step. */
 START_TEST(scenes_whose_answers_differed)
 {

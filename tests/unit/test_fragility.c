@@ -237,7 +237,7 @@ static void set_up(void)
     study_set_up(1);
 }
 
-/* A suite whose motion r pounds where gap < needed[r]; `turned`: every second one is the one before it turned round. */
+/* A suite whose motion r pounds where gap < needed[r]; `turned`: every second one is the one before it reversed. */
 static struct thud_suite *made_up(const double *needed, int n, bool turned)
 {
     static struct thud_record own[16];
@@ -303,7 +303,7 @@ START_TEST(counts_and_band_of_a_suite)
 }
 END_TEST
 
-/* Seven motions and the same turned round are seven draws: the band is theirs, not the narrower one of fourteen. */
+/* Seven motions and the same reversed are seven draws: the band is theirs, not the narrower one of fourteen. */
 START_TEST(both_signs_are_one_draw)
 {
     double needed[14];

@@ -137,7 +137,7 @@ START_TEST(factors_of_codes)
 }
 END_TEST
 
-/* EN 1998-1, 4.3.3.4.3(3): the mean of seven or more, the largest of fewer; a motion and the same turned round are one. */
+/* EN 1998-1, 4.3.3.4.3(3): the mean of seven or more, the largest of fewer; a motion and the same reversed are one. */
 START_TEST(means_of_seven_and_largest_of_fewer)
 {
     enum { MOST = 8 };

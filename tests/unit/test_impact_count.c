@@ -5,7 +5,7 @@
 #include "march.h"
 
 /* Four storeys beside a wall, clearance 0, at rest: touches of rounding when the ground begins to move. `mirrored`: the
- * wall to the right, and the motion the other way round. */
+ * wall to the right, and the motion reversed. */
 static struct march beside_a_wall(const char *law_name, const char *method, double tolerance, bool mirrored,
                                   struct thud_model **model)
 {

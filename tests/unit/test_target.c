@@ -196,7 +196,7 @@ START_TEST(remarks)
     b->scale = 1;
     snprintf(b->file, sizeof b->file, "kobe-up.AT2");
     ck_assert(remark(one, 2) && strstr(error.what, "vertical component"));
-    /* both ways round are one motion, of which nothing is said */
+    /* a motion and its reverse are one, of which nothing is said */
     ck_assert_int_eq(thud_record_create(a->a_mps2, a->samples, a->dt_s, &turned, NULL), THUD_OK);
     thud_record_scale(turned, -1);
     snprintf(turned->file, sizeof turned->file, "%.400s:sign=-", a->file);

@@ -153,7 +153,7 @@ struct thud_study_choice {
     enum thud_case cases[THUD_CASES];
     double sensitivity;           /* relative change of the inputs; 0: no spread is asked for */
     char records[THUD_VARY_TEXT]; /* as --records takes them, or in brackets; empty: the scene's own one */
-    bool both_signs;              /* every ground motion both ways round */
+    bool both_signs;              /* every ground motion in both polarities */
     char events[THUD_VARY_TEXT];  /* of the fragility, with commas or in brackets; empty: pounding, worse */
 };
 

@@ -24,7 +24,7 @@ enum thud_suite_measure {
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
 
-/* Whether a ground motion is `other` turned round, by their names as a suite of both signs has them. */
+/* Whether a ground motion is `other` reversed, by their names as a suite of both signs has them. */
 bool thud_motion_is_turned(const char *own, const char *other);
 
 /* Fewer independent motions than the first have no bootstrapped band, fewer than the second not even one of a share. */
@@ -38,7 +38,7 @@ struct thud_suite {
     bool linear;                        /* without pounding, displacements are linear in the ground motion */
     bool columns;                       /* a capacity is given: it has shears over it */
     long settings;
-    int ndraws;    /* independent motions: one and the same turned round is one */
+    int ndraws;    /* independent motions: one and the same reversed is one */
     int *first;    /* (ndraws + 1) its first record; those of a motion stand one after the other */
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no result */
 };

@@ -68,7 +68,7 @@ static void parameters(const struct thud_paper_study *study, struct thud_text *o
                          record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY, record->scale,
                          record->peak_mps2 / THUD_GRAVITY, record->dt_s, record->samples,
                          record->surrogate ? "synthetic, not the recorded motion; " : "",
-                         record->scale < 0 ? "turned round" : "sign as in the file");
+                         record->scale < 0 ? "reversed" : "sign as in the file");
     }
 }
 

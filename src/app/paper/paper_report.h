@@ -17,12 +17,12 @@ struct thud_paper_record {
 };
 
 struct thud_paper_study {
-    const struct thud_scene *scene;         /* the preset the study was made from */
-    const struct thud_sweep_table *table;   /* cases none, bumper, cavity over the gap */
-    const struct thud_sweep_table *turned;  /* the same with every motion turned round */
-    const struct thud_paper_record *record; /* (table->nrecords) */
-    const struct thud_paper_runs *runs;     /* (2) beside it, as given and turned round; NULL: no report is made */
-    const struct thud_paper_pair *pair;     /* (THUD_PAPER_PAIRS) */
+    const struct thud_scene *scene;               /* the preset the study was made from */
+    const struct thud_sweep_table *table;         /* cases none, bumper, cavity over the gap */
+    const struct thud_sweep_table *turned;        /* the same with every motion reversed */
+    const struct thud_paper_record *record;       /* (table->nrecords) */
+    const struct thud_paper_runs *runs;           /* (2) beside it, as given and reversed; NULL: no report is made */
+    const struct thud_paper_pair *pair;           /* (THUD_PAPER_PAIRS) */
     const struct thud_paper_collision *collision; /* (THUD_PAPER_COLLISIONS) */
     int unanswered;                               /* runs whose integration failed */
     const char *suffix;                           /* of the pictures: "png" */

@@ -1,5 +1,5 @@
 /* What the paper says in words: each statement with its criterion, the numbers found here for the motions as given and
- * turned round, and whether they bear it out. */
+ * reversed, and whether they bear it out. */
 #include "app/paper/paper_statements.h"
 
 #include <math.h>
@@ -520,7 +520,7 @@ static enum verdict cavity(const struct view *v, char *text)
 
 /* ---- all of them ---- */
 
-/* %s in `said`: the first motion. `both`: of the motions as given and turned round. */
+/* %s in `said`: the first motion. `both`: of the motions as given and reversed. */
 static const struct statement {
     const char *said, *criterion;
     bool both;
@@ -651,7 +651,7 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
              "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, but "
              "where no pounding is said; those within 0.1 %% of 1 are no change. Motions as given and turned "
              "round are judged apart: where they differ, the statement is borne out partly.\n\n"
-             "| the paper | criterion | motions as given | motions turned round | borne out |\n"
+             "| the paper | criterion | motions as given | motions reversed | borne out |\n"
              "|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         put(&statements[i], view, out);
@@ -659,11 +659,11 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
     put_forces(&view[0], "as given", out);
     if (!study->turned)
         return;
-    put_forces(&view[1], "turned round", out);
-    thud_text_append(
-        out,
-        "- The sign of a motion, which the paper does not give, changes these counts: under %s turned round the "
-        "4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.\n",
-        table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
-        of_floor(&view[0], 0, 4, NULL).above);
+    put_forces(&view[1], "reversed", out);
+    thud_text_append(out,
+                     "- The sign of a motion, which the paper does not give, changes these counts: under %s with "
+                     "reversed polarity the "
+                     "4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.\n",
+                     table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
+                     of_floor(&view[0], 0, 4, NULL).above);
 }

@@ -24,7 +24,7 @@ struct thud_paper_work {
     struct thud_sweep_collector collector, turned;
     struct thud_paper_runs runs[2]; /* beside it, for the report */
     int nrecords, unanswered;
-    struct thud_record *record[RECORDS_MAX], *back[RECORDS_MAX]; /* as given, and turned round */
+    struct thud_record *record[RECORDS_MAX], *back[RECORDS_MAX]; /* as given, and reversed */
     const char *name[RECORDS_MAX];
     char text[RECORDS_MAX][512]; /* names */
     struct thud_paper_record about[RECORDS_MAX];

@@ -10,7 +10,7 @@ struct thud_paper_request {
     const char *records; /* as thud_record_list_read takes them; NULL: the motions that come with the program. The first
                             three are scaled to the peaks of the paper's Table 2 unless they or `peak` say otherwise */
     const char *peak, *dt, *unit; /* for all of them; may be NULL */
-    bool both_signs;              /* every motion turned round too, for the report */
+    bool both_signs;              /* every motion reversed too, for the report */
     int threads;                  /* 0: the processors that are online */
     const atomic_int *cancel;
     void *context;

@@ -77,7 +77,7 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
     struct thud_solution solution = {0};
     if (!site->record)
         return THUD_OK;
-    tell(site, "the motion turned round");
+    tell(site, "the motion with reversed polarity");
     enum thud_status status =
         thud_record_create(site->record->a_mps2, site->record->samples, site->record->dt_s, &turned, err);
     if (status == THUD_OK) {

@@ -52,7 +52,7 @@ struct site {
     struct thud_sensitivity *sensitivity;
     enum thud_stiffness varied;
     int nrows;
-    struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion turned round */
+    struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion reversed */
     struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;

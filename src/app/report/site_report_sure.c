@@ -173,7 +173,7 @@ static void stiffness(struct site *site)
     const char *name = site->varied == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
     if (site->nrows == 0)
         return;
-    snprintf(what, sizeof what, "Stiffness of the %s, and the motion turned round", name);
+    snprintf(what, sizeof what, "Stiffness of the %s, and the motion with reversed polarity", name);
     thud_document_table(d, what);
     thud_document_cell(d, "scene");
     thud_document_cell(d, "impacts");
@@ -191,7 +191,7 @@ static void stiffness(struct site *site)
         add_stiffness_row(site, what, &site->row[i]);
     }
     if (site->record)
-        add_stiffness_row(site, "ground motion turned round", &site->reversed);
+        add_stiffness_row(site, "ground motion, reversed polarity", &site->reversed);
     thud_document_paragraph(
         d, "The stiffness of a contact is the least known number of a scene: the command thud stiffness gives an "
            "estimate from the slabs or the rubber. Where half or twice of it changes a result, the "

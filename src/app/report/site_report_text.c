@@ -255,12 +255,14 @@ static void say_reversed(struct site *site)
     struct thud_site_shown turned = thud_site_number(1e-6 * site->reversed.force_n, 3),
                            own = thud_site_number(1e-6 * force, 3);
     if (strcmp(turned.text, own.text) == 0)
-        thud_document_item(&site->document, "The same motion turned round gives the same largest force %s, %s MN.",
+        thud_document_item(&site->document,
+                           "The same motion with reversed polarity gives the same largest force %s, %s MN.",
                            site->own->words, own.text);
     else
-        thud_document_item(&site->document,
-                           "The same motion turned round gives a largest force of %s MN %s, in place of %s MN.",
-                           turned.text, site->own->words, own.text);
+        thud_document_item(
+            &site->document,
+            "The same motion with reversed polarity gives a largest force of %s MN %s, in place of %s MN.", turned.text,
+            site->own->words, own.text);
 }
 
 static void say_gap(struct site *site)

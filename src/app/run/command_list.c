@@ -126,7 +126,7 @@ static const struct thud_option options[] = {
     {"vary", "KEY=FROM:TO:STEP", "vary a value; several make a grid", THUD_WORD_KEY, true, SWEEP},
     {"records", "FILE,...", "files, a folder or a .list, e.g. a.AT2:peak=0.9g", THUD_WORD_FILE, false,
      SWEEP | GAP | FIGURES | REPORT | SOLVE},
-    {"signs", "both", "every ground motion both ways round", THUD_WORD_CHOICE, false, SWEEP | GAP | REPORT | SOLVE},
+    {"signs", "both", "every ground motion in both polarities", THUD_WORD_CHOICE, false, SWEEP | GAP | REPORT | SOLVE},
     {"for", "CRITERION", "what has to hold: \"force < 10 MN\", \"no pounding\"", THUD_WORD_TEXT, false, SOLVE},
     {"by", "KEY=FROM:TO", "the value that may change, and its range", THUD_WORD_KEY, false, SOLVE},
     {"share", "RATIO", "of the ground motions under which it has to hold", THUD_WORD_TEXT, false, SOLVE},

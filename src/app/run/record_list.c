@@ -191,7 +191,7 @@ static enum thud_status add(struct reading *r, struct thud_record *record, const
     return THUD_OK;
 }
 
-/* The motion the other way round, too. */
+/* The motion with reversed polarity, too. */
 static enum thud_status add_turned(struct reading *r, const struct thud_scene *scene, struct thud_error *err)
 {
     const struct thud_record *record = r->list->record[r->list->n - 1];

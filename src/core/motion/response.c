@@ -7,6 +7,15 @@
 #include "core/contact/segment.h"
 #include "core/numerics/tolerance.h"
 
+/* The linear part of a step's equations, so that its unknowns are forces alone. In modal coordinates, with s = (t - t0)/h,
+ *
+ *     q'' + D q' + omega^2 q = -gamma a_g(s) - sum_b g_b F_b(s),   d_a = g_a . q - clearance_a
+ *     F_b(s) = sum_j F_b(s_j) l_j(s)                               l_j: Lagrange polynomials of the nodes
+ *
+ * is linear in F, so that d_a(s_i) = d0_a(s_i) + sum_bj R_ab,ij F_b(s_j), where d0 is the motion without these forces. R
+ * depends on h alone: it is summed from the motion under loads 1, s, s^2, ... by power series, once for each step size.
+ * Without coupling damping the tables of the loads are those of unit loads on each mode, shared by all contacts. */
+
 /* POWERS: loads 1, s, s^2, ... of the time s in a step, as many as there are nodes, and before them the load that is an
  * impulse: its motion is the rate of that under 1. */
 enum { LEVELS = 48, POWERS = THUD_NODES + 1 };

@@ -56,7 +56,7 @@ static const struct thud_param record_params[] = {
             THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
     {NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
     WORD("target", "target spectrum", "Scales the motion to a design spectrum over 0.2 to 2 times the buildings' first periods, in place of a peak: en1998:0.3g,B, asce7:SDS=1g,SD1=0.6g,TL=8s, or a CSV."),
-    CHOICE("sign", "sign", "-: the motion the other way round; in a preset as \"-\".", signs, 0),
+    CHOICE("sign", "sign", "-: the motion with reversed polarity; in a preset as \"-\".", signs, 0),
     {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
     {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
     {NUMBER("to", "end", "Leaves out the motion after this time of the file.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
@@ -240,7 +240,7 @@ static const struct thud_param study_params[] = {
     {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
     WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
-    CHOICE("signs", "signs", "both: every ground motion also the other way round.", one_or_both, 0),
+    CHOICE("signs", "signs", "both: every ground motion also with reversed polarity.", one_or_both, 0),
     WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; else pounding, worse."),
 };
 static const struct thud_place study_places[] = {
