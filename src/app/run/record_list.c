@@ -201,6 +201,7 @@ static enum thud_status add_turned(struct reading *r, const struct thud_scene *s
         return status;
     turned->scale = record->scale;
     turned->synthetic = record->synthetic;
+    memcpy(turned->sha256, record->sha256, sizeof turned->sha256);
     thud_record_scale(turned, -1);
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
     return add(r, turned, scene, err);
