@@ -45,7 +45,7 @@ static struct sample *make(void)
     }
     for (int d = 0; d < DOFS; d++)
         s->floor[d] =
-            (struct thud_floor_result){{d + 1.0, 0}, {0.01 * (d + 1), 0}, {0.1 * (d + 1), 0}, {1e-3 * (d + 1), 0}};
+            (struct thud_floor_result){{d + 1.0, 0}, {0.01 * (d + 1), 0}, {0.1 * (d + 1), 0}, {1e-3 * (d + 1), 0}, {0}};
     for (int f = 0; f < 2; f++)
         s->storey[f] = (struct thud_storey_result){
             .yields = true, .ductility = 4 - f, .permanent_m = 1e-3 * (f + 1), .hysteretic_j = 1e3, .shear = {8e6, 1}};

@@ -170,11 +170,9 @@ int thud_history_force(const struct thud_history *h, int contact);
 int thud_history_indentation(const struct thud_history *h, int contact);
 int thud_history_energy(const struct thud_history *h, int which); /* 0 input ... 4 contact */
 int thud_history_hysteretic(const struct thud_history *h);
-int thud_history_gravity(const struct thud_history *h);
 int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
 int thud_history_link_force(const struct thud_history *h, int link);
-int thud_history_link_stroke(const struct thud_history *h, int link);
 
 #endif

@@ -52,7 +52,7 @@ int thud_history_hysteretic(const struct thud_history *h)
 {
     return 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
 }
-int thud_history_gravity(const struct thud_history *h)
+static int thud_history_gravity(const struct thud_history *h)
 {
     assert(h->weighs);
     return h->columns - 1;
@@ -83,7 +83,7 @@ int thud_history_link_force(const struct thud_history *h, int link)
     assert(link >= 0 && link < h->nlinks);
     return thud_history_column(h, h->nstruck, 0) + link;
 }
-int thud_history_link_stroke(const struct thud_history *h, int link)
+static int thud_history_link_stroke(const struct thud_history *h, int link)
 {
     assert(link >= 0 && link < h->nlinks);
     return thud_history_column(h, h->nstruck, 0) + h->nlinks + link;

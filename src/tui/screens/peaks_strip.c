@@ -36,9 +36,13 @@ static struct strip strip_of(const struct thud_tui *tui, int w)
 void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)
 {
     struct strip strip = strip_of(tui, w);
+    const bool linked = tui->doc.scene.nlinks > 0, bumper = thud_scene_has_bumper(&tui->doc.scene);
     snprintf(text, size, "%-*s%-13s%-13s%-13s%s%s", strip.column[0] - 1,
-             thud_tui_shows_old(tui) ? "Before the edit" : "Peaks", "no pounding", "no bumper", "bumper", "ratio",
-             strip.percent && thud_tui_pinned(tui) ? "    change" : "");
+             thud_tui_shows_old(tui) ? "Before the edit" : "Peaks", "no pounding", linked ? "neither" : "no bumper",
+             !linked  ? "bumper"
+             : bumper ? "both"
+                      : "links",
+             "ratio", strip.percent && thud_tui_pinned(tui) ? "    change" : "");
 }
 
 void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane, int x, int y,
