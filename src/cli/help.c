@@ -5,15 +5,14 @@
 
 void thud_help_all(struct thud_text *out)
 {
-    thud_text_append(out, "thud: earthquake pounding of neighbouring buildings\n\n");
+    thud_text_append(out, "thud: earthquake pounding of neighbouring buildings\n");
     for (int i = 0; i < THUD_COMMANDS; i++) {
         const struct thud_command *command = thud_command_at((enum thud_command_id)i);
         char usage[64];
         snprintf(usage, sizeof usage, "thud %s%s%s", command->name, command->name[0] ? " " : "", command->operands);
         thud_text_append(out, "  %-26s %s\n", usage, command->summary);
     }
-    thud_text_append(out, "\nA PRESET is a name (towers) or a file. Options: `thud help COMMAND`.\n"
-                          "Manual: thud(1), thud-preset(5), thud-output(5), thud-model(7), thud-methods(7)\n");
+    thud_text_append(out, "\nPRESET: a name (towers) or a file. Options: thud help COMMAND. Manual: thud(1)\n");
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)

@@ -44,8 +44,10 @@ static struct sample *make(void)
             (struct thud_structure_result){.floors = k ? RIGHT : LEFT, .floor = s->floor + (k ? LEFT : 0)};
     }
     for (int d = 0; d < DOFS; d++)
-        s->floor[d] =
-            (struct thud_floor_result){{d + 1.0, 0}, {0.01 * (d + 1), 0}, {0.1 * (d + 1), 0}, {1e-3 * (d + 1), 0}, {0}};
+        s->floor[d] = (struct thud_floor_result){.acceleration = {d + 1.0, 0},
+                                                 .displacement = {0.01 * (d + 1), 0},
+                                                 .velocity = {0.1 * (d + 1), 0},
+                                                 .drift = {1e-3 * (d + 1), 0}};
     for (int f = 0; f < 2; f++)
         s->storey[f] = (struct thud_storey_result){
             .yields = true, .ductility = 4 - f, .permanent_m = 1e-3 * (f + 1), .hysteretic_j = 1e3, .shear = {8e6, 1}};

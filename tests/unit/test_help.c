@@ -76,7 +76,7 @@ START_TEST(each_option_is_where_it_makes_sense)
     static const struct {
         const char *option, *commands;
     } matrix[] = {
-        {"json", "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods"},
+        {"json", "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve"},
         {"csv", "run sweep gap fragility uncertainty bench stability suite"},
         {"quiet", all},
         {"help", all},
