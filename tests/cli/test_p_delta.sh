@@ -42,7 +42,7 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
     is "a preset" gives 0 run "$tmp/p.yaml" --case none --json --quiet
     cp "$tmp/out" "$tmp/preset"
     is "says it as --set does" gives 0 run towers --case none --set p-delta=yes --json --quiet
-    is "with the same result" [ "$(sed -n '/"structures"/,/"contacts"/p' "$tmp/preset")" = "$(sed -n '/"structures"/,/"contacts"/p' "$tmp/out")" ]
+    is "with the same result" [ "$(sed -n '/^  "structures"/,/"contacts"/p' "$tmp/preset")" = "$(sed -n '/^  "structures"/,/"contacts"/p' "$tmp/out")" ]
     is "its scene says so" shows '"p-delta": "yes"'
     is "OpenSees gets the weights" gives 0 export opensees towers --set p-delta=yes --case none --set contact.law=kelvin-voigt
     is "as negative springs" [ "$(grep -c 'Elastic.*-.*# P-Delta' "$tmp/out")" -eq 10 ]

@@ -143,6 +143,33 @@ static void draw_structure(struct thud_structure *s, int index, double mass, boo
         widen(s);
 }
 
+/* Lead-rubber bearings and pendulums, from such as hardly move to such as slide all the time. */
+static bool draw_isolators(struct thud_scene *scene)
+{
+    bool any = false;
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        if (p->kind != THUD_ISOLATED)
+            continue;
+        double mass = p->base_mass_kg;
+        for (int i = 0; i < p->storeys; i++)
+            mass += p->mass_kg[i];
+        any = true;
+        if (p->isolation_damping > 0 && chance(0.7))
+            p->isolation_damping = NAN;
+        p->isolator_yield_m = between_log(1e-4, 2e-2);
+        p->isolator_law = chance(0.5) ? THUD_ISOLATOR_PENDULUM : THUD_ISOLATOR_LEAD_RUBBER;
+        if (p->isolator_law == THUD_ISOLATOR_PENDULUM) {
+            p->isolator_radius_m = between_log(0.5, 5);
+            p->isolator_friction = between_log(0.01, 0.2);
+        } else {
+            p->isolator_post_yield_npm = p->isolation_stiffness_npm;
+            p->isolator_strength_n = mass * between_log(0.1, 2);
+        }
+    }
+    return any;
+}
+
 /* Weights that take up to a third off the stiffness of the weakest storey. */
 static void draw_weights(struct thud_scene *scene)
 {
@@ -389,13 +416,15 @@ static void give_matrix(struct thud_scene *scene, int index)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    const bool links = one->seed >= SCENES_LINKS && (one->seed < SCENES_MATRICES || one->seed % 3 == 1);
-    bool weights = one->seed >= SCENES_P_DELTA && !links,
-         columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights,
+    const bool isolators = one->seed >= SCENES_ISOLATORS, matrices = one->seed >= SCENES_MATRICES && !isolators,
+               links = one->seed >= SCENES_LINKS && !isolators && (!matrices || one->seed % 3 == 1);
+    bool weights = one->seed >= SCENES_P_DELTA && !links && !isolators,
+         columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights && !isolators,
          wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-    bool yields = one->seed >= SCENES_YIELDING && (weights ? one->seed % 2 == 0
-                                                   : links ? one->seed % 3 == 0
-                                                           : !columns || one->seed % 3 == 0);
+    bool yields = one->seed >= SCENES_YIELDING && (weights     ? one->seed % 2 == 0
+                                                   : isolators ? one->seed % 4 == 0
+                                                   : links     ? one->seed % 3 == 0
+                                                               : !columns || one->seed % 3 == 0);
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -416,8 +445,10 @@ static bool draw(struct scenes_one *one)
         draw_weights(scene);
     for (int i = 0; links && i + 1 < scene->nstructures; i++)
         draw_links(scene, i, mass);
-    for (int s = 0; s < scene->nstructures && one->seed >= SCENES_MATRICES; s++)
+    for (int s = 0; s < scene->nstructures && matrices; s++)
         give_matrix(scene, s);
+    if (isolators && !draw_isolators(scene))
+        return false;
     if (chance(0.9))
         draw_record(one);
     else
@@ -578,6 +609,8 @@ bool scenes_heavier(struct scenes_one *one, double factor)
         p->isolation_stiffness_npm *= factor;
         for (int k = 0; p->kind == THUD_MATRIX && k < p->storeys * p->storeys; k++)
             s->shape[p->shape_at + k] *= factor;
+        p->isolator_strength_n *= factor;
+        p->isolator_post_yield_npm *= factor;
     }
     for (int i = 0; i < s->nlinks; i++) {
         s->link[i].stiffness_npm *= factor;
@@ -600,6 +633,9 @@ bool scenes_longer(struct scenes_one *one, double factor)
         return false;
     for (int i = 0; i < s->nlinks; i++)
         s->link[i].slack_m *= factor;
+    for (int i = 0; i < s->nstructures; i++)
+        if (thud_isolator_slides(&s->structure[i])) /* so are radii */
+            return false;
     for (int i = 0; i < s->nstructures; i++)
         if (s->structure[i].kind == THUD_RIGID)
             s->structure[i].velocity_mps *= factor;
@@ -640,6 +676,8 @@ void scenes_nudge(struct scenes_one *one, int way, double eps)
             p->stiffness_npm[f] *= factor;
         p->isolation_stiffness_npm *= factor;
         p->period_factor /= sqrt(factor);
+        p->isolator_post_yield_npm *= factor;
+        p->isolator_friction *= factor;
         if (p->kind == THUD_RIGID) {
             p->mass_kg[0] *= factor;
             p->velocity_mps *= factor;

@@ -25,6 +25,8 @@ struct scenes_one {
 /* From this seed on, links of all laws tie neighbours; in every third scene storeys yield, in every fourth slabs strike
  * columns. */
 #define SCENES_LINKS 5000000000ull
+/* From this seed on, isolated buildings stand on lead-rubber bearings or pendulums. */
+#define SCENES_ISOLATORS 7000000000ull
 
 /* From this seed on, scenes are like those of columns, and shear buildings are given by their matrix, with floors that
  * other floors than their neighbours hold too, or by their modes. */

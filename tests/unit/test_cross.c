@@ -38,6 +38,17 @@ START_TEST(yielding_scenes)
 }
 END_TEST
 
+/* Lead-rubber bearings and pendulums, in some scenes under storeys that yield. */
+START_TEST(scenes_on_isolators)
+{
+    struct scenes_tally tally = {.only = ""};
+    for (int i = 0; i < 10; i++)
+        scenes_check(SCENES_ISOLATORS + (unsigned long long)i, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 3);
+}
+END_TEST
+
 /* The weight on drifting storeys, elastic and yielding. */
 START_TEST(scenes_with_p_delta)
 {
@@ -273,6 +284,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, wide_scenes);
     tcase_add_test(tcase, yielding_scenes);
     tcase_add_test(tcase, scenes_with_p_delta);
+    tcase_add_test(tcase, scenes_on_isolators);
     tcase_add_test(tcase, scenes_of_columns);
     tcase_add_test(tcase, scenes_of_matrices);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);

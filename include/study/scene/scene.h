@@ -34,6 +34,10 @@ enum { THUD_SHAPE_ROOM = 6400 };
  * between them. */
 enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };
 
+/* Of isolators: a spring; or bilinear with kinematic hardening, by strength Q_d, stiffness K_d beyond yield and yield
+ * displacement u_y, of a pendulum Q_d = mu W and K_d = W/R with the weight W above. */
+enum thud_isolator_law { THUD_ISOLATOR_LINEAR, THUD_ISOLATOR_LEAD_RUBBER, THUD_ISOLATOR_PENDULUM };
+
 struct thud_structure {
     char name[THUD_NAME_MAX];
     enum thud_structure_kind kind;
@@ -49,8 +53,11 @@ struct thud_structure {
     double hardening[THUD_STOREYS_MAX];
     double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
-    double velocity_mps;                                             /* rigid only: at t = 0, to the right */
-    double base_m; /* elevation of the ground that a building stands on */
+    /* Isolated only: what it stands on; NaN: not given, or not of that law. */
+    double isolator_law; /* enum thud_isolator_law */
+    double isolator_strength_n, isolator_post_yield_npm, isolator_yield_m, isolator_radius_m, isolator_friction;
+    double velocity_mps; /* rigid only: at t = 0, to the right */
+    double base_m;       /* elevation of the ground that a building stands on */
     /* Of each floor, slab and beam at the face: it covers [z - depth, z] below the floor's level z. A base slab has the
      * depth of the lowest floor. */
     double slab_depth_m[THUD_STOREYS_MAX];
@@ -191,6 +198,16 @@ enum { THUD_STRUCTURE_LISTS = 11 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
+/* All isolators of a building together: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= u_y; linear ones have r = 1 and
+ * an infinite u_y. */
+struct thud_isolator {
+    enum thud_isolator_law law;
+    double stiffness_npm, yield_m, hardening, damping; /* k = Q_d/u_y + K_d, u_y, r = K_d/k, damping ratio */
+};
+struct thud_isolator thud_structure_isolator(const struct thud_structure *structure);
+const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
+/* Whether they yield or slide. */
+bool thud_isolator_slides(const struct thud_structure *structure);
 /* Weight above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* With P-Delta a storey has collapsed where it drifts by this part of its height. */
@@ -225,7 +242,8 @@ enum thud_group {
     THUD_GROUP_SCENE,
     THUD_GROUP_RECORD,
     THUD_GROUP_STRUCTURE,
-    THUD_GROUP_COLUMN, /* of a structure with storeys */
+    THUD_GROUP_COLUMN,   /* of a structure with storeys */
+    THUD_GROUP_ISOLATOR, /* of an isolated building */
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
@@ -260,6 +278,10 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
+/* The groups nested in a structure: its columns and its isolators; and whether anything is said of one. */
+enum { THUD_NESTED_GROUPS = 2 };
+enum thud_group thud_nested_group(int i);
+bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
 /* Whether anything is said of a structure's columns. */
 bool thud_structure_has_columns(const struct thud_structure *structure);
 

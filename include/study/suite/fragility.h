@@ -64,6 +64,7 @@ enum thud_event_kind {
     THUD_EVENT_DUCTILITY,    /* the same over its yield drift, of storeys that yield */
     THUD_EVENT_PERMANENT,    /* their permanent drift, m */
     THUD_EVENT_COLUMN,       /* shear of columns that slabs strike over their capacity */
+    THUD_EVENT_ISOLATOR,     /* displacement of isolators above the limit, m */
     THUD_EVENT_FALLS         /* with P-Delta: a storey collapses, at a tenth of its height */
 };
 enum { THUD_EVENTS_MAX = 16 }; /* of a study */
@@ -73,7 +74,7 @@ struct thud_event {
     char text[48]; /* as asked for: "drift:1 %" */
 };
 /* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2",
- * "permanent:1 cm", "column:1", "collapse". Errors: THUD_USAGE. */
+ * "permanent:1 cm", "column:1", "isolator:30 cm", "collapse". Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);

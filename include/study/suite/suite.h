@@ -19,6 +19,7 @@ enum thud_suite_measure {
     THUD_SUITE_DRIFT_RATIO,
     THUD_SUITE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
     THUD_SUITE_PERMANENT, /* largest permanent drift of those, m */
+    THUD_SUITE_ISOLATOR,  /* largest displacement of its isolators, m; NaN: it has none */
     THUD_SUITE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
     THUD_SUITE_MEASURES
 };
@@ -36,6 +37,7 @@ struct thud_suite {
     int nrecords, nstructures, nvalues; /* nvalues: of a run */
     bool yields;                        /* some storey may: it has ductilities and permanent drifts */
     bool linear;                        /* without pounding, displacements are linear in the ground motion */
+    bool isolated;                      /* a structure stands on isolators */
     bool columns;                       /* a capacity is given: it has shears over it */
     long settings;
     int ndraws;    /* independent motions: one and the same reversed is one */

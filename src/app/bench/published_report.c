@@ -93,7 +93,8 @@ static void add_validity(const struct count *sum, struct thud_text *out)
 {
     thud_text_append(out,
                      "\nValidated by this: %sthe times and speeds of touch; the restitution of a law; the\n"
-                     "peak force of a small cart on foam, after its duration and restitution were fitted.\n",
+                     "peak force of a small cart on foam, after its duration and restitution were fitted;\n"
+                     "stick, slip and restoring force of a friction pendulum, against another program.\n",
                      sum->skipped > 0 ? "" : "modes, response to a ground motion and storey forces;\n");
     thud_text_append(out, "Not validated: the pounding of buildings. No test at that scale is public with\n"
                           "parameters and results that can be read; contact stiffness and restitution between\n"

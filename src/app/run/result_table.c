@@ -80,6 +80,10 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "%s T%d %.4g s", i > 0 ? "," : ":", i + 1, r->period_s[i]);
     if (r->base_shear.value > 0)
         thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
+    if (thud_isolator_slides(p))
+        thud_text_append(out, "\nisolators: %s, displaced by %.4g mm at %.3f s, by %.4g mm in the end; %.5g kJ lost",
+                         thud_isolator_name(thud_structure_isolator(p).law), 1e3 * r->floor[0].drift.value,
+                         r->floor[0].drift.time_s, 1e3 * r->storey[0].permanent_m, 1e-3 * r->storey[0].hysteretic_j);
     const struct thud_floors floors = {report, s};
     const struct thud_rows rows = thud_floor_rows(&floors), storeys = thud_storey_rows(&floors);
     thud_text_append(out, "\n");

@@ -52,7 +52,7 @@ int thud_history_hysteretic(const struct thud_history *h)
 {
     return 1 + 3 * h->ndof + 2 * h->ncontacts + THUD_HISTORY_ENERGIES;
 }
-static int thud_history_gravity(const struct thud_history *h)
+static int gravity_column(const struct thud_history *h)
 {
     assert(h->weighs);
     return h->columns - 1;
@@ -157,7 +157,7 @@ static void fill_motion(const struct thud_history *h, const struct thud_state *s
     const double gravity = thud_model_gravity_work(m, q);
     row[thud_history_energy(h, 2)] = strain + thud_storeys_strain(state, q) + gravity;
     if (h->weighs)
-        row[thud_history_gravity(h)] = gravity;
+        row[gravity_column(h)] = gravity;
 }
 
 static void fill_storeys(const struct thud_history *h, const struct thud_state *state, double *row, const double *q)

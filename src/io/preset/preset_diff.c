@@ -225,7 +225,13 @@ static bool said_by_list(const struct saving *s, int node, const char *key)
     return false;
 }
 
-static const char columns[] = "column";
+static bool is_nested(const char *key)
+{
+    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
+        if (strcmp(key, thud_group_key(thud_nested_group(i))) == 0)
+            return true;
+    return false;
+}
 
 static void path_of(struct thud_section section, const char *key, char *path, size_t size)
 {
@@ -245,7 +251,7 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         path_of(section, name, path, sizeof path);
         bool nested =
             (section.group == THUD_GROUP_INTERFACE && strcmp(name, "gap") != 0 && strcmp(name, "levels") != 0) ||
-            (section.group == THUD_GROUP_STRUCTURE && strcmp(name, columns) == 0) ||
+            (section.group == THUD_GROUP_STRUCTURE && is_nested(name)) ||
             (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
         if (nested) {
             stay++;
@@ -374,20 +380,27 @@ static void append_nested(struct saving *s, enum thud_group group, int i, int no
 static void save_structure(struct saving *s, int i, int node)
 {
     struct thud_section section = {THUD_GROUP_STRUCTURE, i};
-    int key = -1, column = thud_yaml_find(&s->preset->tree, node, columns, &key);
-    bool now = thud_structure_has_columns(&s->now->structure[i]);
-    if (node_at(s, node)->flow && (column >= 0) != now) {
-        rewrite_flow(s, section, node);
-        return;
+    for (int k = 0; k < THUD_NESTED_GROUPS; k++) {
+        enum thud_group group = thud_nested_group(k);
+        bool had = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), NULL) >= 0;
+        if (node_at(s, node)->flow && had != thud_structure_has_group(&s->now->structure[i], group)) {
+            rewrite_flow(s, section, node);
+            return;
+        }
     }
     if (!save_section(s, section, node))
         return;
-    if (column >= 0 && now)
-        save_section(s, (struct thud_section){THUD_GROUP_COLUMN, i}, column);
-    else if (column >= 0)
-        delete_key(s, key);
-    else if (now)
-        append_nested(s, THUD_GROUP_COLUMN, i, node);
+    for (int k = 0; k < THUD_NESTED_GROUPS; k++) {
+        enum thud_group group = thud_nested_group(k);
+        int key = -1, value = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), &key);
+        bool now = thud_structure_has_group(&s->now->structure[i], group);
+        if (value >= 0 && now)
+            save_section(s, (struct thud_section){group, i}, value);
+        else if (value >= 0)
+            delete_key(s, key);
+        else if (now)
+            append_nested(s, group, i, node);
+    }
 }
 
 static void save_interface(struct saving *s, int i, int node)

@@ -17,6 +17,7 @@ void thud_section_path(struct thud_section section, char *path, size_t size)
         snprintf(path, size, "%s.%d", key, section.index + 1);
         break;
     case THUD_GROUP_COLUMN:
+    case THUD_GROUP_ISOLATOR:
         snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_STRUCTURE), section.index + 1, key);
         break;
     case THUD_GROUP_CONTACT:
@@ -181,8 +182,9 @@ void thud_emit_item(struct thud_emit *emit, const struct thud_scene *scene, stru
         if (scene->interface[section.index].has_bumper)
             emit_nested(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
     }
-    if (section.group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&scene->structure[section.index]))
-        emit_nested(emit, scene, THUD_GROUP_COLUMN, section.index, indent);
+    for (int i = 0; i < THUD_NESTED_GROUPS && section.group == THUD_GROUP_STRUCTURE; i++)
+        if (thud_structure_has_group(&scene->structure[section.index], thud_nested_group(i)))
+            emit_nested(emit, scene, thud_nested_group(i), section.index, indent);
     if (emit->flow)
         thud_text_append(emit->out, "}");
 }

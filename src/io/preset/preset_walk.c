@@ -189,7 +189,16 @@ static enum thud_status check_keys(const struct thud_preset *preset, int node, c
     return status;
 }
 
-static const char columns[] = "column";
+/* Whether a key of a structure has keys of its own. */
+static bool is_nested(const char *path, const char *key)
+{
+    if (strncmp(path, "structures.", 11) != 0 || strchr(path + 11, '.'))
+        return false;
+    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
+        if (strcmp(key, thud_group_key(thud_nested_group(i))) == 0)
+            return true;
+    return false;
+}
 
 /* Sets the keys of a node for which `wanted` holds, in the order of the file. Unknown keys are found by their setting.
  */
@@ -207,8 +216,8 @@ static enum thud_status set_keys(struct thud_preset *preset, int node, const cha
         if (strlen(key) > KEY_BYTES || strchr(key, '.'))
             return refuse(preset, i, path, "the key is no word of presets", NULL, err);
         snprintf(full, sizeof full, "%s.%.*s", path, KEY_BYTES, key);
-        if (strcmp(key, columns) == 0 && strncmp(path, "structures.", 11) == 0 && !strchr(path + 11, '.'))
-            continue; /* keys of their own */
+        if (is_nested(path, key))
+            continue;
         if (!thud_scene_param(&preset->scene, full, &floor)) {
             thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
             return at(preset, i, THUD_INPUT, err);
@@ -275,9 +284,13 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
         status = set_storeys(preset, node, path, err);
     if (status == THUD_OK)
         status = set_keys(preset, node, path, not_yet_set, err);
-    int column = status == THUD_OK ? thud_yaml_find(&preset->tree, node, columns, NULL) : -1;
-    snprintf(path, sizeof path, "structures.%d.%s", s + 1, columns);
-    return column >= 0 ? set_keys(preset, column, path, any, err) : status;
+    for (int i = 0; i < THUD_NESTED_GROUPS && status == THUD_OK; i++) {
+        const char *group = thud_group_key(thud_nested_group(i));
+        int nested = thud_yaml_find(&preset->tree, node, group, NULL);
+        snprintf(path, sizeof path, "structures.%d.%s", s + 1, group);
+        status = nested >= 0 ? set_keys(preset, nested, path, any, err) : status;
+    }
+    return status;
 }
 
 /* A, B, ... by place, or the first letter that is free. */

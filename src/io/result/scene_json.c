@@ -80,8 +80,9 @@ static void put_items(struct writer *w, enum thud_group group, int n)
             if (w->scene->interface[i].has_bumper)
                 put_nested(w, THUD_GROUP_BUMPER, i);
         }
-        if (group == THUD_GROUP_STRUCTURE && thud_structure_has_columns(&w->scene->structure[i]))
-            put_nested(w, THUD_GROUP_COLUMN, i);
+        for (int k = 0; k < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; k++)
+            if (thud_structure_has_group(&w->scene->structure[i], thud_nested_group(k)))
+                put_nested(w, thud_nested_group(k), i);
         thud_text_append(w->out, "}");
     }
     thud_text_append(w->out, "]");

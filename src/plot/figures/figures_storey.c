@@ -72,7 +72,11 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
                                                     n > 0 ? (n + columns - 1) / columns : 1, columns);
     for (int i = 0; i < n; i++) {
         const struct place *at = &place[index[i]];
-        snprintf(text, sizeof text, "%s, storey %d", source->scene->structure[at->structure].name, at->floor + 1);
+        const struct thud_structure *of = &source->scene->structure[at->structure];
+        if (thud_isolator_slides(of) && at->floor == 0)
+            snprintf(text, sizeof text, "%s, isolators", of->name);
+        else
+            snprintf(text, sizeof text, "%s, storey %d", of->name, at->floor + 1);
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, text);
         thud_panel_axis(panel, THUD_X, "Drift", "mm");
         thud_panel_results_on_x(panel);

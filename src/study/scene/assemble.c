@@ -45,9 +45,10 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     double *mass = a->mass_kg[index], *stiffness = a->stiffness_npm[index];
     struct thud_structure_input *to = &a->structure[index];
     *to = (struct thud_structure_input){.n = n, .mass_kg = mass};
+    const struct thud_isolator isolator = base ? thud_structure_isolator(s) : (struct thud_isolator){0};
     if (base) {
         mass[0] = s->base_mass_kg;
-        stiffness[0] = s->isolation_stiffness_npm;
+        stiffness[0] = isolator.stiffness_npm;
     }
     for (int i = base; i < n; i++) {
         mass[i] = s->mass_kg[i - base];
@@ -59,8 +60,8 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     }
     to->matrix_npm = a->matrix_npm[index];
     to->stiffness_npm = n > 0 && !to->matrix_npm ? stiffness : NULL;
-    a->yield_m[index][0] = INFINITY; /* isolators do not yield */
-    a->hardening[index][0] = 0;
+    a->yield_m[index][0] = isolator.yield_m;
+    a->hardening[index][0] = isolator.hardening;
     for (int i = base; i < n; i++) {
         a->yield_m[index][i] = thud_structure_yield(s, i - base);
         a->hardening[index][i] = s->hardening[i - base];
@@ -69,7 +70,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->hardening = a->hardening[index];
     to->damping = s->damping;
     to->isolated = base;
-    to->isolation_damping = s->isolation_damping;
+    to->isolation_damping = isolator.damping;
     if (p_delta && n > 0)
         fill_weights(a, index, s);
 }

@@ -168,6 +168,44 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
     return THUD_OK;
 }
 
+/* What a law of isolators needs is given, and nothing that it has not. */
+static enum thud_status check_isolator(const struct thud_structure *structure, int s, struct thud_error *err)
+{
+    enum {
+        LINEAR = 1 << THUD_ISOLATOR_LINEAR,
+        LEAD = 1 << THUD_ISOLATOR_LEAD_RUBBER,
+        DISH = 1 << THUD_ISOLATOR_PENDULUM
+    };
+    static const unsigned needs[] = {0, LEAD, LEAD, LEAD, DISH, DISH}, may[] = {0, LEAD, LEAD, LEAD | DISH, DISH, DISH};
+    const enum thud_isolator_law law = (enum thud_isolator_law)structure->isolator_law;
+    const struct thud_place *places = thud_group_places(THUD_GROUP_ISOLATOR);
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_ISOLATOR, &count);
+    char key[96];
+    if (law == THUD_ISOLATOR_LINEAR && isnan(structure->isolation_stiffness_npm)) {
+        thud_error_set(err, THUD_INPUT, "the isolators' stiffness is not given");
+        snprintf(key, sizeof key, "structures.%d.isolation-stiffness", s + 1);
+        return refuse(err, key, "a stiffness, or isolator: {law: lead-rubber or pendulum, ...}");
+    }
+    for (int i = 1; i < count; i++) {
+        const double value = *(const double *)(const void *)((const char *)structure + places[i].offset);
+        snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, params[i].name);
+        if (!isnan(value) && !(may[i] & 1u << law)) {
+            thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), params[i].title);
+            return refuse(err, key,
+                          law == THUD_ISOLATOR_LINEAR        ? "isolation-stiffness; or another law"
+                          : law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield"
+                                                             : "radius, friction, yield");
+        }
+        if (needs[i] & 1u << law || !isnan(value)) {
+            enum thud_status status = check_value(&params[i], value, key, err);
+            if (status != THUD_OK)
+                return status;
+        }
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
@@ -175,6 +213,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
         status = check_group(scene, s, THUD_GROUP_COLUMN, "column.", err);
     if (status == THUD_OK && thud_kind_is_read(scene->structure[s].kind))
         status = thud_structure_check_shape(scene, s, err);
+    if (status == THUD_OK && scene->structure[s].kind == THUD_ISOLATED)
+        status = check_isolator(&scene->structure[s], s, err);
     if (status == THUD_OK)
         status = check_yield(&scene->structure[s], s, err);
     if (status == THUD_OK)

@@ -35,6 +35,7 @@ static const char *const columns[] = {"all", NULL};
 static const char *const switches[] = {"off", "on", NULL};
 static const char *const no_or_yes[] = {"no", "yes", NULL};
 static const char *const levels[] = {"all", "aligned", NULL};
+static const char *const isolators[] = {"linear", "lead-rubber", "pendulum", NULL};
 static const char *const shapes[] = {"clamped", "linear", NULL};
 static const char *const link_laws[] = {"spring", "dashpot", "restrainer", "strut", NULL};
 enum { LINKS = (1 << THUD_LINK_LAWS) - 1 };
@@ -117,8 +118,8 @@ static const struct thud_param structure_params[] = {
     {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; else that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
     {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
-    {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
+    {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
     {NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
 };
 #define AT(member) offsetof(struct thud_structure, member)
@@ -145,8 +146,8 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_FLOORS, .offset = AT(gravity_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .absent = NAN, .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(velocity_mps), .kinds = RIGID},
 };
 
@@ -162,6 +163,23 @@ static const struct thud_place column_places[] = {
     {.store = THUD_STORE_FLOORS, .offset = AT(column_stiffness_npm), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(column_capacity_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(column_shape), .kinds = STOREYS},
+};
+
+static const struct thud_param isolator_params[] = {
+    CHOICE("law", "law of the isolators", "linear: isolation-stiffness; lead-rubber: strength, post-yield and yield; pendulum: radius and friction.", isolators, THUD_ISOLATOR_LINEAR),
+    {NUMBER("strength", "characteristic strength", "Q_d of all lead-rubber bearings together: the force that is left at no displacement.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("post-yield", "stiffness beyond yield", "K_d of all lead-rubber bearings together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("yield", "yield displacement", "u_y of lead-rubber bearings, or the elastic give of a pendulum before it slides (1 mm where it is not given).", THUD_LENGTH, "mm", NAN), .least = 1e-6, .least_open = true, UP_TO(1), USUAL(1e-4, 0.05)},
+    {NUMBER("radius", "radius", "R of the pendulum: it swings with 2 pi sqrt(R/g).", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(100), USUAL(0.5, 10)},
+    {NUMBER("friction", "friction coefficient", "mu of the pendulum.", THUD_RATIO, "%", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
+};
+static const struct thud_place isolator_places[] = {
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_law), .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_strength_n), .absent = NAN, .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_post_yield_npm), .absent = NAN, .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_yield_m), .absent = NAN, .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_radius_m), .absent = NAN, .kinds = ISOLATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_friction), .absent = NAN, .kinds = ISOLATED},
 };
 #undef AT
 
@@ -267,6 +285,7 @@ static const struct {
     [THUD_GROUP_RECORD] = GROUP(record, "record"),
     [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures"),
     [THUD_GROUP_COLUMN] = GROUP(column, "column"),
+    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator"),
     [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
     [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
     [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),

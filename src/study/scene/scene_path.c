@@ -63,6 +63,8 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
             thud_words_add(&words, params[i].name);
     if (group == THUD_GROUP_STRUCTURE && find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[item].kind) >= 0)
         thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
+    if (group == THUD_GROUP_STRUCTURE && scene->structure[item].kind == THUD_ISOLATED)
+        thud_words_add(&words, thud_group_key(THUD_GROUP_ISOLATOR));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
@@ -88,7 +90,7 @@ static enum thud_status wrong_depth(struct thud_error *err)
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
                                        struct thud_error *err)
 {
-    bool column = n > 2 && strcmp(part[1], "column") == 0;
+    bool column = n > 2 && strcmp(part[1], "column") == 0, isolator = n > 2 && strcmp(part[1], "isolator") == 0;
     if (n < 2 || n > 3 + column)
         return wrong_depth(err);
     int s = number(part[0]);
@@ -97,8 +99,13 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         thud_error_allow(err, "1 to %d", scene->nstructures);
         return THUD_INPUT;
     }
-    enum thud_group group = column ? THUD_GROUP_COLUMN : THUD_GROUP_STRUCTURE;
-    int keys = column ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
+    enum thud_group group = column ? THUD_GROUP_COLUMN : isolator ? THUD_GROUP_ISOLATOR : THUD_GROUP_STRUCTURE;
+    if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED) {
+        thud_error_set(err, THUD_INPUT, "%.40s stands on no isolators", scene->structure[s - 1].name);
+        thud_error_allow(err, "kind: isolated");
+        return THUD_INPUT;
+    }
+    int keys = column || isolator ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
     int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
     if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
         static const char *const what[THUD_KINDS] = {[THUD_WALL] = "a wall",

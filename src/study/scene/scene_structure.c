@@ -36,6 +36,9 @@ double thud_structure_weight(const struct thud_structure *structure, int i)
 bool thud_scene_yields(const struct thud_scene *scene)
 {
     for (int s = 0; s < scene->nstructures; s++)
+        if (thud_isolator_slides(&scene->structure[s]))
+            return true;
+    for (int s = 0; s < scene->nstructures; s++)
         for (int i = 0; i < scene->structure[s].storeys; i++)
             if (isfinite(thud_structure_yield(&scene->structure[s], i)) && scene->structure[s].hardening[i] < 1)
                 return true;
@@ -74,7 +77,9 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
     if (kind == THUD_ISOLATED) {
         structure->base_mass_kg = NAN;
         structure->isolation_stiffness_npm = NAN;
-        structure->isolation_damping = fallback("isolation-damping", THUD_GROUP_STRUCTURE);
+        structure->isolation_damping = NAN; /* by the law of the isolators */
+        structure->isolator_strength_n = structure->isolator_post_yield_npm = structure->isolator_yield_m = NAN;
+        structure->isolator_radius_m = structure->isolator_friction = NAN;
     }
 }
 
@@ -140,6 +145,20 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
         structure->isolation_stiffness_npm = rint(mass * 9.8696044 / 1e5) * 1e5;
     }
     return THUD_OK;
+}
+
+enum thud_group thud_nested_group(int i)
+{
+    return i == 0 ? THUD_GROUP_COLUMN : THUD_GROUP_ISOLATOR;
+}
+
+bool thud_structure_has_group(const struct thud_structure *s, enum thud_group group)
+{
+    if (group == THUD_GROUP_COLUMN)
+        return thud_structure_has_columns(s);
+    return s->kind == THUD_ISOLATED &&
+           (thud_isolator_slides(s) || isfinite(s->isolator_strength_n) || isfinite(s->isolator_post_yield_npm) ||
+            isfinite(s->isolator_yield_m) || isfinite(s->isolator_radius_m) || isfinite(s->isolator_friction));
 }
 
 bool thud_structure_has_columns(const struct thud_structure *structure)

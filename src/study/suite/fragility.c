@@ -250,7 +250,7 @@ static enum thud_status refuse_event(const char *text, struct thud_error *err)
     thud_error_key(err, "--event");
     thud_error_allow(err,
                      "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%%, ductility:2, permanent:1cm, "
-                     "column:1, collapse");
+                     "column:1, isolator:30cm, collapse");
     return THUD_USAGE;
 }
 
@@ -270,6 +270,7 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
                   {"ductility", THUD_EVENT_DUCTILITY, true, THUD_NUMBER},
                   {"permanent", THUD_EVENT_PERMANENT, true, THUD_LENGTH},
                   {"column", THUD_EVENT_COLUMN, true, THUD_NUMBER},
+                  {"isolator", THUD_EVENT_ISOLATOR, true, THUD_LENGTH},
                   {"collapse", THUD_EVENT_FALLS, false, THUD_NUMBER}};
     size_t word = strcspn(text, ":");
     for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
@@ -339,7 +340,8 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
         [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,         [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
         [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,         [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE,
         [THUD_EVENT_DUCTILITY] = THUD_SUITE_DUCTILITY, [THUD_EVENT_PERMANENT] = THUD_SUITE_PERMANENT,
-        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS,      [THUD_EVENT_FALLS] = THUD_SUITE_DRIFT_ANGLE};
+        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS,      [THUD_EVENT_FALLS] = THUD_SUITE_DRIFT_ANGLE,
+        [THUD_EVENT_ISOLATOR] = THUD_SUITE_ISOLATOR};
     double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
     double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
     if (isnan(value)) /* a ratio is missing where there is nothing to compare, a result where a run has none */

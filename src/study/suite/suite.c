@@ -10,15 +10,28 @@ enum { OF_RUN = THUD_SUITE_ACCELERATION, OF_STRUCTURE = THUD_SUITE_MEASURES - OF
 
 const char *thud_suite_column(enum thud_suite_measure measure)
 {
-    static const char *const column[] = {"impacts",           "used_up",   "short_m",     "force_n",
-                                         "acceleration_mps2", "drift_m",   "drift_angle", "acceleration_ratio",
-                                         "drift_ratio",       "ductility", "permanent_m", "shear_over_capacity"};
+    static const char *const column[] = {"impacts",
+                                         "used_up",
+                                         "short_m",
+                                         "force_n",
+                                         "acceleration_mps2",
+                                         "drift_m",
+                                         "drift_angle",
+                                         "acceleration_ratio",
+                                         "drift_ratio",
+                                         "ductility",
+                                         "permanent_m",
+                                         "isolator_m",
+                                         "shear_over_capacity"};
     return column[measure];
 }
 
 bool thud_suite_has(const struct thud_suite *suite, enum thud_suite_measure measure)
 {
-    return measure == THUD_SUITE_COLUMNS ? suite->columns : measure >= THUD_SUITE_DUCTILITY ? suite->yields : true;
+    return measure == THUD_SUITE_COLUMNS     ? suite->columns
+           : measure == THUD_SUITE_ISOLATOR  ? suite->isolated
+           : measure >= THUD_SUITE_DUCTILITY ? suite->yields
+                                             : true;
 }
 
 /* By the scene, or by a varied key. */
@@ -60,6 +73,8 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->linear = !suite->yields;
         for (int i = 0; i < plan->scene.nstructures; i++)
             suite->linear &= plan->scene.structure[i].velocity_mps == 0;
+        for (int i = 0; i < plan->scene.nstructures; i++)
+            suite->isolated |= plan->scene.structure[i].kind == THUD_ISOLATED;
         suite->columns = has_capacity(plan);
         suite->nvalues = OF_RUN + OF_STRUCTURE * suite->nstructures;
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
@@ -121,6 +136,8 @@ static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_po
             to[THUD_SUITE_DUCTILITY] = fmax(to[THUD_SUITE_DUCTILITY], floor[i].ductility);
             to[THUD_SUITE_PERMANENT] = fmax(to[THUD_SUITE_PERMANENT], fabs(floor[i].permanent_m));
         }
+        if (scene->structure[s].kind == THUD_ISOLATED)
+            to[THUD_SUITE_ISOLATOR] = floor[0].drift_m;
         to[THUD_SUITE_DRIFT_ANGLE] = drift_angle(&scene->structure[s], floor, point->floors[s]);
     }
 }

@@ -74,6 +74,7 @@ static void change_stiffness(struct thud_scene *scene, int first, double factor)
     for (int k = first; k < scene->nstructures; k += 2) {
         scene->structure[k].isolation_stiffness_npm *= factor;
         scene->structure[k].period_factor /= sqrt(factor);
+        scene->structure[k].isolator_post_yield_npm *= factor;
         for (int i = 0; i < scene->structure[k].storeys; i++)
             scene->structure[k].stiffness_npm[i] *= factor;
     }

@@ -147,9 +147,11 @@ static void change_structure(struct thud_structure *p, enum thud_input input, do
     int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
     if (input == THUD_INPUT_DAMPING) {
         p->damping = changed(input, p->damping, size, u);
-        p->isolation_damping = changed(input, p->isolation_damping, size, u);
+        if (p->kind == THUD_ISOLATED)
+            p->isolation_damping = changed(input, thud_structure_isolator(p).damping, size, u);
     } else if (input == THUD_INPUT_STIFFNESS) {
         p->isolation_stiffness_npm = changed(input, p->isolation_stiffness_npm, size, u);
+        p->isolator_post_yield_npm = changed(input, p->isolator_post_yield_npm, size, u);
     } else {
         p->base_mass_kg = changed(input, p->base_mass_kg, size, u);
     }
@@ -161,9 +163,13 @@ static void change_structure(struct thud_structure *p, enum thud_input input, do
     }
 }
 
-/* Of the storeys that yield. */
+/* Of the storeys that yield, and of isolators that do: their strength or friction. */
 static void change_storeys(struct thud_structure *p, enum thud_input input, double size, double u)
 {
+    if (input == THUD_INPUT_YIELD && thud_isolator_slides(p)) {
+        p->isolator_strength_n = changed(input, p->isolator_strength_n, size, u);
+        p->isolator_friction = fmin(1, changed(input, p->isolator_friction, size, u));
+    }
     for (int i = 0; i < p->storeys; i++) {
         if (!isfinite(thud_structure_yield(p, i)))
             continue;

@@ -173,6 +173,10 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         READ = MATRIX | MODES,
         BUILDINGS = SHEAR | ISOLATED | READ
     };
+    enum { LINEAR = 1 << 16, LEAD_RUBBER = LINEAR << 1, PENDULUM = LINEAR << 2 }; /* by their isolators */
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
+    const int kinds =
+        1 << structure->kind | (structure->kind == THUD_ISOLATED ? LINEAR << (int)structure->isolator_law : 0);
     static const struct {
         const char *key, *label;
         int kinds, y, x, value;
@@ -192,15 +196,22 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"unit", "unit", MODES, 5, 1, 9},
         {"order", "order", MODES, 5, 20, 28},
         {"base-mass", "base mass", ISOLATED, 3, 1, 18},
-        {"isolation-stiffness", "isolator k", ISOLATED, 4, 1, 18},
+        {"isolator.law", "isolators", ISOLATED, 4, 1, 18},
         {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
+        {"isolation-stiffness", "isolator k", LINEAR, 6, 1, 18},
+        {"isolator.strength", "strength", LEAD_RUBBER, 6, 1, 18},
+        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, 1, 18},
+        {"isolator.yield", "yields at", LEAD_RUBBER, 8, 1, 18},
+        {"isolator.radius", "radius", PENDULUM, 6, 1, 18},
+        {"isolator.friction", "friction", PENDULUM, 7, 1, 18},
+        {"isolator.yield", "elastic give", PENDULUM, 8, 1, 18},
         {"mass", "mass", RIGID, 1, 1, 18},
         {"height", "height", RIGID | WALL, 2, 1, 18},
         {"velocity", "velocity at 0", RIGID, 3, 1, 18},
     };
     int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
-        if (!(field[i].kinds & 1 << tui->doc.scene.structure[s].kind))
+        if (!(field[i].kinds & kinds))
             continue;
         char key[THUD_PATH_MAX];
         int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
@@ -230,9 +241,11 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
         if (!thud_kind_is_building(structure->kind))
             continue;
-        int table = (structure->kind == THUD_SHEAR   ? 3
-                     : structure->kind == THUD_MODES ? 5
-                                                     : 6) +
+        int table = (structure->kind == THUD_SHEAR     ? 3
+                     : structure->kind == THUD_MODES   ? 5
+                     : structure->kind == THUD_MATRIX  ? 6
+                     : thud_isolator_slides(structure) ? 9
+                                                       : 7) +
                     1 + structure->storeys + 2,
             rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;

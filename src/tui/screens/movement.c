@@ -284,6 +284,33 @@ static void draw_storey(struct stage *stage, int s, int storey, struct storey at
     }
 }
 
+/* What a building slides or yields on, at both ends of its slab: a dish on the ground and the slider on it, or a bearing
+ * that is sheared between ground and slab; red while it moves beyond its elastic give. */
+static void draw_isolators(struct stage *stage, int s, double ground, double slab)
+{
+    const struct thud_structure *structure = &stage->scene->structure[s];
+    const int first = stage->model->structure[s].first, row = thud_model_yielding(stage->model, first);
+    const double shift = stage->shift[first], half = fmax(1.0, 0.12 * stage->body);
+    if (row < 0)
+        return;
+    const double plastic = value_at(stage->history, thud_history_storey_plastic(stage->history, row), stage->t),
+                 drift = value_at(stage->history, thud_history_storey_drift(stage->history, row), stage->t);
+    const bool slides = fabs(drift - plastic) >= stage->model->storey[row].yield_m * (1.0 - 1e-6);
+    struct thud_look look = thud_look(slides ? THUD_ROLE_ERROR : THUD_ROLE_WARN, THUD_BOLD);
+    for (int side = 0; side < 2; side++) {
+        double x = stage->left[s] + (side ? stage->body - 1.0 - half : half);
+        if (structure->isolator_law == THUD_ISOLATOR_PENDULUM) {
+            thud_dots_line(&stage->dots, x - half, ground + 1.0, x + half, ground + 1.0, 1, look);
+            thud_dots_line(&stage->dots, x - half, ground + 1.0, x - half, ground, 1, look);
+            thud_dots_line(&stage->dots, x + half, ground + 1.0, x + half, ground, 1, look);
+            thud_dots_line(&stage->dots, x + shift, ground, x + shift, slab, 1, look);
+        } else {
+            for (double at = -0.5 * half; at <= 0.5 * half; at += 1.0)
+                thud_dots_line(&stage->dots, x + at, ground + 1.0, x + at + shift, slab, 1, look);
+        }
+    }
+}
+
 static void draw_building(struct stage *stage, int s)
 {
     const struct thud_structure *structure = &stage->scene->structure[s];
@@ -303,12 +330,16 @@ static void draw_building(struct stage *stage, int s)
         draw_box(stage, x, fmax(1.0, y), x + right, y0 - 1.0, look);
         return;
     }
-    double before = 0.0;
+    /* a slab on isolators stands on them, so that they are seen */
+    double before = 0.0, lift = thud_isolator_slides(structure) ? 4.0 : structure->kind == THUD_ISOLATED;
     thud_dots_line(&stage->dots, x0 - 2.0, y0 + 1.0, x0 + right + 2.0, y0 + 1.0, 1, thud_look(THUD_ROLE_BORDER, 0));
     for (int i = 0; i < part->n; i++) {
         double x = stage->shift[part->first + i],
-               y = row_of(stage, thud_structure_elevation(structure, i)) - (structure->kind == THUD_ISOLATED && i == 0);
-        draw_storey(stage, s, i, (struct storey){x0 + before, y0, x0 + x, y}, look);
+               y = row_of(stage, thud_structure_elevation(structure, i)) - (i == 0 ? lift : 0.0);
+        if (thud_isolator_slides(structure) && i == 0)
+            draw_isolators(stage, s, y0, y);
+        else
+            draw_storey(stage, s, i, (struct storey){x0 + before, y0, x0 + x, y}, look);
         thud_dots_line(&stage->dots, x0 + x, y, x0 + right + x, y, 1, look);
         before = x;
         y0 = y;

@@ -1,0 +1,39 @@
+/* Isolators as a person gives them, and the bilinear loop that follows. */
+#include <math.h>
+
+#include "base/quantity.h"
+#include "study/scene/scene.h"
+
+static const double pendulum_yield_m = 1e-3, linear_damping = 0.1;
+
+const char *thud_isolator_name(enum thud_isolator_law law)
+{
+    static const char *const name[] = {"linear", "lead-rubber", "pendulum"};
+    return name[law];
+}
+
+bool thud_isolator_slides(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_ISOLATED && structure->isolator_law != THUD_ISOLATOR_LINEAR;
+}
+
+struct thud_isolator thud_structure_isolator(const struct thud_structure *s)
+{
+    const enum thud_isolator_law law = (enum thud_isolator_law)s->isolator_law;
+    struct thud_isolator out = {law, s->isolation_stiffness_npm, INFINITY, 1,
+                                isnan(s->isolation_damping) ? linear_damping : s->isolation_damping};
+    if (law == THUD_ISOLATOR_LINEAR)
+        return out;
+    double strength = s->isolator_strength_n, beyond = s->isolator_post_yield_npm;
+    out.yield_m = s->isolator_yield_m;
+    if (law == THUD_ISOLATOR_PENDULUM) {
+        const double weight = THUD_GRAVITY * s->base_mass_kg + thud_structure_weight(s, 0);
+        strength = s->isolator_friction * weight;
+        beyond = weight / s->isolator_radius_m;
+        out.yield_m = isnan(out.yield_m) ? pendulum_yield_m : out.yield_m;
+    }
+    out.stiffness_npm = strength / out.yield_m + beyond;
+    out.hardening = beyond / out.stiffness_npm;
+    out.damping = isnan(s->isolation_damping) ? 0 : s->isolation_damping; /* the loop has its own */
+    return out;
+}

@@ -1,0 +1,44 @@
+#!/bin/sh
+# Isolators that yield or slide as a user types them: presets, keys, results, studies, and what cannot be.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radius=2.24m --set structures.2.isolator.friction=5%"
+# shellcheck disable=SC2086,SC2154 # words; tmp is program.sh's
+{
+    is "a pendulum" gives 0 run isolated-pendulum --quiet
+    is "says displacement, what is left of it, and energy" shows '^isolators: pendulum, displaced by 266\.3 mm at 8\.117 s, by 8\.853 mm in the end; 3306\.4 kJ lost$'
+    is "and accounts for it" shows 'lost in storeys that yield 3306\.4; unaccounted [0-9.]*e-1[1-9]$'
+    is "lead-rubber bearings" gives 0 run isolated-lead-rubber --quiet --json
+    is "have the loop's numbers" shows '"storey": {.*"yield_m": 0\.01, .*"permanent_m": [-0-9.e]*, .*"hysteretic_j": 35'
+    is "both hold" gives 0 verify isolated-pendulum isolated-lead-rubber
+    cp "$tmp/out" "$tmp/verify"
+    is "by another method too" gives 0 run isolated-pendulum --method dormand-prince --tolerance 1e-11 --quiet
+    is "with the same answer" shows '^isolators: pendulum, displaced by 266\.3 mm at 8\.117 s, by 8\.853 mm in the end; 3306\.4 kJ lost$'
+    sed 's/^    isolation-stiffness: .*/    isolator: {law: pendulum, radius: 2.24 m, friction: 5 %}/; /isolation-damping/d' presets/isolated-moat.yaml >"$tmp/p.yaml"
+    is "keys in one line" gives 0 run "$tmp/p.yaml" --json --quiet
+    sed -n '/^  "structures"/,/"contacts"/p' "$tmp/out" >"$tmp/a"
+    "$THUD" run isolated-pendulum --json --quiet >"$tmp/out"
+    sed -n '/^  "structures"/,/"contacts"/p' "$tmp/out" >"$tmp/b"
+    is "are those of the preset, and 1 mm of elastic give is usual" cmp -s "$tmp/a" "$tmp/b"
+    is "no isolation stiffness is needed" gives 0 run isolated-moat $dish --set structures.2.isolation-stiffness= --quiet
+    is "nor does a linear one disturb" gives 0 run isolated-moat $dish --quiet --json
+    is "its answer says the isolators" shows '"isolator": {"law": "pendulum", "radius": "2.24 m", "friction": "5 %"'
+    is "a radius of 0" gives 3 run isolated-pendulum --set structures.2.isolator.radius=0m
+    is "is refused with the range" says 'structures.2.isolator.radius: .*> 0 m'
+    is "a friction above 1" gives 3 run isolated-pendulum --set structures.2.isolator.friction=101%
+    is "too" says 'structures.2.isolator.friction: .*up to 100 %'
+    is "a pendulum without radius" gives 3 run isolated-moat --set structures.2.isolator.law=pendulum --set structures.2.isolator.friction=5%
+    is "is told what is missing" says 'structures.2.isolator.radius: radius is not given'
+    is "a linear one has none" gives 3 run isolated-moat --set structures.2.isolator.radius=2m
+    is "for the reason" says 'linear isolators have no radius'
+    is "another building has no isolators" gives 3 run towers --set structures.1.isolator.law=pendulum
+    is "and is told which has" says 'A stands on no isolators (kind: isolated)'
+    is "fragility" gives 0 fragility isolated-pendulum --vary record.peak=0.2g,0.897g --cases none --event isolator:20cm -o "$tmp/f" --quiet
+    is "counts displacements past a limit" [ "$(awk -F, '$1 == "isolator:20cm" { printf "%s ", $6 }' "$tmp/f/fragility.csv")" = "0 1 " ]
+    is "a sweep over friction" gives 0 sweep isolated-pendulum --vary structures.2.isolator.friction=3%,8% --cases none --csv --quiet
+    is "runs each" [ "$(grep -c ',isolated,1,' "$tmp/out")" -eq 2 ]
+    is "uncertainty" gives 0 uncertainty isolated-pendulum --samples 4 --quiet
+    is "OpenSees is refused" gives 3 export opensees isolated-pendulum
+    is "with the reason" says 'structures.2.kind: OpenSees has modal damping of whole buildings alone'
+}
