@@ -70,20 +70,21 @@ START_TEST(each_option_is_where_it_makes_sense)
 {
     static const char all[] =
         "run new sweep gap fragility uncertainty figures bench stability verify record suite report "
-        "export stiffness laws methods help",
-                      scene[] = "run sweep gap fragility uncertainty bench stability report export stiffness",
+        "export stiffness laws methods help solve building",
+                      scene[] = "run sweep gap fragility uncertainty bench stability report export stiffness solve",
                       draws[] = "run sweep gap fragility uncertainty bench stability";
     static const struct {
         const char *option, *commands;
     } matrix[] = {
-        {"json", "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve"},
+        {"json",
+         "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve"},
         {"csv", "run sweep gap fragility uncertainty bench stability suite"},
         {"quiet", all},
         {"help", all},
         {"no-figures", draws},
         {"record", scene},
-        {"records", "sweep gap fragility uncertainty figures report"},
-        {"case", "run sweep fragility uncertainty bench stability export stiffness"},
+        {"records", "sweep gap fragility uncertainty figures report solve"},
+        {"case", "run sweep fragility uncertainty bench stability export stiffness solve"},
         {"cases", "run sweep fragility"},
         {"o", "run sweep gap fragility uncertainty figures bench stability record suite report export"},
         {"j", "run sweep gap fragility uncertainty figures"},
