@@ -93,7 +93,7 @@ else
     echo "ok - new asks at a terminal # SKIP $why"
 fi
 is "a run without its figures" gives 0 run towers -o "$tmp/bare" --no-figures --quiet
-is "leaves tables and data" [ "$(cd "$tmp/bare" && echo *)" = "histories.csv impacts.csv made-by.txt result.json" ]
+is "leaves tables and data" [ "$(cd "$tmp/bare" && echo *)" = "datapackage.json histories.csv impacts.csv made-by.txt result.json" ]
 is "cases as CSV" gives 0 run towers --cases none,bumper --csv --quiet
 is "have each case's rows" [ "$(cut -d, -f1 "$tmp/out" | uniq -c | tr -s ' ' | tr '\n' ';')" = " 1 case; 10 no-pounding; 10 none; 10 bumper;" ]
 sed -n 's/^bumper,//p' "$tmp/out" >"$tmp/rows"

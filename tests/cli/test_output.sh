@@ -53,7 +53,8 @@ two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
 "$THUD" stability rigid-bumper --quiet -o "$tmp/stability" >/dev/null 2>&1
 "$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 >"$tmp/spectrum.csv" 2>/dev/null
 "$THUD" record convert kobe-surrogate.csv >"$tmp/record.csv" 2>/dev/null
-csv histories.csv "$tmp/run/histories.csv"
+"$THUD" run towers-linked --to 3s --quiet --no-figures -o "$tmp/linked" >/dev/null 2>&1
+{ columns "$tmp/run/histories.csv" && columns "$tmp/linked/histories.csv"; } | sed -E 's/^link\.[0-9]+\./link.L./' | sort -u >"$tmp/written" && agree histories.csv
 csv impacts.csv "$tmp/run/impacts.csv"
 csv "run --csv" "$tmp/run.csv"
 for name in sweep.csv contacts.csv; do csv $name "$tmp/sweep/$name"; done

@@ -183,7 +183,7 @@ START_TEST(the_ground_motion_has_four_curves)
     int n = 0;
     for (const char *line = strchr(csv, '\n'); line && line[1]; line = strchr(line + 1, '\n')) {
         double period, sa;
-        if (sscanf(line + 1, ",,%lf,%lf", &period, &sa) != 2)
+        if (sscanf(line + 1, ",,%*[a-z],%lf,%lf", &period, &sa) != 2)
             continue;
         struct thud_spectrum_point point[2]; /* from this period on */
         thud_spectrum_fill(f.tui->doc.record, 0.05, period, 2 * period, 2, point);

@@ -198,6 +198,7 @@ void thud_site_verdicts(struct site *site)
 
 struct inputs {
     struct site *site;
+    bool begun;
     char section[64]; /* "structures.1.column": the table that is open */
 };
 
@@ -211,8 +212,13 @@ static void section_name(const struct site *site, const char *section, char *tex
     else if (sscanf(section, "interfaces.%d%n", &i, &used) == 1 && i >= 1 && i < site->scene->nstructures)
         snprintf(text, size, "%.60s and %.60s%s%s", thud_site_name(site, i - 1), thud_site_name(site, i),
                  section[used] ? ": " : "", section[used] ? section + used + 1 : "");
+    else if (sscanf(section, "links.%d", &i) == 1)
+        snprintf(text, size, "link %d", i);
     else
-        snprintf(text, size, "%s", section);
+        snprintf(text, size, "%s",
+                 !*section                        ? "the scene"
+                 : strcmp(section, "record") == 0 ? "the ground motion"
+                                                  : "the analysis");
 }
 
 static void put_input(void *context, const char *section, const char *key, const char *value)
@@ -220,7 +226,8 @@ static void put_input(void *context, const char *section, const char *key, const
     struct inputs *inputs = context;
     struct thud_document *d = &inputs->site->document;
     char name[160], caption[200];
-    if (strcmp(section, inputs->section) != 0) {
+    if (!inputs->begun || strcmp(section, inputs->section) != 0) {
+        inputs->begun = true;
         snprintf(inputs->section, sizeof inputs->section, "%s", section);
         section_name(inputs->site, section, name, sizeof name);
         snprintf(caption, sizeof caption, "Inputs of %s", name);

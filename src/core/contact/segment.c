@@ -449,7 +449,7 @@ static void constraint_forces(const struct thud_state *state, struct thud_segmen
     thud_contact_constraint_forces(state, q2, force);
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
-        if (state->contact[c].mode != THUD_STICKING)
+        if (!thud_row_sticks(state, c))
             continue;
         thud_model_apply_contact_force(m, c, force[c], q2);
         seg->force[k * m->nrows + c] = -force[c] / load_factor(seg, k);
@@ -462,7 +462,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
     const struct slice all = all_of(m);
     bool sticking = false;
     for (int i = 0; i < seg->rows; i++)
-        sticking |= state->contact[seg->row[i]].mode == THUD_STICKING;
+        sticking |= thud_row_sticks(state, seg->row[i]);
     if (thud_state_is_free(state)) {
         series_of(m, seg, &all, state->q, state->qd);
     } else {

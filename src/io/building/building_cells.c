@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
 #include "io/file/file.h"
 
@@ -33,9 +33,9 @@ double building_unit_time(const char *unit)
 {
     static const char *const seconds[] = {"s", "sec", "secs", "second", "seconds"};
     for (size_t i = 0; i < sizeof seconds / sizeof *seconds; i++)
-        if (strcasecmp(unit, seconds[i]) == 0)
+        if (thud_ascii_same(unit, seconds[i]))
             return 1;
-    return strcasecmp(unit, "ms") == 0 || strcasecmp(unit, "msec") == 0 ? 1e-3 : 0;
+    return thud_ascii_same(unit, "ms") || thud_ascii_same(unit, "msec") ? 1e-3 : 0;
 }
 
 void building_cells_clear(struct building_cells *cells)

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
+#include "base/ascii.h"
 #include "core/model/lateral.h"
 #include "io/building/building_cells.h"
 #include "io/file/paths.h"
@@ -21,7 +21,7 @@ void thud_building_table_clear(struct thud_building_table *table)
 
 static bool begins(const char *text, const char *word)
 {
-    return strncasecmp(text, word, strlen(word)) == 0;
+    return thud_ascii_begins(text, strlen(text), word);
 }
 
 static bool is_period(const char *name)

@@ -242,11 +242,13 @@ enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
     char *value = malloc(THUD_VALUE_MAX);
     if (!value)
         return THUD_MEMORY;
+    each_key(scene, (struct thud_section){THUD_GROUP_SCENE, 0}, value, context, each);
     each_key(scene, (struct thud_section){THUD_GROUP_RECORD, 0}, value, context, each);
     for (int s = 0; s < scene->nstructures; s++) {
         each_key(scene, (struct thud_section){THUD_GROUP_STRUCTURE, s}, value, context, each);
-        if (thud_structure_has_columns(&scene->structure[s]))
-            each_key(scene, (struct thud_section){THUD_GROUP_COLUMN, s}, value, context, each);
+        for (int i = 0; i < THUD_NESTED_GROUPS; i++)
+            if (thud_structure_has_group(&scene->structure[s], thud_nested_group(i)))
+                each_key(scene, (struct thud_section){thud_nested_group(i), s}, value, context, each);
     }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         each_key(scene, (struct thud_section){THUD_GROUP_INTERFACE, i}, value, context, each);
@@ -254,6 +256,8 @@ enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
         if (scene->interface[i].has_bumper)
             each_key(scene, (struct thud_section){THUD_GROUP_BUMPER, i}, value, context, each);
     }
+    for (int i = 0; i < scene->nlinks; i++)
+        each_key(scene, (struct thud_section){THUD_GROUP_LINK, i}, value, context, each);
     each_key(scene, (struct thud_section){THUD_GROUP_ANALYSIS, 0}, value, context, each);
     free(value);
     return THUD_OK;
