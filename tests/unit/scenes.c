@@ -307,6 +307,8 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
     for (bool done = false; ok && !done;)
         ok = thud_baseline_advance(baseline, 1000, &done, NULL) == THUD_OK;
     for (int c = 0; ok && c < model->ncontacts; c++) {
+        if (model->contact[c].interface < 1 || model->contact[c].interface >= one->scene.nstructures) /* a link's */
+            continue;
         double *most = &closing[model->contact[c].interface - 1];
         *most = fmax(*most, thud_baseline_relative_displacement(baseline, c));
     }

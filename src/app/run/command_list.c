@@ -14,7 +14,9 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_SOLVE] = {"solve", "PRESET", "which value makes something hold", THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_FRAGILITY] = {"fragility", "PRESET", "how likely, against intensity and against gap",
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
-    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "how sure a result is: inputs by name and size",
+    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET",
+                                  "how sure a result is: inputs "
+                                  "by name and size",
                                   THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
                               THUD_WORD_FIGURE, THUD_WORD_NONE},
@@ -27,8 +29,10 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                              THUD_WORD_RECORD_VERB, THUD_WORD_FILE},
     [THUD_COMMAND_SUITE] = {"suite", "FOLDER", "motions selected, scaled to a design spectrum", THUD_WORD_FILE,
                             THUD_WORD_NONE},
-    [THUD_COMMAND_REPORT] = {"report", "PRESET", "a document about your buildings: HTML, Markdown", THUD_WORD_PRESET,
-                             THUD_WORD_NONE},
+    [THUD_COMMAND_REPORT] = {"report", "PRESET",
+                             "a document about your buildings: "
+                             "HTML, Markdown",
+                             THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_EXPORT] = {"export", "PROGRAM PRESET", "the scene as a script: opensees", THUD_WORD_PROGRAM,
                              THUD_WORD_PRESET},
     [THUD_COMMAND_STIFFNESS] = {"stiffness", "PRESET", "of a contact: from its slabs, and what it changes",

@@ -192,12 +192,15 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"flexibility-matrix", "flexibility", MATRIX, 5, 1, 13},
         {"unit", "unit", MATRIX, 6, 1, 9},
         {"order", "order", MATRIX, 6, 20, 28},
+        {"mass", "mass", RIGID, 1, 1, 18},
         {"periods", "modes file", MODES, 4, 1, 13},
         {"unit", "unit", MODES, 5, 1, 9},
         {"order", "order", MODES, 5, 20, 28},
         {"base-mass", "base mass", ISOLATED, 3, 1, 18},
         {"isolator.law", "isolators", ISOLATED, 4, 1, 18},
         {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
+        {"height", "height", RIGID | WALL, 2, 1, 18},
+        {"velocity", "velocity at 0", RIGID, 3, 1, 18},
         {"isolation-stiffness", "isolator k", LINEAR, 6, 1, 18},
         {"isolator.strength", "strength", LEAD_RUBBER, 6, 1, 18},
         {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, 1, 18},
@@ -205,9 +208,6 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"isolator.radius", "radius", PENDULUM, 6, 1, 18},
         {"isolator.friction", "friction", PENDULUM, 7, 1, 18},
         {"isolator.yield", "elastic give", PENDULUM, 8, 1, 18},
-        {"mass", "mass", RIGID, 1, 1, 18},
-        {"height", "height", RIGID | WALL, 2, 1, 18},
-        {"velocity", "velocity at 0", RIGID, 3, 1, 18},
     };
     int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
