@@ -291,7 +291,7 @@ static void draw_interface(struct thud_interface *at, double mass, double size_m
 static bool look_without_contact(struct scenes_one *one, double *closing)
 {
     struct thud_model *model;
-    struct thud_baseline_motion *baseline;
+    struct thud_baseline_motion *baseline = NULL;
     struct thud_run_options options;
     bool ok = thud_scene_assemble(&one->scene, &model, NULL) == THUD_OK;
     if (!ok)
@@ -317,8 +317,7 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
     for (int s = 0; ok && s < model->nstructures; s++)
         for (int i = 0; i < model->structure[s].n; i++)
             one->peak_m = fmax(one->peak_m, thud_baseline_result(baseline)->structure[s].floor[i].displacement.value);
-    if (ok)
-        thud_baseline_free(baseline);
+    thud_baseline_free(baseline);
     thud_model_free(model);
     return ok;
 }
