@@ -100,7 +100,7 @@ struct thud_contact_law {
     void (*force)(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out);
     /* Energy that it would give back from indentation d if nothing were lost on the way, J. */
     double (*energy)(void *context, double mass_kg, const double *memory, double d_m);
-    /* Contact begins with closing velocity v; may be NULL. */
+    /* Contact begins with approach velocity v; may be NULL. */
     void (*onset)(void *context, double mass_kg, double v_mps, double *memory);
     /* Where approach and restitution differ: the velocity reverses at indentation d. NULL: they are the same. */
     void (*reversal)(void *context, double mass_kg, int restitution, double d_m, double *memory);

@@ -1,4 +1,4 @@
-/* What may be done to a ground motion on request; nothing of it ever happens by itself. */
+/* What may be done to a ground motion on request; nothing of it ever happens unasked. */
 #ifndef THUD_CORE_RECORD_EDIT_H
 #define THUD_CORE_RECORD_EDIT_H
 

@@ -73,7 +73,7 @@ static enum thud_status fill_plan(struct sweep *s, struct thud_error *err)
     s->plan.record = (const struct thud_record *const *)s->records.record;
     s->plan.nrecords = s->records.n;
     enum thud_status status = THUD_OK;
-    bool suite = !s->fragility && (s->records.n > 1 || thud_args_has(s->args, "records")); /* is a study by itself */
+    bool suite = !s->fragility && (s->records.n > 1 || thud_args_has(s->args, "records")); /* is a study on its own */
     if (own_axes && s->session.scene.study.nvary == 0 && !suite) {
         thud_error_set(err, THUD_USAGE, "the preset has no study of its own");
         thud_error_allow(err, s->fragility ? "--vary KEY=FROM:TO:STEP, e.g. --vary record.sa=0.1g:2g:0.1g"

@@ -22,7 +22,7 @@ static enum thud_status refuse(const char *option, const char *text, const char 
     return blame(option, err);
 }
 
-/* A quantity with its unit; *out stays as it is when the option was not given. */
+/* A quantity with its unit; *out stays unchanged when the option was not given. */
 static enum thud_status quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
                                  double *out, struct thud_error *err)
 {

@@ -6,7 +6,7 @@
 /* x'' + 2 damping omega x' + omega^2 x = -a(t). Coefficients for one step, damping in [0, 1). */
 struct thud_oscillator {
     double omega_radps, damping, dt_s;
-    double xx, xv, vx, vv;     /* free flight of displacement and velocity */
+    double xx, xv, vx, vv;     /* contact-free response of displacement and velocity */
     double xa0, xa1, va0, va1; /* from the acceleration at the step's start and end */
 };
 

@@ -14,7 +14,7 @@ struct thud_view;
 struct thud_tui_options {
     const char *preset;             /* name or path; NULL: the first one shipped, `towers` */
     bool fresh;                     /* nobody named a preset: the form of a new scene stands over it */
-    const struct thud_scene *scene; /* what options made of the preset, as a change not saved; NULL: as it is written */
+    const struct thud_scene *scene; /* what options made of the preset, as a change not saved; NULL: as written */
     const struct thud_paths *paths; /* where presets and records are found; NULL: looked for */
     const char *output;             /* folder for pictures and tables; NULL: the working folder */
     const char *play;               /* a session to be played; NULL: none */

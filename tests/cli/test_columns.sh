@@ -129,7 +129,7 @@ is "and it is said" says 'elevation: 5 cm, up to 10 m'
 
 # sentences name the slab and the columns
 is "the cases of a run" gives 0 run $scene --cases none,bumper
-is "say what struck what hardest" shows '^Without bumper they touch .* MN, floor 4 of A and the columns below floor 5 of B, '
+is "say what struck what hardest" shows '^Without bumper they collide .* MN, floor 4 of A and the columns below floor 5 of B, '
 is "and what needs the gap" shows ' (here 10 cm): floor 4 of A and the columns below floor 5 of B need it\.$'
 "$THUD" run $scene --case none --json --quiet >"$tmp/run.json" 2>/dev/null
 # shellcheck disable=SC2016 # a program of awk
@@ -137,7 +137,7 @@ is "as the result does" awk -F'[:,]' '/"struck_columns"/ { for (i = 1; i < NF; i
     END { exit !(at ~ /"left_floor": 4, "right_floor": 5, .*"struck_columns": "right"/) }' "$tmp/run.json"
 sed 's/^    height: 3.6 m/    height: 3 m/; s/^    height: 3 m$/&/' presets/$scene.yaml >"$tmp/even.yaml"
 is "where floors meet they say so as before" gives 0 run "$tmp/even.yaml" --cases none
-is "by the floor" shows '^Without bumper they touch .* MN, A and B at floor 4, '
+is "by the floor" shows '^Without bumper they collide .* MN, A and B at floor 4, '
 is "a report" gives 0 report $scene --to 9s --samples 5 -o "$tmp/r" --quiet
 is "says it of the force" grep -q 'The largest force is .* between floor 4 of A and the columns below floor 5 of B' "$tmp/r/report.md"
 is "of the gap" grep -q '(floor 4 of A and the columns below floor 5 of B decide' "$tmp/r/report.md"

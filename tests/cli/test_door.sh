@@ -21,7 +21,7 @@ mkdir "$tmp/include" && cp include/thud.h "$tmp/include"
 echo '#include <thud.h>' >"$tmp/first.c"
 for std in c99 c17; do
     $CC -std=$std -Wall -Wextra -Wpedantic -Werror -I"$tmp/include" -fsyntax-only "$tmp/first.c" >"$tmp/out" 2>&1
-    ok "thud.h is whole by itself in $std" $?
+    ok "thud.h is whole alone in $std" $?
 done
 if command -v c++ >/dev/null 2>&1; then
     printf '#include <thud.h>\nint main() { struct thud *scene; return thud_open("", &scene, 0) + thud_version()[0]; }\n' >"$tmp/first.cc"

@@ -91,7 +91,7 @@ else
     is "the scripts are Python" [ $? -eq 0 ]
     if ! python3 -c 'import openseespy.opensees' >/dev/null 2>&1; then
         echo "ok - OpenSeesPy gives the same peaks # SKIP no openseespy"
-    else # first order in the step, for the force starts with a jump: 0.2 % at the step it takes by itself
+    else # first order in the step, for the force starts with a jump: 0.2 % at its default step
         python3 "$tmp/rigid.py" >"$tmp/out" 2>"$tmp/err"
         # shellcheck disable=SC2016 # a program of awk
         is "OpenSeesPy gives the same peaks" awk '/^largest difference/ { found = 1; if ($3 > 5e-3) exit 1 } END { exit !found }' "$tmp/out"

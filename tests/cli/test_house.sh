@@ -121,14 +121,14 @@ else
     echo "ok - keywords are compared without the locale"
 fi
 
-# the core library links by itself: no part of it leans on the layers to its right
+# the core library links alone: no part of it leans on the layers to its right
 if nm "$BUILD/libthud-core.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
-    echo "ok - the core library links by itself # SKIP built with instruments"
+    echo "ok - the core library links alone # SKIP built with instruments"
 elif echo 'int main(void) { return 0; }' >"$tmp/main.c" &&
     $CC -o "$tmp/main" "$tmp/main.c" -Wl,--whole-archive "$BUILD/libthud-core.a" -Wl,--no-whole-archive -llapacke -lm >"$tmp/out" 2>&1; then
-    echo "ok - the core library links by itself"
+    echo "ok - the core library links alone"
 else
-    echo "not ok - the core library links by itself"
+    echo "not ok - the core library links alone"
     sed 's/^/# /' "$tmp/out"
 fi
 

@@ -63,7 +63,7 @@ is "a list with a file of another folder" gives 0 gap rigid-concrete --quiet --r
 is "does not remove it" [ "$(cat "$tmp/precious")" = precious ]
 echo "my notes" >"$tmp/g/made-by.txt"
 is "a file of that name that is none" gives 3 gap rigid-concrete --quiet --record kobe-surrogate.csv -o "$tmp/g"
-is "stays as it is" [ "$(cat "$tmp/g/made-by.txt")" = "my notes" ]
+is "stays unchanged" [ "$(cat "$tmp/g/made-by.txt")" = "my notes" ]
 
 # a study that was stopped
 (ulimit -f 8 && exec "$THUD" sweep towers --vary gap=5cm:25cm:0.5cm --quiet -o "$tmp/half") >"$tmp/out" 2>"$tmp/err"

@@ -60,7 +60,7 @@ csv "run --csv" "$tmp/run.csv"
 for name in sweep.csv contacts.csv; do csv $name "$tmp/sweep/$name"; done
 columns "$tmp/sweep/best.csv" | sed -E 's/^gap_m$/KEY/; s/^(best|flat_from|flat_to)_m$/\1UNIT/' | sort -u >"$tmp/written" && agree best.csv
 csv bench.csv "$tmp/bench/bench.csv"
-for name in verdicts.csv energies.csv restitutions.csv exhibits.csv; do csv $name "$tmp/stability/$name"; done
+for name in verdicts.csv energies.csv restitutions.csv test-cases.csv; do csv $name "$tmp/stability/$name"; done
 csv "record spectrum" "$tmp/spectrum.csv"
 csv "record convert" "$tmp/record.csv"
 "$THUD" run towers --method central-difference --step 0.05s --set structures.1.stiffness=6000MN/m --json >"$tmp/diverged.json" 2>/dev/null
@@ -136,7 +136,7 @@ described() { # FOLDER: the columns of every table, in their order; but of names
     done
 }
 for folder in run sweep suite gap fragility uncertainty; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
-is "with type, unit and meaning" grep -q '{"name": "closing_m", "type": "number", "unit": "m", "description": "Gap that is needed' "$tmp/gap/datapackage.json"
+is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Gap that is needed' "$tmp/gap/datapackage.json"
 is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"
 sum=$(sha256sum <records/kobe-surrogate.csv | cut -d ' ' -f 1)
 is "a ground motion is told by the SHA-256 of its file" grep -q "\"file\": \"[^\"]*kobe-surrogate.csv\".* \"sha256\": \"$sum\"" "$tmp/gap/needed-gaps.json"

@@ -27,7 +27,7 @@ is "rubber: restitution" near "$(number separation_mps)" 0.254765 1e-4
 gives 0 run rigid-bumper --json --set structures.1.velocity=1m/s --set bumper.damping=exact --set bumper.unloading=continuous
 is "rubber, exact and continuous: restitution 0.5" near "$(number separation_mps)" 0.5 1e-6
 gives 0 run rigid-bumper --json --case none
-is "case none: the gap is open, so nothing touches for 0.1 s" near "$(number approach_mps)" 0.5 1e-6
+is "case none: the gap is open, so there is no contact for 0.1 s" near "$(number approach_mps)" 0.5 1e-6
 gives 0 run rigid-bumper --json --set "gap=100 cm"
 is "a gap too wide for the time is no contact" [ "$(number impacts)" = 0 ]
 
@@ -142,7 +142,7 @@ is "of several how many" grep -q '(1 of 2 motions synthetic)' "$tmp/titles/neede
 # the events: a free body on concrete touches at once, with F = c v, turns where its deepest point is, and is let go at F = 0
 column() { awk -F, -v event="$1" -v column="$2" '$7 == event { print $column; exit }' "$tmp/out"; }
 is "events" gives 0 run rigid-concrete --events --csv
-is "events: force at first touch" near "$(column onset 10)" 3210e3 1e-3
+is "events: force at contact onset" near "$(column onset 10)" 3210e3 1e-3
 is "events: release" near "$(column release 1)" 22.850e-3 1e-4
 is "events: it leaves with no force" near "$(column release 10)" 0 1
 is "events: and is open" [ "$(column release 11)" = open ]
@@ -244,7 +244,7 @@ is "and is in JSON as it was taken" gives 0 run towers --method newmark --step 7
 is "in seconds" shows '"step_s": 0.005,'
 is "no modes at all is refused" gives 2 run towers --modes 0
 gives 0 run towers --set gap=40cm
-is "auto says where nothing touched" shows "^method .*(nothing touched: modes alone, in closed form)"
+is "auto says where there was no contact" shows "^method .*(no contact: modes alone, in closed form)"
 is "and took no step" shows " 0 steps, 0 force evaluations, 0 events"
 gives 0 run towers --case none
 is "auto says where contacts are linear" shows "^method .*(closed form between contacts and in them"
@@ -404,12 +404,12 @@ is "and the bumper" near "$(row 4)" "$(a4 --case bumper)" 1e-3
 is "and the cavity" near "$(row 5)" "$(a4 --case cavity)" 1e-3
 is "no pounding is a gap that nothing closes" near "$(row 2)" "$(a4 --case none --set gap=90cm)" 1e-3
 is "the ratio is that of the two" near "$(row 6)" "$(awk -v a="$(row 4)" -v b="$(row 3)" 'BEGIN { print a / b }')" 2e-3
-need=$(sed -n 's/^A and B do not touch from a gap of \([0-9.]*\) cm on.*/\1/p' "$tmp/cases")
+need=$(sed -n 's/^A and B do not collide from a gap of \([0-9.]*\) cm on.*/\1/p' "$tmp/cases")
 gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEGIN { print g + 0.01 }') cm"
-is "from the gap that is named on nothing touches" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" = 0 ]
+is "from the gap that is named on there is no contact" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" = 0 ]
 gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEGIN { print g - 0.01 }') cm"
 is "and just below it something does" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" -gt 0 ]
-is "how often they touch is said" grep -q "^Without bumper they touch [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
+is "how often they collide is said" grep -q "^Without bumper they collide [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
 is "and what the bumper does to floors" grep -q "^It lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
 gives 0 run towers --cases none,bumper -o "$tmp/cases.d" --quiet
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
@@ -455,7 +455,7 @@ gives 0 run towers
 is "nothing of the kind where a run is short" [ "$(grep -c "a run takes about" "$tmp/err")" = 0 ]
 "$THUD" run towers >"$tmp/out" 2>"$tmp/err"
 told=$(sed -n 's/^summary .* needs \([0-9.]*\) cm.*/\1/p' "$tmp/out")
-widest=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "closing_m") c = i } NR > 1 && $c > m { m = $c } END { print 100 * m }')
+widest=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i } NR > 1 && $c > m { m = $c } END { print 100 * m }')
 is "the result: how hard they pound" shows '^summary  *POUNDS at 10 cm: 40 impacts, 39.6 MN   needs '
 is "and the gap that thud gap says is enough" [ "$(awk -v a="$told" -v b="$widest" 'BEGIN { print (a >= b && a < b + 0.1) }')" = 1 ]
 

@@ -121,7 +121,7 @@ status 5 spread -j 1 -o "$tmp/spread"
 check "a spread gives each measure two more columns" sh -c "head -1 '$tmp/spread/sweep.csv' | grep -q ',acceleration_low_mps2,acceleration_high_mps2,.*,drift_ratio_low,drift_ratio_high,'"
 check "and the contacts theirs" sh -c "head -1 '$tmp/spread/contacts.csv' | grep -q 'force_low_n,force_high_n,indentation_low_m,indentation_high_m'"
 plain --csv --quiet >"$tmp/plain.csv" 2>"$tmp/err"
-check "the other columns stay as they are" sh -c "cut -d, -f1-14 '$tmp/spread/sweep.csv' | cmp - '$tmp/plain.csv'"
+check "the other columns stay unchanged" sh -c "cut -d, -f1-14 '$tmp/spread/sweep.csv' | cmp - '$tmp/plain.csv'"
 # shellcheck disable=SC2016 # awk's own fields
 check "every value is within its spread" awk -F, 'NR > 1 { for (i = 0; i < 9; i++) if (!($(15 + 2 * i) <= $(6 + i) && $(6 + i) <= $(16 + 2 * i))) exit 1 }' "$tmp/spread/sweep.csv"
 sed 's/^study:/&\n  sensitivity: 0.2 %/' presets/towers.yaml >"$tmp/asks.yaml"
@@ -194,7 +194,7 @@ for edit in '1s/^\(thud-sweep-journal [0-9]*\) [^ ]*/\1 0.0.1/' '1s/journal [0-9
     cp "$tmp/version/sweep.journal" "$tmp/before"
     status 3 study --shard 1/3 -o "$tmp/version"
     check "another version's study is not gone on with" says "version/sweep.journal:1: the study was begun by .*another folder"
-    check "and stays as it is" cmp "$tmp/before" "$tmp/version/sweep.journal"
+    check "and stays unchanged" cmp "$tmp/before" "$tmp/version/sweep.journal"
 done
 
 # wrong words
@@ -318,10 +318,10 @@ status 0 "$THUD" sweep towers --vary gap=8cm --cases none --record "$tmp/two
 lines.csv" --json
 check "a record's name of two lines stands in every row" test "$(grep -c 'two.u000alines.csv", "case": "none", "gap_m": 0.08, .*"displacement_free_ratio": [0-9.]*}' "$tmp/out")" -eq 12
 
-# a best value that says what it is worth: the end of its range, a bumper that touches nothing; names in full
+# a best value that says what it is worth: the end of its range, a bumper that is struck by nothing; names in full
 status 0 "$THUD" sweep towers --vary gap=10cm,30cm --vary bumper.thickness=3cm:5cm:1cm --cases bumper --best bumper.thickness
 check "a best value at the end of its range is said to be there" grep -q "10 cm  *[35] cm .*at the end of its range$" "$tmp/out"
-check "none where nothing touches" grep -q "30 cm  *-  *1[.]000  *1[.]000  *- .*touches nothing, or hardly$" "$tmp/out"
+check "none where there is no contact" grep -q "30 cm  *-  *1[.]000  *1[.]000  *- .*is struck by nothing, or hardly$" "$tmp/out"
 check "thickness without its stiffness is remarked on" grep -q "bumper.thickness: the stiffness is 0.36 kN/mm^2.65 at every thickness" "$tmp/err"
 cp records/kobe-surrogate.csv "$tmp/a-name-of-more-than-twenty-letters.csv"
 status 0 "$THUD" sweep towers --vary gap=10cm --vary bumper.thickness=4cm,5cm --cases bumper --best bumper.thickness --record "$tmp/a-name-of-more-than-twenty-letters.csv"

@@ -101,7 +101,7 @@ static struct outcome collide(const struct equation *q, double m1, double m2, do
     for (long steps = 0; steps < 4000000; steps++) {
         out.force = fmax(out.force, force(q, y[X1] - y[X2], y[V1] - y[V2], approach, past));
         out.indentation = fmax(out.indentation, y[X1] - y[X2]);
-        /* small steps first: a power of d below 1 has no slope at first touch */
+        /* small steps first: a power of d below 1 has no slope at contact onset */
         double step = steps < 200 ? h * pow((double)(steps + 1) / 200, 4) : h;
         rk4(q, &b, y, approach, past, step, next);
         int hit = -1;

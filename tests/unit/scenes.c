@@ -265,15 +265,17 @@ static const char *draw_bare_law(void)
     }
 }
 
-/* `closing_m`: the largest without contact. */
-static void draw_interface(struct thud_interface *at, double mass, double size_m, double closing_m, const char *law)
+/* `relative_displacement_m`: the largest without contact. */
+static void draw_interface(struct thud_interface *at, double mass, double size_m, double relative_displacement_m,
+                           const char *law)
 {
     double levels = at->levels;
     memset(at, 0, sizeof *at);
     thud_interface_init(at);
     at->levels = levels;
-    double clearance = closing_m * ONE_OF(0, 1e-6, 0.5, 0.9, 0.999, 1, 1.001, 3, between(0, 1), between(0, 1),
-                                          between_log(1e-3, 1), between_log(0.1, 1), between_log(0.1, 1));
+    double clearance =
+        relative_displacement_m * ONE_OF(0, 1e-6, 0.5, 0.9, 0.999, 1, 1.001, 3, between(0, 1), between(0, 1),
+                                         between_log(1e-3, 1), between_log(0.1, 1), between_log(0.1, 1));
     draw_law(&at->contact, law, mass, size_m);
     at->has_bumper = chance(0.35);
     at->gap_m = fmin(clearance, 4);
@@ -287,7 +289,7 @@ static void draw_interface(struct thud_interface *at, double mass, double size_m
     at->gap_m += at->bumper_thickness_m - at->bumper_cavity_m;
 }
 
-/* The motion without contact: its largest displacement, and the largest closing of each interface. */
+/* The motion without contact: its largest displacement, and the largest relative displacement of each interface. */
 static bool look_without_contact(struct scenes_one *one, double *closing)
 {
     struct thud_model *model;

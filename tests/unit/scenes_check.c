@@ -7,7 +7,7 @@
 
 #include "scenes.h"
 
-/* Numbers below this share of the largest of their kind are not looked at by themselves; the second where a tolerance,
+/* Numbers below this share of the largest of their kind are not looked at alone; the second where a tolerance,
  * which is one of the largest force, plays its part. */
 static const double least = 1e-4, least_forced = 1e-2;
 /* The lengths below which the program takes neighbours not to touch, with a margin: what they do to a result is what

@@ -11,8 +11,8 @@ enum { FLOORS_A = 2, FLOORS_B = 3, CONTACTS = 2, SAMPLES = 1500, FINER = 20 };
 
 static struct thud_record *record;
 
-/* A motion of 30 s with several bursts, so that the largest closings come late; so many samples for each of the plain
- * one. */
+/* A motion of 30 s with several bursts, so that the largest relative displacements come late; so many samples for
+ * each of the plain one. */
 static void make_record(int times)
 {
     static double a[SAMPLES * FINER];
@@ -157,7 +157,8 @@ START_TEST(modes_that_couple_share_as_well)
 }
 END_TEST
 
-/* The largest closing against a contact-free history whose rows lie so densely that no peak is lost between them. */
+/* The largest relative displacement against a contact-free history whose rows lie so densely that no peak is lost
+ * between them. */
 static void against_history(bool isolated)
 {
     struct thud_model *model = make_model(10, isolated);
@@ -192,7 +193,7 @@ START_TEST(largest_closings_are_those_of_the_history)
 }
 END_TEST
 
-/* A clearance just above the largest closing is never used up; one just below it is. */
+/* A clearance just above the largest relative displacement is never used up; one just below it is. */
 START_TEST(the_needed_gap_is_exact)
 {
     struct thud_model *model = make_model(1, false);

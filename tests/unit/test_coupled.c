@@ -198,10 +198,10 @@ static struct march way(const struct thud_model *model, const struct thud_record
     return m;
 }
 
-static void compare_ways(const struct thud_model *model, const struct thud_record *record, bool touches)
+static void compare_ways(const struct thud_model *model, const struct thud_record *record, bool in_contact)
 {
     struct march a = way(model, record, true), b = way(model, record, false);
-    ck_assert_int_gt(a.result->work.samples_fast, touches ? 100 : 400);
+    ck_assert_int_gt(a.result->work.samples_fast, in_contact ? 100 : 400);
     ck_assert_int_eq(b.result->work.samples_fast, 0);
     ck_assert_double_lt(march_peaks_apart(a.result, b.result, 0.01), 1e-10);
     ck_assert_double_lt(march_distance(&a, &b), 1e-10);
@@ -214,7 +214,7 @@ static void compare_ways(const struct thud_model *model, const struct thud_recor
         ck_assert_int_eq(i->impacts, j->impacts);
         ck_assert_double_eq_tol(i->impulse_ns, j->impulse_ns, 1e-10 * j->impulse_ns + 1e-9);
     }
-    ck_assert_int_eq(touches, a.result->work.force_evaluations > 0);
+    ck_assert_int_eq(in_contact, a.result->work.force_evaluations > 0);
     for (int s = 0; s < a.result->nstructures; s++)
         for (int i = 0; i < a.result->structure[s].floors; i++) {
             const struct thud_floor_result *p = &a.result->structure[s].floor[i], *q = &b.result->structure[s].floor[i];
@@ -230,12 +230,12 @@ static void compare_ways(const struct thud_model *model, const struct thud_recor
 START_TEST(propagator_against_series)
 {
     const int storeys[] = {4, 2, 7};
-    const bool touches = _i % 2;
+    const bool in_contact = _i % 2;
     struct march_law law = march_law("kelvin-voigt-no-tension", "stiffness", 2.5e9, "restitution", 0.6, NULL);
     struct thud_record *record = march_motion(1), *coarse;
-    struct thud_model *model = march_row(3, storeys, true, touches ? 0.005 : 2, &law);
+    struct thud_model *model = march_row(3, storeys, true, in_contact ? 0.005 : 2, &law);
     ck_assert_int_eq(thud_record_create(record->a_mps2, record->samples, _i < 2 ? 0.02 : 0.04, &coarse, NULL), THUD_OK);
-    compare_ways(model, coarse, touches);
+    compare_ways(model, coarse, in_contact);
     thud_model_free(model);
     thud_record_free(coarse);
     thud_record_free(record);

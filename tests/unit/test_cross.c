@@ -154,7 +154,7 @@ START_TEST(series_end_by_each_structure)
 }
 END_TEST
 
-/* Scenes that once had no result, or none in any time: an indentation of rounding's size at first touch held against
+/* Scenes that once had no result, or none in any time: an indentation of rounding's size at contact onset held against
  * one of 0 (38); steps made tiny by the next kink, or by a touch, that never grew again (119, 196, 226); a row
  * of bounces come to rest with a speed left over, which a force had to undo at once (1094, 2110, 2668); equal
  * neighbours that rounding now held and now let go (1526, 20010); a contact without a force, struck by another one

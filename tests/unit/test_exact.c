@@ -144,8 +144,8 @@ START_TEST(scaling_of_laws_of_degree_one)
 }
 END_TEST
 
-/* Whichever contact of several is the one that closes, free flight ends there. */
-START_TEST(each_contact_alone_ends_free_flight)
+/* Whichever contact of several is the one that closes, contact-free response ends there. */
+START_TEST(each_contact_alone_ends_contact_free)
 {
     struct thud_record *record = march_motion(1);
     struct march_law law = concrete();
@@ -422,7 +422,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, energy_adds_up_to_the_tolerance);
     tcase_add_test(tcase, mirror_image);
     tcase_add_test(tcase, scaling_of_laws_of_degree_one);
-    tcase_add_test(tcase, each_contact_alone_ends_free_flight);
+    tcase_add_test(tcase, each_contact_alone_ends_contact_free);
     tcase_add_test(tcase, identical_neighbours_never_touch);
     tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
     tcase_add_test(tcase, grazing);

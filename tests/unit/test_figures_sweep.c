@@ -36,7 +36,7 @@ static struct thud_sweep_summary *make_point(int record, int a, int b)
     d->at[0] = a;
     d->at[1] = b;
     d->gap_m = 0.05 * (a + 1);
-    d->touches = true;
+    d->has_contact = true;
     for (int c = 0; c < CASES; c++) {
         d->run[c] = (struct thud_sweep_run){.which = (enum thud_case)c,
                                             .impacts = 2 * a + 1,
@@ -285,7 +285,7 @@ START_TEST(means_of_two_cases_share_their_axes)
 }
 END_TEST
 
-/* A ratio of exactly 1 where nothing touches is a plain without a line around it. */
+/* A ratio of exactly 1 where there is no contact is a plain without a line around it. */
 START_TEST(no_line_runs_along_a_plain)
 {
     const double at[] = {0, 1, 2, 3}, z[] = {0.9, 1, 1, 1, 0.9, 1, 1, 1, 1.1, 1, 1, 1, 1.1, 1.2, 1, 1};

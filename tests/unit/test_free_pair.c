@@ -67,7 +67,7 @@ START_TEST(rubber_by_closed_form)
         for (int variant = 0; variant < 8; variant++) {
             struct thud_two_body pair;
             thud_two_body_rubber(&pair);
-            pair.closing_mps = speeds[i];
+            pair.approach_mps = speeds[i];
             pair.duration_s = 8;
             thud_two_body_set(&pair, "damping", variant & 1);
             thud_two_body_set(&pair, "unloading", variant >> 1 & 1);
@@ -107,7 +107,7 @@ START_TEST(table_1)
             thud_two_body_rubber(&pair);
         else
             thud_two_body_concrete(&pair);
-        pair.closing_mps = row[i].speed;
+        pair.approach_mps = row[i].speed;
         thud_two_body_set(&pair, "damping", row[i].damping);
         if (row[i].rubber)
             thud_two_body_set(&pair, "unloading", row[i].unloading);

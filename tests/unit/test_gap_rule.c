@@ -21,7 +21,7 @@ static struct thud_gap_level level_of(double left_m, double right_m, double heig
                                    .aligned = aligned,
                                    .left_m = left_m,
                                    .right_m = right_m,
-                                   .closing_m = left_m,
+                                   .relative_displacement_m = left_m,
                                    .height_m = height_m,
                                    .lower_m = height_m};
     thud_gap_code_init(&level.code);
@@ -174,7 +174,7 @@ START_TEST(means_of_seven_and_largest_of_fewer)
 }
 END_TEST
 
-/* A run of its own at the gap of every rule; at the needed gap nothing touches. */
+/* A run of its own at the gap of every rule; at the needed gap there is no contact. */
 START_TEST(what_happens_at_the_gap)
 {
     struct thud_needed_gap *gap;

@@ -592,7 +592,7 @@ START_TEST(scales_can_be_read)
     ck_assert_ptr_nonnull(strstr(script.data, "set palette maxcolors 3\n"));
     ck_assert_ptr_nonnull(strstr(script.data, "('low' 0, \"it's\" 1, 'high' 2)"));
     ck_assert_ptr_nonnull(strstr(script.data, "set yrange [9.999999:10000.001]"));
-    ck_assert_ptr_nonnull(strstr(script.data, "autofreq 50\n")); /* by itself every 20 */
+    ck_assert_ptr_nonnull(strstr(script.data, "autofreq 50\n")); /* by default every 20 */
     thud_text_clear(&script);
     options.width_px = 5400;
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "x.png", &script, NULL), THUD_OK);

@@ -155,7 +155,7 @@ START_TEST(columns_give_the_result)
     const struct thud_history *h = thud_run_history(run);
     const struct thud_result *r = thud_run_result(run);
     double impulse[2] = {0}, force[2] = {0}, most[4][5] = {{0}}, ground_jump = 0;
-    int touches = 0, wide = 0;
+    int in_contact = 0, wide = 0;
     for (size_t i = 0; i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns, *last = i ? row - h->columns : row;
         double dt = i ? h->time_s[i] - h->time_s[i - 1] : 0;
@@ -164,7 +164,7 @@ START_TEST(columns_give_the_result)
             impulse[c] += 0.5 * dt * (row[k] + last[k]);
             force[c] = fmax(force[c], row[k]);
             int depth = thud_history_indentation(h, c);
-            touches += last[k] <= 0 && row[k] > 0;
+            in_contact += last[k] <= 0 && row[k] > 0;
             wide += last[depth] < -1e-9 && row[k] > 0 && dt > 6e-5; /* the longest step of `lagged` */
         }
         for (int dof = 0; dof < 5; dof++) {
@@ -189,7 +189,7 @@ START_TEST(columns_give_the_result)
                           impulse[c], r->contact[c].impulse_ns);
     }
     if (strcmp(way[_i].law, "stereomechanical")) {
-        ck_assert_int_gt(touches, 3);
+        ck_assert_int_gt(in_contact, 3);
         ck_assert_int_eq(wide, 0);
     }
     for (int dof = 0; dof < 5; dof++) {
@@ -212,7 +212,7 @@ START_TEST(columns_give_the_result)
 }
 END_TEST
 
-/* Two bodies stopped in the middle of an elastic contact, a quarter of its period after first touch: they move
+/* Two bodies stopped in the middle of an elastic contact, a quarter of its period after contact onset: they move
  * together, what of the energy does not move is stored, and nothing is lost. */
 START_TEST(closed_contact_holds_energy)
 {

@@ -56,8 +56,8 @@ START_TEST(the_same_by_every_method_and_in_the_mirror)
 }
 END_TEST
 
-/* Five equal bodies in a row that touch, struck by the first: the inner ones begin without a closing speed of their own,
- * so that the ratio of speeds is none. */
+/* Five equal bodies in a row that touch, struck by the first: the inner ones begin without an approach velocity of
+ * their own, so that the ratio of speeds is none. */
 static void row_of_five(const char *law_name, double restitution, struct thud_contact_result out[4])
 {
     static const double mass = 1e5;

@@ -66,8 +66,9 @@ static struct thud_run *finish(const struct thud_model *model, const struct thud
     return run;
 }
 
-/* A ball thrown at a wall by a ground that accelerates by 10 m/s2 for 4 s and then back: first touch after sqrt(2 h/a),
- * bounces shorter by e each, at rest after (1 + e)/(1 - e) times the first time, held with m a until the ground turns.
+/* A ball thrown at a wall by a ground that accelerates by 10 m/s2 for 4 s and then back: contact onset after sqrt(2
+ * h/a), bounces shorter by e each, at rest after (1 + e)/(1 - e) times the first time, held with m a until the ground
+ * turns.
  */
 START_TEST(bounces_down_to_rest)
 {
@@ -199,8 +200,8 @@ static double struck_by_hand(double k, double c, double gap, double *speed)
 {
     const double h = 1e-6;
     double x = 0, v = 1, impulse = 0;
-    bool struck = false, touches = true;
-    for (int i = 0; i < 300000 && touches; i++) {
+    bool struck = false, in_contact = true;
+    for (int i = 0; i < 300000 && in_contact; i++) {
         double dx[5] = {0}, dv[5] = {0}, force[4];
         for (int stage = 0; stage < 4; stage++) {
             double part = stage == 0 ? 0 : stage == 3 ? h : h / 2;
@@ -216,7 +217,7 @@ static double struck_by_hand(double k, double c, double gap, double *speed)
             struck = true;
             v += 1.5 * (500 / 1500.0) * (2 - v);
         }
-        touches = x > 0;
+        in_contact = x > 0;
     }
     *speed = v;
     return impulse;

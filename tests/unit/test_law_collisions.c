@@ -23,7 +23,7 @@ START_TEST(concrete_figures)
         struct thud_law_setup setup = setup_of("kelvin-voigt-no-tension", 160e3);
         CLOSE(restitution("kelvin-voigt-no-tension", &setup, figures[i].v), out.e, 1e-9);
     }
-    ck_assert_double_eq_tol(force(&q, 0, 0.5, true, false) / 1e3, 3210, 1); /* at first touch */
+    ck_assert_double_eq_tol(force(&q, 0, 0.5, true, false) / 1e3, 3210, 1); /* at contact onset */
 }
 END_TEST
 

@@ -10,7 +10,7 @@
 #include "study/scene/two_body.h"
 #include "suite.h"
 
-static struct thud_solution collide(const char *law, double closing_mps, const char *method, const char *param[],
+static struct thud_solution collide(const char *law, double approach_mps, const char *method, const char *param[],
                                     const double *value)
 {
     struct thud_two_body pair;
@@ -22,7 +22,7 @@ static struct thud_solution collide(const char *law, double closing_mps, const c
     thud_law_defaults(pair.law, &pair.setup);
     for (int i = 0; param[i]; i++)
         thud_two_body_set(&pair, param[i], value[i]);
-    pair.closing_mps = closing_mps;
+    pair.approach_mps = approach_mps;
     pair.method = thud_method_find(method);
     pair.method_step_s = 1e-4;
     pair.locate = true;

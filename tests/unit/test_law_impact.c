@@ -126,7 +126,7 @@ struct outcome {
     double error_ratio;
 };
 
-static struct outcome collide(const struct march_law *law, double mass_kg, double closing_mps)
+static struct outcome collide(const struct march_law *law, double mass_kg, double approach_mps)
 {
     struct thud_two_body pair;
     struct thud_solution solution;
@@ -135,7 +135,7 @@ static struct outcome collide(const struct march_law *law, double mass_kg, doubl
     pair.law = law->law;
     pair.setup = law->setup;
     pair.mass_kg[0] = pair.mass_kg[1] = 2 * mass_kg;
-    pair.closing_mps = closing_mps;
+    pair.approach_mps = approach_mps;
     ck_assert_msg(thud_two_body_run(&pair, 1e-3, &solution, &err) == THUD_OK, "%s", err.what);
     struct outcome out = {thud_run_result(solution.run)->contact[0], thud_run_result(solution.run)->energy.error_ratio};
     thud_solution_clear(&solution);

@@ -156,7 +156,7 @@ START_TEST(continuous_unloading)
 }
 END_TEST
 
-/* energy: what a free pair that stores U(d) had as closing speed; touch: the turn changes nothing. */
+/* energy: what a free pair that stores U(d) had as approach velocity; touch: the turn changes nothing. */
 START_TEST(speed_from_energy)
 {
     struct thud_law_setup setup = bumper();

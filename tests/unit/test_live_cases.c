@@ -55,7 +55,7 @@ static struct numbers numbers(void)
         n.force[i] = thud_live_force(&live, (enum thud_live_which)i, 1, &n.impacts[i]);
         n.peak[i] = thud_live_peak(&live, (enum thud_live_which)i, 1, THUD_PEAK_ACCELERATION);
     }
-    n.need = live.need[0].closing_m;
+    n.need = live.need[0].relative_displacement_m;
     n.abs = live.need[0].abs_m;
     n.srss = live.need[0].srss_m;
     return n;
@@ -86,7 +86,7 @@ START_TEST(any_number_of_threads_gives_the_same)
 }
 END_TEST
 
-/* A run made by itself says the same as the case. */
+/* A run made alone says the same as the case. */
 START_TEST(the_cases_are_runs_of_their_scenes)
 {
     static const enum thud_case name[] = {[THUD_LIVE_NONE] = THUD_CASE_NONE, [THUD_LIVE_BUMPER] = THUD_CASE_BUMPER};

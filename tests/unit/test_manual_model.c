@@ -17,7 +17,7 @@ static void read_page(void)
     fclose(file);
 }
 
-static double parted(const char *law, const char *choice, int index, double e, double closing_mps)
+static double parted(const char *law, const char *choice, int index, double e, double approach_mps)
 {
     struct thud_two_body pair;
     struct thud_solution solution;
@@ -29,10 +29,10 @@ static double parted(const char *law, const char *choice, int index, double e, d
     if (choice)
         thud_two_body_set(&pair, choice, index);
     thud_two_body_set(&pair, "restitution", e);
-    pair.closing_mps = closing_mps;
-    pair.duration_s = fmax(2, 0.05 / closing_mps);
+    pair.approach_mps = approach_mps;
+    pair.duration_s = fmax(2, 0.05 / approach_mps);
     ck_assert_int_eq(thud_two_body_run(&pair, pair.duration_s, &solution, NULL), THUD_OK);
-    double found = thud_two_body_separation(&solution) / closing_mps;
+    double found = thud_two_body_separation(&solution) / approach_mps;
     thud_solution_clear(&solution);
     return found;
 }

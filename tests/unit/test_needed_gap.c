@@ -54,7 +54,7 @@ START_TEST(just_enough_and_just_not)
     int level = -1;
     double needed = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, &level);
     ck_assert_double_gt(needed, 0);
-    ck_assert(gap->level[level].closing_m == needed);
+    ck_assert(gap->level[level].relative_displacement_m == needed);
     ck_assert_int_eq(impacts_at(needed * (1 + 1e-9)), 0);
     ck_assert_int_gt(impacts_at(needed * (1 - 1e-6)), 0);
     free(gap);
@@ -83,7 +83,7 @@ START_TEST(neither_gap_nor_bumper_matters)
     thud_interface_add_bumper(&scene->interface[0]);
     struct thud_needed_gap *other = gap_of(motion);
     for (int i = 0; i < one->nlevels; i++)
-        ck_assert(one->level[i].closing_m == other->level[i].closing_m);
+        ck_assert(one->level[i].relative_displacement_m == other->level[i].relative_displacement_m);
     free(one);
     free(other);
 }
@@ -97,7 +97,7 @@ START_TEST(equal_buildings_need_none)
     struct thud_needed_gap *gap = gap_of(motion);
     for (int i = 0; i < gap->nlevels; i++) {
         const struct thud_gap_level *l = &gap->level[i];
-        ck_assert_double_le(l->closing_m, 1e-12);
+        ck_assert_double_le(l->relative_displacement_m, 1e-12);
         ck_assert_double_eq_tol(l->correlation, 1, 1e-12);
         ck_assert_double_le(thud_gap_value(l, THUD_GAP_DDC), 1e-6 * l->left_m);
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_ABS), 2 * l->left_m, 1e-12 * l->left_m);
@@ -114,7 +114,7 @@ START_TEST(rules_in_their_order)
     for (int i = 0; i < gap->nlevels; i++) {
         const struct thud_gap_level *l = &gap->level[i];
         double srss = hypot(l->left_m, l->right_m);
-        ck_assert_double_le(l->closing_m, thud_gap_value(l, THUD_GAP_ABS) * (1 + 1e-12));
+        ck_assert_double_le(l->relative_displacement_m, thud_gap_value(l, THUD_GAP_ABS) * (1 + 1e-12));
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_SRSS), srss, 1e-15);
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_ASCE7), srss, 1e-15);
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_EN1998), 0.7 * srss, 1e-15);
@@ -177,7 +177,7 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
 }
 END_TEST
 
-/* The factor from which on a motion makes something touch, by runs with contact at a bit more and a bit less; also where
+/* The factor from which on a motion causes contact, by runs with contact at a bit more and a bit less; also where
  * storeys yield, of which no closed form tells it (_i == 1), from below and from above. */
 START_TEST(factor_from_which_on_they_pound)
 {

@@ -17,7 +17,7 @@ START_TEST(the_papers_four_cases)
     struct thud_paper_pair got[THUD_PAPER_PAIRS];
     ck_assert_int_eq(thud_paper_pairs(got, NULL), THUD_OK);
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
-        ck_assert(got[i].closing_mps == want[i].closing);
+        ck_assert(got[i].approach_mps == want[i].closing);
         ck_assert(fabs(1e-3 * got[i].force_n / want[i].force_kn - 1.0) < 1e-4);
         ck_assert(fabs(1e3 * got[i].indentation_m / want[i].depth_mm - 1.0) < 1e-4);
         ck_assert(fabs(1e3 * got[i].duration_s / want[i].duration_ms - 1.0) < 1e-4);

@@ -1,4 +1,4 @@
-/* Where methods fail: each statement of the exhibits, by closed forms and conserved quantities. */
+/* Where methods fail: each statement of the test cases, by closed forms and conserved quantities. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -8,16 +8,16 @@
 #include "study/methods/stability_private.h"
 #include "towers.h"
 
-static struct thud_exhibit exhibit(const char *name)
+static struct thud_test_case test_case(const char *name)
 {
-    struct thud_exhibit e = {0};
-    for (int i = 0; i < thud_exhibit_count(); i++) {
+    struct thud_test_case e = {0};
+    for (int i = 0; i < thud_test_case_count(); i++) {
         struct thud_error err = {0};
-        ck_assert_msg(thud_exhibit_run(i, &e, &err) == THUD_OK, "%s", err.what);
+        ck_assert_msg(thud_test_case_run(i, &e, &err) == THUD_OK, "%s", err.what);
         if (strcmp(e.name, name) == 0)
             return e;
     }
-    ck_abort_msg("no exhibit is called %s", name);
+    ck_abort_msg("no test case is called %s", name);
     return e;
 }
 
@@ -26,111 +26,111 @@ static struct thud_exhibit exhibit(const char *name)
 /* A storey that yields is slowed by its yield force; found at the ends of steps alone, the turn lies elsewhere. */
 START_TEST(an_unloading_is_missed)
 {
-    struct thud_exhibit e = exhibit("unloading-missed");
+    struct thud_test_case e = test_case("unloading-missed");
     double v = 0.6, omega = 12, d_y = 0.02;
     double permanent = 1e3 * (v * v / (omega * omega) - d_y * d_y) / (2 * d_y); /* m v^2 = k d_y^2 + 2 k d_y d_p */
-    ck_assert_double_eq_tol(e.right, permanent, 1e-9);
-    ck_assert_double_eq_tol(e.thud, permanent, 1e-9);
-    ck_assert_double_gt(fabs(e.wrong - permanent), 1);
+    ck_assert_double_eq_tol(e.exact, permanent, 1e-9);
+    ck_assert_double_eq_tol(e.computed, permanent, 1e-9);
+    ck_assert_double_gt(fabs(e.naive - permanent), 1);
 }
 END_TEST
 
 START_TEST(lagged_force_makes_energy)
 {
-    struct thud_exhibit e = exhibit("lagged-force");
-    NEAR(e.wrong, exp(THUD_PI * 0.125 / 2), 5e-3);
-    NEAR(e.thud, 1, 1e-9);
+    struct thud_test_case e = test_case("lagged-force");
+    NEAR(e.naive, exp(THUD_PI * 0.125 / 2), 5e-3);
+    NEAR(e.computed, 1, 1e-9);
 }
 END_TEST
 
 START_TEST(trapezoidal_rule_gains_in_contact)
 {
-    struct thud_exhibit e = exhibit("trapezoidal-growth");
-    ck_assert(e.wrong > 10);
-    NEAR(e.thud, 1, 1e-8);
+    struct thud_test_case e = test_case("trapezoidal-growth");
+    ck_assert(e.naive > 10);
+    NEAR(e.computed, 1, 1e-8);
 }
 END_TEST
 
 START_TEST(graze_is_not_missed)
 {
-    struct thud_exhibit e = exhibit("grazing-contact");
-    ck_assert(e.wrong == 0);
-    ck_assert(e.thud == 1);
+    struct thud_test_case e = test_case("grazing-contact");
+    ck_assert(e.naive == 0);
+    ck_assert(e.computed == 1);
 }
 END_TEST
 
 START_TEST(both_roots_of_a_step_are_found)
 {
-    struct thud_exhibit e = exhibit("double-root");
-    ck_assert(e.wrong == 0);
+    struct thud_test_case e = test_case("double-root");
+    ck_assert(e.naive == 0);
     /* energy: v^2 + (omega gap)^2 = v0^2 */
     double v0 = 1.05 * 0.02 * 2 * THUD_PI, w = 0.02 * 2 * THUD_PI;
-    NEAR(e.right, sqrt(v0 * v0 - w * w), 1e-12);
-    NEAR(e.thud, e.right, 1e-9 * e.right);
+    NEAR(e.exact, sqrt(v0 * v0 - w * w), 1e-12);
+    NEAR(e.computed, e.exact, 1e-9 * e.exact);
 }
 END_TEST
 
 START_TEST(touch_at_the_start_is_an_event)
 {
-    struct thud_exhibit e = exhibit("event-at-the-start");
-    ck_assert(e.wrong < 0.95);
-    NEAR(e.thud, 1, 1e-9);
+    struct thud_test_case e = test_case("event-at-the-start");
+    ck_assert(e.naive < 0.95);
+    NEAR(e.computed, 1, 1e-9);
 }
 END_TEST
 
 START_TEST(slow_touch_does_not_glue)
 {
-    struct thud_exhibit e = exhibit("slow-first-touch");
-    ck_assert(e.wrong < 1e-3);
-    NEAR(e.thud, 0.5, 1e-6);
+    struct thud_test_case e = test_case("slow-onset");
+    ck_assert(e.naive < 1e-3);
+    NEAR(e.computed, 0.5, 1e-6);
 }
 END_TEST
 
 START_TEST(stiff_restitution_stays_finite)
 {
-    struct thud_exhibit e = exhibit("stiff-restitution");
-    ck_assert(!(fabs(e.wrong - 1) < 0.02));
-    NEAR(e.thud, 1, 1e-8);
+    struct thud_test_case e = test_case("stiff-restitution");
+    ck_assert(!(fabs(e.naive - 1) < 0.02));
+    NEAR(e.computed, 1, 1e-8);
 }
 END_TEST
 
 START_TEST(force_jump_sticks)
 {
-    struct thud_exhibit e = exhibit("force-jump");
-    ck_assert(fabs(e.wrong - 1) > 0.02);
-    NEAR(e.thud, 1, 1e-6);
+    struct thud_test_case e = test_case("force-jump");
+    ck_assert(fabs(e.naive - 1) > 0.02);
+    NEAR(e.computed, 1, 1e-6);
 }
 END_TEST
 
 START_TEST(endless_bounces_end)
 {
-    struct thud_exhibit e = exhibit("bounces-without-end");
-    ck_assert(!(fabs(e.wrong) < 0.01));
-    NEAR(e.thud, 0, 1e-6);
+    struct thud_test_case e = test_case("bounces-without-end");
+    ck_assert(!(fabs(e.naive) < 0.01));
+    NEAR(e.computed, 0, 1e-6);
 }
 END_TEST
 
 START_TEST(dead_collision_is_dead)
 {
-    struct thud_exhibit e = exhibit("restitution-near-0");
-    ck_assert(fabs(e.wrong - 1e-3) > 0.01);
-    NEAR(e.thud, 1e-3, 1e-8);
+    struct thud_test_case e = test_case("restitution-near-0");
+    ck_assert(fabs(e.naive - 1e-3) > 0.01);
+    NEAR(e.computed, 1e-3, 1e-8);
 }
 END_TEST
 
 START_TEST(stiff_contact_keeps_energy)
 {
-    struct thud_exhibit e = exhibit("stiffness-1e13");
-    ck_assert(fabs(e.wrong - 1) > 0.02);
-    NEAR(e.thud, 1, 1e-8);
+    struct thud_test_case e = test_case("stiffness-1e13");
+    ck_assert(fabs(e.naive - 1) > 0.02);
+    NEAR(e.computed, 1, 1e-8);
 }
 END_TEST
 
 START_TEST(light_body_leaves_as_it_must)
 {
-    struct thud_exhibit e = exhibit("mass-ratio-1e6");
-    ck_assert(fabs(e.wrong - 1) > 0.02);
-    NEAR(e.thud, 1, 1e-8);
+    struct thud_test_case e = test_case("mass-ratio-1e6");
+    ck_assert(fabs(e.naive - 1) > 0.02);
+    NEAR(e.computed, 1, 1e-8);
 }
 END_TEST
 
@@ -328,21 +328,21 @@ END_TEST
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("stability");
-    TCase *exhibits = tcase_create("exhibits"), *drift = tcase_create("drift"), *maps = tcase_create("maps");
-    tcase_add_test(exhibits, an_unloading_is_missed);
-    tcase_add_test(exhibits, lagged_force_makes_energy);
-    tcase_add_test(exhibits, trapezoidal_rule_gains_in_contact);
-    tcase_add_test(exhibits, graze_is_not_missed);
-    tcase_add_test(exhibits, both_roots_of_a_step_are_found);
-    tcase_add_test(exhibits, touch_at_the_start_is_an_event);
-    tcase_add_test(exhibits, slow_touch_does_not_glue);
-    tcase_add_test(exhibits, stiff_restitution_stays_finite);
-    tcase_add_test(exhibits, force_jump_sticks);
-    tcase_add_test(exhibits, endless_bounces_end);
-    tcase_add_test(exhibits, dead_collision_is_dead);
-    tcase_add_test(exhibits, stiff_contact_keeps_energy);
-    tcase_add_test(exhibits, light_body_leaves_as_it_must);
-    tcase_set_timeout(exhibits, 60);
+    TCase *test_cases = tcase_create("test_cases"), *drift = tcase_create("drift"), *maps = tcase_create("maps");
+    tcase_add_test(test_cases, an_unloading_is_missed);
+    tcase_add_test(test_cases, lagged_force_makes_energy);
+    tcase_add_test(test_cases, trapezoidal_rule_gains_in_contact);
+    tcase_add_test(test_cases, graze_is_not_missed);
+    tcase_add_test(test_cases, both_roots_of_a_step_are_found);
+    tcase_add_test(test_cases, touch_at_the_start_is_an_event);
+    tcase_add_test(test_cases, slow_touch_does_not_glue);
+    tcase_add_test(test_cases, stiff_restitution_stays_finite);
+    tcase_add_test(test_cases, force_jump_sticks);
+    tcase_add_test(test_cases, endless_bounces_end);
+    tcase_add_test(test_cases, dead_collision_is_dead);
+    tcase_add_test(test_cases, stiff_contact_keeps_energy);
+    tcase_add_test(test_cases, light_body_leaves_as_it_must);
+    tcase_set_timeout(test_cases, 60);
     tcase_set_timeout(drift, 60);
     tcase_add_test(drift, located_newmark_keeps_energy);
     tcase_add_test(drift, located_alpha_methods_lose_by_their_damping_alone);
@@ -353,7 +353,7 @@ Suite *thud_suite(void)
     tcase_add_test(maps, exact_alone_keeps_the_energy);
     tcase_add_test(maps, worst_start_at_the_wall_decides);
     tcase_add_test(maps, located_newmark_gains_from_no_start);
-    suite_add_tcase(suite, exhibits);
+    suite_add_tcase(suite, test_cases);
     suite_add_tcase(suite, drift);
     suite_add_tcase(suite, maps);
     return suite;

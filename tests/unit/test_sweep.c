@@ -309,7 +309,7 @@ START_TEST(identical_neighbours_need_no_run)
 END_TEST
 
 /* Whether any contact closes at this gap without bumper. */
-static bool touches(double gap)
+static bool in_contact(double gap)
 {
     struct thud_scene *now = malloc(2 * sizeof *now);
     struct thud_solution solution;
@@ -333,8 +333,8 @@ START_TEST(needed_gap_is_where_contacts_end)
     ck_assert_int_eq(thud_sweep_need_rows(plan, point, need), 4);
     double widest = 0, low = 0, high = 1;
     for (int c = 0; c < 4; c++) {
-        widest = fmax(widest, need[c].closing_m);
-        ck_assert_double_le(need[c].closing_m, need[c].abs_m * (1 + 1e-12));
+        widest = fmax(widest, need[c].relative_displacement_m);
+        ck_assert_double_le(need[c].relative_displacement_m, need[c].abs_m * (1 + 1e-12));
         ck_assert(need[c].abs_m == need[c].left_m + need[c].right_m);
         ck_assert_double_eq_tol(need[c].srss_m, sqrt(pow(need[c].left_m, 2) + pow(need[c].right_m, 2)), 1e-15);
         ck_assert_double_lt(need[c].ddc_m, need[c].srss_m);
@@ -344,7 +344,7 @@ START_TEST(needed_gap_is_where_contacts_end)
     ck_assert_double_eq_tol(need[0].correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
     for (int i = 0; i < 40; i++) {
         double middle = 0.5 * (low + high);
-        if (touches(middle))
+        if (in_contact(middle))
             low = middle;
         else
             high = middle;
@@ -361,7 +361,7 @@ START_TEST(varied_peak_scales_the_motion)
     struct thud_sweep_group *one = make_group(0), *two = make_group(1);
     struct thud_sweep_point *a = make_point(one, 0), *b = make_point(two, 1);
     for (int c = 0; c < 4; c++)
-        ck_assert_double_eq_tol(b->level[c].closing_m, 2 * a->level[c].closing_m, 1e-12);
+        ck_assert_double_eq_tol(b->level[c].relative_displacement_m, 2 * a->level[c].relative_displacement_m, 1e-12);
     free(a);
     free(b);
     thud_sweep_group_free(one);

@@ -90,8 +90,8 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
 }
 END_TEST
 
-/* Both runs of a ratio are changed alike, so a ratio of a case to itself has no spread; and where nothing touches, no
- * ratio has any, while the peaks follow the motion. */
+/* Both runs of a ratio are changed alike, so a ratio of a case to itself has no spread; and where there is no
+ * contact, no ratio has any, while the peaks follow the motion. */
 START_TEST(ratios_are_of_runs_changed_alike)
 {
     struct thud_sweep_row row[24];
@@ -105,7 +105,7 @@ START_TEST(ratios_are_of_runs_changed_alike)
     free(point);
     point = one_point("gap=3 m", "none,bumper");
     n = thud_sweep_rows(plan, point, row);
-    ck_assert_int_eq(point->changed.made, 0); /* nothing touches in any of them */
+    ck_assert_int_eq(point->changed.made, 0); /* there is no contact in any of them */
     for (int i = 0; i < n; i++) {
         ck_assert(row[i].low[THUD_SWEEP_ACCELERATION_RATIO] == 1 && row[i].high[THUD_SWEEP_ACCELERATION_RATIO] == 1);
         ck_assert(row[i].low[THUD_SWEEP_DRIFT_FREE_RATIO] == 1 && row[i].high[THUD_SWEEP_DRIFT_FREE_RATIO] == 1);

@@ -17,7 +17,7 @@ static struct thud_sweep_summary *point(int record, int gap)
     ck_assert_ptr_nonnull(d);
     d->record = record;
     d->at[0] = gap;
-    d->touches = true;
+    d->has_contact = true;
     for (int k = 0; k < 2; k++) {
         double strength = (record + 1) * pow(2, gap);
         d->run[k] = (struct thud_sweep_run){.which = k ? THUD_CASE_BUMPER : THUD_CASE_NONE,

@@ -52,7 +52,7 @@ static void set_up(void)
                                             .aligned = true,
                                             .left_m = number(),
                                             .right_m = number(),
-                                            .closing_m = number(),
+                                            .relative_displacement_m = number(),
                                             .correlation = 0.5};
     point = (struct thud_sweep_point){.index = 11, /* second record, second damping, third gap */
                                       .gap_m = 0.07,
@@ -143,7 +143,7 @@ START_TEST(its_numbers_are_those_of_the_rows)
         ck_assert_int_eq(thud_sweep_summary_make(plan, &point, &d, NULL), THUD_OK);
         ck_assert_int_eq(d->record, 1);
         ck_assert_str_eq(plan->axis[0].key, "structures.2.damping");
-        ck_assert(d->at[0] == 1 && d->at[1] == 2 && d->gap_m == 0.07 && d->touches);
+        ck_assert(d->at[0] == 1 && d->at[1] == 2 && d->gap_m == 0.07 && d->has_contact);
         ck_assert(thud_sweep_summary_floors(d, 0) == 4 && thud_sweep_summary_floors(d, 1) == 0 &&
                   thud_sweep_summary_floors(d, 2) == 9);
         ck_assert_int_eq(thud_sweep_summary_find(d, THUD_CASE_AS_WRITTEN), -1);
@@ -225,8 +225,8 @@ START_TEST(a_collector_keeps_points_and_the_widest_need)
     for (point.index = 0; point.index < 12; point.index++) {
         if (point.index % 3 == 0) /* another motion without pounding */
             for (int i = 0; i < CONTACTS; i++) {
-                levels[i].closing_m = number();
-                widest[point.index / 6] = fmax(widest[point.index / 6], levels[i].closing_m);
+                levels[i].relative_displacement_m = number();
+                widest[point.index / 6] = fmax(widest[point.index / 6], levels[i].relative_displacement_m);
             }
         ck_assert_int_eq(thud_sweep_collector_add(&c, plan, &point, NULL), THUD_OK);
     }
@@ -238,7 +238,7 @@ START_TEST(a_collector_keeps_points_and_the_widest_need)
     }
     for (int r = 0; r < 2; r++) {
         ck_assert_int_eq(c.table.need[r].record, r);
-        ck_assert(c.table.need[r].interface == 1 && c.table.need[r].closing_m == widest[r]);
+        ck_assert(c.table.need[r].interface == 1 && c.table.need[r].relative_displacement_m == widest[r]);
     }
     thud_sweep_collector_clear(&c);
 }

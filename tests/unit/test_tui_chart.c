@@ -53,7 +53,7 @@ START_TEST(a_straight_line_in_ascii)
 }
 END_TEST
 
-/* Without room for the axis below: the title's row says from where to where it goes, or stays as it is when full. */
+/* Without room for the axis below: the title's row says from where to where it goes, or stays unchanged when full. */
 START_TEST(four_rows_are_enough)
 {
     struct thud_figure *figure;

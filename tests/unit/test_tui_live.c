@@ -277,7 +277,7 @@ START_TEST(the_answer_in_one_line)
     fixture_keys(&f, "4<Size 130x40>");
     fixture_expect(&f, words);
     fixture_expect(&f, "SRSS");
-    double need = f.tui->run.live.need[0].closing_m;
+    double need = f.tui->run.live.need[0].relative_displacement_m;
     ck_assert_double_gt(need, 0.02);
     ck_assert_double_ge(f.tui->run.live.need[0].abs_m, f.tui->run.live.need[0].srss_m);
     ck_assert_double_ge(f.tui->run.live.need[0].abs_m, need);
@@ -285,7 +285,8 @@ START_TEST(the_answer_in_one_line)
         snprintf(keys, sizeof keys, "B<Esc>:case none<Enter>:set gap %.9g m<Enter>", need * (enough ? 1.001 : 0.999));
         fixture_keys(&f, keys);
         fixture_expect(&f, enough ? "NO CONTACT at " : "POUNDS at ");
-        ck_assert_double_eq_tol(f.tui->run.live.need[0].closing_m, need, 1e-12); /* it is that of no contact */
+        ck_assert_double_eq_tol(f.tui->run.live.need[0].relative_displacement_m, need,
+                                1e-12); /* it is that of no contact */
     }
 }
 END_TEST

@@ -26,7 +26,7 @@ START_TEST(every_screen_in_ascii)
 {
     fixture_close(&f);
     fixture_open(&f, "towers", 80, 24, false);
-    fixture_keys(&f, ":live off<Enter>"); /* no bench by itself */
+    fixture_keys(&f, ":live off<Enter>"); /* no bench unasked */
     for (int i = 0; i < THUD_SCREENS; i++) {
         char keys[24];
         snprintf(keys, sizeof keys, "<A-%d>", i + 1);

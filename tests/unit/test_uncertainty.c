@@ -352,7 +352,7 @@ START_TEST(changes_of_a_scene)
                             fmax(0.5 * scene[1].interface[0].gap_m,
                                  scene[1].interface[0].has_bumper ? scene[1].interface[0].bumper_thickness_m : 0),
                             1e-15);
-    for (int i = 0; i < THUD_INPUTS; i++) { /* the middle is as it is */
+    for (int i = 0; i < THUD_INPUTS; i++) { /* the middle is nominal */
         struct thud_scene *same = malloc(sizeof *same);
         *same = scene[1];
         change(same, (enum thud_input)i, i == THUD_INPUT_ELEVATION ? 0 : -1, 2, 0.5, &factor);

@@ -554,7 +554,7 @@ END_TEST
 /* ---- studies ---- */
 
 /* A run that begins at a kept moment of the baseline is the run from the start; and its largest relative displacement is
- * the clearance at which nothing touches. */
+ * the clearance at which there is no contact. */
 START_TEST(the_baseline_is_shared)
 {
     struct thud_record *record = march_motion(1.5);

@@ -85,7 +85,7 @@ struct thud_law {
 
     /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
-    /* At contact onset with closing velocity v (>= 0), and at velocity reversals at indentation d, of the law alone, to
+    /* At contact onset with approach velocity v (>= 0), and at velocity reversals at indentation d, of the law alone, to
      * the phase that begins: change the memory. */
     void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
     void (*reversal)(const struct thud_law_setup *setup, enum thud_phase phase, double d_m,
@@ -98,7 +98,7 @@ struct thud_law {
     /* Energy that the law would give back from indentation d if nothing were lost on the way, J. */
     double (*elastic_energy)(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m);
     /* Restitution as asked for (NULL: the parameter of this name, where there is one), and the one that two free bodies
-     * really part with at their first contact with closing velocity v. NaN: not known. */
+     * really part with at their first contact with approach velocity v. NaN: not known. */
     double (*nominal)(const struct thud_law_setup *setup);
     double (*restitution)(const struct thud_law_setup *setup, double v_mps);
     /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep). */

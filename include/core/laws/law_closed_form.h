@@ -1,6 +1,6 @@
 /* Closed forms of the impact laws: what two free bodies do in one collision. `xi` damping ratio, `e` restitution, v
- * closing speed at first touch, m effective mass m1 m2/(m1 + m2). No function here fails; arguments outside the stated
- * range are a programmer's mistake. */
+ * approach velocity at contact onset, m effective mass m1 m2/(m1 + m2). No function here fails; arguments outside the
+ * stated range are a programmer's mistake. */
 #ifndef THUD_CORE_LAW_CLOSED_FORM_H
 #define THUD_CORE_LAW_CLOSED_FORM_H
 
@@ -17,7 +17,7 @@ double thud_kelvin_voigt_cut_xi(double e);
 
 /* One collision of two free bodies under the cut law. */
 struct thud_two_body_collision {
-    double force_n;       /* largest; at first touch where xi >= 1/2 */
+    double force_n;       /* largest; at contact onset where xi >= 1/2 */
     double indentation_m; /* largest */
     double duration_s;
     double restitution;
@@ -39,7 +39,7 @@ double thud_jankowski_xi(double e, double n);
 /* The published fit for n = 3/2: (9 sqrt5/2)(1 - e^2)/(e (e (9 pi - 16) + 16)). */
 double thud_jankowski_xi_published(double e);
 
-/* Damping in restitution only, F_R = F (1 + C v): `cv` is C times the closing speed. */
+/* Damping in restitution only, F_R = F (1 + C v): `cv` is C times the approach velocity. */
 
 /* cv that gives e exactly where restitution follows the approach curve: cv e = x solves -x - ln(1 - x) = x^2/(2 e^2). 0
  * < e <= 1. */

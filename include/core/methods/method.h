@@ -11,10 +11,10 @@ struct thud_segment;
 struct thud_state;
 
 enum {
-    THUD_METHOD_FIXED_STEP = 1, /* takes a step in s; else a tolerance */
-    THUD_METHOD_LOCATES = 2,    /* locates events unless told not to */
-    THUD_METHOD_CAN_LOCATE = 4, /* event location may be turned on */
-    THUD_METHOD_EXHIBIT = 8     /* shown for what goes wrong, never picked */
+    THUD_METHOD_FIXED_STEP = 1,   /* takes a step in s; else a tolerance */
+    THUD_METHOD_LOCATES = 2,      /* locates events unless told not to */
+    THUD_METHOD_CAN_LOCATE = 4,   /* event location may be turned on */
+    THUD_METHOD_DEMONSTRATION = 8 /* shown for what goes wrong, never picked */
 };
 
 struct thud_method {
@@ -22,7 +22,7 @@ struct thud_method {
     const char *reference; /* author, journal, volume (year) pages; several parted by "; " */
     const char *summary;   /* one line */
     unsigned flags;
-    int order;          /* on smooth problems; 0: exact in free flight */
+    int order;          /* on smooth problems; 0: exact without contact */
     double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
     const char *limits; /* one line in words */
 

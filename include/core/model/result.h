@@ -82,7 +82,7 @@ struct thud_event_entry {
     double force_n; /* just behind it, of a storey beside that of its elastic stiffness */
 };
 
-/* One impact, from first touch to release. */
+/* One impact, from contact onset to release. */
 struct thud_impact {
     int contact; /* index into contacts, from 0 */
     double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
@@ -129,7 +129,7 @@ struct thud_collapse {
 struct thud_work {
     long steps, force_evaluations, events;
     long rejected;       /* steps taken again */
-    long samples_fast;   /* record samples passed by the free-flight recurrence */
+    long samples_fast;   /* record samples passed by the contact-free recurrence */
     long samples_jumped; /* record samples left out because nothing could come of them */
 };
 

@@ -28,13 +28,14 @@ double thud_baseline_relative_displacement(const struct thud_baseline_motion *ba
 /* Largest |displacement| of the place of contact c that is struck between two floors; 0 where floors meet. */
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c);
 
-/* Whether runs can share its beginning: the exact method, whose free flight is the same whatever the clearances. */
+/* Whether runs can share its beginning: the exact method, whose contact-free response is the same whatever the
+ * clearances. */
 bool thud_baseline_shares(const struct thud_baseline_motion *baseline);
 
 /* A run of `model` (same structures and pairs of floors as the baseline's), begun at the last kept moment before which no
  * contact can close, and ended where nothing more can come of it. Its motion and peaks are those of a run from t = 0,
  * bit for bit; its energies and counts of work are those from where it begins to where it ends. *shared_s: that moment,
- * 0 where nothing could be shared (histories are kept, or the method steps through free flight). Errors: as
+ * 0 where nothing could be shared (histories are kept, or the method steps through contact-free response). Errors: as
  * thud_run_create. */
 enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
                                    const struct thud_record *record, const struct thud_run_options *options,

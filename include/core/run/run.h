@@ -45,8 +45,8 @@ double thud_run_balance(const struct thud_run *run);
 
 double thud_run_time(const struct thud_run *run);
 double thud_run_end(const struct thud_run *run);
-/* Valid until the run is freed or advanced. Before the end, a peak of free flight may still be that at the end of an
- * interval of the ground motion. */
+/* Valid until the run is freed or advanced. Before the end, a peak of contact-free response may still be that at the
+ * end of an interval of the ground motion. */
 const struct thud_result *thud_run_result(const struct thud_run *run);
 const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
 const struct thud_event_entry *thud_run_events(const struct thud_run *run, int *count);

@@ -1,5 +1,5 @@
 /* A scene as a script for OpenSeesPy, where its laws exist there: springs between floors, modal damping, a zero-length
- * element for each contact, Newmark's average acceleration. The script holds everything it needs, runs by itself and
+ * element for each contact, Newmark's average acceleration. The script holds everything it needs, runs on its own and
  * compares its peaks with those of the run given. */
 #ifndef THUD_IO_OPENSEES_H
 #define THUD_IO_OPENSEES_H

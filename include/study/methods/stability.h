@@ -44,22 +44,22 @@ struct thud_stability_cell {
 struct thud_stability_restitution {
     const struct thud_law *law;
     struct thud_stepping how;
-    double nominal;                         /* coefficient of restitution; NaN: the law has none */
-    double closing_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
+    double nominal;                          /* coefficient of restitution; NaN: the law has none */
+    double approach_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
 };
 
-/* A small scene with what is right, what a naive method makes of it and what thud does. */
-struct thud_exhibit {
+/* A small scene in which a naive method goes wrong. */
+struct thud_test_case {
     const char *name, *scene, *quantity;
-    const char *naive;         /* which naive method */
-    double right, wrong, thud; /* the quantity: the true one, the naive method's (INFINITY: blown up), thud's */
+    const char *method;            /* the naive one */
+    double exact, naive, computed; /* the quantity: exact, by the naive method (INFINITY: blown up), by thud */
 };
 
 struct thud_stability {
     struct thud_stability_cell *cell;
     struct thud_stability_restitution *restitution;
-    struct thud_exhibit *exhibit;
-    int ncells, nrestitutions, nexhibits;
+    struct thud_test_case *test_case;
+    int ncells, nrestitutions, ntest_cases;
     int done; /* jobs, in the order of these lists */
     struct thud_model *model;
     const struct thud_record *record;
@@ -77,8 +77,8 @@ int thud_stability_jobs(const struct thud_stability *stability);
 /* The next job; `done` counts up. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 enum thud_status thud_stability_next(struct thud_stability *stability, struct thud_error *err);
 
-/* The exhibits, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
-int thud_exhibit_count(void);
-enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct thud_error *err);
+/* The test cases, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
+int thud_test_case_count(void);
+enum thud_status thud_test_case_run(int index, struct thud_test_case *out, struct thud_error *err);
 
 #endif

@@ -7,7 +7,7 @@
 #include "base/param.h"
 #include "base/text.h"
 
-/* What the codes take besides displacements and heights. The displacements are those of the ground motion as it is
+/* What the codes take besides displacements and heights. The displacements are those of the ground motion given
  * given; where it was reduced for the design, as many times smaller, q, cd or r gives that back. */
 struct thud_gap_code {
     double q;         /* displacement behaviour factor of EN 1998-1 4.3.4 */
@@ -27,7 +27,7 @@ struct thud_gap_level {
     int struck;                             /* as thud_model_contact.struck */
     bool aligned;                           /* the floor elevations of the two buildings are the same, all of them */
     double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
-    double closing_m;                       /* largest u_left - u_right: a clearance this wide is never used up */
+    double relative_displacement_m;         /* largest u_left - u_right: a clearance this wide is never used up */
     double correlation; /* of DDC, from the first periods and damping ratios; NaN where a storey yielded: they are no
                            longer those that it moves with */
     double height_m;    /* of the level above the ground of its building; NaN: not known */
@@ -49,7 +49,7 @@ enum thud_gap_rule_id {
     THUD_GAP_GB50011,
     THUD_GAP_E030,
     THUD_GAP_RULES,
-    THUD_GAP_EXACT = -1 /* closing_m */
+    THUD_GAP_EXACT = -1 /* relative_displacement_m */
 };
 
 struct thud_gap_rule {

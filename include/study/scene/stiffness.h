@@ -15,7 +15,7 @@ double thud_stiffness_series(double a_npm, double b_npm);
 /* A bumper: k = alpha A K_r/d^n. N/m^n. */
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
-/* What is varied: of every interface with a bumper the bumper, which is all that touches there, of the others the
+/* What is varied: of every interface with a bumper the bumper, which alone is struck there, of the others the
  * contact. */
 enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER };
 
@@ -31,9 +31,9 @@ struct thud_stiffness_row {
 };
 /* Of a finished run, with a factor of 0. */
 void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row);
-enum { THUD_STIFFNESS_ROWS = 3 }; /* half, as it is, twice */
+enum { THUD_STIFFNESS_ROWS = 3 }; /* half, nominal, twice */
 
-/* Runs the scene (of a case, as it is to be run) at each factor; *n is 0 where nothing can be varied. Errors: those of
+/* Runs the scene (of a case) at each factor; *n is 0 where nothing can be varied. Errors: those of
  * a run. */
 enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struct thud_record *record,
                                      enum thud_stiffness which, struct thud_stiffness_row *row, int *n,

@@ -6,10 +6,10 @@
 #include "core/laws/law.h"
 #include "study/scene/solution.h"
 
-/* The left body closes with `closing_mps` on the right one, which is at rest; they touch at t = 0. */
+/* The left body closes with `approach_mps` on the right one, which is at rest; they touch at t = 0. */
 struct thud_two_body {
     double mass_kg[2];
-    double closing_mps;
+    double approach_mps;
     double duration_s;
     const struct thud_law *law;
     struct thud_law_setup setup;      /* value[] and thickness_m */
@@ -18,7 +18,7 @@ struct thud_two_body {
     bool locate;
 };
 
-/* Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t closing at 0.5 m/s, concrete on concrete (k 2500
+/* Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t approaching at 0.5 m/s, concrete on concrete (k 2500
  * kN/mm, restitution 0.6), or with the 5 cm rubber bumper (k 0.36 kN/mm^2.65, exponent 2.65, restitution 0.5, 2500
  * kN/mm past 0.8 of the thickness). All other parameters as the laws' own defaults. */
 void thud_two_body_concrete(struct thud_two_body *pair);

@@ -55,7 +55,7 @@ struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_
 double thud_lognormal_at(const struct thud_lognormal *curve, double x);
 /* What is asked of a run. */
 enum thud_event_kind {
-    THUD_EVENT_POUNDING,     /* anything touches */
+    THUD_EVENT_POUNDING,     /* there is contact */
     THUD_EVENT_WORSE,        /* the mean acceleration of a structure is larger than without bumper at the same gap */
     THUD_EVENT_FORCE,        /* a contact's force above the limit, N */
     THUD_EVENT_ACCELERATION, /* a floor's above the limit, m/s2 */
@@ -100,7 +100,7 @@ struct thud_fragility {
      * 0 and INFINITY where there are none, both NaN where the counts do not say. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
-    /* Of pounding, which needs no fit: the value from which on each motion makes something touch (along a gap: no longer
+    /* Of pounding, which needs no fit: the value from which on each motion causes contact (along a gap: no longer
      * does), sorted; NULL: not known. From which on at least 16, 50 and 84 % of them do, and 5 and 95 % of the bootstrap of
      * the middle one. */
     int nexact;

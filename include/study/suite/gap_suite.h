@@ -9,7 +9,7 @@
 struct thud_gap_ruled {
     struct thud_gap_level level; /* that asks for most, with the design displacements */
     double gap_m;                /* NaN: the rule has no value; -1: nothing could touch there */
-    int pounding;                /* ground motions in which something touches at that gap, without bumper */
+    int pounding;                /* ground motions in which there is contact at that gap, without bumper */
     double force_n;              /* the largest of any of them */
     int worst;                   /* the ground motion of it; -1 */
 };
@@ -20,7 +20,7 @@ int thud_gap_suite_independent(const struct thud_gap_suite *suite);
  * the largest of all. Nothing pounds yet. */
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
 /* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
- * value, at the scene's own gap: a run without bumpers, and none where nothing touches. Errors: those of
+ * value, at the scene's own gap: a run without bumpers, and none where there is no contact. Errors: those of
  * thud_scene_solve. */
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,

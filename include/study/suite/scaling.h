@@ -19,7 +19,7 @@ struct thud_scaling {
 };
 
 struct thud_scaled_motion {
-    double misfit; /* root mean square of the logarithms, once scaled by itself */
+    double misfit; /* root mean square of the logarithms, once scaled alone */
     double factor; /* of the motion as it was read */
     bool chosen;
     char why[96];                                    /* not chosen: why */

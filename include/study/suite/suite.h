@@ -9,9 +9,9 @@
 /* Of a run; from the accelerations on by structure. */
 enum thud_suite_measure {
     THUD_SUITE_IMPACTS,            /* all contacts */
-    THUD_SUITE_USED,               /* largest closing without pounding over clearance, of all levels */
-    THUD_SUITE_SHORT,              /* largest closing less clearance, m */
-    THUD_SUITE_FORCE,              /* largest of all contacts, N; 0: nothing touched */
+    THUD_SUITE_USED,               /* largest relative displacement without pounding over clearance, of all levels */
+    THUD_SUITE_SHORT,              /* largest relative displacement less clearance, m */
+    THUD_SUITE_FORCE,              /* largest of all contacts, N; 0: there was no contact */
     THUD_SUITE_ACCELERATION,       /* largest of the floors, m/s2 */
     THUD_SUITE_DRIFT,              /* largest of the storeys, m */
     THUD_SUITE_DRIFT_ANGLE,        /* the same over the storey's height; without the isolators' */

@@ -44,7 +44,7 @@ struct thud_sensitivity {
     struct thud_spread (*contact)[THUD_CONTACT_SPREADS]; /* (ncontacts) */
 };
 
-/* `result`: of `scene` (that of a case) as it is. Errors: THUD_MEMORY, those of thud_scene_solve. */
+/* `result`: of `scene` (that of a case), nominal. Errors: THUD_MEMORY, those of thud_scene_solve. */
 enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
                                       const struct thud_result *result, struct thud_sensitivity **out,
                                       struct thud_error *err);

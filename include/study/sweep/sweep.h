@@ -28,7 +28,7 @@ enum thud_sweep_shortcut {
 
 enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
 
-/* Runs of a case at a point where its spread is asked for: as it is (variant 0), then each change less and more. */
+/* Runs of a case at a point where its spread is asked for: nominal (variant 0), then each change less and more. */
 enum { THUD_SWEEP_VARIANTS = 1 + 2 * THUD_CHANGES };
 
 struct thud_sweep_plan {

@@ -15,7 +15,7 @@ struct thud_sweep_best {
     double worst_ratio;           /* over the key's values */
     int values;                   /* how many had a result */
     bool at_end;                  /* the best is the first or the last value: beyond there may be a better one */
-    bool idle; /* there the ratio is 1.000: the bumper touches nothing, or hardly, and no value is best */
+    bool idle; /* there the ratio is 1.000: the bumper is struck by nothing, or hardly, and no value is best */
 };
 enum { THUD_SWEEP_BEST_PER_CENT = 5 };
 

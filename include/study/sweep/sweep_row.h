@@ -79,9 +79,9 @@ struct thud_sweep_need_row {
     double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
                                     point */
     int interface, left_floor, right_floor;
-    int struck;             /* whose columns; 0: floors meet */
-    double left_m, right_m; /* largest displacement of each side */
-    double closing_m;       /* largest relative displacement: a clearance this wide is never used up */
+    int struck;                     /* whose columns; 0: floors meet */
+    double left_m, right_m;         /* largest displacement of each side */
+    double relative_displacement_m; /* largest relative displacement: a clearance this wide is never used up */
     double abs_m, srss_m, ddc_m, en1998_m, asce7_m; /* by enum thud_gap_rule */
     double correlation;                             /* of ddc */
 };

@@ -17,7 +17,7 @@ enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 struct thud_sweep_run {
     enum thud_case which;
     int impacts;
-    double force_n;                 /* largest; 0: nothing touched */
+    double force_n;                 /* largest; 0: there was no contact */
     double indentation_m;           /* largest */
     double shear_n, capacity_ratio; /* of struck columns: largest shear, and over what they bear; NaN: none */
 };
@@ -28,7 +28,7 @@ struct thud_sweep_storeys {
 };
 
 /* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
- * motions under which something touches, and under which the mean acceleration of a structure is larger than in case
+ * motions under which there is contact, and under which the mean acceleration of a structure is larger than in case
  * `none`. */
 struct thud_sweep_shares {
     double force_low_n, force_high_n, pounding, worse;
@@ -41,7 +41,7 @@ struct thud_sweep_summary {
     int at[THUD_VARY_MAX];              /* place of its value on each axis */
     int nruns;                          /* cases that were asked for and have a result */
     int nrows;                          /* of a run: a mean and the floors of every structure that has floors */
-    bool spread, touches;               /* low and high are there; there are contacts */
+    bool spread, has_contact;           /* low and high are there; there are contacts */
     double gap_m;                       /* of the first interface; NaN where there is none */
     struct thud_sweep_run *run;         /* (nruns) in the order of the cases */
     struct thud_sweep_ratio *ratio;     /* (nruns x nrows x 1, with a spread x 3: value, low, high) */

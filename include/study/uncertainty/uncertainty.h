@@ -68,7 +68,7 @@ struct thud_drawn_input {
     char name[96]; /* "gap", "gap.2", "stiffness.A", "stiffness.common" */
 };
 enum { THUD_DRAWN_MAX = 9 * THUD_STRUCTURES_MAX + 2 * THUD_INPUTS };
-/* Changes an input to place u (0 to 1; 0.5 is as it is) of its range. The motion's factor goes into *motion. No gap is
+/* Changes an input to place u (0 to 1; 0.5 is nominal) of its range. The motion's factor goes into *motion. No gap is
  * less than its bumper takes. */
 void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *input, double u, double *motion);
 
@@ -95,7 +95,7 @@ struct thud_uncertainty {
     enum thud_case which[THUD_CASES + 1]; /* none first where there is a bumper */
     int ninputs;
     struct thud_drawn_input input[THUD_DRAWN_MAX]; /* the choice of a ground motion is the last one */
-    bool columns;                                  /* slabs strike some in the scene as it is */
+    bool columns;                                  /* slabs strike some in the nominal scene */
     int nquantities;
     struct thud_quantity_of_run *quantity; /* (nquantities) the needed gap first, where neighbours could touch */
 };

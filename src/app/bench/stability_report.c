@@ -99,7 +99,7 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
 
 static bool same_impact(const struct thud_stability_restitution *a, const struct thud_stability_restitution *b)
 {
-    return a->law == b->law && a->closing_mps == b->closing_mps &&
+    return a->law == b->law && a->approach_mps == b->approach_mps &&
            (a->nominal == b->nominal || (isnan(a->nominal) && isnan(b->nominal)));
 }
 
@@ -121,7 +121,7 @@ static void add_restitutions(const struct thud_stability *s, struct thud_text *o
                 thud_text_append(out, "%7s", "-");
             else
                 thud_text_append(out, "%7.3g", r[i].nominal);
-            thud_text_append(out, " %5.3g %9.4f", r[i].closing_mps, r[i].expected);
+            thud_text_append(out, " %5.3g %9.4f", r[i].approach_mps, r[i].expected);
         }
         for (int k = 0; k < SHOWN; k++)
             if (strcmp(r[i].how.method->name, shown[k]) == 0 &&
@@ -131,19 +131,19 @@ static void add_restitutions(const struct thud_stability *s, struct thud_text *o
     thud_text_append(out, "\n");
 }
 
-static void add_exhibits(const struct thud_stability *s, struct thud_text *out)
+static void add_test_cases(const struct thud_stability *s, struct thud_text *out)
 {
     thud_text_append(out, "\nwhere a naive method goes wrong\n");
-    for (int i = 0; i < s->nexhibits; i++) {
-        const struct thud_exhibit *e = &s->exhibit[i];
+    for (int i = 0; i < s->ntest_cases; i++) {
+        const struct thud_test_case *e = &s->test_case[i];
         if (!e->name)
             continue;
-        thud_text_append(out, "%s: %s\n    %s: right %.6g, ", e->name, e->scene, e->quantity, e->right);
-        if (isfinite(e->wrong))
-            thud_text_append(out, "naive %.6g", e->wrong);
+        thud_text_append(out, "%s: %s\n    %s: exact %.6g, ", e->name, e->scene, e->quantity, e->exact);
+        if (isfinite(e->naive))
+            thud_text_append(out, "naive %.6g", e->naive);
         else
             thud_text_append(out, "naive blows up");
-        thud_text_append(out, " (%s), thud %.6g\n", e->naive, e->thud);
+        thud_text_append(out, " (%s), computed %.6g\n", e->method, e->computed);
     }
 }
 
@@ -154,12 +154,12 @@ void thud_stability_table(const struct thud_stability *s, struct thud_text *out)
             add_verdicts(s, kind, out);
     add_energies(s, out);
     add_restitutions(s, out);
-    add_exhibits(s, out);
+    add_test_cases(s, out);
 }
 
 const char *thud_stability_file(int which)
 {
-    static const char *const names[THUD_STABILITY_FILES] = {"verdicts", "energies", "restitutions", "exhibits"};
+    static const char *const names[THUD_STABILITY_FILES] = {"verdicts", "energies", "restitutions", "test-cases"};
     return names[which];
 }
 
@@ -177,15 +177,15 @@ static void add_how(struct thud_text *out, const struct thud_stepping *how)
     thud_text_append(out, "%s,%d", how->method->name, how->locate);
 }
 
-static void exhibits_csv(const struct thud_stability *s, struct thud_text *out)
+static void test_cases_csv(const struct thud_stability *s, struct thud_text *out)
 {
-    thud_text_append(out, "name,scene,quantity,naive,right,wrong,thud\n");
-    for (int i = 0; i < s->nexhibits && s->exhibit[i].name; i++) {
-        const struct thud_exhibit *e = &s->exhibit[i];
-        thud_text_append(out, "%s,\"%s\",\"%s\",\"%s\"", e->name, e->scene, e->quantity, e->naive);
-        add_field(out, e->right);
-        add_field(out, e->wrong);
-        add_field(out, e->thud);
+    thud_text_append(out, "name,scene,quantity,method,exact,naive,computed\n");
+    for (int i = 0; i < s->ntest_cases && s->test_case[i].name; i++) {
+        const struct thud_test_case *e = &s->test_case[i];
+        thud_text_append(out, "%s,\"%s\",\"%s\",\"%s\"", e->name, e->scene, e->quantity, e->method);
+        add_field(out, e->exact);
+        add_field(out, e->naive);
+        add_field(out, e->computed);
         thud_text_append(out, "\n");
     }
 }
@@ -223,12 +223,12 @@ void thud_stability_csv(const struct thud_stability *s, int which, struct thud_t
         thud_text_append(out, "\n");
     }
     if (which == 2)
-        thud_text_append(out, "law,nominal,closing_mps,method,located,setting,expected,obtained\n");
+        thud_text_append(out, "law,nominal,approach_mps,method,located,setting,expected,obtained\n");
     for (int i = 0; which == 2 && i < s->nrestitutions; i++) {
         const struct thud_stability_restitution *r = &s->restitution[i];
         thud_text_append(out, "%s", r->law->name);
         add_field(out, r->nominal);
-        add_field(out, r->closing_mps);
+        add_field(out, r->approach_mps);
         thud_text_append(out, ",");
         add_how(out, &r->how);
         add_field(out, r->how.setting);
@@ -237,5 +237,5 @@ void thud_stability_csv(const struct thud_stability *s, int which, struct thud_t
         thud_text_append(out, "\n");
     }
     if (which == 3)
-        exhibits_csv(s, out);
+        test_cases_csv(s, out);
 }

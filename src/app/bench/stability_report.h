@@ -9,7 +9,7 @@
 void thud_stability_table(const struct thud_stability *stability, struct thud_text *out);
 
 enum { THUD_STABILITY_FILES = 4 };
-/* "verdicts", "energies", "restitutions", "exhibits" */
+/* "verdicts", "energies", "restitutions", "test-cases" */
 const char *thud_stability_file(int which);
 void thud_stability_csv(const struct thud_stability *stability, int which, struct thud_text *out);
 

@@ -17,7 +17,7 @@ struct work {
     struct thud_session session;
     struct thud_scene scene; /* of a case */
     struct thud_measures own, independent;
-    const char *method; /* that answered by itself */
+    const char *method; /* that was picked by default */
     void (*progress)(void *context, const char *what);
 };
 
@@ -93,7 +93,7 @@ static void setting_text(const struct work *work, char *text, size_t size)
     if (!method || !(method->flags & THUD_METHOD_FIXED_STEP))
         snprintf(text, size, "tolerance %g", a->tolerance);
     else if (isnan(a->step_s))
-        snprintf(text, size, "with the step it takes by itself");
+        snprintf(text, size, "with its default step");
     else
         snprintf(text, size, "step %g s", a->step_s);
 }

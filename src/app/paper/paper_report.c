@@ -82,7 +82,7 @@ static void pairs(const struct thud_paper_study *study, struct thud_text *out)
              "restitution obtained | residual (mm) |\n|---|---|---|---|---|---|---|---|\n");
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
         const struct thud_paper_pair *p = &study->pair[i];
-        thud_text_append(out, "| %s | %.1f | %.1f | %.4f | %.3f | %.1f | %.5f | %.4f |\n", p->name, p->closing_mps,
+        thud_text_append(out, "| %s | %.1f | %.1f | %.4f | %.3f | %.1f | %.5f | %.4f |\n", p->name, p->approach_mps,
                          1e-3 * p->force_n, 1e3 * p->indentation_m, 1e3 * p->duration_s, p->nominal, p->restitution,
                          1e3 * p->residual_m);
     }
@@ -187,15 +187,17 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
     if (!any)
         return;
     thud_text_append(
-        out, "\n## The gap at which nothing touches\n\nLargest relative displacement of two floors that move without "
-             "touching each "
-             "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
-             "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
+        out,
+        "\n## The gap at which there is no contact\n\nLargest relative displacement of two floors that move without "
+        "contact under each "
+        "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
+        "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
     for (int r = 0; r < table->nrecords; r++) {
         const struct thud_sweep_need_row *most = &table->need[r];
         if (most->interface > 0)
             thud_text_append(out, "| %s | %d | %.2f | %.2f | %.2f | %.2f |\n", table->record[r], most->left_floor,
-                             1e2 * most->closing_m, 1e2 * most->abs_m, 1e2 * most->srss_m, 1e2 * most->ddc_m);
+                             1e2 * most->relative_displacement_m, 1e2 * most->abs_m, 1e2 * most->srss_m,
+                             1e2 * most->ddc_m);
     }
 }
 

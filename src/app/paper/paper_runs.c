@@ -75,7 +75,7 @@ static void read_spike(const struct thud_solution *pounding, const struct thud_s
             out->duration_s = impact[i].duration_s;
         }
     for (int c = 0; c < r->ncontacts; c++) {
-        out->touched += r->contact[c].impacts > 0;
+        out->struck += r->contact[c].impacts > 0;
         out->widened += r->contact[c].residual_m > 0;
         out->residual_m = fmax(out->residual_m, r->contact[c].residual_m);
     }
@@ -96,7 +96,7 @@ static enum thud_status vary_stiffness(struct thud_paper_runs *runs, const struc
         status = thud_scene_options(scene, &options, err);
     if (status == THUD_OK) {
         scene[1] = scene[0];
-        scene[1].interface[0].gap_m = 10; /* nothing touches */
+        scene[1].interface[0].gap_m = 10; /* there is no contact */
         status = thud_scene_solve(&scene[1], record, &options, &alone, err);
         options.keep_impacts = true;
     }
@@ -146,8 +146,8 @@ enum thud_status thud_paper_collisions(struct thud_paper_collision *out, struct 
         struct thud_solution solution;
         bool fig3 = i < THUD_PAPER_FIG3;
         thud_two_body_rubber(&pair);
-        pair.closing_mps = fig3 ? thud_paper_fig3_mps : slow_mps;
-        out[i] = (struct thud_paper_collision){.closing_mps = pair.closing_mps,
+        pair.approach_mps = fig3 ? thud_paper_fig3_mps : slow_mps;
+        out[i] = (struct thud_paper_collision){.approach_mps = pair.approach_mps,
                                                .nominal = fig3 ? thud_paper_fig3_restitution[i] : 0.5};
         thud_two_body_set(&pair, "restitution", out[i].nominal);
         status = thud_two_body_run(&pair, history_step_s, &solution, err);
@@ -155,7 +155,7 @@ enum thud_status thud_paper_collisions(struct thud_paper_collision *out, struct 
             const struct thud_contact_result *contact = thud_run_result(solution.run)->contact;
             out[i].force_n = contact->force.value;
             out[i].indentation_m = contact->indentation.value;
-            out[i].restitution = thud_two_body_separation(&solution) / pair.closing_mps;
+            out[i].restitution = thud_two_body_separation(&solution) / pair.approach_mps;
         }
         thud_solution_clear(&solution);
     }

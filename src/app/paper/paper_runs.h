@@ -11,7 +11,7 @@ struct thud_paper_spike {
     double stiffness_npm;
     double acceleration_mps2, free_mps2;  /* largest of the floors that pound, and of the same ones without pounding */
     double force_n, duration_s, period_s; /* of the strongest impact; first one of the left building */
-    int touched, widened;                 /* contacts that were, and those with a plastic indentation at the end */
+    int struck, widened;                  /* contacts that were, and those with a plastic indentation at the end */
     double residual_m;                    /* the largest */
 };
 enum { THUD_PAPER_STIFFNESSES = 3 };
@@ -33,7 +33,7 @@ void thud_paper_runs_clear(struct thud_paper_runs *runs);
 
 /* Two bodies of 320 t with the bumper. */
 struct thud_paper_collision {
-    double closing_mps, nominal, force_n, indentation_m, restitution;
+    double approach_mps, nominal, force_n, indentation_m, restitution;
 };
 enum { THUD_PAPER_FIG3 = 3, THUD_PAPER_SLOW = THUD_PAPER_FIG3, THUD_PAPER_COLLISIONS };
 /* Those of Fig. 3, and one at 0.25 m/s. Errors: those of runs. */

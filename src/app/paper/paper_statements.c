@@ -161,8 +161,8 @@ static enum verdict linear_rubber(const struct view *v, char *text)
 {
     const struct thud_paper_pair *p = v->study->pair;
     const struct thud_paper_collision *slow = &v->study->collision[THUD_PAPER_SLOW];
-    double linear[2] = {p[1].force_n * slow->closing_mps / p[1].closing_mps,
-                        p[1].force_n * p[3].closing_mps / p[1].closing_mps};
+    double linear[2] = {p[1].force_n * slow->approach_mps / p[1].approach_mps,
+                        p[1].force_n * p[3].approach_mps / p[1].approach_mps};
     double off[2] = {fabs(linear[0] / slow->force_n - 1), fabs(linear[1] / p[3].force_n - 1)};
     snprintf(text, TEXT, "%.2f MN for the rubber's %.2f at 0.25 m/s, %.2f MN for %.2f at 1.0 m/s", 1e-6 * linear[0],
              1e-6 * slow->force_n, 1e-6 * linear[1], 1e-6 * p[3].force_n);
@@ -185,9 +185,9 @@ static enum verdict equation6(const struct view *v, char *text)
 static enum verdict widened(const struct view *v, char *text)
 {
     const struct thud_paper_spike *x = &v->runs->spike[1];
-    snprintf(text, TEXT, "%d of %d contacts that touched, by up to %.2f mm", x->widened, x->touched,
+    snprintf(text, TEXT, "%d of %d contacts with impacts, by up to %.2f mm", x->widened, x->struck,
              1e3 * x->residual_m);
-    return judge(x->touched > 0 && x->widened == x->touched, x->widened > 0);
+    return judge(x->struck > 0 && x->widened == x->struck, x->widened > 0);
 }
 
 static enum verdict spikes(const struct view *v, char *text)
@@ -254,17 +254,17 @@ static enum verdict bumper_above_free(const struct view *v, char *text)
 
 static enum verdict strained(const struct view *v, char *text)
 {
-    int touched = 0, past = 0;
+    int struck = 0, past = 0;
     double most = 0;
     for (size_t i = 0; i < v->table->npoints; i++) {
         const struct thud_sweep_run *run = run_of(v->table->point[i], THUD_CASE_BUMPER);
         if (!run || !(run->force_n > 0))
             continue;
-        touched++;
+        struck++;
         past += run->indentation_m > v->strained_m;
         most = fmax(most, run->indentation_m);
     }
-    snprintf(text, TEXT, "%d of %d runs that touch it, by up to %.1f mm", past, touched,
+    snprintf(text, TEXT, "%d of %d runs that strike it, by up to %.1f mm", past, struck,
              1e3 * fmax(0, most - v->strained_m));
     return judge(past > 0, false);
 }
@@ -455,8 +455,8 @@ static enum verdict ratio_of_means(const struct view *v, char *text)
     return judge(same >= 0.95 * n, same >= 0.75 * n);
 }
 
-/* The widest gap at which a case still touches, under a motion; the widest of the study says nothing. */
-static double widest_touch(const struct view *v, int record, enum thud_case which)
+/* The widest gap at which a case still has contact, under a motion; the widest of the study says nothing. */
+static double widest_contact(const struct view *v, int record, enum thud_case which)
 {
     double widest = NAN, end = 0;
     for (size_t i = 0; i < v->table->npoints; i++) {
@@ -470,11 +470,11 @@ static double widest_touch(const struct view *v, int record, enum thud_case whic
 
 static enum verdict usable(const struct view *v, char *text)
 {
-    int full = 0, touched = 0, motions = 0, spared = 0;
+    int full = 0, struck = 0, motions = 0, spared = 0;
     const struct thud_interface *at = &v->study->scene->interface[0];
     double saves_m = at->bumper_thickness_m - v->strained_m, saved_m = NAN;
     for (int r = 0; r < v->table->nrecords; r++) {
-        double flush_m = widest_touch(v, r, THUD_CASE_BUMPER), cavity_m = widest_touch(v, r, THUD_CASE_CAVITY);
+        double flush_m = widest_contact(v, r, THUD_CASE_BUMPER), cavity_m = widest_contact(v, r, THUD_CASE_CAVITY);
         if (isnan(flush_m) || isnan(cavity_m))
             continue;
         saved_m = flush_m - cavity_m;
@@ -483,13 +483,13 @@ static enum verdict usable(const struct view *v, char *text)
     }
     for (size_t i = 0; i < v->table->npoints; i++) {
         const struct thud_sweep_run *run = run_of(v->table->point[i], THUD_CASE_CAVITY);
-        touched += run && run->force_n > 0;
+        struck += run && run->force_n > 0;
         full += run && run->force_n > 0 && run->indentation_m >= v->strained_m;
     }
     snprintf(text, TEXT,
-             "it touches up to a gap %.2g cm narrower under %d of %d motions; %.0f mm are used at %d of %d studies "
-             "that touch",
-             100 * saved_m, spared, motions, 1e3 * v->strained_m, full, touched);
+             "it is struck up to a gap %.2g cm narrower under %d of %d motions; %.0f mm are used at %d of %d studies "
+             "with contact",
+             100 * saved_m, spared, motions, 1e3 * v->strained_m, full, struck);
     return judge(motions > 0 && spared == motions && full > 0, full > 0 || spared > 0);
 }
 
@@ -536,9 +536,9 @@ static const struct statement {
      "more than 10 % from a quarter to four times the stiffness; partly: high or brief",
      true, spikes},
     {"Section 2.1: a small plastic deformation increases the clearance",
-     "a plastic indentation stays in every contact that touched, at the preset's gap without bumper", true, widened},
+     "a plastic indentation stays in every contact with impacts, at the preset's gap without bumper", true, widened},
     {"Section 2.2: bumpers may reduce the response due to pounding, which remains above that without pounding ([6])",
-     "no mean over the floors is below that without pounding where the bumper is touched, and some are below that of "
+     "no mean over the floors is below that without pounding where the bumper is struck, and some are below that of "
      "bare "
      "pounding; partly: more than half are not below",
      true, bumper_above_free},
@@ -587,7 +587,7 @@ static const struct statement {
     {"Fig. 8: at some narrow gaps the bumper is beneficial", "a mean acceleration is reduced at a gap up to 10 cm",
      true, narrow},
     {"Fig. 9: in a cavity all of the 4 cm of 5 are used, without decreasing the gap further by 1 cm",
-     "it touches up to gaps 1 cm narrower than on the wall, and is pressed by 4 cm somewhere", true, usable},
+     "it is struck up to gaps 1 cm narrower than on the wall, and is pressed by 4 cm somewhere", true, usable},
     {"Fig. 10: the cavity reduces the ratios substantially",
      "their mean by more than 0.05, and more than half of them; partly: their mean", true, cavity},
     {"Section 5: the effectiveness depends on the structures, such as the number of storeys",

@@ -33,10 +33,10 @@ struct site_suite {
     struct thud_gap_study gaps;
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
-    double *factor[SITE_CASES -
-                   SITE_NONE]; /* (nrecords) of each case, from which on each motion makes something touch, sorted */
-    double *room;              /* (nrecords) scratch */
-    bool drawing;              /* figures are of the suite, not of one motion */
+    double
+        *factor[SITE_CASES - SITE_NONE]; /* (nrecords) of each case, from which on each motion causes contact, sorted */
+    double *room;                        /* (nrecords) scratch */
+    bool drawing;                        /* figures are of the suite, not of one motion */
 };
 
 struct site {
@@ -81,7 +81,7 @@ void thud_site_inputs(struct site *site);
 
 /* Impacts of a run, and at how many levels. */
 int thud_site_impacts(const struct thud_result *result, int *levels);
-/* How many floors (storeys, for drifts) the bumper lowers, leaves as they are and raises. */
+/* How many floors (storeys, for drifts) the bumper lowers, leaves unchanged and raises. */
 void thud_site_effect(const struct site *site, bool drifts, int count[3]);
 
 /* ---- the suite ---- */
@@ -109,7 +109,7 @@ struct thud_site_shown {
 struct thud_site_shown thud_site_number(double value, int digits);
 /* "floor 4 of A and floor 4 of B"; a wall has no floors. */
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
-/* The contact with the largest force; NULL where nothing touched. */
+/* The contact with the largest force; NULL where there was no contact. */
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
 /* `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
 void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);

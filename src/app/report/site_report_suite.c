@@ -65,7 +65,7 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
     return status;
 }
 
-/* The factor of every motion from which on something touches, sorted. */
+/* The factor of every motion from which on there is contact, sorted. */
 static enum thud_status find_factors(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
@@ -150,8 +150,8 @@ static void say_pounding(struct site *site, int k)
                  ": a share of %.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence",
                  100 * f.share, 100 * low, 100 * high);
     thud_document_item(&site->document,
-                       "Of the suite of %zu ground motions, %zu make the buildings %s at the gap as it is%s.", f.n,
-                       count, k == 0 ? "pound without bumper" : "touch the bumper", band);
+                       "Of the suite of %zu ground motions, %zu make the buildings %s at the given gap%s.", f.n, count,
+                       k == 0 ? "pound without bumper" : "touch the bumper", band);
 }
 
 /* "They pound from 0.37 times their strength on under 7 of the 14" */
@@ -182,10 +182,11 @@ static void say_widths(struct site *site)
         d->failed = true;
         return;
     }
-    thud_document_item(d,
-                       "So that nothing touches, %zu of them need a gap of up to %.1f cm, %zu of them up to %.1f cm, "
-                       "and all of them %.1f cm, between the bare faces.",
-                       f.half, 100 * f.median, f.most84, 100 * f.p84, 100 * f.most);
+    thud_document_item(
+        d,
+        "So that there is no contact, %zu of them need a gap of up to %.1f cm, %zu of them up to %.1f cm, "
+        "and all of them %.1f cm, between the bare faces.",
+        f.half, 100 * f.median, f.most84, 100 * f.p84, 100 * f.most);
 }
 
 /* How many motions the bumper helps and harms. */

@@ -71,7 +71,7 @@ static void sensitivity(struct site *site)
 
 /* ---- all of them at once ---- */
 
-/* Shown in g, mm and MN; a ratio as it is. */
+/* Shown in g, mm and MN; a ratio without factor. */
 static double unit_of(const struct thud_quantity_of_run *q)
 {
     static const double unit[] = {[THUD_OF_ACCELERATION] = THUD_GRAVITY,

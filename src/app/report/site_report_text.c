@@ -56,12 +56,12 @@ static void say_case(struct site *site, const struct site_case *one)
     const struct thud_contact_result *most = thud_site_strongest(one->result);
     char between[320];
     if (n == 0 || !most) {
-        thud_document_item(&site->document, "%c%s nothing touches.", one->words[0] - 'a' + 'A', one->words + 1);
+        thud_document_item(&site->document, "%c%s there is no contact.", one->words[0] - 'a' + 'A', one->words + 1);
         return;
     }
     thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between, sizeof between);
     thud_document_item(&site->document,
-                       "%c%s they touch %d time%s, at %d level%s. The largest force is %s MN, between %s, at %.2f s.",
+                       "%c%s they collide %d time%s, at %d level%s. The largest force is %s MN, between %s, at %.2f s.",
                        one->words[0] - 'a' + 'A', one->words + 1, n, plural(n), levels, plural(levels),
                        thud_site_number(1e-6 * most->force.value, 3).text, between, most->force.time_s);
 }
@@ -170,7 +170,7 @@ static void say_effect(struct site *site, int table)
         if (floors.failed)
             site->document.failed = true;
         else if (n > 0 && side == SAME)
-            thud_document_item(&site->document, "The bumper leaves the largest %s %s as they are, within %.0f %%.",
+            thud_document_item(&site->document, "The bumper leaves the largest %s %s unchanged, within %.0f %%.",
                                quantity, floors.data, 100 * same_within);
         else if (n > 0)
             thud_document_item(&site->document, "The bumper %s the largest %s %s, by up to %.0f %%.", verb[side],
@@ -283,7 +283,7 @@ static void say_gap(struct site *site)
                      thud_summary_gap_cm(needed + out), 100 * out);
         thud_document_item(
             &site->document,
-            "Under this motion nothing touches between %s and %s from a gap of %.1f cm on (%s decide%s); "
+            "Under this motion there is no contact between %s and %s from a gap of %.1f cm on (%s decide%s); "
             "the gap is %.1f cm.",
             thud_site_name(site, i - 1), thud_site_name(site, i), thud_summary_gap_cm(needed), between, bumper,
             100 * f->gap_m);
@@ -335,7 +335,7 @@ static void solution(struct site *site)
     bool pounds = thud_site_impacts(none->result, &levels) > 0;
     thud_site_suite_summary(site);
     if (site->record)
-        thud_document_paragraph(d, "%s %s%s, %s, the buildings %s at the gap as it is.",
+        thud_document_paragraph(d, "%s %s%s, %s, the buildings %s at the given gap.",
                                 site->suite.runs ? "One motion in detail: under" : "Under",
                                 thud_path_name(site->record->file), thud_record_synthetic_mark(site->record), peak,
                                 pounds ? "pound against each other" : "do not touch");
@@ -774,7 +774,7 @@ static void gap(struct site *site)
         return;
     thud_document_heading(d, "The gap that is enough");
     thud_document_paragraph(
-        d, "What each level needs so that nothing touches under this ground motion, from the motion "
+        d, "What each level needs so that there is no contact under this ground motion, from the motion "
            "without pounding: exactly (the largest relative displacement), and by rules that know the two largest "
            "displacements alone. Centimetres, between the bare faces; a bumper takes its own "
            "besides.");
@@ -1023,7 +1023,7 @@ static void limits(struct site *site)
                               "suite (--records) adds shares and fractiles over several.");
     if (site->uncertainty)
         thud_document_item(d, "The samples change the inputs that are listed with their sizes, and nothing else: laws, "
-                              "rigid floors and all that is said here are as they are in every sample.");
+                              "rigid floors and all that is said here are those of every sample.");
     thud_document_item(d,
                        "%s storeys, rigid floors, motion in one direction, no torsion, no soil, the same ground "
                        "motion under all buildings.",

@@ -79,9 +79,9 @@ static void bumper_row(struct site *site)
         return;
     }
     if (thud_site_impacts(site->cases[SITE_NONE].result, &levels) == 0) {
-        bool touches = thud_site_impacts(site->cases[SITE_BUMPER].result, &levels) > 0;
+        bool in_contact = thud_site_impacts(site->cases[SITE_BUMPER].result, &levels) > 0;
         row(site, "bumper worth it",
-            touches ? "no: nothing touches without it, and it is touched" : "no: nothing touches without it");
+            in_contact ? "no: there is no contact without it, and it is struck" : "no: there is no contact without it");
         return;
     }
     thud_site_effect(site, false, a);

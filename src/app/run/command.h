@@ -38,7 +38,7 @@ enum thud_word {
     THUD_WORD_FOLDER,
     THUD_WORD_PRESET, /* a name or a file */
     THUD_WORD_KEY,    /* and `=` after it */
-    THUD_WORD_VARIED, /* a key by itself */
+    THUD_WORD_VARIED, /* a key alone */
     THUD_WORD_CASE,
     THUD_WORD_METHOD,
     THUD_WORD_FIGURE,

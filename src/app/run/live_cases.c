@@ -121,8 +121,9 @@ static void need_finish(struct thud_live *live)
         struct thud_live_need *need = &live->need[p->interface - 1];
         double left = thud_gap_side(live->apart, live->baseline, c, false),
                right = thud_gap_side(live->apart, live->baseline, c, true);
-        need->closing_m =
-            fmax(need->closing_m, thud_baseline_relative_displacement(live->baseline, c)); /* fmax passes over NaN */
+        need->relative_displacement_m =
+            fmax(need->relative_displacement_m,
+                 thud_baseline_relative_displacement(live->baseline, c)); /* fmax passes over NaN */
         need->abs_m = fmax(need->abs_m, thud_spacing_abs(left, right));
         need->srss_m = fmax(need->srss_m, thud_spacing_srss(left, right));
     }

@@ -34,7 +34,7 @@ struct thud_live_case {
 /* Between two neighbours, m: the clearance that is never used up, and what the codes' rules make of the largest
  * displacements; the largest over the floors that can meet. NaN: not known. */
 struct thud_live_need {
-    double closing_m, abs_m, srss_m;
+    double relative_displacement_m, abs_m, srss_m;
 };
 
 /* What is kept of the motions. */

@@ -221,7 +221,7 @@ static void put_struck(const struct thud_structure *left, int left_floor, int ri
                      left[by_left ? 0 : 1].name, by_left ? right_floor : left_floor, left[by_left ? 1 : 0].name);
 }
 
-/* "Without bumper they touch 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
+/* "Without bumper they collide 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
     int impacts, before;
@@ -234,11 +234,11 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
         thud_text_append(out, "%s %s.\n", how, fall.what);
     if (!most) {
-        thud_text_append(out, "%s nothing touches.\n", how);
+        thud_text_append(out, "%s there is no contact.\n", how);
         return;
     }
     const struct thud_structure *left = &cases->item[i].scene.structure[most->interface - 1];
-    thud_text_append(out, "%s they touch %d time%s", how, impacts, impacts == 1 ? "" : "s");
+    thud_text_append(out, "%s they collide %d time%s", how, impacts, impacts == 1 ? "" : "s");
     if (most->force.value > 0) {
         thud_text_append(out, ", hardest with %.4g MN, ", 1e-6 * most->force.value);
         if (most->struck != 0)
@@ -289,7 +289,7 @@ static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
         if (left + right == 0)
             continue;
         thud_text_append(out,
-                         "%s and %s do not touch from a gap of %.4g cm on (here %.4g cm): ", scene->structure[i].name,
+                         "%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ", scene->structure[i].name,
                          scene->structure[i + 1].name, 100 * cases->need_m[i], 100 * scene->interface[i].gap_m);
         if (struck != 0)
             put_struck(&scene->structure[i], left, right, struck, out);

@@ -19,8 +19,8 @@ struct thud_run_cases {
     const struct thud_record *record; /* the session's; NULL: there is none */
     int n;                            /* no pounding, then the cases asked for */
     struct thud_run_case item[THUD_RUN_CASES_MAX];
-    /* of each interface: the gap from which on nothing touches without bumper, and the floors that need it; 0: there are
-     * no two floors at one level */
+    /* of each interface: the gap from which on there is no contact without bumper, and the floors that need it; 0:
+     * there are no two floors at one level */
     double need_m[THUD_STRUCTURES_MAX];
     int need_left[THUD_STRUCTURES_MAX], need_right[THUD_STRUCTURES_MAX], need_struck[THUD_STRUCTURES_MAX];
 };

@@ -719,7 +719,7 @@ static void put_suite_table_row(const struct thud_suite *suite, const int *at, i
     size_t used = 0;
     if (!is_shown_setting(plan, at))
         return;
-    snprintf(name, sizeof name, "%s", plan->naxes > 0 ? "" : "as it is");
+    snprintf(name, sizeof name, "%s", plan->naxes > 0 ? "" : "nominal");
     for (int a = 0; a < plan->naxes && used < sizeof name; a++)
         used += (size_t)snprintf(name + used, sizeof name - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
     thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,

@@ -13,7 +13,7 @@ struct response {
     const char *what;
     enum thud_suite_measure measure;
     bool of_structure;
-    bool ratio; /* to case none as it is */
+    bool ratio; /* to case none, nominal */
 };
 
 static const struct response responses[] = {{"mean acceleration", THUD_SUITE_ACCELERATION_RATIO, true, true},
@@ -74,7 +74,7 @@ static void name_setting(const struct thud_sweep_plan *plan, long setting, char 
 {
     int at[THUD_VARY_MAX];
     size_t used = 0;
-    snprintf(name, size, "as it is");
+    snprintf(name, size, "nominal");
     thud_suite_place(plan, setting, at);
     for (int a = 0; a < plan->naxes && used < size; a++)
         used += (size_t)snprintf(name + used, size - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);

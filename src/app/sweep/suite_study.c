@@ -119,7 +119,7 @@ static void put_result(const struct thud_suite_study *study, struct thud_text *o
         thud_text_append(out, "chosen    %d of %d\n", s->chosen, s->n);
 }
 
-/* A motion as it is shown: its name, values and what stands behind them, with columns for the marked periods. */
+/* A motion as shown: its name, values and what stands behind them, with columns for the marked periods. */
 struct shown_row {
     struct thud_motion_row own;
     const char *name, *tail;

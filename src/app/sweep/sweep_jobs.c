@@ -283,7 +283,7 @@ static enum thud_status failure(const struct thud_sweep_work *w, struct thud_err
 }
 
 /* What the point shares with others is settled in the order of points. The lock is held. */
-static void settle(struct thud_sweep_work *w, struct made *made)
+static void take_result(struct thud_sweep_work *w, struct made *made)
 {
     struct thud_error error = {0};
     enum thud_status status = thud_sweep_group_settle(made->group->group, made->point, &error);
@@ -307,7 +307,7 @@ enum thud_status thud_sweep_work_take(struct thud_sweep_work *w, double wait_s, 
     if (!*done && !w->stop && !slot->point && wait_s > 0)
         thud_threads_wait(&w->ready, &w->lock, wait_s);
     if (!*done && !w->stop && slot->point)
-        settle(w, slot);
+        take_result(w, slot);
     if (!*done && !w->stop && slot->point) {
         *point = slot->point;
         slot->point = NULL;

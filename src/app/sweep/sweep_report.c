@@ -32,7 +32,7 @@ static void put_value(const struct thud_sweep_axis *axis, double value, char *te
 static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
 {
     size_t used = 0;
-    snprintf(text, PLACE, "%s", plan->naxes > 0 ? "" : "as it is");
+    snprintf(text, PLACE, "%s", plan->naxes > 0 ? "" : "nominal");
     for (int a = 0; a < plan->naxes && used < PLACE; a++) {
         char one[THUD_NAME_MAX];
         if (a == but)
@@ -120,7 +120,7 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
     thud_contact_pair_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
-    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->closing_m, interface, pair);
+    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->relative_displacement_m, interface, pair);
     if (varies)
         thud_text_append(out, " at %s", place_of_need(plan, worst, at));
     thud_text_append(out, "; ABS %.2f, SRSS %.2f", 100 * worst->abs_m, 100 * worst->srss_m);
@@ -129,7 +129,7 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     thud_text_append(out, " cm\n");
     if (varies)
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
-                         100 * least->closing_m, place_of_need(plan, least, at));
+                         100 * least->relative_displacement_m, place_of_need(plan, least, at));
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
@@ -338,7 +338,7 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
 /* What stands behind a row of the best values: why it may be none. */
 static const char *best_remark(const struct thud_sweep_best *best)
 {
-    return best->idle ? "touches nothing, or hardly" : best->at_end ? "at the end of its range" : "";
+    return best->idle ? "is struck by nothing, or hardly" : best->at_end ? "at the end of its range" : "";
 }
 
 static const char *best_record(const struct thud_sweep_table *table, const struct thud_sweep_best *best)
@@ -427,7 +427,7 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
                                  best->ratio,
                                  best->drift_ratio,
                                  best->worst_ratio,
-                                 best->idle ? "touches nothing or hardly" : best_remark(best)};
+                                 best->idle ? "is struck by nothing or hardly" : best_remark(best)};
     for (int a = 0, n = 0; a < plan->naxes; a++)
         if (a != axis)
             c.axes.value[n++] = value_on(&plan->axis[a], best->other[a], text[a]);

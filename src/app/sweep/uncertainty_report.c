@@ -6,7 +6,7 @@
 #include "io/file/json.h"
 #include "io/file/schema.h"
 
-/* Shown units: m/s2, cm, MN, ratios and numbers as they are. */
+/* Shown units: m/s2, cm, MN, ratios and numbers without factor. */
 static double shown(const struct thud_quantity_of_run *q, double value)
 {
     static const double factor[] = {[THUD_OF_ACCELERATION] = 1,
@@ -141,14 +141,14 @@ static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_u
     thud_text_append(out, ".\n");
 }
 
-/* Whether anything touches, as the largest force tells it. */
-static void put_touches(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
+/* Whether there is contact, as the largest force tells it. */
+static void put_contact(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                         struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     if (quantity->kind == THUD_OF_FORCE && quantity->structure < 0 && strstr(quantity->column, ".force_n"))
-        thud_text_append(out, "%s: something touches in %.0f %% of %.0f samples.\n", thud_case_name(quantity->which),
-                         100 * t->touches, t->count);
+        thud_text_append(out, "%s: there is contact in %.0f %% of %.0f samples.\n", thud_case_name(quantity->which),
+                         100 * t->has_contact, t->count);
 }
 
 static void put_indices(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
@@ -186,7 +186,7 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
 {
     const struct thud_uncertainty *u = study->uncertainty;
     put_inputs(u, out);
-    thud_text_append(out, "%-40s %8s%s\n", "", "as it is", study->samples > 0 ? "      5 %   median     95 %" : "");
+    thud_text_append(out, "%-40s %8s%s\n", "", "nominal", study->samples > 0 ? "      5 %   median     95 %" : "");
     for (int q = 0; q < u->nquantities; q++)
         put_row(u, q, &study->told[q], out);
     thud_text_append(out, "\n%-40s %s\n", "one input at a time", "moved most by");
@@ -199,7 +199,7 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
     if (study->samples > 0)
         thud_text_append(out, "\n");
     for (int q = 0; q < u->nquantities && study->samples > 0; q++)
-        put_touches(u, q, &study->told[q], out);
+        put_contact(u, q, &study->told[q], out);
     for (int q = 0; q < u->nquantities; q++)
         put_gap(u, q, &study->told[q], out);
     for (int q = 0; q < u->nquantities; q++) {

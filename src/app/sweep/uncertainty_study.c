@@ -79,7 +79,7 @@ static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_e
     size_t d = (size_t)u->ninputs, n = study->samples, first = thud_uncertainty_first_sample(study), row = 1;
     size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0;
     for (size_t i = 0; i < first * d; i++)
-        study->place[i] = motions && i % d + 1 == d ? NAN : 0.5; /* the motion as it is: the scene's own */
+        study->place[i] = motions && i % d + 1 == d ? NAN : 0.5; /* the nominal motion: the scene's own */
     for (size_t i = 0; i + (motions > 0) < d; i++) {
         study->place[row++ * d + i] = 0;
         study->place[row++ * d + i] = 1;
@@ -212,13 +212,13 @@ static double between_motions(const struct thud_uncertainty_study *study, const 
     return outside + inside > 0 ? outside / (outside + inside) : NAN;
 }
 
-static enum thud_status tell(const struct thud_uncertainty_study *study, int q, double *room,
+static enum thud_status tell(const struct thud_uncertainty_study *study, int q, double *values,
                              struct thud_uncertainty_told *t, struct thud_error *err)
 {
     const struct thud_uncertainty *u = study->uncertainty;
     size_t d = (size_t)u->ninputs, first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
-    size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0, below = 0, still = 0;
-    t->low = t->median = t->high = t->below = t->touches = t->between = NAN;
+    size_t motions = u->nsuite > 1 ? (size_t)u->nsuite : 0, below = 0, without_contact = 0;
+    t->low = t->median = t->high = t->below = t->has_contact = t->between = NAN;
     t->nominal = thud_uncertainty_value(study, 0, q);
     for (size_t i = 0; i < d; i++) {
         bool motion = motions && i + 1 == d;
@@ -233,17 +233,18 @@ static enum thud_status tell(const struct thud_uncertainty_study *study, int q, 
             t->of[k][i] = NAN;
     }
     for (size_t r = 0; first + r < study->rows; r++)
-        room[r] = thud_uncertainty_value(study, first + r, q);
-    double *scratch = room + study->rows; /* (2 x 2 x d, or 3 x motions) */
+        values[r] = thud_uncertainty_value(study, first + r, q);
+    double *scratch = values + study->rows; /* (2 x 2 x d, or 3 x motions) */
     if (motions && n > 0)
-        t->between = between_motions(study, room, n, scratch, scratch + motions, scratch + 2 * motions);
+        t->between = between_motions(study, values, n, scratch, scratch + motions, scratch + 2 * motions);
     if (study->indices && study->samples > 0) {
         size_t rows = study->samples;
         struct thud_random random = {study->seed};
-        enum thud_status status = thud_sobol_indices(room, room + rows, room + n, rows, d, t->of[THUD_INPUT_FIRST],
-                                                     t->of[THUD_INPUT_TOTAL], err);
+        enum thud_status status = thud_sobol_indices(values, values + rows, values + n, rows, d,
+                                                     t->of[THUD_INPUT_FIRST], t->of[THUD_INPUT_TOTAL], err);
         if (status == THUD_OK)
-            status = thud_sobol_intervals(room, room + rows, room + n, rows, d, &random, scratch, scratch + 2 * d, err);
+            status = thud_sobol_intervals(values, values + rows, values + n, rows, d, &random, scratch, scratch + 2 * d,
+                                          err);
         if (status != THUD_OK)
             return status;
         memcpy(t->of[THUD_INPUT_FIRST_LOW], scratch, d * sizeof *scratch);
@@ -251,19 +252,19 @@ static enum thud_status tell(const struct thud_uncertainty_study *study, int q, 
         memcpy(t->of[THUD_INPUT_FIRST_HIGH], scratch + 2 * d, d * sizeof *scratch);
         memcpy(t->of[THUD_INPUT_TOTAL_HIGH], scratch + 3 * d, d * sizeof *scratch);
     }
-    size_t whole = thud_sort_numbers(room, n);
+    size_t whole = thud_sort_numbers(values, n);
     t->count = (double)whole;
     if (whole == 0)
         return THUD_OK;
-    while (below < whole && room[below] < 1)
+    while (below < whole && values[below] < 1)
         below++;
-    while (still < whole && room[still] <= 0)
-        still++;
-    t->low = thud_quantile(room, whole, 0.05, false);
-    t->median = thud_quantile(room, whole, 0.5, false);
-    t->high = thud_quantile(room, whole, 0.95, false);
+    while (without_contact < whole && values[without_contact] <= 0)
+        without_contact++;
+    t->low = thud_quantile(values, whole, 0.05, false);
+    t->median = thud_quantile(values, whole, 0.5, false);
+    t->high = thud_quantile(values, whole, 0.95, false);
     t->below = (double)below / (double)whole;
-    t->touches = 1 - (double)still / (double)whole;
+    t->has_contact = 1 - (double)without_contact / (double)whole;
     return THUD_OK;
 }
 
@@ -271,12 +272,12 @@ static enum thud_status tell_all(struct thud_uncertainty_study *study, struct th
 {
     const struct thud_uncertainty *u = study->uncertainty;
     size_t scratch = 4 * (size_t)u->ninputs + 3 * (size_t)u->nsuite;
-    double *room = malloc((study->rows + scratch + 1) * sizeof *room);
+    double *values = malloc((study->rows + scratch + 1) * sizeof *values);
     study->told = calloc((size_t)u->nquantities, sizeof *study->told);
-    enum thud_status status = room && study->told ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = values && study->told ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int q = 0; q < u->nquantities && status == THUD_OK; q++)
-        status = tell(study, q, room, &study->told[q], err);
-    free(room);
+        status = tell(study, q, values, &study->told[q], err);
+    free(values);
     return status;
 }
 

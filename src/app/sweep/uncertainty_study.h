@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "study/uncertainty/uncertainty.h"
 
-/* Rows of places (ninputs each) and of values (nquantities each), one after the other: as it is; each input least and
+/* Rows of places (ninputs each) and of values (nquantities each), one after the other: nominal; each input least and
  * most, alone; each ground motion of the suite, alone; n samples; and for the indices n more, and for each input the
  * first n with it from the second. */
 enum thud_sampling { THUD_SAMPLING_LATIN_HYPERCUBE, THUD_SAMPLING_SOBOL, THUD_SAMPLINGS };
@@ -51,9 +51,9 @@ enum thud_of_input {
 };
 /* What is told of a quantity; NaN where there are no samples or indices. */
 struct thud_uncertainty_told {
-    double nominal, low, median, high; /* as it is; 5, 50 and 95 % of the samples */
+    double nominal, low, median, high; /* nominal; 5, 50 and 95 % of the samples */
     double below, count;               /* share of the samples below 1 (of ratios), and how many have a result */
-    double touches;                    /* share of the samples that are above 0 */
+    double has_contact;                /* share of the samples that are above 0 */
     double between;                    /* share of the variance that lies between the ground motions' means */
     double of[THUD_OF_INPUTS][THUD_DRAWN_MAX];
 };

@@ -57,13 +57,13 @@ void thud_contact_moved(struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
         struct thud_contact_state *s = &state->contact[c];
-        bool still = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
-                     thud_contact_indentation(state, c) == 0;
-        s->suppressed = (struct thud_suppressed){.indentation = still};
+        bool at_zero = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
+                       thud_contact_indentation(state, c) == 0;
+        s->suppressed = (struct thud_suppressed){.indentation = at_zero};
     }
 }
 
-/* Force that the elastic curve would reach at the closing velocity v: the scale on which errors of this contact's force
+/* Force that the elastic curve would reach at the approach velocity v: the scale on which errors of this contact's force
  * count. */
 static double expected_force(const struct thud_state *state, int c, double v)
 {
@@ -111,7 +111,8 @@ void thud_impact_count(const struct thud_state *state, struct thud_contact_log *
     r->restitution = NAN;
 }
 
-/* Separation speed over closing speed; NaN where the closing speed is no more than rounding, or the bodies did not part. */
+/* Separation over approach velocity; NaN where the approach velocity is no more than rounding, or the bodies did not
+ * part. */
 static double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
 {
     double least = THUD_TOL_CLOSING * state->speed_mps;
@@ -156,17 +157,17 @@ static void note_release(struct thud_state *state, struct thud_contact_log *log,
     log->contact[c].restitution = now->restitution;
 }
 
-static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int zeros,
+static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int suppressed,
                                      struct thud_error *err)
 {
     struct thud_contact_state *s = &state->contact[c];
     thud_contact_set_mode(state, c, THUD_OPEN);
-    s->suppressed = (struct thud_suppressed){.indentation = zeros};
+    s->suppressed = (struct thud_suppressed){.indentation = suppressed};
     const bool listed = c < state->model->npairs && thud_impact_counts(state, c, log->now[c].impulse_ns);
     return listed ? thud_contact_log_add(log, &log->now[c], err) : THUD_OK;
 }
 
-/* Zeros of a force that has just left 0 to this side: none where a blow has put it beyond. */
+/* Suppressed coefficients of a force that has just left 0 to this side: none where a blow has put it beyond. */
 static int force_zeros(const struct thud_state *state, int c, double sign)
 {
     const struct thud_branch *b = &state->contact[c].branch;
@@ -190,7 +191,7 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
     return THUD_OK;
 }
 
-/* The contact as it is in a phase that begins at indentation d: its memory, and what follows from that. */
+/* The contact in a phase that begins at indentation d: its memory, and what follows from that. */
 static struct thud_contact_state in_phase(const struct thud_state *state, int c, enum thud_phase phase, double d)
 {
     struct thud_contact_state s = state->contact[c];
@@ -347,17 +348,17 @@ static double rest_speed(const struct thud_state *state)
     return fmax(1e-4 * state->tolerance, THUD_TOL_REST) * state->speed_mps;
 }
 
-/* Contacts that take part: the one that touches now, those that are held, and those that touch and do not open. */
-static int gather(const struct thud_state *state, int touching, int *set)
+/* Contacts that take part: the one at onset, those that are held, and those closed to rounding that do not open. */
+static int gather(const struct thud_state *state, int onset, int *set)
 {
     int n = 0;
     for (int c = 0; c < state->model->ncontacts; c++) {
         const struct thud_contact_state *s = &state->contact[c];
         if (!(state->model->contact[c].law->flags & THUD_LAW_IMPULSIVE))
             continue;
-        bool touches = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_TOUCHING_M &&
-                       thud_contact_rate(state, c) >= -rest_speed(state);
-        if (c == touching || s->mode == THUD_STICKING || touches)
+        bool in_contact = s->mode == THUD_OPEN && fabs(thud_contact_indentation(state, c)) <= THUD_TOL_CONTACT_M &&
+                          thud_contact_rate(state, c) >= -rest_speed(state);
+        if (c == onset || s->mode == THUD_STICKING || in_contact)
             set[n++] = c;
     }
     return n;
@@ -368,7 +369,7 @@ struct collision {
     int n;
     const int *set;
     int *role;
-    double *speed, *impulse, *force; /* (n) closing speeds before; impulses; forces that hold the contacts then */
+    double *speed, *impulse, *force; /* (n) approach velocities before; impulses; forces that hold the contacts then */
     double *m, *q, *work;            /* M (n x n) */
 };
 
@@ -456,7 +457,7 @@ static enum thud_status check_energy(const struct thud_state *state, const struc
                           thud_state_now(state), -lost);
 }
 
-/* What the impulses change in the closing speed of contact c. */
+/* What the impulses change in the approach velocity of contact c. */
 static double change_of_rate(const struct thud_state *state, const struct collision *x, int c)
 {
     const struct thud_model *m = state->model;
@@ -550,14 +551,14 @@ static enum thud_status hold_or_part(struct thud_state *state, struct thud_conta
     for (int i = 0; i < x->n && status == THUD_OK; i++) {
         const int c = x->set[i];
         const bool held = x->role[i] == HELD || x->role[i] == HELD_AND_STRUCK;
-        const int zeros = fabs(thud_contact_rate(state, c)) > rest_speed(state) ? 1 : 2;
+        const int suppressed = fabs(thud_contact_rate(state, c)) > rest_speed(state) ? 1 : 2;
         if (x->force[i] >= 0) {
             hold(state, log, c, x->role[i], x->force[i]);
         } else if (held) {
             note_release(state, log, c);
-            status = open_contact(state, log, c, zeros, err);
+            status = open_contact(state, log, c, suppressed, err);
         } else if (x->role[i] == STRUCK) {
-            state->contact[c].suppressed = (struct thud_suppressed){.indentation = zeros};
+            state->contact[c].suppressed = (struct thud_suppressed){.indentation = suppressed};
         }
     }
     return status;

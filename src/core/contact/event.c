@@ -15,13 +15,13 @@
  *     d(s), d'(s)    indentation and its rate, polynomials in s; d[k]: coefficient of s^k
  *     p(s)           what a guard watches: it has the sign of the guard's function, and fires where sign * p rises above 0
  *     sign           +1: p comes from below; -1: from above; 0 in the table: by the phase or the side of the branch
- *     zeros          suppressed coefficients: that many of the lowest of p are taken as 0, as the last event has put p
+ *     suppressed     number of lowest coefficients of p that are taken as 0, as the last event has put p
  *                    there and rounding may not decide which way it goes; `order` of the event that follows
- *     reach, bend    bounds of |d(s) - d(0)| and |d'(s) - d'(0)| h in the segment
+ *     d_bound, v_bound  bounds of |d(s) - d(0)| and |d'(s) - d'(0)| h in the segment
  *     s_end, limit   how far the segment counts; no later than the first event found so far
  *
- * Deactivation: a guard with zeros > 0 whose lowest coefficient that is left points away does not fire before p has come
- * back. */
+ * Deactivation: a guard with suppressed > 0 whose lowest coefficient that is left points away does not fire before p
+ * has come back. */
 
 enum watched { INDENTATION, FORCE, RATE, BRANCH, CONSTRAINT_LOW, CONSTRAINT_HIGH };
 
@@ -76,8 +76,8 @@ struct view {
     const struct thud_state *state;
     const struct thud_segment *seg;
     int c;
-    const double *d;    /* indentation; its lowest orders are 0 where rounding alone has left them */
-    double reach, bend; /* how far it may be from its start, and its rate from the rate there */
+    const double *d;         /* indentation; its lowest orders are 0 where rounding alone has left them */
+    double d_bound, v_bound; /* how far it may be from its start, and its rate from the rate there */
     struct thud_suppressed suppressed;
 };
 
@@ -127,23 +127,23 @@ static void constraint_function(const struct view *v, bool high, double *out)
 
 /* The polynomial that a guard watches into out (n coefficients), how many of its lowest ones are 0; false where it
  * cannot take the sign. */
-static bool watched_function(const struct view *v, enum watched watched, double *out, int *n, int *zeros)
+static bool watched_function(const struct view *v, enum watched watched, double *out, int *n, int *suppressed)
 {
     const struct thud_contact_state *s = &v->state->contact[v->c];
     const struct thud_law *law = v->state->model->contact[v->c].law;
     *n = v->seg->terms;
-    *zeros = 0;
+    *suppressed = 0;
     switch (watched) {
     case INDENTATION:
         memcpy(out, v->d, (size_t)*n * sizeof *out);
-        *zeros = v->suppressed.indentation;
-        return *zeros < *n || s->mode != THUD_OPEN;
+        *suppressed = v->suppressed.indentation;
+        return *suppressed < *n || s->mode != THUD_OPEN;
     case FORCE:
-        *zeros = v->suppressed.force;
+        *suppressed = v->suppressed.force;
         return (s->mode == THUD_CLOSED_NO_FORCE || !(law->flags & THUD_LAW_PULLS)) &&
                force_function(&s->branch, v->d, *n, v->seg->h_s, out);
     case RATE:
-        *zeros = v->suppressed.rate;
+        *suppressed = v->suppressed.rate;
         if (!(law->flags & THUD_LAW_REVERSES))
             return false;
         *n -= 1;
@@ -155,7 +155,7 @@ static bool watched_function(const struct view *v, enum watched watched, double 
             return false;
         memcpy(out, v->d, (size_t)*n * sizeof *out);
         out[0] -= s->ultimate_m;
-        *zeros = v->suppressed.branch;
+        *suppressed = v->suppressed.branch;
         return true;
     case CONSTRAINT_LOW:
     case CONSTRAINT_HIGH:
@@ -180,16 +180,18 @@ static double slope_now(const struct view *v, bool is_rate)
     return linear ? b->k_npm * thud_contact_rate(v->state, v->c) + b->c_nspm * a : b->D * a;
 }
 
-/* When p takes this sign, which it may have just left (`zeros`). At once only if the state's own slope says so: that of
- * the polynomial may be too small for the method to resolve, and wrong, and would start chattering. Then its lowest
- * orders are passed over. */
-static double crossing(const struct view *v, const double *p, int n, double s_end, double sign, int zeros, bool is_rate)
+/* When p takes this sign, which it may have just left (`suppressed`). At once only if the state's own slope says so:
+ * that of the polynomial may be too small for the method to resolve, and wrong, and would start chattering. Then its
+ * lowest orders are passed over. */
+static double crossing(const struct view *v, const double *p, int n, double s_end, double sign, int suppressed,
+                       bool is_rate)
 {
-    double s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
-    if (s > 0 || zeros == 0 || v->state->contact[v->c].suppressed.indentation > 0 || sign * slope_now(v, is_rate) > 0)
+    double s = thud_poly_first_above(p, n, s_end, sign, suppressed, 0);
+    if (s > 0 || suppressed == 0 || v->state->contact[v->c].suppressed.indentation > 0 ||
+        sign * slope_now(v, is_rate) > 0)
         return s;
-    while (s == 0 && ++zeros < n)
-        s = thud_poly_first_above(p, n, s_end, sign, zeros, 0);
+    while (s == 0 && ++suppressed < n)
+        s = thud_poly_first_above(p, n, s_end, sign, suppressed, 0);
     return s > 0 ? s : INFINITY;
 }
 
@@ -209,19 +211,19 @@ static bool stays(const struct view *v, const struct guard *guard, int sign)
     const double rate = 1 / v->seg->h_s;
     switch (guard->watched) {
     case INDENTATION:
-        return v->suppressed.indentation == 0 && sign * v->d[0] + v->reach < 0;
+        return v->suppressed.indentation == 0 && sign * v->d[0] + v->d_bound < 0;
     case RATE:
-        return v->suppressed.rate == 0 && sign * v->d[1] + v->bend < 0;
+        return v->suppressed.rate == 0 && sign * v->d[1] + v->v_bound < 0;
     case BRANCH:
-        return v->suppressed.branch == 0 && sign * (v->d[0] - s->ultimate_m) + v->reach < 0;
+        return v->suppressed.branch == 0 && sign * (v->d[0] - s->ultimate_m) + v->d_bound < 0;
     case FORCE: /* as force_function has it */
         if (v->suppressed.force > 0)
             return false;
         if (b->K == 0 && b->D == 0)
-            return sign * (b->f0_n + b->k_npm * v->d[0] + b->c_nspm * rate * v->d[1]) + fabs(b->k_npm) * v->reach +
-                       fabs(b->c_nspm) * rate * v->bend <
+            return sign * (b->f0_n + b->k_npm * v->d[0] + b->c_nspm * rate * v->d[1]) + fabs(b->k_npm) * v->d_bound +
+                       fabs(b->c_nspm) * rate * v->v_bound <
                    0;
-        return sign * ((b->K != 0 ? b->K : b->k_npm) + b->D * rate * v->d[1]) + fabs(b->D) * rate * v->bend < 0;
+        return sign * ((b->K != 0 ? b->K : b->k_npm) + b->D * rate * v->d[1]) + fabs(b->D) * rate * v->v_bound < 0;
     case CONSTRAINT_LOW:
     case CONSTRAINT_HIGH:
         return false;
@@ -233,26 +235,26 @@ static bool stays(const struct view *v, const struct guard *guard, int sign)
 static double guard_fires(const struct view *v, const struct guard *guard, double s_end, int *order)
 {
     double p[THUD_SEGMENT_TERMS];
-    int n, zeros, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
-    if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &zeros))
+    int n, suppressed, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
+    if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &suppressed))
         return INFINITY;
-    *order = zeros;
+    *order = suppressed;
     if (guard->watched == FORCE || guard->watched == RATE)
-        return crossing(v, p, n, s_end, sign, zeros, guard->watched == RATE);
+        return crossing(v, p, n, s_end, sign, suppressed, guard->watched == RATE);
     double noise = guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0;
-    return thud_poly_first_above(p, n, s_end, sign, zeros, noise);
+    return thud_poly_first_above(p, n, s_end, sign, suppressed, noise);
 }
 
 /* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
  * force does not resolve. What it leaves there would open the contact again, and without end. */
-static int unresolved(const struct thud_state *state, const double *d, int terms, int still)
+static int unresolved(const struct thud_state *state, const double *d, int terms, int suppressed)
 {
     double largest = 0, resolved = fmax(state->tolerance, THUD_TOL_UNRESOLVED);
     for (int k = 0; k < terms; k++)
         largest = fmax(largest, fabs(d[k]));
-    while (still < terms && fabs(d[still]) <= resolved * largest)
-        still++;
-    return still < terms ? still : terms - 1;
+    while (suppressed < terms && fabs(d[suppressed]) <= resolved * largest)
+        suppressed++;
+    return suppressed < terms ? suppressed : terms - 1;
 }
 
 static int larger(int a, int b)
@@ -264,21 +266,21 @@ static int larger(int a, int b)
 static struct view view_of(const struct thud_state *state, const struct thud_segment *seg, int c, double *copy)
 {
     const struct thud_contact_state *s = &state->contact[c];
-    int still = thud_segment_contact(state, seg, c);
+    int suppressed = thud_segment_contact(state, seg, c);
     struct view v = {state, seg, c, thud_segment_read(seg, c), 0, 0, s->suppressed};
     if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
         return v; /* only where the contact has just begun or ended */
     if (s->mode == THUD_CLOSED) {
-        if (still > 0) { /* a stiff contact would make a force of what rounding has left there */
+        if (suppressed > 0) { /* a stiff contact would make a force of what rounding has left there */
             memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
-            memset(copy, 0, (size_t)still * sizeof *copy);
+            memset(copy, 0, (size_t)suppressed * sizeof *copy);
             v.d = copy;
         }
         if (s->suppressed.rate > 0)
-            still = unresolved(state, v.d, seg->terms, still);
-        v.suppressed.rate = larger(s->suppressed.rate, still - 1);
+            suppressed = unresolved(state, v.d, seg->terms, suppressed);
+        v.suppressed.rate = larger(s->suppressed.rate, suppressed - 1);
     }
-    v.suppressed.indentation = larger(s->suppressed.indentation, still);
+    v.suppressed.indentation = larger(s->suppressed.indentation, suppressed);
     return v;
 }
 
@@ -356,7 +358,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     const double bound = m->storey[k].yield_m;
     const int row = m->ncontacts + k, n = seg->terms;
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
-    if (s->direction == 0 && s->zeros == 0) { /* by what its modes can do at most */
+    if (s->direction == 0 && s->suppressed == 0) { /* by what its modes can do at most */
         double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
         if (now + seg->notes->drifts[m->storey[k].structure] <= bound)
             return INFINITY;
@@ -373,17 +375,17 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
         for (int i = 0; i + 1 < n; i++)
             p[i] = (i + 1) * d[i + 1];
         *event = THUD_EVENT_UNLOAD;
-        *order = s->zeros;
-        return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->zeros, 0);
+        *order = s->suppressed;
+        return thud_poly_first_above(p, n - 1, s_end, -s->direction, s->suppressed, 0);
     }
     memcpy(p, d, (size_t)n * sizeof *p);
     for (int side = -1; side <= 1; side += 2) {
         p[0] = d[0] - s->plastic_m - side * bound;
-        int zeros = s->zero_side == side ? s->zeros : 0;
-        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, zeros, THUD_TOL_INDENTATION_M);
+        int suppressed = s->suppressed_side == side ? s->suppressed : 0;
+        double at = thud_poly_first_above(p, n, fmin(s_end, first), side, suppressed, THUD_TOL_INDENTATION_M);
         if (at < first) {
             first = at;
-            *order = zeros;
+            *order = suppressed;
             *event = side > 0 ? THUD_EVENT_YIELD_UP : THUD_EVENT_YIELD_DOWN;
         }
     }
@@ -394,7 +396,7 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
                         enum thud_event *event, int *order)
 {
     double first = INFINITY, copy[THUD_SEGMENT_TERMS];
-    int zeros = 0;
+    int suppressed = 0;
     *contact = -1;
     *order = 0;
     *event = THUD_EVENT_NONE;
@@ -404,26 +406,26 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
-        v.reach = thud_poly_move(v.d, seg->terms, &v.bend);
+        v.d_bound = thud_poly_move(v.d, seg->terms, &v.v_bound);
         double limit = fmin(s_end, first);
         for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
-            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit, &zeros) : INFINITY;
+            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit, &suppressed) : INFINITY;
             if (s < first) {
                 first = s;
                 *contact = c;
                 *event = guards[i].event;
-                *order = zeros;
+                *order = suppressed;
             }
         }
     }
     for (int k = 0; k < state->model->nstoreys; k++) {
         enum thud_event of_storey = THUD_EVENT_NONE;
-        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey, &zeros);
+        double s = storey_fires(state, seg, k, fmin(s_end, first), &of_storey, &suppressed);
         if (s < first) {
             first = s;
             *contact = state->model->ncontacts + k;
             *event = of_storey;
-            *order = zeros;
+            *order = suppressed;
         }
     }
     int dof = -1;

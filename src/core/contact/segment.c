@@ -22,8 +22,8 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
         thud_segment_clear(seg);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    notes->known = seg->row + nc;
-    notes->listed = notes->known + nc;
+    notes->cached = seg->row + nc;
+    notes->listed = notes->cached + nc;
     seg->q = seg->block;
     notes->bound = seg->q + terms * n;
     seg->force = notes->bound + n;
@@ -46,7 +46,7 @@ void thud_segment_clear(struct thud_segment *seg)
 static void forget(const struct thud_segment *seg, int nrows)
 {
     for (int c = 0; c < nrows; c++)
-        seg->notes->known[c] = -1;
+        seg->notes->cached[c] = -1;
 }
 
 static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
@@ -421,18 +421,18 @@ static void linear_forces(const struct thud_state *state, struct thud_segment *s
     for (int i = 0; i < seg->rows; i++) {
         const int c = seg->row[i];
         const struct thud_branch *branch = thud_row_branch(state, c);
-        const bool touched = k == 0 && thud_row_starts_at_zero(state, c); /* the motion says so only to rounding */
+        const bool at_zero = k == 0 && thud_row_starts_at_zero(state, c); /* the motion says so only to rounding */
         double *d = seg->notes->indentation + c * THUD_SEGMENT_TERMS, d1 = 0, f = 0;
         if (!thud_row_by_branch(state, c))
             continue;
         if (k == 0) {
             d[0] = thud_model_gap_sum(m, c, seg->q) - thud_state_clearance(state, c);
             f = branch->f0_n;
-            if (touched)
+            if (at_zero)
                 d[0] = 0; /* a stiff contact would feel the rounding, and a dashpot that of a rate */
         }
         if (k + 1 < seg->terms)
-            d1 = d[k + 1] = touched && state->contact[c].suppressed.rate > 0
+            d1 = d[k + 1] = at_zero && state->contact[c].suppressed.rate > 0
                                 ? 0
                                 : thud_model_gap_sum(m, c, seg->q + (k + 1) * m->nmodes);
         seg->force[k * m->nrows + c] = f + branch->k_npm * d[k] + branch->c_nspm * (k + 1) / seg->h_s * d1;
@@ -478,7 +478,7 @@ double thud_taylor_linear(const struct thud_state *state, struct thud_segment *s
     }
     for (int c = 0; c < m->nrows; c++)
         if (thud_row_by_branch(state, c) && !thud_row_starts_at_zero(state, c))
-            seg->notes->known[c] = 0;
+            seg->notes->cached[c] = 0;
     /* fewer terms than there may be are enough by the bound of the fastest rate */
     return seg->terms < THUD_SEGMENT_TERMS ? 0 : thud_segment_tail(seg, m);
 }
@@ -599,7 +599,7 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     const struct thud_model *m = state->model;
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
     double size[THUD_SEGMENT_TERMS], largest = 0;
-    int zeros = 0;
+    int suppressed = 0;
     if (!thud_row_starts_at_zero(state, c)) {
         for (int k = 0; k < seg->terms; k += READ) {
             const double *modal = seg->q + k * m->nmodes;
@@ -617,17 +617,17 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
         largest = size[k] > largest ? size[k] : largest;
     }
     out[0] -= thud_state_clearance(state, c);
-    while (zeros < seg->terms &&
-           is_no_motion(state, seg, l, r, zeros, out[zeros], term_noise(seg->interpolates, zeros, size, largest)))
-        zeros++;
-    return zeros;
+    while (suppressed < seg->terms && is_no_motion(state, seg, l, r, suppressed, out[suppressed],
+                                                   term_noise(seg->interpolates, suppressed, size, largest)))
+        suppressed++;
+    return suppressed;
 }
 
 int thud_segment_contact(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
     struct thud_segment_notes *notes = seg->notes;
     assert(c >= 0 && c < state->model->nrows);
-    if (notes->known[c] < 0)
-        notes->known[c] = thud_segment_indentation(state, seg, c, notes->indentation + c * THUD_SEGMENT_TERMS);
-    return notes->known[c];
+    if (notes->cached[c] < 0)
+        notes->cached[c] = thud_segment_indentation(state, seg, c, notes->indentation + c * THUD_SEGMENT_TERMS);
+    return notes->cached[c];
 }

@@ -19,14 +19,14 @@ struct thud_motion {
 /* What has been read of a segment, kept beside it, and workspace of its making. */
 struct thud_segment_notes {
     double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
-    int *known;              /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
+    int *cached;             /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
     double *bound;           /* (nmodes) largest displacement of each mode in it: thud_segment_bounds */
     double *floors, *drifts; /* (nstructures) and so of any floor, and the largest change of any storey's drift */
     double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
     int *listed;             /* (nrows) workspace of segment.c */
 };
 
-/* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays as it is. */
+/* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays unchanged. */
 struct thud_segment {
     double start_s, h_s;
     int terms;     /* coefficients in use */
@@ -82,7 +82,7 @@ int thud_segment_contact(const struct thud_state *state, const struct thud_segme
 /* That indentation's coefficients, where it has been read. */
 static inline const double *thud_segment_read(const struct thud_segment *seg, int c)
 {
-    assert(seg->notes->known[c] >= 0);
+    assert(seg->notes->cached[c] >= 0);
     return seg->notes->indentation + c * THUD_SEGMENT_TERMS;
 }
 /* Fills the bounds of the notes. */

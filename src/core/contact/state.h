@@ -32,11 +32,11 @@ struct thud_contact_state {
     bool past_ultimate;
     struct thud_branch branch;
     struct thud_law_memory memory;
-    double onset_mps; /* closing velocity at contact onset */
+    double onset_mps; /* approach velocity at contact onset */
     struct thud_suppressed suppressed;
     double ultimate_m; /* indentation at which the branch changes; INFINITY where there is none */
     double constraint_low_n, constraint_high_n; /* STICKING: interval of the constraint force, N */
-    double expected_force_n; /* of this contact, from its closing velocity: scale of the error measure */
+    double expected_force_n; /* of this contact, from its approach velocity: scale of the error measure */
     double residual_m;
 };
 
@@ -45,8 +45,8 @@ struct thud_storey_state {
     struct thud_branch branch; /* force of its row: constant; linear while it yields and events are located */
     int direction;             /* +1, -1: it yields, and which way; 0: elastic */
     double plastic_m;          /* d_p */
-    int zeros;           /* suppressed coefficients: yielding, of the drift's rate; elastic, of the distance from the */
-    int zero_side;       /* bound on this side */
+    int suppressed;      /* suppressed coefficients: yielding, of the drift's rate; elastic, of the distance from the */
+    int suppressed_side; /* bound on this side */
     double moved_m;      /* plastic drift of the excursion that goes on */
     bool counted;        /* it is among the excursions */
     int excursions;      /* so far, and */
@@ -185,7 +185,7 @@ double thud_state_strain(const struct thud_state *state);
 double thud_model_gravity_work(const struct thud_model *model, const double *q);
 
 /* The step of a fixed-step method that was given none: a twentieth of the shortest period, of a mode or of a contact at
- * a closing velocity of 1 m/s, and not above the record's step. */
+ * an approach velocity of 1 m/s, and not above the record's step. */
 double thud_state_default_step(const struct thud_state *state);
 
 /* THUD_DIVERGED: contacts stick or collide at once whose forces the modes that stay do not tell apart. */

@@ -156,7 +156,7 @@ bool thud_storeys_moved(struct thud_state *state)
         return follow(state);
     for (int k = 0; k < state->model->nstoreys; k++) {
         struct thud_storey_state *s = &state->storey[k];
-        s->zeros = 0;
+        s->suppressed = 0;
         if (s->direction != 0)
             flow(state, k, drift_of(state, k, state->q));
     }
@@ -172,15 +172,15 @@ void thud_storey_switch(struct thud_state *state, int row, enum thud_event event
     state->work->events++;
     state->nyielding += event == THUD_EVENT_UNLOAD ? -1 : 1;
     const double rate = thud_model_gap_sum(state->model, row, state->qd),
-                 still = THUD_TOL_REVERSAL * state->speed_mps; /* below it, a rate is rounding */
+                 rest_mps = THUD_TOL_REVERSAL * state->speed_mps; /* below it, a rate is rounding */
     if (event == THUD_EVENT_UNLOAD) { /* at its bound, and at rest unless a blow has turned it back */
-        s->zero_side = s->direction;
-        s->zeros = s->direction * rate < -still ? 1 : 2;
+        s->suppressed_side = s->direction;
+        s->suppressed = s->direction * rate < -rest_mps ? 1 : 2;
         s->direction = 0;
         set_constant(state, k);
     } else {
         s->direction = event == THUD_EVENT_YIELD_UP ? 1 : -1;
-        s->zeros = s->direction * rate <= still ? 1 : 0;
+        s->suppressed = s->direction * rate <= rest_mps ? 1 : 0;
         s->counted = false;
         s->moved_m = 0;
         set_yielding(state, k, s->direction);

@@ -52,7 +52,7 @@ double thud_kelvin_voigt_cut_xi(double e)
 
 /* With cos(phi) = xi and theta = omega sqrt(1 - xi^2) t every derivative of d adds phi to an angle: d ~ sin(theta), v ~
  * sin(phi - theta), F ~ sin(2 phi - theta), F' ~ -sin(3 phi - theta), each times exp(-xi omega t). Largest d at theta =
- * phi, release at 2 phi, largest F at 3 phi - pi where that is > 0 (xi < 1/2), else at first touch. */
+ * phi, release at 2 phi, largest F at 3 phi - pi where that is > 0 (xi < 1/2), else at contact onset. */
 struct thud_two_body_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg,
                                                                double v_mps)
 {

@@ -28,7 +28,7 @@
 
 #define THUD_PARAM_RESTITUTION(value)                                                               \
     {.name = "restitution", .title = "coefficient of restitution",                                  \
-     .help = "Separation speed over closing speed of two free bodies.",                             \
+     .help = "Separation over approach velocity of two free bodies.",                             \
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_NUMBER, .unit = "",                             \
      .fallback = (value), .least = 0, .most = 1, .least_open = true,                                \
      .soft_least = 0.3, .soft_most = 0.95}
@@ -47,7 +47,7 @@
 
 #define THUD_PARAM_SPEED_FLOOR                                                                      \
     {.name = "speed-floor", .title = "least impact speed",                                          \
-     .help = "The damping divides by the closing speed at first touch, but by no less than this.",  \
+     .help = "The damping divides by the approach velocity at contact onset, but by no less than this.",  \
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_VELOCITY, .unit = "mm/s",                       \
      .fallback = 1e-3, .least = 0, .most = 1, .least_open = true,                                   \
      .soft_least = 1e-5, .soft_most = 1e-2}

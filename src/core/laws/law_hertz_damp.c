@@ -1,15 +1,15 @@
 /* Hertz with damping in proportion to the elastic force, in approach and restitution alike (Lankarani and Nikravesh
  * 1990; Muthukumar and DesRoches 2006).
  *     F = k d^n (1 + s v/v0)
- * v0 is the closing speed at contact onset, and s follows from e by one of four formulas; only `exact` makes two free
- * bodies part with e. The damping cannot be set by the energy at the reversal, as approach needs it before any energy is
- * stored: at grazing contacts it is very stiff, and v0 has a floor. */
+ * v0 is the approach velocity at contact onset, and s follows from e by one of four formulas; only `exact` makes two
+ * free bodies part with e. The damping cannot be set by the energy at the reversal, as approach needs it before any
+ * energy is stored: at grazing contacts it is very stiff, and v0 has a floor. */
 #include "core/laws/law_closed_form.h"
 #include "core/laws/law_common.h"
 
 enum { STIFFNESS, EXPONENT, RESTITUTION, FORMULA, SPEED_FLOOR };
 enum { S };
-enum { DAMP }; /* in the memory: s over the closing velocity */
+enum { DAMP }; /* in the memory: s over the approach velocity */
 enum { MUTHUKUMAR, HUNT_CROSSLEY, YE_FLORES, EXACT };
 
 static const char *const formula_choices[] = {"muthukumar", "hunt-crossley", "ye-flores", "exact", NULL};

@@ -60,7 +60,7 @@ static const struct thud_param params[] = {
      .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = UNLOADING_PAPER, NO_BOUNDS,
      .choices = unloading_choices},
     [IMPACT_SPEED] = {.name = "impact-speed", .title = "speed the damping is set by",
-     .help = "touch: the closing speed at first touch; energy: at each turn, from the energy stored then.",
+     .help = "touch: the approach velocity at contact onset; energy: at each turn, from the energy stored then.",
      .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = SPEED_TOUCH, NO_BOUNDS,
      .choices = speed_choices},
     [SPEED_FLOOR] = THUD_PARAM_SPEED_FLOOR,

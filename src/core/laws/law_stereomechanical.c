@@ -7,18 +7,17 @@
 enum { RESTITUTION };
 
 /* As THUD_PARAM_RESTITUTION, and 0: the plastic impact, after which both sides go on together. */
-static const struct thud_param params[] = {
-    {.name = "restitution",
-     .title = "coefficient of restitution",
-     .help = "Separation speed over closing speed of two free bodies; 0: plastic.",
-     .kind = THUD_PARAM_QUANTITY,
-     .dimension = THUD_NUMBER,
-     .unit = "",
-     .fallback = 0.6,
-     .least = 0,
-     .most = 1,
-     .soft_least = 0.3,
-     .soft_most = 0.95}};
+static const struct thud_param params[] = {{.name = "restitution",
+                                            .title = "coefficient of restitution",
+                                            .help = "Separation over approach velocity of two free bodies; 0: plastic.",
+                                            .kind = THUD_PARAM_QUANTITY,
+                                            .dimension = THUD_NUMBER,
+                                            .unit = "",
+                                            .fallback = 0.6,
+                                            .least = 0,
+                                            .most = 1,
+                                            .soft_least = 0.3,
+                                            .soft_most = 0.95}};
 
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {

@@ -303,10 +303,10 @@ static bool activate_closed(const struct thud_state *state, struct alpha *x, dou
     const int before = x->nactive;
     for (int c = 0; c < state->model->ncontacts && !state->locates; c++) {
         double d, v, acc;
-        bool known = !counts(state, c) || x->d[c] > 0;
+        bool active = !counts(state, c) || x->d[c] > 0;
         for (int i = 0; i < before; i++)
-            known = known || x->active[i] == c;
-        if (known)
+            active = active || x->active[i] == c;
+        if (active)
             continue;
         row_end(state->model, x, c, h, &d, &v, &acc);
         if (d > 0)
@@ -344,7 +344,7 @@ static void solve_forces(const struct thud_state *state, struct alpha *x, double
     state->work->rejected += !x->solved;
 }
 
-/* From the start to the end of the step with the scheme's a0 as it is. */
+/* From the start to the end of the step with the given a0. */
 static void cross(const struct thud_state *state, struct alpha *x, double h)
 {
     predict(state, x, h);

@@ -1,4 +1,4 @@
-/* No stepping error in free flight and in linear contact (power series to rounding); collocation of the forces in
+/* No stepping error without contact and in linear contact (power series to rounding); collocation of the forces in
  * nonlinear contact. */
 #include <math.h>
 
@@ -51,12 +51,12 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
 static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched)
 {
-    bool touched = false;
+    bool onset = false;
     if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
-        touched |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
-    thud_collocation_committed(state, own, seg, tau_s, switched, touched);
+        onset |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
+    thud_collocation_committed(state, own, seg, tau_s, switched, onset);
 }
 
 static void release(void *own)
@@ -67,7 +67,8 @@ static void release(void *own)
 const struct thud_method thud_method_exact = {
     .name = "exact",
     .title = "Exact propagation with located events",
-    .reference = "free flight: Nigam and Jennings, Bulletin of the Seismological Society of America 59 (1969) 909-922; "
+    .reference = "contact-free response: Nigam and Jennings, Bulletin of the Seismological Society of America 59 "
+                 "(1969) 909-922; "
                  "nonlinear contact, Radau IIA collocation: Hairer and Wanner, Solving Ordinary Differential Equations "
                  "II, Springer (1996)",
     .summary =

@@ -13,8 +13,8 @@ const struct thud_method thud_method_lagged = {
     .title = "Contact force lagged by one step",
     .reference = "Newmark, Journal of the Engineering Mechanics Division 85 (1959) 67-94, beta 1/4, with the contact "
                  "force of the step before",
-    .summary = "an exhibit: every impact gains energy",
-    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_EXHIBIT,
+    .summary = "a demonstration: every impact gains energy",
+    .flags = THUD_METHOD_FIXED_STEP | THUD_METHOD_DEMONSTRATION,
     .order = 2,
     .stability = INFINITY,
     .limits = "every elastic impact leaves exp(pi omega dt / 2) times as fast as it came",

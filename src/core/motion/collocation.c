@@ -23,7 +23,7 @@
  *     law_a          x->law, at (d_a, v_a); law_d, law_v its derivatives
  *     level l        h = h_top/2^l, so that R is made once for each size that occurs
  *     contraction    by which a Gauss-Seidel sweep reduces the change of the forces
- *     x->h           size asked for next; h_touch: that of the last step that began at an onset
+ *     x->h           size asked for next; h_onset: that of the last step that began at an onset
  *
  * The equations are F_a(s_i) = law_a(d_a(s_i), v_a(s_i)), and v_a(s_i) = 0 where a sticks. */
 enum { NODES = THUD_NODES, LEVELS = 48 };
@@ -60,10 +60,10 @@ struct thud_collocation {
     double last[NODES][THUD_BATCH];     /* and its values at the last points */
     struct thud_responses *responses;
     double h_top; /* step of level 0 */
-    double h, h_touch;
+    double h, h_onset;
     int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
-    bool just_touched;
+    bool at_onset;
     struct step step;
     int nc;
     /* The system: unknowns are the forces of the active contacts at the nodes; values at the points of a contact stand
@@ -95,7 +95,7 @@ static bool is_approach(const struct thud_contact_state *contact)
 }
 
 /* Scale on which an error of contact a's force counts: the largest force it has had, has now, or will have by its
- * closing velocity. */
+ * approach velocity. */
 static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
@@ -108,7 +108,7 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
-/* Indentation at the state, as the step takes it: what has just touched has not moved yet. */
+/* Indentation at the state, as the step takes it: at contact onset the contact has not moved yet. */
 static double indentation_now(const struct thud_state *state, int c)
 {
     return thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
@@ -313,12 +313,12 @@ static void raise_largest(struct thud_collocation *x, const struct thud_model *m
 }
 
 void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x,
-                                const struct thud_segment *seg, double moved_s, bool switched, bool touched)
+                                const struct thud_segment *seg, double moved_s, bool switched, bool onset)
 {
     if (moved_s > 0)
         raise_largest(x, state->model, seg, moved_s / seg->h_s);
     x->step.done_s += moved_s;
-    x->just_touched = touched;
+    x->at_onset = onset;
     if (!switched)
         return;
     x->step.goes_on = false;
@@ -567,7 +567,7 @@ static void extrapolate(const struct thud_collocation *x, int c, double h, doubl
     thud_batch_put(&f, force);
 }
 
-/* The force as it is now; where the contact goes deeper, at least half of what the law makes of the indentation going on
+/* The force now; where the contact goes deeper, at least half of what the law makes of the indentation going on
  * at half its rate. */
 static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int c, double h,
                         double *force)
@@ -699,8 +699,8 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
  * and now and then twice as long, as the error of a longer step may be the smaller one where contacts are stiff. */
 static void choose_size(struct thud_collocation *x)
 {
-    if (x->just_touched && x->h_touch > 0)
-        x->h = fmin(x->h, x->h_touch);
+    if (x->at_onset && x->h_onset > 0)
+        x->h = fmin(x->h, x->h_onset);
     if (++x->steady > PATIENCE) {
         x->h *= 2;
         x->steady = 0;
@@ -742,8 +742,8 @@ static void accept(struct thud_collocation *x, int level, double h, double want)
 {
     if (level > 0 && 2 * h <= want) /* only short because the end is near */
         x->h = thud_larger(x->h, want);
-    if (x->just_touched)
-        x->h_touch = x->h;
+    if (x->at_onset)
+        x->h_onset = x->h;
     if (x->h >= 2 * h)
         x->steady = 0;
 }

@@ -21,9 +21,9 @@ void thud_collocation_free(struct thud_collocation *collocation);
  * one that goes on, else of a new one. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */
 enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
                                        struct thud_collocation *collocation, struct thud_error *err);
-/* Told after the run committed so much of this segment; `touched`: a contact has just closed, so that the next step has
+/* Told after the run committed so much of this segment; `onset`: a contact has just closed, so that the next step has
  * to be short. */
 void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation,
-                                const struct thud_segment *seg, double moved_s, bool switched, bool touched);
+                                const struct thud_segment *seg, double moved_s, bool switched, bool onset);
 
 #endif

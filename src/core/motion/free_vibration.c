@@ -86,7 +86,7 @@ static enum thud_status couple(struct thud_free_vibration *f, const struct thud_
         const struct thud_model_structure *p = &state->model->structure[state->model->system[s]];
         if (!p->damping)
             continue;
-        status = thud_coupled_flight_init(&f->coupled[s], state, s, &f->series.seg, err);
+        status = thud_coupled_motion_init(&f->coupled[s], state, s, &f->series.seg, err);
         for (int k = 0; k < 4; k++) {
             memset(f->tables.e[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
             memset(f->tables.p[k] + p->first_mode, 0, (size_t)p->modes * sizeof(double));
@@ -134,7 +134,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
         return;
     thud_segment_clear(&f->series.seg);
     for (int s = 0; s < f->nsystems; s++)
-        thud_coupled_flight_clear(&f->coupled[s]);
+        thud_coupled_motion_clear(&f->coupled[s]);
     free(f->coupled);
     free(f->valued);
     free(f->series.has);
@@ -151,7 +151,7 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 }
 
 /* Intervals to try: to the end of the run and of the aligned block at most. */
-static int room(const struct thud_free_vibration *f, const struct thud_state *state)
+static int intervals_left(const struct thud_free_vibration *f, const struct thud_state *state)
 {
     long left = (long)floor(state->end_s / f->dt_s * (1 + THUD_TOL_TIME)) - state->grid,
          aligned = THUD_FREE_VIBRATION_BLOCK - state->grid % THUD_FREE_VIBRATION_BLOCK;
@@ -166,10 +166,10 @@ static int room(const struct thud_free_vibration *f, const struct thud_state *st
     return left < f->size ? (int)left : f->size;
 }
 
-int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_state *state)
+int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
-    int tried = room(f, state);
+    int tried = intervals_left(f, state);
     if (tried == 0)
         return 0;
     thud_free_vibration_fill(f, state, tried);

@@ -8,17 +8,17 @@
  *
  * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
  * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
- * are moved by the propagator of coupled_flight in place of the recurrence; not for dashpots so strong that their rates
+ * are moved by the propagator of coupled_motion in place of the recurrence; not for dashpots so strong that their rates
  * are above one in an interval. */
 #ifndef THUD_CORE_FREE_VIBRATION_H
 #define THUD_CORE_FREE_VIBRATION_H
 
-#include "core/motion/coupled_flight.h"
+#include "core/motion/coupled_motion.h"
 
 enum {
     THUD_FREE_VIBRATION_BLOCK = 128,                          /* intervals in a block; blocks begin at its multiples */
     THUD_FREE_VIBRATION_ENDS = THUD_FREE_VIBRATION_BLOCK + 4, /* their ends, by fours */
-    THUD_FREE_VIBRATION_BATCH = 4, /* modes that march together; rows beyond the last mode stay 0 */
+    THUD_FREE_VIBRATION_BATCH = 4, /* modes that advance together; rows beyond the last mode stay 0 */
     THUD_FREE_VIBRATION_PRODUCTS = 7
 };
 
@@ -47,7 +47,7 @@ struct thud_free_vibration {
     int pieces; /* series needed for one interval */
     double dt_s;
     struct thud_free_vibration_tables tables;
-    struct thud_coupled_flight *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
+    struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
     double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
 
     struct thud_free_vibration_series series;
@@ -83,11 +83,11 @@ void thud_free_vibration_free(struct thud_free_vibration *f);
 /* Makes a block from the state on, and returns how many intervals pass before one in which a contact closes or a storey
  * yields; 0 where the state is not at the start of an interval, a contact is not open, a storey yields, or nothing is
  * left. */
-int thud_free_vibration_march(struct thud_free_vibration *f, const struct thud_state *state);
+int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud_state *state);
 /* The block's modal state after so many intervals. */
 void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals, double *q, double *qd);
 
-/* What observers read of the block just marched from `state`. */
+/* What observers read of the block just advanced from `state`. */
 
 /* One quantity of a structure's floors into f->value, which is made only when asked for. */
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,

@@ -72,7 +72,7 @@ static void shift_modes(struct thud_free_vibration *f, const struct thud_state *
         f->shift[j] = m->spring[j] > 0 ? f->shift[j] / m->spring[j] : 0; /* no force acts on a free body */
     for (int s = 0; s < m->nsystems; s++)
         if (f->coupled[s].size > 0)
-            thud_coupled_flight_shift(&f->coupled[s], f->shift + f->coupled[s].first_mode);
+            thud_coupled_motion_shift(&f->coupled[s], f->shift + f->coupled[s].first_mode);
 }
 
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
@@ -92,7 +92,7 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     for (int s = 0; s < f->nsystems; s++) {
         const int row = f->coupled[s].first_mode * ENDS;
         if (f->coupled[s].size > 0)
-            thud_coupled_flight_march(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
+            thud_coupled_motion_advance(&f->coupled[s], f->q + row, f->qd + row, ENDS, f->ground, f->after, intervals);
     }
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
     memset(f->series.has, 0, (size_t)f->nsystems * sizeof *f->series.has);
@@ -303,10 +303,10 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
     }
     f->summed = intervals;
     for (int s = 0; s < f->nsystems; s++) {
-        const struct thud_coupled_flight *c = &f->coupled[s];
+        const struct thud_coupled_motion *c = &f->coupled[s];
         const int row = c->first_mode * ENDS;
         for (int t = 0; t < intervals && c->size > 0; t++)
-            thud_coupled_flight_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
+            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
                                      &input, &viscous);
     }
     *input_j = input;
@@ -316,11 +316,11 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
 double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
                                      int intervals)
 {
-    const struct thud_coupled_flight *c = &f->coupled[model->structure[model->link[link].structure].system];
+    const struct thud_coupled_motion *c = &f->coupled[model->structure[model->link[link].structure].system];
     const int row = c->first_mode * ENDS;
     double sum = 0;
     for (int t = 0; t < intervals && c->links > 0; t++)
-        sum += thud_coupled_flight_link_loss(c, link, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode,
+        sum += thud_coupled_motion_link_loss(c, link, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode,
                                              f->ground[t], f->after[t], t);
     return sum;
 }

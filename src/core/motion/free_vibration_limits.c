@@ -126,12 +126,13 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
 static bool closes_in_piece(const struct thud_state *state, const struct thud_segment *seg, int c, bool first)
 {
     double d[THUD_SEGMENT_TERMS];
-    int zeros = thud_segment_indentation(state, seg, c, d), least = state->contact[c].suppressed.indentation;
+    int suppressed = thud_segment_indentation(state, seg, c, d), least = state->contact[c].suppressed.indentation;
     if (!first || least == 0)
-        zeros = 0;
-    else if (zeros < least)
-        zeros = least;
-    return zeros < seg->terms && thud_poly_first_above(d, seg->terms, 1, 1, zeros, THUD_TOL_INDENTATION_M) <= 1;
+        suppressed = 0;
+    else if (suppressed < least)
+        suppressed = least;
+    return suppressed < seg->terms &&
+           thud_poly_first_above(d, seg->terms, 1, 1, suppressed, THUD_TOL_INDENTATION_M) <= 1;
 }
 
 /* Whether one of the contacts that are near it closes in interval t. */
@@ -264,9 +265,9 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
         thud_segment_indentation(state, seg, row, d);
         double drift = d[0];
         for (int side = -1; side <= 1; side += 2) {
-            int zeros = t == 0 && piece == 0 && s->zero_side == side ? s->zeros : 0;
+            int suppressed = t == 0 && piece == 0 && s->suppressed_side == side ? s->suppressed : 0;
             d[0] = drift - s->plastic_m - side * state->model->storey[k].yield_m;
-            if (thud_poly_first_above(d, seg->terms, 1, side, zeros, THUD_TOL_INDENTATION_M) <= 1)
+            if (thud_poly_first_above(d, seg->terms, 1, side, suppressed, THUD_TOL_INDENTATION_M) <= 1)
                 return true;
         }
     }
@@ -287,7 +288,7 @@ int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct 
         thud_free_vibration_values(f, m, m->storey[k].structure, THUD_FLOOR_DISPLACEMENT);
         for (int t = 0; t <= intervals; t++)
             f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
-        if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].zeros == 0)
+        if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
         for (int t = 0; t < intervals; t++)
             if ((fabs(f->gap[t]) > limit || fabs(f->gap[t + 1]) > limit) && yields(f, state, k, t))

@@ -58,7 +58,7 @@ static void move_unit(const struct thud_state *state, struct thud_free_vibration
     thud_segment_state(seg, f->n, 1, q, qd);
 }
 
-/* Marches the four unit motions through one interval in pieces short enough for the series. */
+/* Advances the four unit motions through one interval in pieces short enough for the series. */
 enum thud_status thud_free_vibration_make_tables(const struct thud_state *state, struct thud_free_vibration *f,
                                                  struct thud_error *err)
 {

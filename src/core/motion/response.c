@@ -192,7 +192,7 @@ static bool fill_level(struct thud_responses *x, struct level *level, double h)
     return true;
 }
 
-/* Modes that move by themselves, one table for all contacts, respond to a contact's force as much as its row has of them;
+/* Uncoupled modes, one table for all contacts, respond to a contact's force as much as its row has of them;
  * where damping couples them, each contact has its own table. */
 static const double *table_of(const struct thud_responses *x, const struct level *level, int c)
 {
@@ -304,7 +304,7 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
     const struct thud_model *m = x->model;
     const int size = m->nmodes * THUD_POINTS;
     const double *g = m->jacobian + c * m->nmodes, *table = table_of(x, level, c);
-    /* what has just touched has not moved yet, whatever rounding says */
+    /* at contact onset a contact has not moved yet, whatever rounding says */
     double start = thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
     double rate = thud_contact_rate(state, c);
     struct motion sum;

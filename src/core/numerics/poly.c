@@ -108,10 +108,10 @@ static double first_above(struct search *f, double a, double b, int depth)
     double m = 0.5 * (a + b), r = 0.5 * (b - a), v[3];
     thud_poly_value3(f->c, f->n, m, v);
     double p = f->sign * v[0], d = f->sign * v[1], bend = fabs(v[2]), rest = f->third * r;
-    double reach = r * (fabs(d) + r * (0.5 * bend + rest / 6));
-    if (p + reach <= f->noise)
+    double bound = r * (fabs(d) + r * (0.5 * bend + rest / 6));
+    if (p + bound <= f->noise)
         return INFINITY;
-    if (p - reach > 0)
+    if (p - bound > 0)
         return a;                          /* above all the way */
     if (d - r * (bend + 0.5 * rest) > 0) { /* rises all the way */
         if (value(f, b) <= f->noise)
@@ -124,12 +124,12 @@ static double first_above(struct search *f, double a, double b, int depth)
     return left < INFINITY ? left : first_above(f, m, b, depth + 1);
 }
 
-double thud_poly_first_above(const double *c, int n, double s_end, double sign, int zeros, double noise)
+double thud_poly_first_above(const double *c, int n, double s_end, double sign, int suppressed, double noise)
 {
-    while (n > 1 && (zeros > 0 || c[0] == 0.0)) { /* p(s)/s has the same sign as p(s) */
+    while (n > 1 && (suppressed > 0 || c[0] == 0.0)) { /* p(s)/s has the same sign as p(s) */
         c++;
         n--;
-        zeros--;
+        suppressed--;
         noise = 0;
     }
     if (sign * c[0] > noise)
@@ -154,15 +154,15 @@ static void shift(double *c, int n, double by)
 double thud_poly_above(const double *c, int n, double s_end)
 {
     double rest[TERMS_MAX], at = 0, above = 0, sign = 1;
-    int zeros = 0;
+    int suppressed = 0;
     assert(n <= TERMS_MAX);
     memcpy(rest, c, (size_t)n * sizeof *c);
     for (int i = 0; i <= 2 * n && at < s_end; i++, sign = -sign) { /* it changes its sign n - 1 times at most */
-        double length = fmin(thud_poly_first_above(rest, n, s_end - at, sign, zeros, 0), s_end - at);
+        double length = fmin(thud_poly_first_above(rest, n, s_end - at, sign, suppressed, 0), s_end - at);
         above += sign < 0 ? length : 0; /* it was above until here */
         at += length;
         shift(rest, n, length);
-        zeros = zeros || length > 0;
+        suppressed = suppressed || length > 0;
     }
     return above;
 }

@@ -33,7 +33,7 @@
 /* m. Floors nearer to each other than this touch where an impulse falls on one of them: neighbours that moved together,
  * or bounced down to rest, are apart by the rounding of many steps, and with a restitution near 0 a blow that is passed
  * on at once and one that follows a moment later end in other speeds. */
-#define THUD_TOL_TOUCHING_M 1e-12
+#define THUD_TOL_CONTACT_M 1e-12
 /* m. An indentation below this is no contact: the rounding of displacements of some metres. */
 #define THUD_TOL_INDENTATION_M 1e-15
 /* m. An indentation at contact onset above this was there from the start (negative clearance): what the rounding of
@@ -61,7 +61,7 @@
  * to rest is below it too (THUD_TOL_REST). 1e-6 would change the counts of three presets. */
 #define THUD_TOL_IMPACT 1e-11
 /* Part of the velocity scale of the run: an impact that closed slower has no restitution. In a row of bodies that touch,
- * the blow itself makes closing speeds of 1e-12 to 1e-10 where the exact ones are 0. */
+ * the blow itself makes approach velocities of 1e-12 to 1e-10 where the exact ones are 0. */
 #define THUD_TOL_CLOSING 1e-9
 /* Part of a storey's yield drift: an excursion beyond it that moves the plastic drift by less is none. */
 #define THUD_TOL_EXCURSION 1e-9

@@ -9,7 +9,7 @@
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
-/* Drift by which untouched columns come to a peak that is none yet. */
+/* Drift by which columns not struck come to a peak that is none yet. */
 static double least_drift(const struct thud_model_column *p, const struct thud_column_result *r)
 {
     double least = INFINITY;
@@ -84,7 +84,7 @@ static void look(const struct thud_model *m, const struct thud_segment *seg, int
 }
 
 /* Or what the drift alone does not tell. */
-static bool is_touched(const struct thud_observation *o, int column)
+static bool is_struck(const struct thud_observation *o, int column)
 {
     const struct thud_model *m = o->state->model;
     if (m->column[column].yielding >= 0)
@@ -100,7 +100,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     struct thud_result *result = own;
     (void)err;
     for (int i = 0; i < o->state->model->ncolumns; i++) {
-        if (is_touched(o, i))
+        if (is_struck(o, i))
             look(o->state->model, o->seg, i, true, &result->column[i], o->s);
         else if (o->state->model->column[i].per_drift[0] != 0)
             look(o->state->model, o->seg, i, false, &result->column[i], o->s);

@@ -10,7 +10,7 @@
 #include "core/numerics/poly.h"
 #include "core/numerics/vec.h"
 
-enum { LANES = THUD_FLOOR_LANES, TERMS = THUD_FLOOR_TERMS, PAIRS = LANES / 2 };
+enum { BATCH = THUD_FLOOR_LANES, TERMS = THUD_FLOOR_TERMS, PAIRS = BATCH / 2 };
 
 static const double accuracy = 1e-6; /* of a floor's largest acceleration, in every pseudo-acceleration */
 /* Angle that an oscillator turns by in a piece at most: so that series converge at once and a bound says where it turns
@@ -90,7 +90,7 @@ static void make_table(const struct thud_floor_oscillators *p, struct thud_floor
         return;
     t->piece_s = piece_s;
     t->terms = terms;
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < BATCH; i++) {
         double angle = t->omega[i] * piece_s, re = -p->damping * angle, im = p->root * angle;
         double x = 1.0 / (terms + BEYOND), y = 0; /* M_k */
         for (int k = terms + BEYOND - 1; k > 0; k--) {
@@ -111,14 +111,14 @@ static void make_table(const struct thud_floor_oscillators *p, struct thud_floor
 
 /* Im z between two ends, where it may pass the peak: an extremum inside, if its slope may change sign. */
 static void look_inside(const struct thud_floor_oscillators *p, const struct thud_floor_block *t,
-                        const struct thud_floor_load *load, int i, const double from[2], struct thud_floor_lanes *lanes)
+                        const struct thud_floor_load *load, int i, const double from[2], struct thud_floor_batch *batch)
 {
     double angle = t->omega[i] * t->piece_s, re = -p->damping * angle, im = p->root * angle;
-    double start = re * from[1] + im * from[0], end = re * lanes->z[1][i] + im * lanes->z[0][i], where;
+    double start = re * from[1] + im * from[0], end = re * batch->z[1][i] + im * batch->z[0][i], where;
     double push = t->piece_s * load->most, size = fabs(from[0]) + fabs(from[1]) + push;
     double third = angle * (angle * (angle * size + push) + t->piece_s * load->slope); /* of the slope's curvature */
     double c[THUD_SEGMENT_TERMS], x = from[0], y = from[1];
-    lanes->peak[i] = fmax(lanes->peak[i], fabs(lanes->z[1][i]));
+    batch->peak[i] = fmax(batch->peak[i], fabs(batch->z[1][i]));
     if ((start > 0) == (end > 0) && fmin(fabs(start), fabs(end)) > third / 8)
         return;
     for (int k = 0; k < THUD_SEGMENT_TERMS; k++) {
@@ -127,15 +127,15 @@ static void look_inside(const struct thud_floor_oscillators *p, const struct thu
         y = (re * y + im * x) / (k + 1);
         x = next / (k + 1);
     }
-    lanes->peak[i] = thud_poly_peak(c, THUD_SEGMENT_TERMS, 1, lanes->peak[i], &where);
+    batch->peak[i] = thud_poly_peak(c, THUD_SEGMENT_TERMS, 1, batch->peak[i], &where);
 }
 
 static void advance(const struct thud_floor_oscillators *p, const struct thud_floor_block *t,
-                    const struct thud_floor_load *load, struct thud_floor_lanes *lanes)
+                    const struct thud_floor_load *load, struct thud_floor_batch *batch)
 {
     thud_vec2 re[PAIRS], im[PAIRS];
-    double from[2][LANES];
-    memcpy(from, lanes->z, sizeof from);
+    double from[2][BATCH];
+    memcpy(from, batch->z, sizeof from);
     for (int i = 0; i < PAIRS; i++) {
         thud_vec2 x = thud_vec2_at(from[0] + 2 * i), y = thud_vec2_at(from[1] + 2 * i),
                   c = thud_vec2_at(t->turn[0] + 2 * i), s = thud_vec2_at(t->turn[1] + 2 * i);
@@ -151,17 +151,17 @@ static void advance(const struct thud_floor_oscillators *p, const struct thud_fl
     }
     for (int i = 0; i < PAIRS; i++) {
         thud_vec2 x = thud_vec2_abs(thud_vec2_at(from[0] + 2 * i)), y = thud_vec2_abs(thud_vec2_at(from[1] + 2 * i)),
-                  end = thud_vec2_abs(im[i]), peak = thud_vec2_at(lanes->peak + 2 * i);
+                  end = thud_vec2_abs(im[i]), peak = thud_vec2_at(batch->peak + 2 * i);
         thud_vec2 most = thud_vec2_choose((thud_vec2_bits)(end > y), end, y) + thud_vec2_at(t->bend + 2 * i) * (x + y) +
                          thud_vec2_at(t->push + 2 * i) * load->most;
-        thud_vec2_put(re[i], lanes->z[0] + 2 * i);
-        thud_vec2_put(im[i], lanes->z[1] + 2 * i);
+        thud_vec2_put(re[i], batch->z[0] + 2 * i);
+        thud_vec2_put(im[i], batch->z[1] + 2 * i);
         thud_vec2_bits passes = (thud_vec2_bits)(most > peak);
         if (!thud_vec2_any(passes))
             continue;
-        for (int lane = 2 * i; lane < 2 * i + 2; lane++)
-            if (passes[lane - 2 * i])
-                look_inside(p, t, load, lane, (const double[2]){from[0][lane], from[1][lane]}, lanes);
+        for (int i_period = 2 * i; i_period < 2 * i + 2; i_period++)
+            if (passes[i_period - 2 * i])
+                look_inside(p, t, load, i_period, (const double[2]){from[0][i_period], from[1][i_period]}, batch);
     }
 }
 
@@ -196,7 +196,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
                     load = &p->part[f];
                 }
                 for (int k = b; k < next; k++)
-                    advance(p, &p->table[k], load, &p->lanes[k * p->nfloors + f]);
+                    advance(p, &p->table[k], load, &p->batch[k * p->nfloors + f]);
             }
     }
     memcpy(p->rates, o->qd, (size_t)p->nmodes * sizeof *p->rates);
@@ -212,8 +212,8 @@ static void switched(void *own, const struct thud_state *state, int row, enum th
         double jump =
             thud_model_floor(state->model, p->dof[f], state->qd) - thud_model_floor(state->model, p->dof[f], p->rates);
         for (int b = 0; jump != 0 && b < p->nblocks; b++)
-            for (int i = 0; i < LANES; i++)
-                p->lanes[b * p->nfloors + f].z[0][i] -= jump;
+            for (int i = 0; i < BATCH; i++)
+                p->batch[b * p->nfloors + f].z[0][i] -= jump;
     }
     memcpy(p->rates, state->qd, (size_t)p->nmodes * sizeof *p->rates);
 }
@@ -243,7 +243,7 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
     assert(choice->damping > 0 && choice->damping < 1);
     struct thud_arena arena;
     const size_t nf = (size_t)choice->nfloors, nm = (size_t)model->nmodes,
-                 nb = ((size_t)choice->nperiods + LANES - 1) / LANES;
+                 nb = ((size_t)choice->nperiods + BATCH - 1) / BATCH;
     *p = (struct thud_floor_oscillators){.nfloors = choice->nfloors,
                                          .nperiods = choice->nperiods,
                                          .nblocks = (int)nb,
@@ -254,7 +254,7 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
     if (!thud_arena_open(&arena, thud_arena_room(nf, sizeof *p->dof) + 2 * thud_arena_room(nf, sizeof(double)) +
                                      thud_arena_room(nm, sizeof(double)) + 2 * thud_arena_room(nf, sizeof *p->load) +
                                      thud_arena_room(nb, sizeof *p->table) +
-                                     thud_arena_room(nb * nf, sizeof *p->lanes)))
+                                     thud_arena_room(nb * nf, sizeof *p->batch)))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     p->memory = arena.next;
     p->dof = thud_arena_take(&arena, nf, sizeof *p->dof);
@@ -264,16 +264,16 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *p, c
     p->load = thud_arena_take(&arena, nf, sizeof *p->load);
     p->part = thud_arena_take(&arena, nf, sizeof *p->part);
     p->table = thud_arena_take(&arena, nb, sizeof *p->table);
-    p->lanes = thud_arena_take(&arena, nb * nf, sizeof *p->lanes);
+    p->batch = thud_arena_take(&arena, nb * nf, sizeof *p->batch);
     for (int f = 0; f < p->nfloors; f++) {
         assert(choice->dof[f] >= 0 && choice->dof[f] < model->ndof);
         p->dof[f] = choice->dof[f];
         p->influence[f] = thud_model_floor(model, p->dof[f], model->gamma);
     }
-    for (int i = 0; i < p->nblocks * LANES; i++) {
+    for (int i = 0; i < p->nblocks * BATCH; i++) {
         double period = choice->period_s[i < p->nperiods ? i : p->nperiods - 1];
         assert(period > 0 && (i == 0 || i >= p->nperiods || period >= choice->period_s[i - 1]));
-        p->table[i / LANES].omega[i % LANES] = 2 * THUD_PI / period;
+        p->table[i / BATCH].omega[i % BATCH] = 2 * THUD_PI / period;
     }
     memcpy(p->rates, model->qd0, nm * sizeof *p->rates);
     make_monic(p);
@@ -289,6 +289,6 @@ void thud_floor_oscillators_clear(struct thud_floor_oscillators *p)
 double thud_floor_oscillators_peak(const struct thud_floor_oscillators *p, int floor, int period)
 {
     assert(floor >= 0 && floor < p->nfloors && period >= 0 && period < p->nperiods);
-    const int block = period / LANES, lane = period % LANES;
-    return p->table[block].omega[lane] * p->lanes[block * p->nfloors + floor].peak[lane] / p->root;
+    const int block = period / BATCH, i_period = period % BATCH;
+    return p->table[block].omega[i_period] * p->batch[block * p->nfloors + floor].peak[i_period] / p->root;
 }

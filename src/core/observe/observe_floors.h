@@ -33,7 +33,7 @@ struct thud_floor_block {
 };
 
 /* They on one floor. */
-struct thud_floor_lanes {
+struct thud_floor_batch {
     double z[2][THUD_FLOOR_LANES];
     double peak[THUD_FLOOR_LANES]; /* largest |Im z| = omega_d |y| so far */
 };
@@ -57,7 +57,7 @@ struct thud_floor_oscillators {
     double size[THUD_FLOOR_TERMS];                    /* and their largest value there */
     struct thud_floor_load *load, *part;              /* (nfloors) in the segment, and in a part of it */
     struct thud_floor_block *table;                   /* (nblocks) */
-    struct thud_floor_lanes *lanes;                   /* (nblocks x nfloors) */
+    struct thud_floor_batch *batch;                   /* (nblocks x nfloors) */
     void *memory;
 };
 

@@ -395,7 +395,8 @@ static bool is_stop(const struct thud_record *r, double t)
 }
 
 /* Rows of a segment without contact: on the grid, and at its end where something may switch there. */
-static enum thud_status rows_in_flight(struct thud_rows *rows, const struct thud_observation *o, struct thud_error *err)
+static enum thud_status rows_between_contacts(struct thud_rows *rows, const struct thud_observation *o,
+                                              struct thud_error *err)
 {
     double t0 = o->seg->start_s, h = o->seg->h_s, s = o->s, fuzz = THUD_TOL_ROW * rows->step_s;
     enum thud_status status = THUD_OK;
@@ -427,7 +428,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     rows->row_waits = false;
     if (switched_here || is_stop(o->state->record, o->seg->start_s)) /* the other side of the jump */
         rows->next_row_s = o->seg->start_s;
-    return o->state->nactive > 0 ? rows_in_contact(rows, o, switched_here, err) : rows_in_flight(rows, o, err);
+    return o->state->nactive > 0 ? rows_in_contact(rows, o, switched_here, err) : rows_between_contacts(rows, o, err);
 }
 
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,

@@ -133,7 +133,7 @@ static void free_modes(const struct thud_observation *o, const struct thud_model
 static void push_modes(int n, const double *restrict g, const struct thud_row_push *push, int stride,
                        double *restrict out)
 {
-    const double most = push->most, rate = push->rate, bend = push->bend, end = push->end;
+    const double most = push->bound, rate = push->rate, bend = push->bend, end = push->end;
     for (int j = 0; j < n; j++) {
         out[MODE_END * stride + j] -= g[j] * end;
         out[MODE_SECOND * stride + j] += fabs(g[j]) * most;
@@ -235,7 +235,7 @@ static void step_modes(struct thud_peaks *peaks, const struct thud_observation *
 
 /* Fills peaks->modal. */
 static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
-                            const struct thud_model_structure *p, const struct thud_response_bound *reach)
+                            const struct thud_model_structure *p, const struct thud_response_bound *bound)
 {
     const struct thud_model *m = o->state->model;
     if (o->seg->interpolates) {
@@ -248,7 +248,7 @@ static void structure_modes(struct thud_peaks *peaks, const struct thud_observat
         push_modes(p->modes, m->jacobian + (size_t)peaks->push[i].row * (size_t)m->nmodes + p->first_mode,
                    &peaks->push[i], peaks->stride, peaks->modal);
     if (p->damping) {
-        coupled_rates(o, p, reach->speed, peaks->stride, peaks->modal);
+        coupled_rates(o, p, bound->speed, peaks->stride, peaks->modal);
         return;
     }
     mode_speeds(o, p, peaks->stride, peaks->modal);
@@ -362,13 +362,13 @@ static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation 
 }
 
 static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index,
-                            const struct thud_response_bound *reach)
+                            const struct thud_response_bound *bound)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_model_structure *p = &m->structure[index];
     const int stride = peaks->stride;
     const bool drifts = p->drifts;
-    structure_modes(peaks, o, p, reach);
+    structure_modes(peaks, o, p, bound);
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);
     const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
@@ -399,9 +399,9 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     else
         thud_peaks_row_forces(peaks, state, o->seg, o->s);
     for (int i = 0; i < state->model->nstructures; i++) {
-        struct thud_response_bound reach = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
-        if (thud_response_bound_structure(peaks, state->model, i, &reach))
-            structure_peaks(peaks, o, i, &reach);
+        struct thud_response_bound bound = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
+        if (thud_response_bound_structure(peaks, state->model, i, &bound))
+            structure_peaks(peaks, o, i, &bound);
     }
 }
 

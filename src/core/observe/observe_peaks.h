@@ -23,7 +23,7 @@ struct thud_peak_row {
  * the end that is read. */
 struct thud_row_push {
     int row;
-    double most, rate, bend, end;
+    double bound, rate, bend, end;
 };
 
 struct thud_peaks {
@@ -62,6 +62,6 @@ struct thud_response_bound {
     double speed, force;
 };
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                   const struct thud_response_bound *reach);
+                                   const struct thud_response_bound *bound);
 
 #endif

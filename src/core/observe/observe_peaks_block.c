@@ -21,8 +21,8 @@ enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
 /* What each mode of a structure can come to at the ends of a block by its largest speed there: displacement, velocity
  * and acceleration, rows of peaks->modal. */
-static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
-                           const struct thud_model_structure *p)
+static void bound_modes(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_free_vibration *f,
+                        const struct thud_model_structure *p)
 {
     const double *speed = f->speed + p->first_mode;
     for (int j = 0; j < p->modes; j++) {
@@ -37,8 +37,8 @@ static void reach_of_modes(struct thud_peaks *peaks, const struct thud_model *m,
 }
 
 /* The same of one quantity of the floors, out (stride), two at a time. */
-static void reach_of_floors(const struct thud_peaks *peaks, const struct thud_model *m,
-                            const struct thud_model_structure *p, int quantity, double *out)
+static void bound_floors(const struct thud_peaks *peaks, const struct thud_model *m,
+                         const struct thud_model_structure *p, int quantity, double *out)
 {
     const bool drift = quantity == THUD_FLOOR_DRIFT;
     const int stride = peaks->stride;
@@ -145,7 +145,7 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
     int rows = 0, list[THUD_FREE_VIBRATION_BLOCK];
     for (int x = 0; x < (p->drifts ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
         const double margin = f->margin[x * m->nstructures + structure];
-        reach_of_floors(peaks, m, p, x, peaks->value);
+        bound_floors(peaks, m, p, x, peaks->value);
         for (int i = 0; i < p->n; i++) {
             struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
             if (peaks->value[i] + margin <= peak->value)
@@ -192,7 +192,7 @@ enum thud_status thud_peaks_block(void *own, const struct thud_state *state, str
     const struct thud_model *m = state->model;
     (void)err;
     for (int s = 0; s < m->nstructures; s++) {
-        reach_of_modes(peaks, m, f, &m->structure[s]);
+        bound_modes(peaks, m, f, &m->structure[s]);
         structure_rows(peaks, state, f, s, intervals);
     }
     return THUD_OK;

@@ -42,24 +42,24 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
 
 /* Whether a floor, and whether any floor of the structure, may then pass a peak. */
 static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                     const struct thud_response_bound *reach)
+                     const struct thud_response_bound *bound)
 {
     const struct thud_model *m = model;
     const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
     const double *most = peaks->per_speed + m->structure[structure].first + floor;
-    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * reach->force;
-    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * reach->speed <= r->displacement.value &&
-                 most[THUD_FLOOR_VELOCITY * m->ndof] * reach->speed <= r->velocity.value &&
-                 most[THUD_FLOOR_ACCELERATION * m->ndof] * reach->speed + push <= r->acceleration.value &&
-                 most[THUD_FLOOR_DRIFT * m->ndof] * reach->speed <= r->drift.value;
+    double push = most[THUD_FLOOR_VELOCITY * m->ndof] * bound->force;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed <= r->displacement.value &&
+                 most[THUD_FLOOR_VELOCITY * m->ndof] * bound->speed <= r->velocity.value &&
+                 most[THUD_FLOOR_ACCELERATION * m->ndof] * bound->speed + push <= r->acceleration.value &&
+                 most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed <= r->drift.value;
     return !below; /* NaN: a rigid body, whose place no energy bounds */
 }
 
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
-                                   const struct thud_response_bound *reach)
+                                   const struct thud_response_bound *bound)
 {
     for (int i = 0; i < model->structure[structure].n; i++)
-        if (may_pass(peaks, model, structure, i, reach))
+        if (may_pass(peaks, model, structure, i, bound))
             return true;
     return false;
 }
@@ -72,7 +72,7 @@ static struct thud_row_push row_push(const struct thud_segment *seg, int row, in
     for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
         double size = fabs(*f), by_order = k * size;
         push.end = push.end * s + *f;
-        push.most += size;
+        push.bound += size;
         push.rate += by_order;
         push.bend += (k - 1) * by_order;
     }
@@ -90,7 +90,7 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
     for (int c = 0; c < m->nrows; c++)
         if (!thud_row_contact(state, c) || thud_row_acts(state, c)) {
             peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
-            peaks->pushes += peaks->push[peaks->pushes].most != 0;
+            peaks->pushes += peaks->push[peaks->pushes].bound != 0;
         }
 }
 
@@ -107,8 +107,8 @@ static double largest_force(const struct thud_peaks *peaks, const struct thud_mo
             const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
             if (at->dof < 0 || m->structure[at->structure].system != p->system)
                 continue;
-            total += at->share * per_speed[at->dof] * peaks->push[i].most;
-            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].most;
+            total += at->share * per_speed[at->dof] * peaks->push[i].bound;
+            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].bound;
         }
     return total;
 }

@@ -26,7 +26,7 @@ struct thud_baseline_motion {
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
     struct thud_relative relative; /* displacements so far */
-    bool shares;                   /* free flight is the same whatever the clearances */
+    bool shares;                   /* contact-free response is the same whatever the clearances */
     struct moment kept[KEPT_MAX];
     int nkept;
     struct thud_early_end *early_end;

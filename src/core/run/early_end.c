@@ -62,7 +62,7 @@ static double *new_block(struct thud_early_end *h)
     return h->block + h->count++ * h->row;
 }
 
-/* Keeps the block just marched and what its values cannot pass. A failed allocation ends the keeping. */
+/* Keeps the block just advanced and what its values cannot pass. A failed allocation ends the keeping. */
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
                               struct thud_error *err)
 {

@@ -102,7 +102,7 @@ enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done,
     assert(budget > 0);
     while (budget-- > 0 && !run->done && status == THUD_OK) {
         bool passed = false;
-        status = thud_run_fly(run, &budget, &passed, err);
+        status = thud_run_contact_free(run, &budget, &passed, err);
         if (!passed && status == THUD_OK)
             status = segment(run, err);
         thud_run_watch_collapse(run);

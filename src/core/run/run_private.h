@@ -32,7 +32,7 @@ struct thud_run {
     struct thud_run_ground ground;
     const struct thud_method *method;
     void *own;                                  /* of the method */
-    struct thud_free_vibration *free_vibration; /* NULL: the method goes through free flight too */
+    struct thud_free_vibration *free_vibration; /* NULL: the method goes through the contact-free response too */
     const struct thud_early_end *early_end;     /* of the motion without contact; NULL: not known */
 
     struct thud_state state;
@@ -103,9 +103,9 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
 void thud_run_collapse(struct thud_run *run, int dof);
 void thud_run_watch_collapse(struct thud_run *run);
 
-/* run_fly.c: free vibration over a block of intervals, or early to the end; *passed: whether anything was. Errors: those
- * of the observers. Takes the series that were made from *budget: one is as much work as a segment. */
-enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, struct thud_error *err);
+/* run_contact_free.c: free vibration over a block of intervals, or early to the end; *passed: whether anything was.
+ * Errors: those of the observers. Takes the series that were made from *budget: one is as much work as a segment. */
+enum thud_status thud_run_contact_free(struct thud_run *run, long *budget, bool *passed, struct thud_error *err);
 
 /* Adds an observer, whose own stays the caller's. */
 void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own);

@@ -154,7 +154,7 @@ static void set_step(struct thud_run *run)
     run->result.step_s = remaining / fmax(1, ceil(remaining / state->step_s * (1 - THUD_TOL_STEP_COUNT)));
 }
 
-/* State, segment and results; all memory but that of the method and of free flight. */
+/* State, segment and results; all memory but that of the method and of contact-free response. */
 static enum thud_status prepare(struct thud_run *run, const struct thud_model *model, const struct thud_record *record,
                                 struct thud_error *err)
 {
@@ -228,7 +228,7 @@ static enum thud_status start(struct thud_run *run, const struct thud_run *like,
         status = create_observers(run, err);
     if (status == THUD_OK)
         thud_ledger_start(&run->ledger, &run->state);
-    if (status == THUD_OK && run->method->order == 0) /* the others show how they fare in free flight */
+    if (status == THUD_OK && run->method->order == 0) /* the others show how they fare without contact */
         status = thud_free_vibration_create(&run->state, like ? like->free_vibration : NULL, &run->free_vibration, err);
     if (status == THUD_OK && run->method->create)
         status = run->method->create(&run->state, &run->own, err);
@@ -285,8 +285,8 @@ void thud_run_free(struct thud_run *run)
     free(run);
 }
 
-/* Whether anything has touched so far. */
-static bool has_touched(const struct thud_model *m, const struct thud_result *r)
+/* Whether there has been contact so far. */
+static bool has_contact(const struct thud_model *m, const struct thud_result *r)
 {
     for (int c = 0; c < m->ncontacts; c++)
         if (r->contact[c].impacts > 0 || r->contact[c].impulse_ns != 0)
@@ -335,9 +335,9 @@ void thud_run_finish(struct thud_run *run)
     r->energy = run->ledger.balance;
     finish_storeys(run);
     thud_links_finish(run->state.model, r);
-    if (run->done && *r->reason && r->reason != no_contact && !has_touched(run->state.model, r))
-        r->reason = run->state.model->nstoreys > 0 ? "nothing touched: closed form between events of storeys that yield"
-                                                   : "nothing touched: modes alone, in closed form";
+    if (run->done && *r->reason && r->reason != no_contact && !has_contact(run->state.model, r))
+        r->reason = run->state.model->nstoreys > 0 ? "no contact: closed form between events of storeys that yield"
+                                                   : "no contact: modes alone, in closed form";
     r->end_s = thud_state_now(&run->state);
     for (int i = 0; i < r->ncolumns; i++) {
         const struct thud_peak *shear = r->column[i].peak;

@@ -72,7 +72,7 @@ static bool same(double a, double b)
 }
 
 /* What the user says of the file: needed where the file is silent, refused where it says otherwise. */
-static enum thud_status settle(const struct record_source *source, const struct thud_record_choice *choice,
+static enum thud_status decide(const struct record_source *source, const struct thud_record_choice *choice,
                                struct record_raw *raw, struct thud_error *err)
 {
     double unit = choice->unit[0] ? record_unit(choice->unit) : NAN;
@@ -209,7 +209,7 @@ static enum thud_status build(const struct record_source *source, const struct r
     if (raw->count < 2)
         return record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count,
                              raw->count == 1 ? "" : "s");
-    enum thud_status status = settle(source, choice, raw, err);
+    enum thud_status status = decide(source, choice, raw, err);
     if (status)
         return status;
     convert(raw);

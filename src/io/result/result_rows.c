@@ -160,9 +160,9 @@ static const struct thud_column contacts[] = {
     {CONTACT(peak.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
     {CONTACT(peak.contact_time_s, "contact_time_s",
              "Time in which the contact pushes, F > 0, s: the pull at the end of kelvin-voigt is not in it, nor is a "
-             "touch whose impulse does not count as an impact. Of touches that hardly have a force, this time and "
+             "contact whose impulse does not count as an impact. Of contacts that hardly have a force, this time and "
              "their number depend on the method and its tolerance; force and impulse do not."),
-     .shown = {"touching", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
+     .shown = {"contact", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
     {CONTACT(peak.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
      .shown = {"residual", "mm", 1e3, 9, 3, THUD_DIGITS_FREE}},
     {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J.")},
@@ -532,7 +532,7 @@ static const struct thud_column method_fields[] = {
     METHOD(work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
     METHOD(work.events, "events", "Events."),
     METHOD(work.rejected, "rejected", "Steps rejected."),
-    METHOD(work.samples_fast, "samples_in_free_flight", "Samples passed in closed form.")};
+    METHOD(work.samples_fast, "samples_contact_free", "Samples passed in closed form.")};
 const struct thud_schema thud_method_schema =
     THUD_SCHEMA("method", "In\n.Pa result.json :\nthe method and its work.\n", method_fields);
 

@@ -17,7 +17,7 @@ static const struct thud_column rules[] = {
     RULE(left_floor, "Floor of the left structure where the rule asks for most."),
     RULE(right_floor, "Floor of the right structure."),
     RULE(gap_m, "What it asks for, m."),
-    RULE(pounding, "Ground motions in which the interface is touched at that gap without bumper."),
+    RULE(pounding, "Ground motions in which the floors collide at that gap without bumper."),
     RULE(motions, "Of how many."),
     RULE(force_n, "Largest force of those runs, N.")};
 const struct thud_schema thud_gap_rule_schema =
@@ -41,7 +41,7 @@ static const struct thud_column motions[] = {
     MOTION(pga_mps2, "Peak acceleration once scaled, m/s2.", "PGA g", NULL, 1 / THUD_GRAVITY, 9, 3, GENERAL),
     MOTION(pgv_mps, "Peak velocity once scaled, m/s.", "PGV m/s", NULL, 1, 9, 3, GENERAL),
     MOTION(arias_mps, "Arias intensity once scaled, m/s.", "Arias m/s", NULL, 1, 11, 3, GENERAL),
-    MOTION(misfit, "Root mean square of ln(target/Sa) once the motion is scaled by itself.", "misfit", NULL, 1, 8, 2,
+    MOTION(misfit, "Root mean square of ln(target/Sa) once the motion is scaled alone.", "misfit", NULL, 1, 8, 2,
            GENERAL),
     MOTION(factor, "What the samples of the file are multiplied by in all.", "factor", NULL, 1, 10, 3, GENERAL),
     THUD_STANDS_FOR("sa_N_mps2", "For each building of --preset its spectral acceleration once scaled, m/s2."),
@@ -129,6 +129,6 @@ static const struct thud_column bests[] = {
     THUD_STANDS_FOR("flat_fromUNIT", "Smallest value within 5 % of it."),
     THUD_STANDS_FOR("flat_toUNIT", "Largest one."),
     BEST(worst_ratio, "worst_acceleration_ratio", "Ratio at the worst value of the key."),
-    BEST(remark, "remark", "What to beware of: an end of the range, a bumper that hardly touches; empty: nothing.")};
+    BEST(remark, "remark", "What to beware of: an end of the range, a bumper that is hardly struck; empty: nothing.")};
 const struct thud_schema thud_best_schema = THUD_SCHEMA(
     "best.csv", "Written by\n.Cm sweep Fl -best Fl o :\na row for each setting of the other keys.\n", bests);

@@ -172,7 +172,7 @@ static const struct thud_column needs[] = {
     {NEED(right_floor, "right_floor", "Floor on its right.")},
     {NEED(left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
     {NEED(right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
-    {RULE(THUD_GAP_EXACT, "closing_m", "Gap that is needed: how far the two close, m.")},
+    {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Gap that is needed: how far the two close, m.")},
     {RULE(THUD_GAP_ABS, "abs_m", "Sum of both peaks, m.")},
     {RULE(THUD_GAP_SRSS, "srss_m", "Root of the sum of their squares, m.")},
     {RULE(THUD_GAP_DDC, "ddc_m", "Double difference combination, m; no value where storeys yield.")},
@@ -284,16 +284,16 @@ static void row_of(const struct form *form, union rows rows, int i, struct thud_
             record_of(form->plan, r->record), thud_case_name(r->which), thud_struck_name(r->struck), *r};
     } else {
         const struct thud_sweep_need_row *r = &rows.need[i];
-        *(struct thud_need_fields *)(void *)out->bytes =
-            (struct thud_need_fields){record_of(form->plan, r->record),
-                                      r->interface,
-                                      r->left_floor,
-                                      r->right_floor,
-                                      thud_struck_name(r->struck),
-                                      r->left_m,
-                                      r->right_m,
-                                      r->correlation,
-                                      {r->closing_m, r->abs_m, r->srss_m, r->ddc_m, r->en1998_m, r->asce7_m}};
+        *(struct thud_need_fields *)(void *)out->bytes = (struct thud_need_fields){
+            record_of(form->plan, r->record),
+            r->interface,
+            r->left_floor,
+            r->right_floor,
+            thud_struck_name(r->struck),
+            r->left_m,
+            r->right_m,
+            r->correlation,
+            {r->relative_displacement_m, r->abs_m, r->srss_m, r->ddc_m, r->en1998_m, r->asce7_m}};
     }
 }
 

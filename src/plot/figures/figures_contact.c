@@ -39,22 +39,22 @@ static int pick_contacts(const struct thud_figure_source *source, int nsources, 
     return *peak > 0.0 ? thud_pick_largest(force, n, most, index) : 0;
 }
 
-/* Says which contacts are shown where it is not all that touched. */
+/* Says which contacts are shown where it is not all with impacts. */
 static void contact_note(struct thud_panel *panel, const struct thud_figure_source *source, int nsources, int n,
                          const int *index)
 {
     char name[160], text[256];
-    int touched = 0;
+    int pounding = 0;
     for (int c = 0; c < source->result->ncontacts; c++)
-        touched += peak_force(source, nsources, c) > 0.0;
-    if (touched == 0)
+        pounding += peak_force(source, nsources, c) > 0.0;
+    if (pounding == 0)
         thud_panel_note(panel, "No contact");
     else if (nsources > 1) {
         thud_source_contact_name(source, index[0], name, sizeof name);
         snprintf(text, sizeof text, "Contact with the largest force: %s", name);
         thud_panel_note(panel, text);
-    } else if (n < touched) {
-        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces", n, touched);
+    } else if (n < pounding) {
+        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces", n, pounding);
         thud_panel_note(panel, text);
     }
 }
@@ -129,7 +129,7 @@ static void until_last_impact(struct thud_figure *figure, const struct thud_figu
     bool shorter = until <= 0.75 * end;
     for (int r = 0; figure && r < rows; r++)
         thud_panel_limits(&figure->panel[r], THUD_X, 0.0, shorter ? until : end);
-    snprintf(text, sizeof text, "After %.4g s of %.4g s nothing touches.", until, end);
+    snprintf(text, sizeof text, "After %.4g s of %.4g s there is no contact.", until, end);
     if (shorter)
         thud_figure_note(figure, text);
 }
@@ -183,12 +183,12 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
         until_last_impact(figure, source, nsources, (n > 0 ? n : 1) + ground);
     else
         thud_figure_shorten(figure);
-    int touched = 0;
+    int pounding = 0;
     for (int c = 0; c < source->result->ncontacts; c++)
-        touched += peak_force(source, nsources, c) > 0.0;
-    if (n < touched) {
+        pounding += peak_force(source, nsources, c) > 0.0;
+    if (n < pounding) {
         snprintf(text, sizeof text, "The %d of %d contacts with the largest forces; histories.csv has all.", n,
-                 touched);
+                 pounding);
         thud_figure_note(figure, text);
     }
     return figure;

@@ -9,7 +9,7 @@ static const double step_s = 5e-4;
 static const struct {
     const char *name;
     bool rubber;
-    double closing_mps;
+    double approach_mps;
     int color;
 } cases[THUD_PAPER_PAIRS] = {
     {"no bumper", false, 0.5, 0}, {"bumper", true, 0.5, 1}, {"no bumper", false, 1.0, 0}, {"bumper", true, 1.0, 1}};
@@ -21,7 +21,7 @@ static enum thud_status run_case(int i, struct thud_solution *solution, struct t
         thud_two_body_rubber(&pair);
     else
         thud_two_body_concrete(&pair);
-    pair.closing_mps = cases[i].closing_mps;
+    pair.approach_mps = cases[i].approach_mps;
     return thud_two_body_run(&pair, step_s, solution, err);
 }
 
@@ -55,7 +55,7 @@ static void line(struct thud_panel *panel, const struct thud_solution *solution,
     size_t n = 0;
     bool after = false;
     double largest = 0;
-    if (on_x == TIME) { /* what was before the first touch, at t = 0 */
+    if (on_x == TIME) { /* what was before the contact onset, at t = 0 */
         series->x[n] = -20.0;
         series->y[n++] = on_y == RELATIVE_VELOCITY ? value(h, 0, on_y) : 0.0;
         series->x[n] = 0.0;
@@ -100,7 +100,7 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
     struct thud_two_body pair;
     struct thud_solution solution = {0};
     thud_two_body_rubber(&pair);
-    pair.closing_mps = 0.6;
+    pair.approach_mps = 0.6;
     enum thud_status status = thud_two_body_run(&pair, step_s, &solution, err);
     paper_axis(panel, THUD_X, INDENTATION);
     paper_axis(panel, THUD_Y, FORCE);
@@ -132,7 +132,7 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
     }
     thud_panel_mark(panel, THUD_X, 40.0, 40.0, "ultimate strain, 0.8 of 5 cm");
     thud_figure_note(figure, "k = 0.36 kN/mm²·⁶⁵, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
-                             "the ultimate strain 2500 kN/mm. Two bodies of 320 t closing at 0.6 m/s.");
+                             "the ultimate strain 2500 kN/mm. Two bodies of 320 t approaching at 0.6 m/s.");
     thud_solution_clear(&solution);
     return finish(figure, status, out, err);
 }
@@ -225,7 +225,7 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         char name[32];
         thud_two_body_rubber(&pair);
         thud_two_body_set(&pair, "restitution", thud_paper_fig3_restitution[i]);
-        pair.closing_mps = thud_paper_fig3_mps;
+        pair.approach_mps = thud_paper_fig3_mps;
         status = thud_two_body_run(&pair, step_s, &solution, err);
         if (status != THUD_OK)
             break;
@@ -235,8 +235,9 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         thud_solution_clear(&solution);
     }
     thud_figure_note(
-        figure, "Bumper of Table 1 between two free bodies of 320 t closing at 1.2 m/s. Eq. (5) as printed: the force "
-                "drops where the motion turns.");
+        figure,
+        "Bumper of Table 1 between two free bodies of 320 t approaching at 1.2 m/s. Eq. (5) as printed: the force "
+        "drops where the motion turns.");
     return finish(figure, status, out, err);
 }
 
@@ -244,8 +245,8 @@ enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error 
 {
     struct thud_figure *figure =
         thud_figure_create("fig4", "Two rigid bodies of 320 t: impact force against indentation", 1, 2);
-    struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Closing at 0.5 m/s"),
-                                   thud_figure_panel(figure, 0, 1, "Closing at 1.0 m/s")};
+    struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Approach at 0.5 m/s"),
+                                   thud_figure_panel(figure, 0, 1, "Approach at 1.0 m/s")};
     enum thud_status status = THUD_OK;
     for (int p = 0; p < 2; p++) {
         paper_axis(panel[p], THUD_X, INDENTATION);
@@ -277,15 +278,15 @@ enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error 
             break;
         for (int row = 0; row < 3; row++) {
             struct thud_panel *panel =
-                thud_figure_panel(figure, row, i / 2, i < 2 ? "Closing at 0.5 m/s" : "Closing at 1.0 m/s");
+                thud_figure_panel(figure, row, i / 2, i < 2 ? "Approach at 0.5 m/s" : "Approach at 1.0 m/s");
             paper_axis(panel, THUD_X, TIME);
             paper_axis(panel, THUD_Y, on_y[row]);
             line(panel, &solution, TIME, on_y[row], (struct thud_style){.color = cases[i].color}, cases[i].name);
         }
         thud_solution_clear(&solution);
     }
-    thud_figure_note(figure,
-                     "Relative velocity: left minus right body; acceleration: of the right body. First touch at 0 ms.");
+    thud_figure_note(
+        figure, "Relative velocity: left minus right body; acceleration: of the right body. Contact onset at 0 ms.");
     return finish(figure, status, out, err);
 }
 
@@ -298,7 +299,7 @@ enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error
             return status;
         const struct thud_contact_result *contact = &thud_run_result(solution.run)->contact[0];
         out[i] = (struct thud_paper_pair){
-            cases[i].name,           cases[i].closing_mps,         contact->force.value, contact->indentation.value,
+            cases[i].name,           cases[i].approach_mps,        contact->force.value, contact->indentation.value,
             contact->contact_time_s, contact->nominal_restitution, contact->restitution, contact->residual_m};
         thud_solution_clear(&solution);
     }

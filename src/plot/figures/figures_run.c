@@ -3,7 +3,7 @@
 
 bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
 {
-    bool any = false, touched = false;
+    bool any = false, struck = false;
     for (int i = 0; i < source->result->nstructures; i++) {
         bool storeys = source->scene->structure[i].kind != THUD_RIGID;
         any = any || (thud_source_shown(source, i, which) && (which != THUD_FIGURE_ENVELOPE || storeys));
@@ -11,10 +11,10 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
     for (int s = 0; s < nsources; s++) {
         if (source[s].history->rows == 0)
             return false;
-        touched = touched || source[s].nimpacts > 0;
+        struck = struck || source[s].nimpacts > 0;
     }
     if (which == THUD_FIGURE_LOOP)
-        return touched;
+        return struck;
     if (which == THUD_FIGURE_HYSTERESIS || which == THUD_FIGURE_PERMANENT)
         return thud_source_yields(source);
     if (which == THUD_FIGURE_COLUMNS)

@@ -518,7 +518,7 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
     }
     for (size_t i = 0; i < table->npoints; i++) {
         const struct thud_sweep_summary *d = table->point[i];
-        bool is = d->record == record && (d->touches || told >= TOLD_DUCTILITY) && drawn(table, d, 1, NULL);
+        bool is = d->record == record && (d->has_contact || told >= TOLD_DUCTILITY) && drawn(table, d, 1, NULL);
         int k = is ? thud_sweep_summary_find(d, which) : -1;
         if (k < 0)
             continue;
@@ -756,7 +756,7 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
              free                      ? "Ratio to no pounding; red: pounding harms;"
              : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
                                        : "Ratio to no bumper at the same gap; blue: the bumper helps;",
-             line ? " line: ratio 1 where something touches;" : "", " white: no change; empty: no result.");
+             line ? " line: ratio 1 where there is contact;" : "", " white: no change; empty: no result.");
     thud_figure_note(figure, text);
     return figure;
 }
@@ -782,7 +782,7 @@ static bool has_ratios(const struct thud_sweep_table *table)
 static bool has_contacts(const struct thud_sweep_table *table)
 {
     for (size_t i = 0; i < table->npoints; i++)
-        if (table->point[i]->touches)
+        if (table->point[i]->has_contact)
             return true;
     return false;
 }

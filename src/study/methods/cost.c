@@ -29,7 +29,8 @@ static const struct thud_cost_axis_info axes[THUD_COST_AXES] = {
      "every second and every impact costs what those before did, for nothing is kept that grows with time; below the\n"
      "first power where impacts grow rare (residual: keep, where concrete gives way for good)"},
     {"impacts", "Impacts", "", "impacts",
-     "free flight costs the same whatever the gap, and every impact adds its own solution and the search for its "
+     "contact-free response costs the same whatever the gap, and every impact adds its own solution and the search for "
+     "its "
      "ends"}};
 
 struct thud_cost {

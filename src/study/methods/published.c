@@ -95,7 +95,7 @@ static enum thud_status run_frame(const struct thud_scene *scene, const struct t
     return status;
 }
 
-/* One mode by itself: an oscillator's largest displacement D from the response spectrum. With Phi^T M Phi = I,
+/* One mode alone: an oscillator's largest displacement D from the response spectrum. With Phi^T M Phi = I,
  *     u_i = gamma phi_i D,   f_i = m_i omega^2 u_i,   V_i = sum of f_j from floor i up. */
 static struct frame mode_alone(const struct thud_model *model, const struct thud_record *record, int mode)
 {
@@ -295,7 +295,7 @@ static enum thud_status lankarani(struct rows *rows, struct thud_error *err)
     enum thud_status status = thud_two_body_run(&pair, 0, &solution, err);
     if (status == THUD_OK)
         add(rows, "restitution of two bodies of 320 t", "", 1, 0.684,
-            thud_two_body_separation(&solution) / pair.closing_mps);
+            thud_two_body_separation(&solution) / pair.approach_mps);
     thud_solution_clear(&solution);
     return status;
 }
@@ -304,14 +304,14 @@ static enum thud_status lankarani(struct rows *rows, struct thud_error *err)
  *     e = exp(-2 xi acos(xi)/sqrt(1 - xi^2)),   omega sqrt(1 - xi^2) t = 2 acos(xi). */
 static enum thud_status cart(struct rows *rows, struct thud_error *err)
 {
-    const double mass_kg = 0.575, closing_mps = 0.85, e = 0.875, duration_s = 0.26;
+    const double mass_kg = 0.575, approach_mps = 0.85, e = 0.875, duration_s = 0.26;
     const double measured_n = (5.38 + 5.44 + 5.39) / 3;
     double xi = thud_kelvin_voigt_cut_xi(e), damped = sqrt(1 - xi * xi), omega = 2 * acos(xi) / (damped * duration_s);
     struct thud_solution solution = {0};
     struct thud_two_body pair;
     thud_two_body_concrete(&pair);
     pair.mass_kg[0] = pair.mass_kg[1] = 2 * mass_kg; /* two bodies of twice the mass are one before a wall */
-    pair.closing_mps = closing_mps;
+    pair.approach_mps = approach_mps;
     pair.duration_s = 2 * duration_s;
     thud_two_body_set(&pair, "stiffness", mass_kg * omega * omega);
     thud_two_body_set(&pair, "restitution", e);

@@ -10,7 +10,7 @@
 static const double duration_s = 50;
 /* On both sides of 2, 2 sqrt(2) and 2 sqrt(3), the limits of the linear system. */
 static const double omega_dts[] = {0.12, 0.5, 1, 1.9, 2.1, 2.7, 2.9, 3.4, 3.6, 5, 10};
-static const double closings_mps[] = {0.05, 0.5, 2};
+static const double approaches_mps[] = {0.05, 0.5, 2};
 static const double nominals[] = {0.2, 0.5, 0.8}; /* of the laws that have a coefficient of restitution */
 static const double pair_steps_s[] = {5e-3, 1e-3, 1e-4};
 static const double free_tolerance = 1e-6;
@@ -20,7 +20,7 @@ static const double starts_m[THUD_STABILITY_STARTS] = {0.003, 0.012, 0.02, 0.031
 static const double scene_steps[THUD_STABILITY_SCENE_STEPS] = {1, 0.97, 0.94};
 enum {
     OMEGA_DTS = sizeof omega_dts / sizeof *omega_dts,
-    CLOSINGS = sizeof closings_mps / sizeof *closings_mps,
+    APPROACHES = sizeof approaches_mps / sizeof *approaches_mps,
     NOMINALS = sizeof nominals / sizeof *nominals,
     PAIR_STEPS = sizeof pair_steps_s / sizeof *pair_steps_s
 };
@@ -41,7 +41,7 @@ const char *thud_stability_verdict_word(enum thud_stability_verdict verdict)
 struct planner {
     struct thud_stability *stability;
     const struct thud_law *law;
-    double nominal, closing_mps;
+    double nominal, approach_mps;
 };
 typedef void add_fn(const struct planner *p, struct thud_stepping how, double setting);
 
@@ -69,7 +69,7 @@ static void add_restitution(const struct planner *p, struct thud_stepping how, d
     if (!isnan(setting))
         how.setting = setting;
     p->stability->restitution[p->stability->nrestitutions++] = (struct thud_stability_restitution){
-        .how = how, .law = p->law, .nominal = p->nominal, .closing_mps = p->closing_mps};
+        .how = how, .law = p->law, .nominal = p->nominal, .approach_mps = p->approach_mps};
 }
 
 static void plan_law(struct planner *p)
@@ -77,8 +77,8 @@ static void plan_law(struct planner *p)
     bool has_nominal = thud_law_param(p->law, "restitution") >= 0;
     for (int e = 0; e < (has_nominal ? NOMINALS : 1); e++) {
         p->nominal = has_nominal ? nominals[e] : NAN;
-        for (int k = 0; k < CLOSINGS; k++) {
-            p->closing_mps = closings_mps[k];
+        for (int k = 0; k < APPROACHES; k++) {
+            p->approach_mps = approaches_mps[k];
             each(p, pair_steps_s, PAIR_STEPS, add_restitution);
         }
     }
@@ -93,7 +93,7 @@ static void plan(struct thud_stability *s)
         if (!(planner.law->flags & THUD_LAW_NO_FORCE))
             plan_law(&planner);
     }
-    s->nexhibits = thud_exhibit_count();
+    s->ntest_cases = thud_test_case_count();
 }
 
 /* The scene by the exact method: what the others are held against. */
@@ -141,10 +141,10 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
         s->record = record;
         s->cell = calloc(rows * OMEGA_DTS, sizeof *s->cell);
         s->restitution =
-            calloc(rows * PAIR_STEPS * CLOSINGS * NOMINALS * (size_t)thud_law_count(), sizeof *s->restitution);
-        s->exhibit = calloc((size_t)thud_exhibit_count(), sizeof *s->exhibit);
+            calloc(rows * PAIR_STEPS * APPROACHES * NOMINALS * (size_t)thud_law_count(), sizeof *s->restitution);
+        s->test_case = calloc((size_t)thud_test_case_count(), sizeof *s->test_case);
     }
-    if (!s || !s->cell || !s->restitution || !s->exhibit)
+    if (!s || !s->cell || !s->restitution || !s->test_case)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK) {
         plan(s);
@@ -167,13 +167,13 @@ void thud_stability_free(struct thud_stability *s)
     free(s->peak_m);
     free(s->cell);
     free(s->restitution);
-    free(s->exhibit);
+    free(s->test_case);
     free(s);
 }
 
 int thud_stability_jobs(const struct thud_stability *s)
 {
-    return s->ncells + s->nrestitutions + s->nexhibits;
+    return s->ncells + s->nrestitutions + s->ntest_cases;
 }
 
 /* Energies are as the squares of displacements: what is blown up has a hundred times the displacement. */
@@ -311,14 +311,14 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
     }
     if (!isnan(r->nominal))
         thud_two_body_set(&pair, "restitution", r->nominal);
-    pair.closing_mps = r->closing_mps;
+    pair.approach_mps = r->approach_mps;
     pair.duration_s = 2; /* slow bumpers take long */
     pair.setup.mass_kg = pair.mass_kg[0] / 2;
     struct thud_law_setup setup = pair.setup;
     enum thud_status status = thud_law_prepare(r->law, &setup, err);
     if (status != THUD_OK)
         return status;
-    r->expected = thud_law_restitution(r->law, &setup, r->closing_mps);
+    r->expected = thud_law_restitution(r->law, &setup, r->approach_mps);
     return thud_two_body_restitution(&pair, r->how, &r->obtained, err);
 }
 
@@ -331,7 +331,7 @@ enum thud_status thud_stability_next(struct thud_stability *s, struct thud_error
     else if ((i -= s->ncells) < s->nrestitutions)
         status = run_restitution(&s->restitution[i], err);
     else
-        status = thud_exhibit_run(i - s->nrestitutions, &s->exhibit[i - s->nrestitutions], err);
+        status = thud_test_case_run(i - s->nrestitutions, &s->test_case[i - s->nrestitutions], err);
     s->done += status == THUD_OK;
     return status;
 }

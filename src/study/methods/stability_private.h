@@ -40,11 +40,11 @@ double thud_energy_ratio(const struct thud_solution *solution);
 enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct thud_stepping how, double *out,
                                            struct thud_error *err);
 
-/* The exhibits, by file. */
-typedef enum thud_status thud_exhibit_fn(struct thud_exhibit *out, struct thud_error *err);
-enum thud_status thud_exhibit_energy(int index, struct thud_exhibit *out, struct thud_error *err);
-enum thud_status thud_exhibit_touch(int index, struct thud_exhibit *out, struct thud_error *err);
-enum thud_status thud_exhibit_yield(struct thud_exhibit *out, struct thud_error *err);
-enum { THUD_EXHIBITS_ENERGY = 6, THUD_EXHIBITS_TOUCH = 2, THUD_EXHIBITS_REST = 4 };
+/* The test cases, by file. */
+typedef enum thud_status thud_test_case_fn(struct thud_test_case *out, struct thud_error *err);
+enum thud_status thud_test_case_energy(int index, struct thud_test_case *out, struct thud_error *err);
+enum thud_status thud_test_case_onset(int index, struct thud_test_case *out, struct thud_error *err);
+enum thud_status thud_test_case_yield(struct thud_test_case *out, struct thud_error *err);
+enum { THUD_TEST_CASES_ENERGY = 6, THUD_TEST_CASES_ONSET = 2, THUD_TEST_CASES_REST = 4 };
 
 #endif

@@ -1,4 +1,4 @@
-/* Exhibits of a body that is pushed against a wall: slow first touch, sticking, and bounces without end. */
+/* Test cases of a body that is pushed against a wall: slow contact onset, sticking, and bounces without end. */
 #include <math.h>
 
 #include "core/laws/law_closed_form.h"
@@ -46,15 +46,15 @@ static double rebound(const struct thud_solution *solution)
     return -last_value(solution, thud_history_velocity(h, 0)) / v;
 }
 
-static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status slow_onset(struct thud_test_case *out, struct thud_error *err)
 {
     struct thud_bouncer b;
     struct thud_record *record;
-    *out = (struct thud_exhibit){.name = "slow-first-touch",
-                                 .scene = "first touch at a billionth of 1 m/s, then pushed into the bumper, e 0.5",
-                                 .quantity = "separation speed over that of the energy stored",
-                                 .naive = "damping by the speed of first touch, no floor under it",
-                                 .right = 0.5};
+    *out = (struct thud_test_case){.name = "slow-onset",
+                                   .scene = "contact onset at a billionth of 1 m/s, then pushed into the bumper, e 0.5",
+                                   .quantity = "separation speed over that of the energy stored",
+                                   .method = "damping by the speed of contact onset, no floor under it",
+                                   .exact = 0.5};
     bumper(&b);
     b.velocity_mps = 1e-9;
     thud_bouncer_set(&b, "damping", 1); /* exact */
@@ -66,7 +66,7 @@ static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *
         status = thud_bouncer_run(&b, record, thud_stepping_of("exact", tight, true), 2, &solution, NULL, err);
         if (status != THUD_OK)
             break;
-        *(i ? &out->thud : &out->wrong) = rebound(&solution);
+        *(i ? &out->computed : &out->naive) = rebound(&solution);
         thud_solution_clear(&solution);
     }
     thud_record_free(record);
@@ -74,23 +74,23 @@ static enum thud_status slow_touch(struct thud_exhibit *out, struct thud_error *
 }
 
 /* Damping of the floor of 1 mm/s makes restitution stiff, of rate F C/m: all motions soon go on at -1/C. */
-static enum thud_status stiff_restitution(struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status stiff_restitution(struct thud_test_case *out, struct thud_error *err)
 {
     struct thud_stepping how[2] = {thud_stepping_of("rk4", 1e-3, false), thud_stepping_of("exact", tight, true)};
     struct thud_bouncer b;
     struct thud_record *record;
-    *out = (struct thud_exhibit){.name = "stiff-restitution",
-                                 .scene = "a bumper touched at 0.1 mm/s, pushed in and let go: stiff restitution",
-                                 .quantity = "speed of the way back times C",
-                                 .naive = "Runge-Kutta of order 4, 1 ms, not located",
-                                 .right = 1};
+    *out = (struct thud_test_case){.name = "stiff-restitution",
+                                   .scene = "a bumper struck at 0.1 mm/s, pushed in and let go: stiff restitution",
+                                   .quantity = "speed of the way back times C",
+                                   .method = "Runge-Kutta of order 4, 1 ms, not located",
+                                   .exact = 1};
     bumper(&b);
     b.velocity_mps = 1e-4;
     thud_bouncer_set(&b, "damping", 1); /* exact */
     enum thud_status status = push(25, 0, 0.02, &record, err);
     for (int i = 0; status == THUD_OK && i < 2; i++) {
         struct thud_solution solution;
-        double *value = i ? &out->thud : &out->wrong;
+        double *value = i ? &out->computed : &out->naive;
         status = thud_bouncer_run(&b, record, how[i], 1, &solution, NULL, err);
         if (thud_trial_failed(status))
             break;
@@ -105,7 +105,7 @@ static enum thud_status stiff_restitution(struct thud_exhibit *out, struct thud_
     return status;
 }
 
-static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, double rise_s, struct thud_exhibit *out,
+static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, double rise_s, struct thud_test_case *out,
                                bool force, struct thud_stepping naive, struct thud_error *err)
 {
     struct thud_stepping how[2] = {naive, thud_stepping_of("exact", tight, true)};
@@ -113,7 +113,7 @@ static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, doub
     enum thud_status status = push(a_mps2, rise_s, 3 - rise_s, &record, err);
     for (int i = 0; status == THUD_OK && i < 2; i++) {
         struct thud_solution solution;
-        double *value = i ? &out->thud : &out->wrong;
+        double *value = i ? &out->computed : &out->naive;
         status = thud_bouncer_run(b, record, how[i], 3, &solution, NULL, err);
         if (thud_trial_failed(status))
             break;
@@ -132,51 +132,51 @@ static enum thud_status pushed(const struct thud_bouncer *b, double a_mps2, doub
 }
 
 /* Past delta_u the force falls as soon as the approach ends, and the push brings the approach back. */
-static enum thud_status sticking(struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status sticking(struct thud_test_case *out, struct thud_error *err)
 {
     struct thud_bouncer b;
-    *out = (struct thud_exhibit){.name = "force-jump",
-                                 .scene = "a body pushed past delta_u by 20 MN and held there",
-                                 .quantity = "contact force over the push",
-                                 .naive = "Newmark, 1 ms, no sticking rule",
-                                 .right = 1};
+    *out = (struct thud_test_case){.name = "force-jump",
+                                   .scene = "a body pushed past delta_u by 20 MN and held there",
+                                   .quantity = "contact force over the push",
+                                   .method = "Newmark, 1 ms, no sticking rule",
+                                   .exact = 1};
     bumper(&b);
     return pushed(&b, 62.5, 2, out, true, thud_stepping_of("newmark", 1e-3, false), err);
 }
 
-static enum thud_status zeno(struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status zeno(struct thud_test_case *out, struct thud_error *err)
 {
     struct thud_bouncer b;
-    *out = (struct thud_exhibit){.name = "bounces-without-end",
-                                 .scene =
-                                     "a body thrown up from a floor it falls back to, e 0.5: endless bounces in 0.1 s",
-                                 .quantity = "depth in the floor at the end, mm",
-                                 .naive = "Runge-Kutta of order 4, 10 ms, not located",
-                                 .right = 0};
+    *out = (struct thud_test_case){
+        .name = "bounces-without-end",
+        .scene = "a body thrown up from a floor it falls back to, e 0.5: endless bounces in 0.1 s",
+        .quantity = "depth in the floor at the end, mm",
+        .method = "Runge-Kutta of order 4, 10 ms, not located",
+        .exact = 0};
     bumper(&b);
     thud_bouncer_law(&b, thud_law_find("stereomechanical"));
     thud_bouncer_set(&b, "restitution", 0.5);
     return pushed(&b, 9.80665, 0, out, false, thud_stepping_of("rk4", 1e-2, false), err);
 }
 
-static enum thud_status rest(int index, struct thud_exhibit *out, struct thud_error *err)
+static enum thud_status rest(int index, struct thud_test_case *out, struct thud_error *err)
 {
-    static thud_exhibit_fn *const show[THUD_EXHIBITS_REST] = {slow_touch, stiff_restitution, sticking, zeno};
+    static thud_test_case_fn *const show[THUD_TEST_CASES_REST] = {slow_onset, stiff_restitution, sticking, zeno};
     return show[index](out, err);
 }
 
-int thud_exhibit_count(void)
+int thud_test_case_count(void)
 {
-    return THUD_EXHIBITS_ENERGY + THUD_EXHIBITS_TOUCH + THUD_EXHIBITS_REST + 1;
+    return THUD_TEST_CASES_ENERGY + THUD_TEST_CASES_ONSET + THUD_TEST_CASES_REST + 1;
 }
 
-enum thud_status thud_exhibit_run(int index, struct thud_exhibit *out, struct thud_error *err)
+enum thud_status thud_test_case_run(int index, struct thud_test_case *out, struct thud_error *err)
 {
-    if (index < THUD_EXHIBITS_ENERGY)
-        return thud_exhibit_energy(index, out, err);
-    if (index == thud_exhibit_count() - 1)
-        return thud_exhibit_yield(out, err);
-    index -= THUD_EXHIBITS_ENERGY;
-    return index < THUD_EXHIBITS_TOUCH ? thud_exhibit_touch(index, out, err)
-                                       : rest(index - THUD_EXHIBITS_TOUCH, out, err);
+    if (index < THUD_TEST_CASES_ENERGY)
+        return thud_test_case_energy(index, out, err);
+    if (index == thud_test_case_count() - 1)
+        return thud_test_case_yield(out, err);
+    index -= THUD_TEST_CASES_ENERGY;
+    return index < THUD_TEST_CASES_ONSET ? thud_test_case_onset(index, out, err)
+                                         : rest(index - THUD_TEST_CASES_ONSET, out, err);
 }

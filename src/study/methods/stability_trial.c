@@ -120,7 +120,7 @@ enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct th
     pair->locate = how.locate;
     enum thud_status status = thud_two_body_run(pair, pair->duration_s, &solution, err);
     if (status == THUD_OK)
-        *out = thud_two_body_separation(&solution) / pair->closing_mps;
+        *out = thud_two_body_separation(&solution) / pair->approach_mps;
     else
         *out = INFINITY;
     thud_solution_clear(&solution);

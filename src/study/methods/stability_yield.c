@@ -1,4 +1,4 @@
-/* Exhibit of a storey that yields: where it unloads lies within a step. */
+/* Test case of a storey that yields: where it unloads lies within a step. */
 #include <math.h>
 
 #include "study/methods/stability_private.h"
@@ -39,14 +39,14 @@ static enum thud_status permanent_drift(struct thud_stepping how, double *out_mm
     return status;
 }
 
-enum thud_status thud_exhibit_yield(struct thud_exhibit *out, struct thud_error *err)
+enum thud_status thud_test_case_yield(struct thud_test_case *out, struct thud_error *err)
 {
     double w = omega_radps * yield_m;
-    *out = (struct thud_exhibit){.name = "unloading-missed",
-                                 .scene = "a storey thrown beyond its yield drift of 20 mm, steps of 50 ms",
-                                 .quantity = "permanent drift, mm",
-                                 .naive = "Runge-Kutta of order 4, unloading at step ends",
-                                 .right = 1e3 * (velocity_mps * velocity_mps - w * w) / (2 * omega_radps * w)};
-    enum thud_status status = permanent_drift(thud_stepping_of("rk4", 0.05, false), &out->wrong, err);
-    return status == THUD_OK ? permanent_drift(thud_stepping_of("exact", 1e-9, true), &out->thud, err) : status;
+    *out = (struct thud_test_case){.name = "unloading-missed",
+                                   .scene = "a storey thrown beyond its yield drift of 20 mm, steps of 50 ms",
+                                   .quantity = "permanent drift, mm",
+                                   .method = "Runge-Kutta of order 4, unloading at step ends",
+                                   .exact = 1e3 * (velocity_mps * velocity_mps - w * w) / (2 * omega_radps * w)};
+    enum thud_status status = permanent_drift(thud_stepping_of("rk4", 0.05, false), &out->naive, err);
+    return status == THUD_OK ? permanent_drift(thud_stepping_of("exact", 1e-9, true), &out->computed, err) : status;
 }

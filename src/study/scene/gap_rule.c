@@ -150,7 +150,7 @@ static double by_e030(const struct thud_gap_level *l)
 
 static double by_motion(const struct thud_gap_level *l)
 {
-    return l->closing_m;
+    return l->relative_displacement_m;
 }
 
 #define SECOND_HAND "second-hand; read the clause"
@@ -159,7 +159,8 @@ static double by_motion(const struct thud_gap_level *l)
 static const char no_height[] = "a height is not known";
 
 static const struct thud_gap_rule rules[THUD_GAP_RULES + 1] = {
-    {"needed", "closing_m", "", "", "largest relative displacement", "", "max(uL(t) - uR(t))", "", "", by_motion},
+    {"needed", "relative_displacement_m", "", "", "largest relative displacement", "", "max(uL(t) - uR(t))", "", "",
+     by_motion},
     {"ABS", "abs_m", "", "", "sum of the displacements", "", "uL + uR", "$l + $r cm", "", by_abs},
     {"SRSS", "srss_m", "", "", "root of the sum of squares", "", "sqrt(uL^2 + uR^2)", "sqrt($l^2 + $r^2) cm", "",
      by_srss},

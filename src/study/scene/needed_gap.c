@@ -92,7 +92,7 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
             .aligned = aligned[p->interface - 1],
             .left_m = thud_gap_side(model, baseline, c, false),
             .right_m = thud_gap_side(model, baseline, c, true),
-            .closing_m = thud_baseline_relative_displacement(baseline, c),
+            .relative_displacement_m = thud_baseline_relative_displacement(baseline, c),
             .correlation = has_yielded(result, left) || has_yielded(result, right)
                                ? NAN
                                : thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
@@ -187,8 +187,8 @@ static double used_up(const struct thud_scene *scene, const struct thud_needed_g
     double most = 0;
     for (int i = 0; i < gap->nlevels; i++) {
         double clearance = thud_interface_clearance(&scene->interface[gap->level[i].interface - 1]);
-        if (gap->level[i].closing_m > 0)
-            most = fmax(most, clearance > 0 ? gap->level[i].closing_m / clearance : INFINITY);
+        if (gap->level[i].relative_displacement_m > 0)
+            most = fmax(most, clearance > 0 ? gap->level[i].relative_displacement_m / clearance : INFINITY);
     }
     return most;
 }
@@ -249,7 +249,7 @@ enum thud_status thud_pounding_factor(const struct thud_scene *scene, const stru
         *(beyond ? &to : &from) = middle;
         *(beyond ? &at_to : &at_from) = at;
     }
-    *factor = at_from >= 1 ? from : to; /* the end that touches */
+    *factor = at_from >= 1 ? from : to; /* the end with contact */
     return status;
 }
 
@@ -265,7 +265,7 @@ static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
     if (level < 0)
         return thud_gap_falls_short(thud_needed_gap_widest(gap, 0, rule, NULL),
                                     thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL));
-    return thud_gap_falls_short(thud_gap_value(&gap->level[level], rule), gap->level[level].closing_m);
+    return thud_gap_falls_short(thud_gap_value(&gap->level[level], rule), gap->level[level].relative_displacement_m);
 }
 
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,

@@ -146,7 +146,7 @@ static enum thud_status check_depths(const struct thud_structure *structure, int
     return THUD_OK;
 }
 
-/* A storey whose weight takes off all of its stiffness falls by itself. */
+/* A storey whose weight takes off all of its stiffness is unstable. */
 static enum thud_status check_weight(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
@@ -261,7 +261,7 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
 
 static enum thud_status check_bumper(const struct thud_interface *at, int interface, struct thud_error *err)
 {
-    char key[96], gap[48], room[48], text[48];
+    char key[96], gap[48], thick[48], text[48];
     int count;
     const struct thud_param *params = thud_group_params(THUD_GROUP_BUMPER, &count);
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
@@ -273,11 +273,11 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
     if (out > 0 && out <= at->gap_m + rounding_m)
         return THUD_OK;
     thud_quantity_format(at->gap_m, "cm", gap, sizeof gap);
-    thud_quantity_format(at->bumper_thickness_m, "cm", room, sizeof room);
+    thud_quantity_format(at->bumper_thickness_m, "cm", thick, sizeof thick);
     thud_quantity_format(at->bumper_cavity_m, "cm", text, sizeof text);
     if (out <= 0) {
         snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", interface + 1);
-        thud_error_set(err, THUD_INPUT, "the cavity, %s, is as deep as the bumper is thick, %s", text, room);
+        thud_error_set(err, THUD_INPUT, "the cavity, %s, is as deep as the bumper is thick, %s", text, thick);
         return refuse(err, key, "0 to less than the thickness");
     }
     char much[48];

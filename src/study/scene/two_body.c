@@ -14,7 +14,7 @@ void thud_two_body_set(struct thud_two_body *pair, const char *param, double val
 
 static void start(struct thud_two_body *pair, const char *law)
 {
-    *pair = (struct thud_two_body){.mass_kg = {320e3, 320e3}, .closing_mps = 0.5, .duration_s = 0.3};
+    *pair = (struct thud_two_body){.mass_kg = {320e3, 320e3}, .approach_mps = 0.5, .duration_s = 0.3};
     pair->law = thud_law_find(law);
     assert(pair->law);
     thud_law_defaults(pair->law, &pair->setup);
@@ -48,7 +48,7 @@ double thud_two_body_separation(const struct thud_solution *solution)
 static enum thud_status assemble(const struct thud_two_body *pair, struct thud_model **model, struct thud_error *err)
 {
     struct thud_structure_input bodies[2] = {
-        {.n = 1, .mass_kg = &pair->mass_kg[0], .velocity_mps = pair->closing_mps},
+        {.n = 1, .mass_kg = &pair->mass_kg[0], .velocity_mps = pair->approach_mps},
         {.n = 1, .mass_kg = &pair->mass_kg[1]},
     };
     struct thud_contact_input contact = {.interface = 1,

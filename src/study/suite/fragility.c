@@ -440,7 +440,7 @@ static void conclude(struct thud_fragility *f, enum thud_event_kind kind, const 
     }
 }
 
-/* The value from which on each motion makes something touch: displacements without pounding are linear in an intensity,
+/* The value from which on each motion causes contact: displacements without pounding are linear in an intensity,
  * and a gap does not change them. */
 static double threshold(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int record)
 {

@@ -25,7 +25,7 @@ static struct thud_gap_level design_level(const struct thud_gap_suite *suite, in
         right += l->right_m / suite->nrecords;
         out.left_m = fmax(out.left_m, l->left_m);
         out.right_m = fmax(out.right_m, l->right_m);
-        out.closing_m = fmax(out.closing_m, l->closing_m);
+        out.relative_displacement_m = fmax(out.relative_displacement_m, l->relative_displacement_m);
         out.correlation = isnan(l->correlation) ? NAN : out.correlation;
     }
     if (means) {
@@ -63,11 +63,11 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
                                 struct thud_error *err)
 {
     const struct thud_needed_gap *gap = suite->gap[motion];
-    bool touches = false, touched[THUD_STRUCTURES_MAX] = {false};
+    bool in_contact = false, pounds[THUD_STRUCTURES_MAX] = {false};
     for (int l = 0; l < gap->nlevels; l++)
-        touches =
-            touches || thud_gap_falls_short(gap_at(scene, ruled, gap->level[l].interface - 1), gap->level[l].closing_m);
-    if (!touches)
+        in_contact = in_contact || thud_gap_falls_short(gap_at(scene, ruled, gap->level[l].interface - 1),
+                                                        gap->level[l].relative_displacement_m);
+    if (!in_contact)
         return THUD_OK;
     struct thud_solution solution = {0};
     struct thud_scene *at = malloc(sizeof *at);
@@ -81,20 +81,20 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
         status = thud_scene_solve(at, record, NULL, &solution, err);
     for (int l = 0; refused && l < gap->nlevels; l++) {
         const int i = gap->level[l].interface - 1;
-        touched[i] = touched[i] || thud_gap_falls_short(gap_at(scene, ruled, i), gap->level[l].closing_m);
+        pounds[i] = pounds[i] || thud_gap_falls_short(gap_at(scene, ruled, i), gap->level[l].relative_displacement_m);
     }
     for (int c = 0; status == THUD_OK && !refused && c < solution.model->npairs; c++) {
         const struct thud_contact_result *p = &thud_run_result(solution.run)->contact[c];
         struct thud_gap_ruled *one = &ruled[p->interface - 1];
-        touched[p->interface - 1] = touched[p->interface - 1] || p->impacts > 0;
+        pounds[p->interface - 1] = pounds[p->interface - 1] || p->impacts > 0;
         if (p->impacts > 0 && (one->worst < 0 || p->force.value > one->force_n)) {
             one->force_n = p->force.value;
             one->worst = motion;
         }
     }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
-        ruled[i].pounding += touched[i];
-        if (refused && touched[i] && ruled[i].worst < 0)
+        ruled[i].pounding += pounds[i];
+        if (refused && pounds[i] && ruled[i].worst < 0)
             ruled[i].force_n = NAN; /* not known */
     }
     thud_solution_clear(&solution);

@@ -148,7 +148,7 @@ static void put_clearances(const struct thud_scene *cased, const struct thud_swe
     value[THUD_SUITE_USED] = 0;
     value[THUD_SUITE_SHORT] = -INFINITY;
     for (int c = 0; c < point->ncontacts; c++) {
-        double closing = point->level[c].closing_m;
+        double closing = point->level[c].relative_displacement_m;
         double clearance = thud_interface_clearance(&cased->interface[point->level[c].interface - 1]);
         if (closing > 0)
             value[THUD_SUITE_USED] = fmax(value[THUD_SUITE_USED], clearance > 0 ? closing / clearance : INFINITY);
@@ -213,11 +213,12 @@ double thud_suite_value(const struct thud_suite *suite, int record, long setting
 }
 
 struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
-                                           enum thud_suite_measure measure, int structure, double limit, double *room)
+                                           enum thud_suite_measure measure, int structure, double limit,
+                                           double *scratch)
 {
     for (int r = 0; r < suite->nrecords; r++)
-        room[r] = thud_suite_value(suite, r, setting, k, measure, structure);
-    struct thud_fractiles f = thud_fractiles_of(room, (size_t)suite->nrecords, limit);
+        scratch[r] = thud_suite_value(suite, r, setting, k, measure, structure);
+    struct thud_fractiles f = thud_fractiles_of(scratch, (size_t)suite->nrecords, limit);
     if (suite->nrecords > 1 && suite->ndraws < THUD_SHARES_LEAST)
         f.p16 = f.p84 = NAN;
     return f;

@@ -314,7 +314,7 @@ bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_
     const bool minutes = seconds >= 120;
     thud_error_set(out, THUD_OK,
                    "%.0f floors, up to %.0f contacts, %.0f samples: a run takes about %.2g GB and %.2g %s, and several "
-                   "times that where much touches",
+                   "times that with much contact",
                    floors, contacts, samples, fmax(bytes / 1e9, 0.01), minutes ? seconds / 60 : seconds,
                    minutes ? "min" : "s");
     thud_error_key(out, "analysis");

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A ratio so near to 1 is that of a bumper that touches nothing, or hardly. */
+/* A ratio so near to 1 is that of a bumper that is struck by nothing, or hardly. */
 #define THUD_SWEEP_IDLE 5e-4
 
 /* Largest ratios over the structures for one run; NaN: no result. */

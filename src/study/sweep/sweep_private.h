@@ -14,7 +14,7 @@ struct thud_sweep_baseline {
     struct thud_baseline_motion *baseline;
 };
 
-/* Gaps change no motion without pounding: as it is, then ground motion and stiffness less and more. */
+/* Gaps change no motion without pounding: nominal, then ground motion and stiffness less and more. */
 enum { THUD_SWEEP_BASELINES = THUD_SWEEP_VARIANTS - 2 };
 
 struct thud_sweep_group {
@@ -27,7 +27,7 @@ struct thud_sweep_group {
     struct thud_sweep_same *same;
 };
 
-/* What a variant changes and by which factor; false for variant 0, the scene as it is. */
+/* What a variant changes and by which factor; false for variant 0, the nominal scene. */
 static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int variant, enum thud_change *change,
                                       double *factor)
 {

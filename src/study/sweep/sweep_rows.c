@@ -211,7 +211,7 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
                                               .struck = x->struck,
                                               .left_m = x->left_m,
                                               .right_m = x->right_m,
-                                              .closing_m = x->closing_m,
+                                              .relative_displacement_m = x->relative_displacement_m,
                                               .abs_m = thud_gap_value(x, THUD_GAP_ABS),
                                               .srss_m = thud_gap_value(x, THUD_GAP_SRSS),
                                               .ddc_m = thud_gap_value(x, THUD_GAP_DDC),

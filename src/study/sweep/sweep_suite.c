@@ -6,7 +6,7 @@
 #include "base/statistics.h"
 #include "study/sweep/sweep_table.h"
 
-/* A ratio this near to 1 is 1: nothing touched. */
+/* A ratio this near to 1 is 1: there was no contact. */
 static const double equal = 1e-9;
 static const char *const no_name[] = {""};
 
@@ -149,7 +149,7 @@ static struct thud_sweep_summary *make_point(const struct making *m, const struc
     if (!out)
         return NULL;
     memcpy(out->at, like->at, sizeof out->at);
-    out->touches = like->touches;
+    out->has_contact = like->has_contact;
     out->gap_m = like->gap_m;
     for (int k = 0; k < nruns; k++) {
         out->run[k].which = which[k];

@@ -107,7 +107,7 @@ enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, con
     if (d) {
         d->record = thud_sweep_place(plan, point->index, d->at);
         d->gap_m = point->gap_m;
-        d->touches = point->ncontacts > 0;
+        d->has_contact = point->ncontacts > 0;
         put_ratios(d, row);
         put_storeys(d, point->nstructures, row);
     }

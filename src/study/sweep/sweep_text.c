@@ -93,7 +93,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     put_contacts(out, point->contact, point->ncases * point->ncontacts);
     for (int i = 0; i < point->ncontacts; i++) {
         const struct thud_gap_level *l = &point->level[i];
-        const double x[] = {l->left_m, l->right_m, l->closing_m, l->correlation};
+        const double x[] = {l->left_m, l->right_m, l->relative_displacement_m, l->correlation};
         thud_text_append(out, "%d %d %d %d ", l->interface, l->left_floor, l->right_floor, l->struck + 1);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             put(out, x[j]);
@@ -231,7 +231,7 @@ static void get_rest(struct reader *r, struct thud_sweep_point *p)
     get_contacts(r, p->contact, p->ncases * p->ncontacts);
     for (int i = 0; i < p->ncontacts; i++) {
         struct thud_gap_level *l = &p->level[i];
-        double *const x[] = {&l->left_m, &l->right_m, &l->closing_m, &l->correlation};
+        double *const x[] = {&l->left_m, &l->right_m, &l->relative_displacement_m, &l->correlation};
         l->interface = get_int(r, 1, THUD_STRUCTURES_MAX);
         l->left_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
         l->right_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);

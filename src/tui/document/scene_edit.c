@@ -78,7 +78,8 @@ static void warn(struct thud_tui *tui, const char *key)
         thud_quantity_parse(text, param->dimension, param->unit, &value, NULL) != THUD_OK ||
         !thud_param_unusual(param, value.value, usual, sizeof usual))
         return;
-    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual (usual: %s). It is taken as it is", param->name, text, usual);
+    thud_tui_say(tui, THUD_ROLE_WARN, "! %s %s is unusual (usual: %s). It is taken nevertheless", param->name, text,
+                 usual);
 }
 
 /* An exponent keeps the number of its stiffness, so the force at delta_u changes: said, with a way out. */

@@ -146,7 +146,7 @@ struct thud_dialog {
 /* The three cases of the scene, run whenever what they depend on changed. */
 struct thud_running {
     struct thud_live live;
-    bool on, usual;              /* edits run at once: as it is, and for every preset that is opened */
+    bool on, usual;              /* edits run at once: now, and for every preset that is opened */
     bool was_running;            /* at the last look */
     double started_s, elapsed_s; /* of the run */
     double plain_s;              /* what the last one without histories took */

@@ -10,7 +10,7 @@
 enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
 
 /* Works until nothing is left to do. */
-static void settle(struct thud_tui *tui)
+static void finish_work(struct thud_tui *tui)
 {
     while (thud_tui_turn(tui, false) || tui->files.work)
         if (tui->files.work)
@@ -46,7 +46,7 @@ static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *
     }
     tui->end.playing = true;
     thud_tui_command(tui, line);
-    settle(tui);
+    finish_work(tui);
     tui->end.playing = false;
     if (tui->said.role == THUD_ROLE_ERROR && *tui->said.text) {
         thud_error_set(err, THUD_INPUT, "%s", tui->said.text + 2 * (strncmp(tui->said.text, "! ", 2) == 0));
@@ -71,7 +71,7 @@ enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, str
     enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
-    settle(tui);
+    finish_work(tui);
     if (*tui->verdict.text)
         thud_text_append(out, "%s\n", tui->verdict.text);
     for (rest = text; status == THUD_OK && !tui->end.quit && (line = thud_text_line(&rest)) != NULL;) {

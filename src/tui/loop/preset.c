@@ -67,7 +67,7 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
         snprintf(name, sizeof name, "my-%s.yaml", tui->doc.scene.name);
         thud_tui_prompt(tui, &save_as, name);
         tui->dialog.line.selected = true;
-        thud_tui_say(tui, THUD_ROLE_WARN, "Presets that come with thud stay as they are: a name for yours");
+        thud_tui_say(tui, THUD_ROLE_WARN, "Presets that come with thud stay unchanged: a name for yours");
         return;
     }
     if (!sure && other && exists(to)) {

@@ -34,7 +34,7 @@ static void words_of(const struct thud_tui *tui, int columns, char *text, size_t
     bool free_body =
         scene->structure[tui->interface].kind == THUD_RIGID || scene->structure[tui->interface + 1].kind == THUD_RIGID;
     if (!free_body) { /* that goes on for ever */
-        line.need_m = need->closing_m;
+        line.need_m = need->relative_displacement_m;
         line.abs_m = need->abs_m;
         line.srss_m = need->srss_m;
     }

@@ -1,5 +1,5 @@
 /* Bench: every method over its steps or tolerances on the scene as written; table and chart fill as it runs. What is
- * quick is run by itself, once each; the whole of it, timed as `thud bench` does, on request. */
+ * quick is run by default, once each; the whole of it, timed as `thud bench` does, on request. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

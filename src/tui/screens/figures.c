@@ -57,7 +57,7 @@ static const struct thud_history *history_of(const struct thud_live *live, int w
     return c->state == THUD_LIVE_DONE && live->history ? thud_run_history(c->run) : NULL;
 }
 
-/* A case as it is, or dashed and with the name `pinned`, of the state to compare with. */
+/* A case plain, or dashed and with the name `pinned`, of the state to compare with. */
 struct shown {
     const struct thud_live *live;
     const char *pinned;
@@ -108,14 +108,14 @@ static void add_case(struct thud_panel *panel, const struct shown *of, int which
 {
     const struct thud_history *h = history_of(of->live, which);
     const struct thud_model *model = of->live->which[which].model;
-    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
+    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH;
     if (!h || (of_contact ? sight->contact >= model->npairs : sight->dof >= model->ndof))
         return; /* another scene may have fewer */
     int minus = -1;
     if (plot == THUD_PLOT_FORCE) {
         if (sight->contact < h->ncontacts && which != THUD_LIVE_FREE)
             add_history(panel, of, which, thud_history_force(h, sight->contact), -1, 1e-6);
-    } else if (plot == THUD_PLOT_CLOSING) {
+    } else if (plot == THUD_PLOT_APPROACH) {
         const struct thud_model_contact *contact = &model->contact[sight->contact];
         int left = contact->left_dof, right = contact->right_dof;
         if (left >= 0)
@@ -150,12 +150,12 @@ static struct thud_figure *histories(const struct thud_live *live, const struct 
     static const struct {
         const char *label, *unit;
     } axis[] = {[THUD_PLOT_FORCE] = {"Force", "MN"},
-                [THUD_PLOT_CLOSING] = {"Closing velocity", "m/s"},
+                [THUD_PLOT_APPROACH] = {"Approach velocity", "m/s"},
                 [THUD_PLOT_ACCELERATION] = {"Acceleration", "m/s2"},
                 [THUD_PLOT_DRIFT] = {"Drift", "mm"},
                 [THUD_PLOT_DISPLACEMENT] = {"Displacement", "mm"}};
     const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
-    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_CLOSING;
+    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH;
     *why = of_contact && sight->contact < 0                              ? "No two floors can meet here"
            : plot == THUD_PLOT_FORCE && never_meet(live, sight->contact) ? "no contact at this gap"
            : !of_contact && sight->dof < 0                               ? "There is no floor"
@@ -188,9 +188,9 @@ static void add_loop(struct thud_panel *panel, const struct shown *of, int which
     struct thud_series *series = add_lines(panel, of, which, h);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
-        bool touching = row[force] != 0.0;
-        series->x[i] = touching ? 1e3 * row[depth] : NAN;
-        series->y[i] = touching ? 1e-6 * row[force] : NAN;
+        bool in_contact = row[force] != 0.0;
+        series->x[i] = in_contact ? 1e3 * row[depth] : NAN;
+        series->y[i] = in_contact ? 1e-6 * row[force] : NAN;
     }
 }
 

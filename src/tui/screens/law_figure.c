@@ -17,7 +17,7 @@ static struct thud_two_body bodies(const struct thud_scene *scene, int pair, dou
 {
     const struct thud_interface *at = &scene->interface[pair];
     const struct thud_law_choice *choice = at->has_bumper ? &at->bumper : &at->contact;
-    struct thud_two_body two = {.closing_mps = speed, .duration_s = 1.0, .law = choice->law};
+    struct thud_two_body two = {.approach_mps = speed, .duration_s = 1.0, .law = choice->law};
     for (int i = 0; i < 2; i++)
         two.mass_kg[i] = thud_tui_pair_mass(scene, pair + i);
     for (int i = 0; i < 2; i++)
@@ -39,9 +39,9 @@ static void add_loop(struct thud_panel *panel, struct thud_run *run, int index, 
     int force = thud_history_force(history, 0), indentation = thud_history_indentation(history, 0);
     for (size_t i = 0; series && i < history->rows; i++) {
         const double *row = history->value + i * (size_t)history->columns;
-        bool touching = row[force] != 0.0 || row[indentation] > 0.0;
-        series->x[i] = touching ? 1e3 * row[indentation] : NAN;
-        series->y[i] = touching ? 1e-6 * row[force] : NAN;
+        bool in_contact = row[force] != 0.0 || row[indentation] > 0.0;
+        series->x[i] = in_contact ? 1e3 * row[indentation] : NAN;
+        series->y[i] = in_contact ? 1e-6 * row[force] : NAN;
     }
 }
 

@@ -1,6 +1,6 @@
 /* The figures of the Plots screen: THUD_PLOT(enumerator, title, name of its files). */
 THUD_PLOT(FORCE, "Impact force", "impact-force")
-THUD_PLOT(CLOSING, "Closing velocity", "closing-velocity")
+THUD_PLOT(APPROACH, "Approach velocity", "approach-velocity")
 THUD_PLOT(ACCELERATION, "Floor acceleration", "acceleration")
 THUD_PLOT(DRIFT, "Storey drift", "drift")
 THUD_PLOT(DISPLACEMENT, "Floor displacement", "displacement")

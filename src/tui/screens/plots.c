@@ -233,7 +233,7 @@ static void other_sight(struct thud_tui *tui, int step)
 {
     struct thud_plots_state *p = thud_plots(tui);
     const struct thud_live_case *c = thud_plots_case(tui);
-    bool of_contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_CLOSING || p->plot == THUD_PLOT_LOOP;
+    bool of_contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_APPROACH || p->plot == THUD_PLOT_LOOP;
     int n = of_contact ? thud_run_result(c->run)->ncontacts : c->model->ndof,
         *at = of_contact ? &p->sight.contact : &p->sight.dof;
     for (int i = 0; i < n; i++) {

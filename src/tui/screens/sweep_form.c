@@ -248,7 +248,7 @@ const char *thud_sweep_form_hint(const struct thud_field *field)
     return field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
            : field->index < CASES        ? "one more key, for a grid; empty: none"
            : field->index == RECORDS     ? "files, folders, lists with commas, :peak=0.5g behind; empty: own"
-           : field->index == SIGNS       ? "both: each motion also in reversed polarity; empty: as it is"
+           : field->index == SIGNS       ? "both: each motion also in reversed polarity; empty: as given"
            : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
            : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
                                          : "of none, bumper, cavity, link, as-written, with commas";

@@ -148,7 +148,7 @@ static bool write_lists(const struct thud_study_words *words, const struct thud_
     return room;
 }
 
-/* A list in brackets that says the same stays as it is written. */
+/* A list in brackets that says the same stays as written. */
 static void keep_list(const char *words, char kept[THUD_VARY_TEXT])
 {
     char now[THUD_VARY_TEXT];

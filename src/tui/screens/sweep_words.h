@@ -10,7 +10,7 @@ struct thud_study_words {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
     char cases[96];                           /* "none,bumper"; empty: as written */
     char records[THUD_VARY_TEXT];             /* files, folders, lists, with commas; empty: the scene's own */
-    char signs[16];                           /* "both": each motion also reversed; empty: as it is */
+    char signs[16];                           /* "both": each motion also reversed; empty: as given */
     char events[THUD_VARY_TEXT];              /* of the fragility, with commas; empty: pounding,worse */
     char sensitivity[32];                     /* "0.1 %"; empty: no spread */
 };

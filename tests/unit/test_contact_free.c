@@ -62,14 +62,14 @@ START_TEST(touch_begins_where_the_largest_relative_displacement_ends)
     double most[2] = {0}; /* of each pair of neighbours, over its contacts */
     for (int i = 0; i < 2; i++) {
         double gap[] = {0, 0.8};
-        while (gap[1] - gap[0] > 1e-12) { /* by bisection of whether anything touches */
+        while (gap[1] - gap[0] > 1e-12) { /* by bisection of whether there is contact */
             double middle = 0.5 * (gap[0] + gap[1]);
             struct thud_model *model = march_row(2, storeys + i, _i, middle, &law);
             struct march m = march_run(model, record, "exact", 0, 0, true, 3);
-            bool touches = false;
+            bool in_contact = false;
             for (int c = 0; c < m.result->ncontacts; c++)
-                touches = touches || m.result->contact[c].indentation.value > 0;
-            gap[!touches] = middle;
+                in_contact = in_contact || m.result->contact[c].indentation.value > 0;
+            gap[!in_contact] = middle;
             march_free(&m);
             thud_model_free(model);
         }
@@ -164,7 +164,7 @@ END_TEST
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
-    Suite *suite = suite_create("free flight");
+    Suite *suite = suite_create("contact-free response");
     TCase *tcase = tcase_create("rows that do not touch");
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_row_that_does_not_touch, 0, 2); /* 1: isolated, which couples modes */

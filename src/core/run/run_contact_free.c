@@ -1,4 +1,4 @@
-/* Between contacts, where the method leaves free flight to the recurrence of the modes. */
+/* Between contacts, where the method leaves the response to the recurrence of the modes. */
 #include "core/contact/storey.h"
 #include "core/run/run_private.h"
 
@@ -47,7 +47,7 @@ static bool jump(struct thud_run *run)
     return true;
 }
 
-enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, struct thud_error *err)
+enum thud_status thud_run_contact_free(struct thud_run *run, long *budget, bool *passed, struct thud_error *err)
 {
     struct thud_free_vibration *f = run->free_vibration;
     struct thud_state *state = &run->state;
@@ -57,7 +57,7 @@ enum thud_status thud_run_fly(struct thud_run *run, long *budget, bool *passed, 
     if ((*passed = jump(run)))
         return THUD_OK;
     const long made = f->made;
-    int intervals = thud_free_vibration_march(f, state);
+    int intervals = thud_free_vibration_advance(f, state);
     if (intervals == 0) {
         *budget -= f->made - made;
         return THUD_OK;

@@ -1,4 +1,4 @@
-#include "core/motion/coupled_flight.h"
+#include "core/motion/coupled_motion.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,11 +49,11 @@ static bool dashpot_acts(const struct thud_model *m, int link, int system)
     return p->contact < 0 && p->damping_nspm != 0 && m->structure[p->structure].system == system;
 }
 
-static enum thud_status allocate(struct thud_coupled_flight *c, struct part *part, const struct thud_model *m,
+static enum thud_status allocate(struct thud_coupled_motion *c, struct part *part, const struct thud_model *m,
                                  const struct thud_model_structure *p, struct thud_error *err)
 {
     size_t n = (size_t)p->modes, size = 2 * n + 2;
-    *c = (struct thud_coupled_flight){.n = p->modes, .size = (int)size, .first_mode = p->first_mode};
+    *c = (struct thud_coupled_motion){.n = p->modes, .size = (int)size, .first_mode = p->first_mode};
     c->link = calloc((size_t)m->nlinks + 1, sizeof *c->link);
     for (int i = 0; c->link && i < m->nlinks; i++)
         if (dashpot_acts(m, i, p->system))
@@ -64,7 +64,7 @@ static enum thud_status allocate(struct thud_coupled_flight *c, struct part *par
     part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
         free(part->block);
-        thud_coupled_flight_clear(c);
+        thud_coupled_motion_clear(c);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     c->step = c->block;
@@ -82,7 +82,7 @@ static enum thud_status allocate(struct thud_coupled_flight *c, struct part *par
 }
 
 /* Motions from each unit x: columns of the flow, and the rates on the way. */
-static void unit_motions(const struct thud_coupled_flight *c, struct part *part, const struct thud_state *state,
+static void unit_motions(const struct thud_coupled_motion *c, struct part *part, const struct thud_state *state,
                          int structure, struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
@@ -111,7 +111,7 @@ static void unit_motions(const struct thud_coupled_flight *c, struct part *part,
 }
 
 /* L, of it the links' parts, and W of the part, by quadrature. */
-static void add_forms(struct thud_coupled_flight *c, struct part *part, const struct thud_model *m,
+static void add_forms(struct thud_coupled_motion *c, struct part *part, const struct thud_model *m,
                       const struct thud_model_structure *p)
 {
     const int n = c->n, size = c->size;
@@ -134,7 +134,7 @@ static void add_forms(struct thud_coupled_flight *c, struct part *part, const st
     }
 }
 
-static void double_part(struct thud_coupled_flight *c, struct part *part)
+static void double_part(struct thud_coupled_motion *c, struct part *part)
 {
     const int size = c->size;
     const size_t bytes = (size_t)size * (size_t)size * sizeof(double);
@@ -159,7 +159,7 @@ static void double_part(struct thud_coupled_flight *c, struct part *part)
 }
 
 /* The links' forms, of which half is read then. */
-static void double_upper_part(struct thud_coupled_flight *c)
+static void double_upper_part(struct thud_coupled_motion *c)
 {
     const int size = c->size;
     for (int l = 1; l <= c->links; l++)
@@ -170,47 +170,47 @@ static void double_upper_part(struct thud_coupled_flight *c)
             }
 }
 
-enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
+enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
                                           int system, struct thud_segment *seg, struct thud_error *err)
 {
     const struct thud_model *m = state->model;
     const int structure = m->system[system];
     const struct thud_model_structure *p = &m->structure[structure];
     struct part part = {.dt_s = state->grid_dt_s};
-    enum thud_status status = allocate(flight, &part, m, p, err);
+    enum thud_status status = allocate(motion, &part, m, p, err);
     if (status != THUD_OK)
         return status;
     int doublings = 0;
     while (ldexp(state->fastest_radps * part.dt_s, -doublings) > longest_rad)
         doublings++;
     part.h_s = ldexp(part.dt_s, -doublings);
-    unit_motions(flight, &part, state, structure, seg);
-    add_forms(flight, &part, m, p);
+    unit_motions(motion, &part, state, structure, seg);
+    add_forms(motion, &part, m, p);
     for (int i = 0; i < doublings; i++)
-        double_part(flight, &part);
-    memcpy(flight->step, part.flow, 2 * (size_t)flight->n * (size_t)flight->size * sizeof(double));
-    memset(flight->now, 0, 2 * (size_t)flight->size * sizeof(double));
-    add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, flight->by_floor);
-    double_upper_part(flight);
+        double_part(motion, &part);
+    memcpy(motion->step, part.flow, 2 * (size_t)motion->n * (size_t)motion->size * sizeof(double));
+    memset(motion->now, 0, 2 * (size_t)motion->size * sizeof(double));
+    add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, motion->by_floor);
+    double_upper_part(motion);
     free(part.block);
     return THUD_OK;
 }
 
-void thud_coupled_flight_clear(struct thud_coupled_flight *flight)
+void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
 {
-    free(flight->block);
-    free(flight->link);
-    *flight = (struct thud_coupled_flight){0};
+    free(motion->block);
+    free(motion->link);
+    *motion = (struct thud_coupled_motion){0};
 }
 
-void thud_coupled_flight_shift(struct thud_coupled_flight *c, const double *s)
+void thud_coupled_motion_shift(struct thud_coupled_motion *c, const double *s)
 {
     for (int i = 0; i < 2 * c->n; i++)
         c->shift[i] = (i < c->n ? s[i] : 0) - thud_dot(c->n, c->step + i * c->size, s);
 }
 
-void thud_coupled_flight_march(struct thud_coupled_flight *c, double *q, double *qd, int apart, const double *ground,
-                               const double *after, int intervals)
+void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, int apart, const double *ground,
+                                 const double *after, int intervals)
 {
     const int n = c->n, size = c->size;
     double *now = c->now, *next = now + size;
@@ -231,7 +231,7 @@ void thud_coupled_flight_march(struct thud_coupled_flight *c, double *q, double 
 }
 
 /* x at the start of interval t into c->now. */
-static const double *start_of(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
+static const double *start_of(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
                               const double *s, double ground, double after, int t)
 {
     const int n = c->n;
@@ -245,7 +245,7 @@ static const double *start_of(const struct thud_coupled_flight *c, const double 
     return x;
 }
 
-double thud_coupled_flight_link_loss(const struct thud_coupled_flight *c, int link, const double *q, const double *qd,
+double thud_coupled_motion_link_loss(const struct thud_coupled_motion *c, int link, const double *q, const double *qd,
                                      int apart, const double *s, double ground, double after, int t)
 {
     const int size = c->size;
@@ -261,7 +261,7 @@ double thud_coupled_flight_link_loss(const struct thud_coupled_flight *c, int li
     return sum;
 }
 
-void thud_coupled_flight_work(const struct thud_coupled_flight *c, const double *q, const double *qd, int apart,
+void thud_coupled_motion_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
                               const double *s, double ground, double after, int t, double *input_j, double *viscous_j)
 {
     const int size = c->size;

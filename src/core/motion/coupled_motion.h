@@ -12,12 +12,12 @@
  * doubled: E(2h) = E E, L(2h) = L + E^T L E, and W likewise (scaling and squaring: Moler and Van Loan, SIAM Review 45
  * (2003) 3-49). Not for dashpots whose own rates are far above 1/dt: the squares would do, but the bounds of
  * free_vibration would not. */
-#ifndef THUD_CORE_COUPLED_FLIGHT_H
-#define THUD_CORE_COUPLED_FLIGHT_H
+#ifndef THUD_CORE_COUPLED_MOTION_H
+#define THUD_CORE_COUPLED_MOTION_H
 
 #include "core/contact/segment.h"
 
-struct thud_coupled_flight {
+struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
     double *step;     /* (2 n x size) to q and q' an interval later */
@@ -31,21 +31,21 @@ struct thud_coupled_flight {
 };
 
 /* Of the structures of one system. `seg` is a workspace. Errors: THUD_MEMORY; nothing stays allocated then. */
-enum thud_status thud_coupled_flight_init(struct thud_coupled_flight *flight, const struct thud_state *state,
+enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, const struct thud_state *state,
                                           int system, struct thud_segment *seg, struct thud_error *err);
-void thud_coupled_flight_clear(struct thud_coupled_flight *flight);
+void thud_coupled_motion_clear(struct thud_coupled_motion *motion);
 
 /* Sets `shift` for modes that rest at s (n) under the constant forces. */
-void thud_coupled_flight_shift(struct thud_coupled_flight *flight, const double *s);
+void thud_coupled_motion_shift(struct thud_coupled_motion *motion, const double *s);
 /* Rows of q and qd (n), `apart` doubles each, from their first value on, under the ground accelerations at the start
  * and at the end of each interval. */
-void thud_coupled_flight_march(struct thud_coupled_flight *flight, double *q, double *qd, int apart,
-                               const double *ground, const double *after, int intervals);
+void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, int apart,
+                                 const double *ground, const double *after, int intervals);
 /* Loss in the dashpot of the link whose index in the model is this, in interval t; 0 where it has none. */
-double thud_coupled_flight_link_loss(const struct thud_coupled_flight *flight, int link, const double *q,
+double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link, const double *q,
                                      const double *qd, int apart, const double *s, double ground, double after, int t);
 /* Work of the ground and loss in damping in interval t of the same rows, where the modes rest at s. */
-void thud_coupled_flight_work(const struct thud_coupled_flight *flight, const double *q, const double *qd, int apart,
+void thud_coupled_motion_work(const struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
                               const double *s, double ground, double after, int t, double *input_j, double *viscous_j);
 
 #endif
