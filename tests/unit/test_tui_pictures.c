@@ -121,6 +121,28 @@ START_TEST(all_figures)
 }
 END_TEST
 
+/* Every figure there is can be looked at and marked; the marked ones are written, also from the screen. */
+START_TEST(figures_are_marked_on_the_shelf)
+{
+    fixture_keys(&f, "F");
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
+    fixture_expect(&f, "Response spectrum, 5 %");
+    fixture_keys(&f, "<Down> <Down> <Size 50x16><Size 80x24>");
+    fixture_expect(&f, "2 of 14 marked");
+    fixture_keys(&f, " <Up> "); /* the fourth is marked and the third no longer is */
+    fixture_expect(&f, "2 of 14 marked");
+    fixture_keys(&f, "P");
+    fixture_expect(&f, "Written 2 figures");
+    ck_assert_int_eq(count_files(".png"), 2);
+    fixture_keys(&f, ":set gap 1.4 cm<Enter>");
+    fixture_keys(&f, "P");
+    fixture_expect(&f, "Written 2 figures");
+    ck_assert_int_eq(count_files(".png"), 4);
+    fixture_keys(&f, "F<WheelDown><Esc>");
+    ck_assert_int_eq((int)f.tui->dialog.mode, (int)THUD_MODE_NORMAL);
+}
+END_TEST
+
 /* The screens go on while gnuplot works: here it draws one figure and then hangs. */
 START_TEST(stopping)
 {
@@ -203,6 +225,7 @@ Suite *thud_suite(void)
     tcase_add_test(pictures, a_changed_picture_stays);
     tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, all_figures);
+    tcase_add_test(pictures, figures_are_marked_on_the_shelf);
     tcase_add_test(pictures, stopping);
     tcase_add_test(pictures, a_drawing_leaves_the_end_to_be_seen);
     tcase_add_test(pictures, quitting_stops_it);

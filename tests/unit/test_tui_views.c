@@ -201,7 +201,7 @@ END_TEST
 START_TEST(a_study_has_figures_and_panels)
 {
     fixture_keys(&f, ":live off<Enter><A-6>P");
-    fixture_expect(&f, "There is no study yet: r runs it");
+    fixture_expect(&f, "There is no figure yet: r runs");
     fixture_keys(&f, "]");
     fixture_expect(&f, "There is no figure yet: r runs the study");
     fixture_keys(&f, "<Enter><C-u>gap=1 cm:2 cm:1 cm<Enter>");

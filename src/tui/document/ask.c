@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/scan.h"
@@ -101,11 +102,27 @@ void thud_tui_ask(struct thud_tui *tui, const struct thud_question *question, co
     tui->dialog.question = question;
 }
 
-void thud_tui_over(struct thud_tui *tui, const struct thud_over *over)
+void *thud_tui_over(struct thud_tui *tui, const struct thud_over *over)
 {
+    thud_tui_over_free(tui);
+    tui->dialog.own = calloc(1, over->size);
+    if (!tui->dialog.own) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the form");
+        return NULL;
+    }
     tui->dialog.mode = THUD_MODE_OVER;
     tui->dialog.over = over;
     thud_tui_hush(tui);
+    return tui->dialog.own;
+}
+
+void thud_tui_over_free(struct thud_tui *tui)
+{
+    if (tui->dialog.over && tui->dialog.over->free)
+        tui->dialog.over->free(tui);
+    free(tui->dialog.own);
+    tui->dialog.own = NULL;
+    tui->dialog.over = NULL;
 }
 
 void thud_tui_offer(struct thud_tui *tui, int screen, const char *command, const char *fmt, ...)

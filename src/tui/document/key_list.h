@@ -76,7 +76,10 @@ THUD_KEY(GENERAL, STATES, 'U', 0, "U", "+states",
          "the states of this session with their results: go to one (Enter), compare with it (Tab), name it (F2, which "
          "saves it as a preset), forget it (Del)")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
-THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG", "write all figures as PNG")
+THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG",
+         "write the figures marked on the shelf as PNG, all of this screen where none is marked")
+THUD_KEY(GENERAL, SHELF, 'F', 0, "F", "+figures",
+         "the shelf: every figure there is, to be looked at, marked and written")
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
 THUD_KEY(GENERAL, COPY, 'y', 0, "y", "+copy",
          "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
@@ -131,3 +134,10 @@ THUD_KEY_AGAIN(NEW, ACCEPT_NEXT, THUD_KEY_TAB, 0, "Tab", "next",
 THUD_KEY_AGAIN(NEW, ACCEPT_PREVIOUS, THUD_KEY_BACKTAB, 0, "S-Tab", "", "the value before")
 THUD_KEY_AGAIN(NEW, ACCEPT_DOWN, THUD_KEY_DOWN, 0, "Down", "down", "the value below")
 THUD_KEY_AGAIN(NEW, ACCEPT_UP, THUD_KEY_UP, 0, "Up", "", "the value above")
+THUD_KEY(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take its mark away")
+THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")
+THUD_KEY_AGAIN(SHELF, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen; what is marked stays so")
+THUD_KEY_AGAIN(SHELF, UP, THUD_KEY_UP, 'k', "Up", "", "the figure above")
+THUD_KEY_AGAIN(SHELF, DOWN, THUD_KEY_DOWN, 'j', "Down", "~Up/Down look", "the figure below")
+THUD_KEY_AGAIN(SHELF, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "half a screen up")
+THUD_KEY_AGAIN(SHELF, PAGE_DOWN, THUD_KEY_PAGE_DOWN, 0, "PgDn", "", "half a screen down")

@@ -10,7 +10,8 @@
 enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui)
 {
     const struct thud_view *view = thud_tui_view(tui);
-    if (tui->files.pictures_wanted || tui->files.whole_wanted != THUD_DO_NOTHING)
+    bool drawn = tui->dialog.mode == THUD_MODE_OVER && tui->dialog.over->whole;
+    if (drawn || tui->files.pictures_wanted || tui->files.whole_wanted != THUD_DO_NOTHING)
         return THUD_LIVE_WHOLE;
     return view->history ? view->history(tui) : THUD_LIVE_NO_HISTORY;
 }

@@ -88,9 +88,10 @@ struct thud_view {
     double (*pause)(struct thud_tui *tui);
     void (*tick)(struct thud_tui *tui);
     double (*progress)(struct thud_tui *tui); /* of its own work, 0 to 1; negative where it has none */
-    /* In place of all figures of the live cases, and of the figure's data. */
-    void (*pictures)(struct thud_tui *tui);
-    void (*export_csv)(struct thud_tui *tui);
+    /* Its own figures, beside those of the live cases: how many there are now, and one of them made. */
+    int (*figures)(struct thud_tui *tui);
+    struct thud_figure *(*make)(struct thud_tui *tui, int index);
+    void (*export_csv)(struct thud_tui *tui); /* in place of the figure's data */
 };
 /* A screen's table, from the functions that every screen has under these names in its file; what more it has follows.
  */
@@ -119,11 +120,13 @@ struct thud_question {
 };
 /* A form over the screen that takes all keys. */
 struct thud_over {
-    int where; /* its bit in the key table */
+    int where;   /* its bit in the key table */
+    size_t size; /* of its own state, all 0 at first */
+    bool whole;  /* it draws from whole histories */
     void (*key)(struct thud_tui *tui, int key);
     void (*draw)(struct thud_tui *tui, const struct thud_pane *area);
-    struct thud_line *(*line)(struct thud_tui *tui); /* what is being typed in it */
-    void (*free)(struct thud_tui *tui);
+    struct thud_line *(*line)(struct thud_tui *tui); /* what is being typed in it; NULL: nothing ever is */
+    void (*free)(struct thud_tui *tui);              /* what its state holds */
 };
 typedef void thud_chosen_fn(struct thud_tui *tui, const char *value);
 
@@ -161,6 +164,7 @@ struct thud_running {
 struct thud_files {
     char folder[512];               /* empty: as given at the start */
     char wrote[8192];               /* names of the files written so far, one a line */
+    char marked[1024];              /* screen and name of figures, likewise */
     struct thud_picture_work *work; /* figures being written; NULL: none */
     int done, count;                /* as last looked at */
     int screen;                     /* on which that was asked for */
@@ -244,7 +248,9 @@ void thud_tui_choose(struct thud_tui *tui, thud_chosen_fn *chosen, const char *t
 void thud_tui_chosen(struct thud_tui *tui); /* the marked line is taken */
 void thud_tui_ask(struct thud_tui *tui, const struct thud_question *question, const char *target, const char *fmt, ...)
     THUD_PRINTF(4, 5);
-void thud_tui_over(struct thud_tui *tui, const struct thud_over *over);
+/* Its state, new; NULL: there is no memory for it, which was said. */
+void *thud_tui_over(struct thud_tui *tui, const struct thud_over *over);
+void thud_tui_over_free(struct thud_tui *tui);
 /* A line of the list of everything, which gives a command to a screen. */
 void thud_tui_offer(struct thud_tui *tui, int screen, const char *command, const char *fmt, ...) THUD_PRINTF(4, 5);
 
@@ -294,9 +300,12 @@ const char *thud_tui_folder(const struct thud_tui *tui); /* where pictures and t
 /* A name for files of the scene as it is, without a suffix: preset, what it is, the case where it is of one, the gap. No
  * file that thud did not write has it. */
 void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size);
-typedef struct thud_figure *thud_tui_figure_fn(const void *from, int index);
-/* Writes figures that `make` makes, one after the other, while the screens go on. */
-void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make, const void *from);
+struct thud_shelved {
+    struct thud_figure *figure;
+    int screen; /* whose it is */
+};
+/* Takes figures over (at most THUD_PICTURES_MAX), and writes one after the other while the screens go on. */
+void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int count);
 void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure); /* one, copied */
 void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
 void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */

@@ -86,11 +86,11 @@ static bool wrote(const struct thud_tui *tui, const char *name)
 }
 
 /* "towers-impact-force-gap-80mm", with the case where it is of one; a number behind it where another has those files. */
-void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size)
+static void file_name(struct thud_tui *tui, bool many, const char *what, const char *of_case, char *name, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     char gap[40] = "", stem[640], base[200];
-    if (tui->interface + 1 < scene->nstructures && !thud_tui_view(tui)->many) /* a study has many */
+    if (tui->interface + 1 < scene->nstructures && !many) /* a study has many */
         snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->interface].gap_m);
     snprintf(base, sizeof base, "%.60s %.60s %.20s%s", scene->name, what, of_case, gap);
     plain(base);
@@ -106,18 +106,24 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
         snprintf(tui->files.wrote + n, sizeof tui->files.wrote - n, "\n%s\n", name);
 }
 
-/* Takes the figures over. */
-static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int count)
+void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size)
+{
+    file_name(tui, thud_tui_view(tui)->many, what, of_case, name, size);
+}
+
+void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int count)
 {
     struct thud_error err;
+    struct thud_figure *figure[THUD_PICTURES_MAX];
     char name[200], first[200], motions[64];
-    /* a study's figures have their motions' words */
-    const struct thud_record *record = thud_tui_view(tui)->moved ? tui->doc.record : NULL;
-    thud_synthetic_text(thud_records_synthetic(&record, 1), 1, motions, sizeof motions);
     for (int i = 0; i < count; i++) {
+        const struct thud_view *view = tui->view[item[i].screen];
+        const struct thud_record *record = view->moved ? tui->doc.record : NULL; /* a study's have their words */
+        figure[i] = item[i].figure;
         if (!figure[i])
             continue;
-        thud_tui_file_name(tui, figure[i]->name, "", name, sizeof name);
+        thud_synthetic_text(thud_records_synthetic(&record, 1), 1, motions, sizeof motions);
+        file_name(tui, view->many, figure[i]->name, "", name, sizeof name);
         thud_figure_rename(figure[i], name);
         thud_figure_title_add(figure[i], motions);
     }
@@ -143,21 +149,11 @@ static void begin(struct thud_tui *tui, struct thud_figure *const *figure, int c
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing %s", tui->files.written);
 }
 
-void thud_tui_figures(struct thud_tui *tui, int count, thud_tui_figure_fn *make, const void *from)
-{
-    struct thud_figure *figure[THUD_PICTURES_MAX];
-    if (count > THUD_PICTURES_MAX)
-        count = THUD_PICTURES_MAX;
-    for (int i = 0; i < count; i++)
-        figure[i] = make(from, i);
-    begin(tui, figure, count);
-}
-
 void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure)
 {
     struct thud_figure *copy = thud_figure_copy(figure);
     if (copy)
-        begin(tui, &copy, 1);
+        thud_tui_figures(tui, &(struct thud_shelved){copy, tui->screen}, 1);
     else
         thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the figure");
 }

@@ -176,6 +176,9 @@ static void rest(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_STATES:
         thud_tui_list_states(tui);
         break;
+    case THUD_DO_SHELF:
+        thud_tui_shelf(tui);
+        break;
     case THUD_DO_REMARKS:
         thud_tui_list_remarks(tui);
         break;
@@ -293,6 +296,8 @@ void thud_tui_wheel(struct thud_tui *tui, int step)
 {
     if (tui->dialog.mode == THUD_MODE_CHOOSING)
         thud_chooser_key(&tui->dialog.chooser, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
+    else if (tui->dialog.mode == THUD_MODE_OVER)
+        tui->dialog.over->key(tui, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
     else if (tui->dialog.mode == THUD_MODE_NORMAL)
         thud_tui_act(tui, step < 0 ? THUD_DO_UP : THUD_DO_DOWN);
 }

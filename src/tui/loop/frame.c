@@ -199,9 +199,7 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
     int needed = thud_pane_wrap(&nowhere, 1, 0, lines.w - 2, said, tui->said.text);
     if (needed > upper.h && needed < page->h / 2) { /* over the panes, as long as it is said */
         upper = thud_pane_inside(page, 0, page->h - 1 - needed, page->w, needed);
-        for (int y = 0; y < upper.h; y++)
-            for (int x = 0; x < upper.w; x++)
-                thud_pane_glyph(&upper, x, y, muted, ' ');
+        thud_pane_blank(&upper);
     }
     if (tui->dialog.mode == THUD_MODE_TYPING && tui->dialog.prompt) {
         const char *before = tui->dialog.prompt->words ? tui->dialog.prompt->words : tui->dialog.target;

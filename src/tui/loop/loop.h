@@ -81,10 +81,14 @@ void thud_tui_command_line(struct thud_tui *tui, const char *text); /* to be typ
 /* output.c */
 bool thud_tui_show_figure(struct thud_tui *tui, const char *name); /* on the screen; false: it has none */
 void thud_tui_picture(struct thud_tui *tui);
-void thud_tui_pictures(struct thud_tui *tui);
-void thud_tui_run_pictures(struct thud_tui *tui); /* of the live cases, run again where the histories are missing */
 void thud_tui_export(struct thud_tui *tui);
 void thud_tui_copy(struct thud_tui *tui); /* the focused pane's numbers to the clipboard */
+
+/* shelf.c */
+void thud_tui_shelf(struct thud_tui *tui);
+/* Writes the marked figures, where none is marked those of the screen; the live cases are run again where the histories
+ * are missing. */
+void thud_tui_pictures(struct thud_tui *tui);
 
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);

@@ -55,19 +55,14 @@ static const struct thud_over over;
 
 void thud_new_scene_begin(struct thud_tui *tui)
 {
-    struct thud_new_scene *f = tui->dialog.own ? tui->dialog.own : calloc(1, sizeof *f);
-    tui->dialog.own = f;
-    if (!f) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! no memory for the form");
+    struct thud_new_scene *f = thud_tui_over(tui, &over);
+    if (!f)
         return;
-    }
     thud_new_preset_init(&f->preset);
     f->preset.text[THUD_NEW_RECORD][0][0] = '\0'; /* is chosen from the list */
-    memset(f->own, 0, sizeof f->own);
     free_name(f->preset.text[THUD_NEW_NAME][0], sizeof f->preset.text[THUD_NEW_NAME][0]);
     f->own[THUD_NEW_STOREYS] = true;
     thud_browse_list(&f->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
-    thud_tui_over(tui, &over);
     focus(f, THUD_NEW_STOREYS, 0);
 }
 
@@ -247,9 +242,7 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
     int w = area->w < 78 ? area->w : 78,
         h = area->h < THUD_NEW_ROWS + LIST_ROWS + 3 ? area->h : THUD_NEW_ROWS + LIST_ROWS + 3;
     struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
-    for (int y = 0; y < box.h; y++)
-        for (int x = 0; x < box.w; x++)
-            thud_pane_glyph(&box, x, y, thud_look(THUD_ROLE_PLAIN, 0), ' ');
+    thud_pane_blank(&box);
     struct thud_pane in = thud_pane_frame(&box, "New scene: two neighbours", true);
     int scroll = f->row >= in.h ? f->row - in.h + 1 : 0;
     for (int row = 0; row < THUD_NEW_ROWS; row++) {
@@ -293,12 +286,14 @@ static void release(struct thud_tui *tui)
 {
     struct thud_new_scene *f = tui->dialog.own;
     thud_browse_clear(&f->files);
-    free(f);
-    tui->dialog.own = NULL;
 }
 
-static const struct thud_over over = {
-    .where = THUD_AT_NEW, .key = take_key, .draw = draw, .line = line, .free = release};
+static const struct thud_over over = {.where = THUD_AT_NEW,
+                                      .size = sizeof(struct thud_new_scene),
+                                      .key = take_key,
+                                      .draw = draw,
+                                      .line = line,
+                                      .free = release};
 
 /* Cuts blanks off both ends. */
 static char *trimmed(char *text)

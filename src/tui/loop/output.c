@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/run/run_figures.h"
 #include "tui/loop/loop.h"
 
 bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
@@ -55,57 +54,6 @@ void thud_tui_export(struct thud_tui *tui)
     snprintf(file, sizeof file, "%s.csv", name);
     thud_figure_csv(figure, &csv);
     thud_tui_write(tui, &csv, file);
-}
-
-/* The cases that have a result, with the bumper's last: what `thud run -o` draws of one, over each other. */
-struct sources {
-    struct thud_figure_source source[THUD_LIVE_CASES];
-    int n, figures;
-    enum thud_run_figure figure[THUD_RUN_FIGURES];
-};
-
-static void find_sources(const struct thud_tui *tui, struct sources *s)
-{
-    *s = (struct sources){.n = 0};
-    for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
-        const struct thud_live_case *c = &tui->run.live.which[i];
-        if (c->state == THUD_LIVE_DONE)
-            s->source[s->n++] = thud_run_source(thud_live_name((enum thud_live_which)i), &tui->doc.scene, c->run);
-    }
-    for (int i = 0; s->n > 0 && i < THUD_RUN_FIGURES; i++)
-        if (thud_run_figure_has((enum thud_run_figure)i, s->source, s->n))
-            s->figure[s->figures++] = (enum thud_run_figure)i;
-}
-
-static struct thud_figure *run_figure(const void *from, int index)
-{
-    const struct sources *s = from;
-    return thud_run_figure(s->figure[index], s->source, s->n);
-}
-
-void thud_tui_pictures(struct thud_tui *tui)
-{
-    const struct thud_view *view = thud_tui_view(tui);
-    if (view->pictures)
-        view->pictures(tui);
-    else
-        thud_tui_run_pictures(tui);
-}
-
-void thud_tui_run_pictures(struct thud_tui *tui)
-{
-    struct sources sources;
-    tui->files.pictures_wanted = tui->run.live.history != THUD_LIVE_WHOLE;
-    if (tui->files.pictures_wanted) {
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with histories, for the figures");
-        thud_tui_run(tui);
-        return;
-    }
-    find_sources(tui, &sources);
-    if (sources.figures > 0)
-        thud_tui_figures(tui, sources.figures, run_figure, &sources);
-    else
-        thud_tui_say(tui, THUD_ROLE_WARN, "There is nothing to draw");
 }
 
 /* The rows of a pane as it is drawn, blanks between its columns as one tab. */

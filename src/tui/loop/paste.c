@@ -141,7 +141,8 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
     if (!text || !*text || tui->dialog.mode == THUD_MODE_ASKING)
         return;
     if (tui->dialog.mode == THUD_MODE_OVER) {
-        thud_line_type(tui->dialog.over->line(tui), text);
+        if (tui->dialog.over->line)
+            thud_line_type(tui->dialog.over->line(tui), text);
         return;
     }
     if (tui->dialog.mode == THUD_MODE_CHOOSING) {

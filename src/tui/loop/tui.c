@@ -78,8 +78,7 @@ void thud_tui_free(struct thud_tui *tui)
             tui->view[i]->free(tui);
         free(tui->own[i]);
     }
-    if (tui->dialog.over)
-        tui->dialog.over->free(tui);
+    thud_tui_over_free(tui);
     thud_pin_clear(&tui->pin);
     thud_text_clear(&tui->log);
     thud_model_free(tui->run.model);
@@ -277,7 +276,7 @@ static void ran(struct thud_tui *tui)
         thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened", solution);
     tui->files.whole_wanted = THUD_DO_NOTHING;
     if (tui->files.pictures_wanted)
-        thud_tui_run_pictures(tui);
+        thud_tui_pictures(tui);
     if (action != THUD_DO_NOTHING && !thud_tui_cannot(tui, action))
         thud_tui_act(tui, action);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {

@@ -305,12 +305,15 @@ static void export_csv(struct thud_tui *tui)
     thud_tui_write(tui, &csv, file);
 }
 
-static void pictures(struct thud_tui *tui)
+static int figures(struct thud_tui *tui)
 {
-    if (figure(tui))
-        thud_tui_picture_of(tui, figure(tui));
-    else
-        thud_tui_say(tui, THUD_ROLE_WARN, "There is no figure yet: r runs every method");
+    return figure(tui) != NULL;
+}
+
+static struct thud_figure *make(struct thud_tui *tui, int index)
+{
+    (void)index;
+    return thud_figure_copy(figure(tui));
 }
 
 static void release(struct thud_tui *tui)
@@ -321,4 +324,4 @@ static void release(struct thud_tui *tui)
 
 THUD_VIEW(bench, "Bench", BENCH, .size = sizeof(struct thud_bench_screen), .free = release, .act = act,
           .cannot = cannot, .row = row, .figure = figure, .next_figure = next_figure, .live = live, .busy = busy,
-          .work = work, .progress = progress, .pictures = pictures, .export_csv = export_csv);
+          .work = work, .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);

@@ -226,6 +226,16 @@ static const struct thud_figure *figure(struct thud_tui *tui)
     return state(tui)->figure;
 }
 
+static int figures(struct thud_tui *tui)
+{
+    return tui->doc.record ? THUD_RECORD_CURVES : 0;
+}
+
+static struct thud_figure *make(struct thud_tui *tui, int index)
+{
+    return thud_record_figure(&tui->doc, thud_tui_model(tui), (enum thud_record_curve)index);
+}
+
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
     return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
@@ -264,4 +274,4 @@ static void release(struct thud_tui *tui)
 
 THUD_VIEW(record, "Record", RECORD, .keys = "record.", .moved = true, .size = sizeof(struct thud_record_state),
           .free = release, .offer = offer, .command = command, .act = act, .cannot = cannot, .row = row,
-          .figure = figure, .next_figure = next_figure, .read = read_panel);
+          .figure = figure, .figures = figures, .make = make, .next_figure = next_figure, .read = read_panel);

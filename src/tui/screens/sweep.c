@@ -341,18 +341,14 @@ static double progress(struct thud_tui *tui)
     return d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
 }
 
-static struct thud_figure *study_figure(const void *from, int index)
+static int figures(struct thud_tui *tui)
 {
-    return thud_sweep_data_figure((struct thud_sweep_data *)from, index);
+    return thud_sweep_data_figures(&thud_sweep_state(tui)->data);
 }
 
-static void pictures(struct thud_tui *tui)
+static struct thud_figure *make(struct thud_tui *tui, int index)
 {
-    if (thud_sweep_state(tui)->data.rows.table.nrows == 0)
-        thud_tui_say(tui, THUD_ROLE_WARN, "There is no study yet: r runs it");
-    else
-        thud_tui_figures(tui, thud_sweep_data_figures(&thud_sweep_state(tui)->data), study_figure,
-                         &thud_sweep_state(tui)->data);
+    return thud_sweep_data_figure(&thud_sweep_state(tui)->data, index);
 }
 
 static void export_csv(struct thud_tui *tui)
@@ -390,4 +386,4 @@ THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .many = true, .size = sizeof(s
           .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
           .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
           .next_figure = next_figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
-          .progress = progress, .pictures = pictures, .export_csv = export_csv);
+          .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);

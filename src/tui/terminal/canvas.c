@@ -162,6 +162,13 @@ void thud_pane_right(const struct thud_pane *pane, int x, int y, struct thud_loo
     thud_pane_put(pane, x - thud_utf8_columns(text), y, style, text);
 }
 
+void thud_pane_blank(const struct thud_pane *pane)
+{
+    for (int y = 0; y < pane->h; y++)
+        for (int x = 0; x < pane->w; x++)
+            thud_pane_glyph(pane, x, y + pane->scroll, thud_look(THUD_ROLE_PLAIN, 0), ' ');
+}
+
 bool thud_pane_is_free(const struct thud_pane *pane, int x, int y, int w)
 {
     for (int i = 0; i < w; i++)

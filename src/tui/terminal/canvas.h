@@ -67,6 +67,7 @@ void thud_pane_glyph(const struct thud_pane *pane, int x, int y, struct thud_loo
 int thud_pane_put(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *text);
 int thud_pane_print(const struct thud_pane *pane, int x, int y, struct thud_look style, const char *fmt, ...)
     THUD_PRINTF(5, 6);
+void thud_pane_blank(const struct thud_pane *pane); /* what it shows */
 /* Whether these `w` cells, all inside the pane, are blank. */
 bool thud_pane_is_free(const struct thud_pane *pane, int x, int y, int w);
 /* Ends at column x (exclusive). */

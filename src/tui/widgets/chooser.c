@@ -136,9 +136,7 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
 {
     int w = area->w < 76 ? area->w : 76, h = chooser->n + 4 < area->h ? chooser->n + 4 : area->h;
     struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
-    for (int y = 0; y < box.h; y++)
-        for (int x = 0; x < box.w; x++)
-            thud_pane_glyph(&box, x, y, thud_look(THUD_ROLE_PLAIN, 0), ' ');
+    thud_pane_blank(&box);
     struct thud_pane in = thud_pane_frame(&box, chooser->title, true);
     int at = thud_pane_put(&in, 1, 0, thud_look(THUD_ROLE_MUTED, 0), "only: ");
     int rows = in.h - 1;
