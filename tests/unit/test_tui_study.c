@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "plot/figures/figures_sweep.h"
 #include "study/sweep/sweep.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
@@ -343,6 +344,74 @@ START_TEST(a_suite_has_its_statistics)
 }
 END_TEST
 
+/* Motions are marked on Record; one that lacks its step is asked for it. The marked ones are the study's, and their
+ * spectra stand against the target. */
+START_TEST(a_suite_is_put_together_on_the_record_screen)
+{
+    const char *records = f.tui->doc.scene.study.records;
+    char folder[sizeof f.folder];
+    memcpy(folder, f.folder, sizeof folder);
+    ck_assert_int_eq(chdir(folder), 0);
+    fixture_write(&f, "plain.txt", "0.1\n-0.2\n0.3\n-0.1\n0.2\n-0.3\n0.1\n0.0\n");
+    fixture_keys(&f, "<Size 100x30>3<Home><Down> ");
+    fixture_expect(&f, "its dt, to be read:");
+    fixture_keys(&f, "fast<Enter>");
+    fixture_expect(&f, "fast");
+    ck_assert_str_eq(records, "");
+    fixture_keys(&f, " 0.05 s<Enter>g<Enter>");
+    ck_assert_str_eq(records, "plain.txt:dt=0.05 s:unit=g");
+    fixture_expect(&f, "+  plain.txt");
+    fixture_keys(&f, "<Down> ");
+    ck_assert_str_eq(records, "plain.txt:dt=0.05 s:unit=g,pulse.csv");
+    fixture_expect(&f, "suite of 2");
+    fixture_keys(&f, "<Up> ");
+    ck_assert_str_eq(records, "pulse.csv");
+    fixture_keys(&f, "u:peak<Enter>:set record.target en1998:0.3g,B<Enter>cccc");
+    fixture_expect(&f, "Spectra of the suite");
+    fixture_expect(&f, "90 % of the target");
+    fixture_keys(&f, ":vary gap=1 cm:2 cm:1 cm<Enter>6");
+    fixture_expect(&f, "2 ground motions");
+    fixture_keys(&f, "uuu");
+    ck_assert_str_eq(records, "plain.txt:dt=0.05 s:unit=g,pulse.csv");
+}
+END_TEST
+
+/* Needed gaps and fragility stand there from the third motion on, and grow with each: the last ones are those of a study
+ * that was shown only at its end. */
+START_TEST(a_fragility_fills_as_the_motions_come_in)
+{
+    char words[400] = ":records ";
+    for (int i = 1; i <= 12; i++)
+        snprintf(words + strlen(words), sizeof words - strlen(words), "pulse.csv:peak=0.%02dg%s", 5 * i,
+                 i < 12 ? "," : "");
+    fixture_keys(&f, ":live off<Enter>:vary gap=1 cm:12 cm:1 cm<Enter>");
+    strcat(words, "<Enter>");
+    fixture_keys(&f, words);
+    fixture_keys(&f, "6");
+    thud_tui_key(f.tui, 'r');
+    struct thud_sweep_data *data = &thud_sweep_state(f.tui)->data;
+    int before = 0, grew = 0;
+    while (data->running) {
+        thud_tui_turn(f.tui, false);
+        int own = data->rows.table.nrows > 0 ? thud_sweep_figure_count(&data->rows.table) : 0;
+        bool told = thud_sweep_data_figures(data) > own;
+        ck_assert_int_eq(told, data->next >= 3 * 12);
+        if (!told || data->complete)
+            continue;
+        grew += data->told > before;
+        before = data->told;
+        ck_assert_int_eq(data->told, (int)(data->next / 12));
+        struct thud_figure *figure = thud_sweep_data_figure(data, own);
+        ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+        thud_figure_free(figure);
+    }
+    ck_assert_int_ge(grew, 1);
+    ck_assert(data->complete);
+    ck_assert_int_gt(thud_sweep_data_figures(data), 0);
+    ck_assert_int_eq(data->told, 12);
+}
+END_TEST
+
 /* Ground motions, signs and events are the preset's own too: unsaved is said, undone, saved, and found on opening. */
 START_TEST(motions_signs_and_events_are_kept)
 {
@@ -513,6 +582,8 @@ Suite *thud_suite(void)
     tcase_add_test(words, the_cursor_sets_the_gap);
     tcase_add_test(words, a_suite_has_its_statistics);
     tcase_add_test(words, motions_signs_and_events_are_kept);
+    tcase_add_test(words, a_suite_is_put_together_on_the_record_screen);
+    tcase_add_test(words, a_fragility_fills_as_the_motions_come_in);
     tcase_add_test(words, lists_in_brackets_are_shown_without_them);
     tcase_add_test(words, a_structure_more_names_the_studys_interface);
     tcase_add_test(words, a_study_that_cannot_begin_says_why);

@@ -19,6 +19,8 @@ THUD_KEY(CONTACT, BESIDE, 'c', 0, "c", "compare",
          "lay another law beside this one: dashed, with its own values, F and e of both")
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")
 THUD_KEY(MODEL_CONTACT, NEXT_PAIR, ']', 0, "]", "", "the pair of structures (the interface) to the right")
+THUD_KEY(RECORD, MARK, ' ', 0, "Space", "suite",
+         "put the ground motion into the study's suite, or take it out; what it lacks to be read is asked for")
 THUD_KEY(RECORD, FILTER, 'f', 0, "f", "filter", "show only the files whose name contains some text")
 THUD_KEY(RECORD, SIGN, 's', 0, "s", "sign", "flip the sign of the ground motion")
 THUD_KEY(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
@@ -134,7 +136,7 @@ THUD_KEY_AGAIN(NEW, ACCEPT_NEXT, THUD_KEY_TAB, 0, "Tab", "next",
 THUD_KEY_AGAIN(NEW, ACCEPT_PREVIOUS, THUD_KEY_BACKTAB, 0, "S-Tab", "", "the value before")
 THUD_KEY_AGAIN(NEW, ACCEPT_DOWN, THUD_KEY_DOWN, 0, "Down", "down", "the value below")
 THUD_KEY_AGAIN(NEW, ACCEPT_UP, THUD_KEY_UP, 0, "Up", "", "the value above")
-THUD_KEY(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take its mark away")
+THUD_KEY_AGAIN(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take its mark away")
 THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")
 THUD_KEY_AGAIN(SHELF, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen; what is marked stays so")
 THUD_KEY_AGAIN(SHELF, UP, THUD_KEY_UP, 'k', "Up", "", "the figure above")

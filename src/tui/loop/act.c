@@ -95,6 +95,7 @@ static bool values(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_EDIT_OLD:
         thud_tui_edit(tui, false);
         return true;
+    case THUD_DO_MARK:
     case THUD_DO_TOGGLE:
         thud_tui_toggle(tui);
         return true;

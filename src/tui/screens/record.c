@@ -5,22 +5,25 @@
 #include <string.h>
 
 #include "tui/document/field.h"
+#include "tui/screens/basket.h"
 #include "tui/screens/record_figure.h"
 #include "tui/widgets/chart.h"
 
 enum { LIST, CURVE, DATA };
+enum { SUITE = THUD_RECORD_CURVES }; /* the curve after those of one motion */
 
 struct thud_record_state {
+    struct thud_basket basket; /* the first of it */
     struct thud_browse files;
     bool listed, followed; /* the second: the cursor has gone to the one in use */
     char folder[256];      /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
     char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
-    enum thud_record_curve curve;
+    int curve;                                                /* enum thud_record_curve, or SUITE */
     struct thud_figure *figure;
     const struct thud_record *of; /* what the figure was made from */
     unsigned long revision;
-    enum thud_record_curve made;
+    int made;
     struct thud_intensity intensity;
     unsigned long measured_revision;
     const struct thud_record *measured; /* what the intensities are of */
@@ -70,15 +73,24 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 3;
 }
 
+static const char *title_of(int curve)
+{
+    return curve == SUITE ? "Spectra of the suite" : thud_record_curve_title((enum thud_record_curve)curve);
+}
+
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_record_state *r = state(tui);
     const struct thud_record *record = tui->doc.record;
+    int suite = thud_basket_count(tui);
+    char count[24] = "";
+    if (suite > 0)
+        snprintf(count, sizeof count, ", + suite of %d", suite);
     if (index == LIST)
-        snprintf(text, size, "Records%s%.40s%s%.40s", *r->folder ? " of " : "", r->folder, *r->filter ? " with " : "",
-                 r->filter);
+        snprintf(text, size, "Records%s%.40s%s%.40s%s", *r->folder ? " of " : "", r->folder, *r->filter ? " with " : "",
+                 r->filter, count);
     else if (index == CURVE)
-        snprintf(text, size, "%s", thud_record_curve_title(r->curve));
+        snprintf(text, size, "%s", title_of(r->curve));
     else
         snprintf(text, size, "%.60s", record && *record->station ? record->station : "Ground motion");
 }
@@ -89,7 +101,7 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0;
     follow(tui, r);
     thud_field_line(tui, LIST, pane, y++, -1, "record none",
-                    *tui->doc.scene.record.file ? "  (no ground motion)" : "* (no ground motion)");
+                    *tui->doc.scene.record.file ? "   (no ground motion)" : " * (no ground motion)");
     for (int i = 0; i < r->files.n; i++) {
         char path[THUD_PATH_MAX], text[THUD_TEXT_MAX + 80], name[THUD_TEXT_MAX];
         const char *file = r->files.item[i].name, *now = tui->doc.scene.record.file;
@@ -97,37 +109,59 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
             continue;
         bool seen = y >= pane->scroll && y < pane->scroll + pane->h; /* the others are not read yet */
         const char *about = seen ? thud_browse_about(&r->files, i) : "";
-        int room = pane->w - 4 - (*about ? thud_utf8_columns(about) + 1 : 0);
+        int room = pane->w - 5 - (*about ? thud_utf8_columns(about) + 1 : 0);
         snprintf(path, sizeof path, "record %.100s", thud_path_name(file));
         thud_utf8_fit(file, room, name, sizeof name);
-        snprintf(text, sizeof text, "%s %s%*s%s", strcmp(now, file) == 0 ? "*" : " ", name,
-                 room + 1 - thud_utf8_columns(name), "", about);
-        thud_field_line(tui, LIST, pane, y++, i, path, text);
+        snprintf(text, sizeof text, "%s%s %s%*s%s", thud_basket_holds(tui, file) ? "+" : " ",
+                 strcmp(now, file) == 0 ? "*" : " ", name, room + 1 - thud_utf8_columns(name), "", about);
+        thud_field_line(tui, LIST, pane, y, i, path, text);
+        if (seen && !r->files.item[i].folder && (!*about || strncmp(about, "asks", 4) == 0) &&
+            !thud_form_focused(&tui->form, LIST, path)) /* Space asks for it too */
+            thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), text);
+        y++;
     }
     if (y == 1)
         thud_field_note(pane, y++, "no other file here");
     return y;
 }
 
+static struct thud_figure *make(struct thud_tui *tui, int index)
+{
+    if (index == SUITE)
+        return thud_figure_copy(thud_basket_figure(tui, &state(tui)->basket));
+    return thud_record_figure(&tui->doc, thud_tui_model(tui), (enum thud_record_curve)index);
+}
+
 static void refresh(struct thud_tui *tui)
 {
     struct thud_record_state *r = state(tui);
-    if (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure)
+    if (r->curve == SUITE && thud_basket_count(tui) == 0)
+        r->curve = THUD_RECORD_SPECTRUM;
+    if (r->curve == SUITE ||
+        (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
         return;
     thud_figure_free(r->figure);
-    r->figure = tui->doc.record ? thud_record_figure(&tui->doc, thud_tui_model(tui), r->curve) : NULL;
+    r->figure = tui->doc.record ? make(tui, r->curve) : NULL;
     r->of = tui->doc.record;
     r->revision = tui->doc.revision;
     r->made = r->curve;
+}
+
+static const struct thud_figure *figure(struct thud_tui *tui)
+{
+    refresh(tui);
+    return state(tui)->curve == SUITE ? thud_basket_figure(tui, &state(tui)->basket) : state(tui)->figure;
 }
 
 static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_chart chart = thud_tui_reading(tui);
     char text[600];
-    refresh(tui);
-    if (state(tui)->figure)
-        thud_chart_draw(pane, &state(tui)->figure->panel[0], &chart);
+    const struct thud_figure *shown = figure(tui);
+    if (shown)
+        thud_chart_draw(pane, &shown->panel[0], &chart);
+    else if (state(tui)->curve == SUITE)
+        thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0), state(tui)->basket.why);
     else if (tui->doc.record_error.status != THUD_OK)
         thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0),
                        thud_error_text(&tui->doc.record_error, text, sizeof text));
@@ -178,13 +212,27 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 
 static void next_figure(struct thud_tui *tui)
 {
-    state(tui)->curve = (enum thud_record_curve)(((int)state(tui)->curve + 1) % THUD_RECORD_CURVES);
+    state(tui)->curve = (state(tui)->curve + 1) % (thud_basket_count(tui) > 0 ? SUITE + 1 : SUITE);
+}
+
+/* The file under the cursor; NULL: it is on none. */
+static const char *file_here(const struct thud_tui *tui)
+{
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    const struct thud_browse *files = &state(tui)->files;
+    bool row = field && field->kind == THUD_FIELD_ROW && field->index >= 0 && field->index < files->n;
+    return row && !files->item[field->index].folder ? files->item[field->index].name : NULL;
 }
 
 static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     static const struct thud_prompt prompt = {.words = "file name contains: ", .done = filter};
     switch (action) {
+    case THUD_DO_MARK:
+        if (!file_here(tui))
+            return THUD_NOT_MINE;
+        thud_basket_toggle(tui, &state(tui)->basket, file_here(tui));
+        return THUD_DONE;
     case THUD_DO_FILTER:
         thud_tui_prompt(tui, &prompt, state(tui)->filter);
         return THUD_DONE;
@@ -201,6 +249,11 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
+    const struct thud_field *field = thud_form_focus(&tui->form);
+    if (action == THUD_DO_MARK && !file_here(tui))
+        return field && field->kind == THUD_FIELD_VALUE ? NULL : "The cursor is on no file";
+    if (action == THUD_DO_QUANTITY && thud_basket_count(tui) > 0)
+        return NULL;
     if (action == THUD_DO_SIGN || action == THUD_DO_QUANTITY)
         return tui->doc.record ? NULL : "There is no ground motion";
     return NULL;
@@ -220,25 +273,14 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
     thud_form_focus_on(&tui->form, THUD_SCREEN_RECORD, "record none");
 }
 
-static const struct thud_figure *figure(struct thud_tui *tui)
-{
-    refresh(tui);
-    return state(tui)->figure;
-}
-
 static int figures(struct thud_tui *tui)
 {
-    return tui->doc.record ? THUD_RECORD_CURVES : 0;
-}
-
-static struct thud_figure *make(struct thud_tui *tui, int index)
-{
-    return thud_record_figure(&tui->doc, thud_tui_model(tui), (enum thud_record_curve)index);
+    return tui->doc.record ? THUD_RECORD_CURVES + (thud_basket_figure(tui, &state(tui)->basket) != NULL) : 0;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
-    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
+    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &figure(tui)->panel[0] : NULL;
 }
 
 static void offer(struct thud_tui *tui)
@@ -246,10 +288,9 @@ static void offer(struct thud_tui *tui)
     struct thud_record_state *r = state(tui);
     char command[sizeof r->files.item->name + 16];
     list(tui);
-    for (int i = 0; i < THUD_RECORD_CURVES; i++) {
+    for (int i = 0; i < THUD_RECORD_CURVES + (thud_basket_count(tui) > 0); i++) {
         snprintf(command, sizeof command, "curve %d", i);
-        thud_tui_offer(tui, THUD_SCREEN_RECORD, command, "figure %s",
-                       thud_record_curve_title((enum thud_record_curve)i));
+        thud_tui_offer(tui, THUD_SCREEN_RECORD, command, "figure %s", title_of(i));
     }
     for (int i = 0; i < r->files.n; i++) {
         snprintf(command, sizeof command, "record %s", r->files.item[i].name);
@@ -261,7 +302,7 @@ static void offer(struct thud_tui *tui)
 static void command(struct thud_tui *tui, const char *word, const char *rest)
 {
     if (strcmp(word, "curve") == 0)
-        state(tui)->curve = (enum thud_record_curve)atoi(rest);
+        state(tui)->curve = atoi(rest);
     else
         thud_tui_choose_record(tui, rest);
 }
@@ -269,6 +310,7 @@ static void command(struct thud_tui *tui, const char *word, const char *rest)
 static void release(struct thud_tui *tui)
 {
     thud_figure_free(state(tui)->figure);
+    thud_figure_free(state(tui)->basket.figure);
     thud_browse_clear(&state(tui)->files);
 }
 

@@ -64,10 +64,8 @@ static const struct thud_sweep_axis *along_x(const struct thud_sweep_state *s)
     const struct thud_sweep_table *table = &s->data.rows.table;
     if (!s->shown || table->nrows == 0 || s->data.plan.naxes == 0 || s->data.plan.axis[0].words)
         return NULL;
-    int own = thud_sweep_figure_count(table);
-    return s->data.complete && s->shown_figure % thud_sweep_data_figures((struct thud_sweep_data *)&s->data) >= own
-               ? NULL
-               : &s->data.plan.axis[0];
+    int own = thud_sweep_figure_count(table), n = thud_sweep_data_figures((struct thud_sweep_data *)&s->data);
+    return n == 0 || s->shown_figure % n >= own ? NULL : &s->data.plan.axis[0];
 }
 
 /* The value of that key in the scene, as the figure's x; NaN where there is none. */

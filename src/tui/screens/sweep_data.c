@@ -9,8 +9,9 @@
 #include "io/file/output.h"
 #include "plot/figures/figures_gap.h"
 #include "plot/figures/figures_sweep.h"
+#include "tui/document/motions.h"
 
-enum { CHUNK = 1 << 16, SAMPLES = 200, POINTS_A_SLICE = 64 };
+enum { CHUNK = 1 << 16, SAMPLES = 200, LEAST_TOLD = 3, POINTS_A_SLICE = 64 };
 static const double wait_s = 0.004;
 
 void thud_sweep_data_stop(struct thud_sweep_data *data)
@@ -28,7 +29,8 @@ static void clear_points(struct thud_sweep_data *data)
     data->fragility = (struct thud_fragility_study){0};
     free(data->gap); /* its gaps stand in the points */
     data->gap = NULL;
-    data->told = data->complete = false;
+    data->told = 0;
+    data->complete = false;
     thud_suite_free(data->suite);
     data->suite = NULL;
     for (long i = 0; i < data->next; i++)
@@ -57,24 +59,13 @@ void thud_sweep_data_clear(struct thud_sweep_data *data)
 static enum thud_status read_records(struct thud_sweep_data *data, const struct thud_doc *doc,
                                      const struct thud_study_words *words, struct thud_error *err)
 {
-    struct thud_session *session = calloc(1, sizeof *session);
-    const char *list = words->records;
     bool both = strcmp(words->signs, "both") == 0;
     enum thud_status status = THUD_OK;
     clear_records(data);
-    if (!session)
-        return thud_error_set(err, THUD_MEMORY, "no memory for the motions");
-    session->paths = *doc->paths;
-    snprintf(session->preset_path, sizeof session->preset_path, "%s", doc->path);
-    session->preset = doc->preset;
-    session->scene = doc->scene;
     if (*words->signs && !both)
         status = thud_error_set(err, THUD_USAGE, "signs: \"%.20s\" is not understood; both, or nothing", words->signs);
-    else if (*list)
-        status = thud_record_list_read(session, list, NULL, 0, both, &data->records, err);
     else
-        status = thud_record_list_own(session, both, &data->records, err);
-    free(session);
+        status = thud_doc_motions(doc, words->records, both, &data->records, err);
     int n = data->records.n > 0 ? data->records.n : 1;
     if (status == THUD_OK && !(data->names = calloc((size_t)n, sizeof *data->names)))
         status = thud_error_set(err, THUD_MEMORY, "no memory for the motions");
@@ -201,15 +192,14 @@ enum thud_status thud_sweep_data_advance(struct thud_sweep_data *data, struct th
     return status;
 }
 
-/* The gaps of each motion, from its first point. */
-static void find_gaps(struct thud_sweep_data *data)
+/* The gaps of the first n motions, each from its first point. */
+static void find_gaps(struct thud_sweep_data *data, int n)
 {
-    int levels = data->next > 0 ? data->done[0]->ncontacts : 0, n = data->records.n;
-    long settings = n > 0 ? data->points / n : 0;
+    int levels = data->done[0]->ncontacts;
+    long settings = data->points / data->records.n;
     size_t each = sizeof(struct thud_needed_gap) + (size_t)levels * sizeof(struct thud_gap_level);
-    if (levels == 0 || n < 2)
-        return;
-    data->gap = malloc((size_t)n * (sizeof(struct thud_needed_gap *) + each));
+    free(data->gap);
+    data->gap = levels ? malloc((size_t)n * (sizeof(struct thud_needed_gap *) + each)) : NULL;
     for (int i = 0; data->gap && i < n; i++) {
         const struct thud_sweep_point *point = data->done[i * settings];
         data->gap[i] = (void *)((char *)(data->gap + n) + (size_t)i * each);
@@ -218,13 +208,23 @@ static void find_gaps(struct thud_sweep_data *data)
     }
 }
 
-/* Fragility needs a number that is varied; without one there is none. */
+/* Of the motions that are done, anew with each of them; the bands once all are. Fragility needs a number that is varied;
+ * without one there is none. */
 static void tell(struct thud_sweep_data *data)
 {
-    if (data->told || !data->complete || !data->suite)
+    int n = data->suite && data->points > 0 ? (int)(data->next * data->records.n / data->points) : 0;
+    if (n < LEAST_TOLD && !data->complete)
+        n = 0;
+    if (n < 2 || data->told == n)
         return;
-    data->told = true;
-    find_gaps(data);
+    data->told = n;
+    find_gaps(data, n);
+    for (size_t i = 0; i < data->fragility.n; i++)
+        thud_fragility_clear(&data->fragility.line[i].fragility);
+    free(data->fragility.line);
+    data->fragility.line = NULL;
+    data->fragility.n = 0;
+    data->fragility.samples = data->complete ? SAMPLES : 0;
     if (data->plan.naxes > 0 && thud_fragility_study_make(&data->fragility, NULL) != THUD_OK)
         thud_fragility_study_clear(&data->fragility);
 }
@@ -251,7 +251,7 @@ static struct thud_figure *make_figure(struct thud_sweep_data *data, int index)
     tell(data);
     index -= own;
     if (data->gap && index-- == 0) {
-        struct thud_gap_suite suite = {data->records.n, data->names, data->gap};
+        struct thud_gap_suite suite = {data->told, data->names, data->gap};
         const struct thud_scene *scene = &data->plan.scene;
         return thud_figure_of_gaps(&suite, scene->title[0] ? scene->title : scene->name);
     }
@@ -292,7 +292,7 @@ static enum thud_status export_suite(const struct thud_sweep_data *data, const c
     enum thud_status status = thud_suite_csv(data->suite, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, folder, name, err);
-    if (status == THUD_OK && data->told && data->fragility.n > 0) {
+    if (status == THUD_OK && data->fragility.n > 0) {
         snprintf(name, sizeof name, "%.200s-fragility.csv", stem);
         thud_fragility_curves_csv(&data->fragility, &text);
         status = thud_text_write_in(&text, folder, name, err);

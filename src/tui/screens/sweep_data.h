@@ -24,10 +24,10 @@ struct thud_sweep_data {
     long next, points, room;
     struct thud_sweep_total total;
     struct thud_suite *suite; /* of several motions; NULL: of one */
-    /* Of a suite that is complete, once a figure of it was asked for: */
-    bool told;                             /* fragility and gaps were looked for */
+    /* Of a suite, once a figure of it was asked for: */
+    int told;                              /* of so many motions, the first ones; 0: not yet */
     struct thud_fragility_study fragility; /* n = 0: there is none */
-    struct thud_needed_gap **gap;          /* (records.n) at the first values of the varied keys; NULL: none */
+    struct thud_needed_gap **gap;          /* (told) at the first values of the varied keys; NULL: none */
 };
 
 /* Begins anew: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
@@ -39,7 +39,7 @@ enum thud_status thud_sweep_data_start(struct thud_sweep_data *data, struct thud
 /* Takes the points that are finished, waiting a few milliseconds for one; `running` goes false at the end. Errors end
  * the study, what is done stays. */
 enum thud_status thud_sweep_data_advance(struct thud_sweep_data *data, struct thud_error *err);
-/* Figures of what is done, counted from 0: the study's own; over several motions, once all are done, the gap that is
+/* Figures of what is done, counted from 0: the study's own; over several motions, once three are done, the gap that is
  * enough, fragility and incremental dynamic analysis. thud_sweep_data_figure: NULL, or ask thud_figure_check. */
 int thud_sweep_data_figures(struct thud_sweep_data *data);
 struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index);

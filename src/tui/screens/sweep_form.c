@@ -1,4 +1,5 @@
 /* The form of the Sweep screen: the study in words, and how far it has come. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,6 +187,10 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     const char *how = data->running ? "running, Esc stops" : data->complete ? "done" : "stopped: what is done stays";
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "%s", how);
     thud_field_note(pane, y++, "%ld of %ld points", data->next, data->points);
+    double took_s = tui->backend->now(tui->backend) - s->begun_s;
+    if (data->running && data->next > 0 && took_s > 0.5)
+        thud_field_note(pane, y++, "%.3g a second, %.0f s left", (double)data->next / took_s,
+                        ceil(took_s * (double)(data->points - data->next) / (double)data->next));
     if (data->records.n > 1)
         thud_field_note(pane, y++, "%d ground motions", data->records.n);
     if (data->records.skipped > 0)

@@ -1,0 +1,13 @@
+/* Ground motions named together, as they are found from the preset that is open. */
+#ifndef THUD_TUI_MOTIONS_H
+#define THUD_TUI_MOTIONS_H
+
+#include "app/run/record_list.h"
+#include "tui/document/doc.h"
+
+/* `list` as --records takes it; empty: the scene's own. `both`: each in both polarities. Errors: as
+ * thud_record_list_read; there are none then. */
+enum thud_status thud_doc_motions(const struct thud_doc *doc, const char *list, bool both, struct thud_record_list *out,
+                                  struct thud_error *err);
+
+#endif
