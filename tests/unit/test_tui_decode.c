@@ -180,6 +180,9 @@ START_TEST(reports_of_the_mouse)
     expect("\033[<2;1;1M", "");
     expect_key("\033[<64;1;1M", THUD_KEY_WHEEL_UP);
     expect_key("\033[<65;1;1M", THUD_KEY_WHEEL_DOWN);
+    expect_key("\033[<32;7;9M", THUD_KEY_DRAG);
+    ck_assert_int_eq(decode.mouse_x, 6);
+    expect("\033[<35;7;9M", ""); /* no button is down */
 }
 END_TEST
 

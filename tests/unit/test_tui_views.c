@@ -62,7 +62,7 @@ END_TEST
 
 START_TEST(impacts_stand_in_three_orders)
 {
-    fixture_keys(&f, "<Size 100x60><A-4>");
+    fixture_keys(&f, "<Size 100x60><A-4><Tab>");
     for (int sort = 0; sort < 3; sort++) {
         static const char *const titles[] = {"by time", "by force", "by floor"};
         const struct thud_impact *shown[200] = {NULL};
@@ -162,6 +162,127 @@ START_TEST(clicks_go_to_fields)
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_MODEL);
     fixture_keys(&f, "<Click 0,5>");
     ck_assert_int_eq(f.tui->form.pane[THUD_SCREEN_MODEL], pane);
+}
+END_TEST
+
+static void click_at(int x, int y)
+{
+    char keys[32];
+    snprintf(keys, sizeof keys, "<Click %d,%d>", x, y);
+    fixture_keys(&f, keys);
+}
+
+/* A floor that is drawn leads to its row: on Model, and where the buildings move. */
+START_TEST(clicks_on_floors_go_to_their_rows)
+{
+    const struct thud_field *field;
+    int floor = 0, before = 0, y, seen = 0;
+    fixture_keys(&f, "<Size 100x60>");
+    for (y = 16; y < 45; y++) { /* downwards the floors go down, and none is left out */
+        click_at(54, y);
+        field = thud_form_focus(&f.tui->form);
+        if (!field || sscanf(field->path, "structures.2.mass.%d", &floor) != 1)
+            continue;
+        ck_assert(before == 0 || floor == before || floor == before - 1);
+        seen += floor != before;
+        before = floor;
+    }
+    ck_assert_int_eq(seen, 3);
+    fixture_keys(&f, "5<Size 80x24>");
+    seen = before = 0;
+    for (y = 3; y < 20; y++) {
+        fixture_keys(&f, "5");
+        click_at(71, y);
+        if (f.tui->screen != THUD_SCREEN_MODEL)
+            continue;
+        field = thud_form_focus(&f.tui->form);
+        ck_assert_int_eq(sscanf(field->path, "structures.2.mass.%d", &floor), 1);
+        ck_assert(before == 0 || floor == before || floor == before - 1);
+        seen += floor != before;
+        before = floor;
+    }
+    ck_assert_int_eq(seen, 3);
+}
+END_TEST
+
+/* The wheel keeps what is under the pointer there, dragging moves all by as many columns, keys go on beyond the edge; of a
+ * logarithmic axis as well. */
+START_TEST(charts_are_zoomed_and_moved)
+{
+    fixture_keys(&f, "3ccc<Tab>z"); /* the spectrum */
+    const struct thud_chart_frame *frame = &f.tui->chart;
+    struct thud_chart_window *window = &f.tui->window[THUD_SCREEN_RECORD];
+    ck_assert(frame->x_log);
+    ck_assert_double_eq_tol(log(window->to / window->from), log(5.0 / 0.05) / 3.0, 1e-9);
+    fixture_keys(&f, "Z");
+    ck_assert_double_eq(window->to, 0.0);
+    char keys[64];
+    int x = frame->plot.x + frame->plot.w / 4, y = frame->plot.y + 1;
+    double along = (double)(frame->plot.w / 4) / (frame->plot.w - 1), at = thud_chart_at(&frame->x, true, along);
+    snprintf(keys, sizeof keys, "<WheelUp %d,%d>", x, y);
+    fixture_keys(&f, keys);
+    ck_assert_double_eq_tol(thud_chart_at(&frame->x, true, along), at, 1e-9 * at);
+    snprintf(keys, sizeof keys, "<Click %d,%d><Drag %d,%d>", x, y, x + 5, y);
+    fixture_keys(&f, keys);
+    along += 5.0 / (frame->plot.w - 1);
+    ck_assert_double_eq_tol(thud_chart_at(&frame->x, true, along), at, 1e-9 * at);
+    ck_assert(isnan(f.tui->reading[THUD_SCREEN_RECORD]));
+    snprintf(keys, sizeof keys, "<Click %d,%d>", frame->plot.x + frame->plot.w - 1, y);
+    fixture_keys(&f, keys);
+    double most = window->to;
+    fixture_keys(&f, "<Right><Right>");
+    ck_assert_double_gt(window->to, most);
+    ck_assert_double_ge(f.tui->reading[THUD_SCREEN_RECORD], most);
+    fixture_keys(&f, "1z");
+    fixture_expect(&f, "There is no chart to be read here");
+}
+END_TEST
+
+/* 40 s of a motion that is strong from 20 to 22 s: the first look is at those. */
+START_TEST(plots_open_on_the_strong_motion)
+{
+    static char text[80000];
+    size_t n = (size_t)snprintf(text, sizeof text, "time_s,acceleration_g\n");
+    for (int i = 0; i <= 4000; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "%.2f,%.6f\n", 0.01 * i,
+                              (i >= 2000 && i <= 2200 ? 1.0 : 0.001) * sin(2.0 * 3.14159265358979 * 0.01 * i / 0.4));
+    fixture_write(&f, "long.csv", text);
+    fixture_keys(&f, ":record long.csv<Enter>5");
+    const struct thud_chart_window *window = &f.tui->window[THUD_SCREEN_PLOTS];
+    ck_assert_double_gt(window->from, 19.0);
+    ck_assert_double_lt(window->from, 20.2);
+    ck_assert_double_gt(window->to, 21.8);
+    ck_assert_double_lt(window->to, 24.0);
+    fixture_expect(&f, "zoom");
+    fixture_keys(&f, "ZZZ");
+    fixture_expect_not(&f, "zoom");
+}
+END_TEST
+
+/* The floors by height, or the largest first; both tables only where a text stands. */
+START_TEST(tables_are_sorted_and_filtered)
+{
+    fixture_keys(&f, "4s");
+    double last = INFINITY;
+    int rows = 0, s, floor;
+    for (int i = 0; i < f.tui->form.n; i++)
+        if (sscanf(f.tui->form.field[i].path, "floor %d %d", &s, &floor) == 2) {
+            double value = thud_live_floor(&f.tui->run.live, THUD_LIVE_BUMPER, s, floor, THUD_PEAK_ACCELERATION);
+            ck_assert_double_le(value, last);
+            last = value;
+            rows++;
+        }
+    ck_assert_int_eq(rows, 5);
+    fixture_keys(&f, "sfB<Enter>");
+    rows = 0;
+    for (int i = 0; i < f.tui->form.n; i++)
+        rows += strncmp(f.tui->form.field[i].path, "floor 1", 7) == 0 ||
+                strncmp(f.tui->form.field[i].path, "impact", 6) == 0;
+    ck_assert_int_eq(rows, 3);
+    fixture_keys(&f, "f<C-u>nothing<Enter>");
+    fixture_expect(&f, "no floor's name has");
+    fixture_keys(&f, "f<C-u><Enter>");
+    fixture_expect(&f, "A 2");
 }
 END_TEST
 
@@ -519,6 +640,10 @@ Suite *thud_suite(void)
     tcase_add_test(views, a_wall_moves_with_the_ground);
     tcase_add_test(views, several_structures);
     tcase_add_test(views, clicks_go_to_fields);
+    tcase_add_test(views, clicks_on_floors_go_to_their_rows);
+    tcase_add_test(views, charts_are_zoomed_and_moved);
+    tcase_add_test(views, plots_open_on_the_strong_motion);
+    tcase_add_test(views, tables_are_sorted_and_filtered);
     tcase_add_test(views, the_ground_motion_has_four_curves);
     tcase_add_test(views, a_study_has_figures_and_panels);
     tcase_add_test(views, what_there_is_not_is_said);

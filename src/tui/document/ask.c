@@ -197,9 +197,15 @@ bool thud_tui_too_small(struct thud_tui *tui)
     return width < THUD_LEAST_WIDTH || height < THUD_LEAST_HEIGHT;
 }
 
-struct thud_chart thud_tui_reading(struct thud_tui *tui)
+struct thud_chart thud_tui_reading(struct thud_tui *tui, double cursor)
 {
-    return (struct thud_chart){.cursor = tui->reading[tui->screen], .drawn = &tui->chart};
+    struct thud_chart_window *window = &tui->window[tui->screen];
+    double span = window->to - window->from;
+    if (span > 0.0 && (cursor < window->from || cursor > window->to)) {
+        double from = fmax(0.0, cursor - 0.5 * span); /* no x of a chart that is read is negative */
+        *window = (struct thud_chart_window){from, from + span};
+    }
+    return (struct thud_chart){.cursor = cursor, .drawn = &tui->chart, .window = *window};
 }
 
 char *thud_tui_number(double value, char text[24])

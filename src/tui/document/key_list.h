@@ -24,7 +24,9 @@ THUD_KEY(RECORD, MARK, ' ', 0, "Space", "suite",
 THUD_KEY(RECORD, FILTER, 'f', 0, "f", "filter", "show only the files whose name contains some text")
 THUD_KEY(RECORD, SIGN, 's', 0, "s", "sign", "flip the sign of the ground motion")
 THUD_KEY(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
-THUD_KEY(RESULTS, SORT, 's', 0, "s", "sort", "sort the impacts by time, force or floor")
+THUD_KEY(RESULTS, SORT, 's', 0, "s", "sort",
+         "sort the impacts by time, force or floor; the floors by height, or the largest first")
+THUD_KEY_AGAIN(RESULTS, FILTER, 'f', 0, "f", "filter", "show only the rows that contain some text, such as A 4")
 THUD_KEY(RESULTS, CASE, 'b', 0, "b", "case", "the case whose impacts and energies are shown")
 THUD_KEY_AGAIN(RESULTS, QUANTITY, 'c', 0, "c", "quantities",
                "accelerations and drifts, or displacements and velocities (all four where there is room)")
@@ -36,8 +38,6 @@ THUD_KEY(PLOTS, SCRUB_FORWARD, THUD_KEY_RIGHT, 'l', "Right", "~Left/Right time",
 THUD_KEY(PLOTS, NEXT_IMPACT, 'n', 0, "n", "~n/N impact", "go to the next impact")
 THUD_KEY(PLOTS, PREVIOUS_IMPACT, 'N', 0, "N", "", "go to the impact before")
 THUD_KEY(PLOTS, LARGEST_IMPACT, 'L', 0, "L", "largest", "go to the impact with the largest force")
-THUD_KEY(PLOTS, ZOOM, 'z', 0, "z", "zoom", "show a shorter time around the cursor")
-THUD_KEY(PLOTS, UNZOOM, 'Z', 0, "Z", "+wider", "show a longer time")
 THUD_KEY_AGAIN(PLOTS, CASE, 'b', 0, "b", "case", "the case that moves")
 THUD_KEY(PLOTS, NEXT_FIGURE, THUD_KEY_DOWN, 'j', "Down", "~Up/Down figure", "the next figure")
 THUD_KEY(PLOTS, PREVIOUS_FIGURE, THUD_KEY_UP, 'k', "Up", "", "the figure before")
@@ -85,6 +85,9 @@ THUD_KEY(GENERAL, SHELF, 'F', 0, "F", "+figures",
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
 THUD_KEY(GENERAL, COPY, 'y', 0, "y", "+copy",
          "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
+THUD_KEY(GENERAL, ZOOM, 'z', 0, "z", "zoom",
+         "show less of the chart, around its cursor (the wheel: around the pointer; dragging moves it)")
+THUD_KEY(GENERAL, UNZOOM, 'Z', 0, "Z", "+wider", "show more of the chart")
 THUD_KEY(GENERAL, SAVE, 'w', 0, "w", "save", "save the preset, comments kept")
 THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "+save as", "save the preset under another name")
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")

@@ -45,6 +45,7 @@ void thud_tui_opened(struct thud_tui *tui)
         if (view->begin)
             view->begin(tui);
     }
+    memset(tui->window, 0, sizeof tui->window);
     tui->interface = 0;
     tui->look_at.wanted = false;
     thud_pin_take(&tui->pin, &tui->doc, false);

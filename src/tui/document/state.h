@@ -72,6 +72,8 @@ struct thud_view {
     const struct thud_panel *(*read)(struct thud_tui *tui);
     /* The cursor was put to x of the chart drawn. */
     void (*read_at)(struct thud_tui *tui, double x);
+    /* A click into a pane where no field and no chart is, with its place in the pane. */
+    void (*click)(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y);
     /* Enter on that panel with the cursor in it; false: nothing can be done with what it reads. */
     bool (*take)(struct thud_tui *tui);
     /* What it needs of the live cases' motions. */
@@ -212,6 +214,8 @@ struct thud_tui {
     } verdict;
     struct thud_chart_frame chart;    /* where the chart that is read stands; no cells: there is none */
     double reading[THUD_SCREENS + 1]; /* x of the cursor that reads a screen's chart; NaN: it is not there */
+    struct thud_chart_window window[THUD_SCREENS + 1]; /* what is shown of it */
+    int dragged_x;                                     /* the column where the mouse was, while its button is down */
     bool mouse;
     struct {
         bool wanted;         /* the screen must be drawn, */
@@ -262,8 +266,8 @@ struct thud_rect thud_tui_area(const struct thud_tui *tui); /* what the panes of
 bool thud_tui_one_pane(const struct thud_tui *tui); /* so small that the pane with the cursor has all the room */
 bool thud_tui_too_small(struct thud_tui *tui);      /* the terminal, for any screen */
 enum { THUD_LEAST_WIDTH = 40, THUD_LEAST_HEIGHT = 10, THUD_DESIGN_WIDTH = 80, THUD_DESIGN_HEIGHT = 24 };
-/* The chart of the screen shown, with the cursor that reads it. */
-struct thud_chart thud_tui_reading(struct thud_tui *tui);
+/* The chart of the screen shown, with the cursor that reads it; what is shown of it follows the cursor. */
+struct thud_chart thud_tui_reading(struct thud_tui *tui, double cursor);
 /* Three significant digits, `.` where there is no number. Returns `text`. */
 char *thud_tui_number(double value, char text[24]);
 

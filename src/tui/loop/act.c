@@ -41,12 +41,23 @@ static bool read_on(struct thud_tui *tui, enum thud_action action)
     const struct thud_panel *panel = !thud_form_focus(&tui->form) && view->read ? view->read(tui) : NULL;
     if (!panel || (action != THUD_DO_LEFT && action != THUD_DO_RIGHT))
         return false;
+    const struct thud_chart_window *window = &tui->window[tui->screen];
     struct thud_range x = thud_panel_range(panel, THUD_X);
     bool log = panel->axis[THUD_X].log;
     double *at = &tui->reading[tui->screen], along = isnan(*at) ? NAN : thud_chart_along(&x, log, *at);
-    along = isnan(along) ? 0.5 : fmin(1.0, fmax(0.0, along + (action == THUD_DO_LEFT ? -0.01 : 0.01)));
-    *at = log ? x.least * pow(x.most / x.least, along) : x.least + along * (x.most - x.least);
+    double shown = window->to > window->from
+                       ? thud_chart_along(&x, log, window->to) - thud_chart_along(&x, log, window->from)
+                       : 1.0;
+    along = isnan(along) ? 0.5 : fmin(1.0, fmax(0.0, along + 0.01 * shown * (action == THUD_DO_LEFT ? -1.0 : 1.0)));
+    *at = thud_chart_at(&x, log, along);
     return true;
+}
+
+/* Shows less or more of the chart around `at`. */
+static void zoom(struct thud_tui *tui, bool more, double at)
+{
+    static const double step = 3.0;
+    tui->window[tui->screen] = thud_chart_zoom(&tui->chart, more ? 1.0 / step : step, at);
 }
 
 static bool move(struct thud_tui *tui, enum thud_action action)
@@ -159,6 +170,10 @@ static bool files(struct thud_tui *tui, enum thud_action action)
 static void rest(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
+    case THUD_DO_ZOOM:
+    case THUD_DO_UNZOOM:
+        zoom(tui, action == THUD_DO_ZOOM, tui->reading[tui->screen]);
+        break;
     case THUD_DO_RUN:
         thud_tui_run(tui);
         break;
@@ -243,15 +258,21 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
         rest(tui, action);
 }
 
-/* The cursor of a chart goes to a column of it; false: there is no chart at that place. */
-static bool click_chart(struct thud_tui *tui, int x, int y)
+/* What a column of the chart that is read stands for; NaN: it is not drawn at that place. */
+static double chart_at(const struct thud_tui *tui, int x, int y)
 {
     const struct thud_chart_frame *f = &tui->chart;
     if (f->plot.w < 2 || x < f->plot.x || x >= f->plot.x + f->plot.w || y < f->plot.y || y >= f->plot.y + f->plot.h)
+        return NAN;
+    return thud_chart_at(&f->x, f->x_log, (double)(x - f->plot.x) / (f->plot.w - 1));
+}
+
+/* The cursor of a chart goes to a column of it; false: there is no chart at that place. */
+static bool click_chart(struct thud_tui *tui, int x, int y)
+{
+    double at = chart_at(tui, x, y);
+    if (isnan(at))
         return false;
-    double along = (double)(x - f->plot.x) / (f->plot.w - 1);
-    double at =
-        f->x_log ? f->x.least * pow(f->x.most / f->x.least, along) : f->x.least + along * (f->x.most - f->x.least);
     tui->reading[tui->screen] = at;
     if (thud_tui_view(tui)->read_at)
         thud_tui_view(tui)->read_at(tui, at);
@@ -264,6 +285,7 @@ void thud_tui_click(struct thud_tui *tui)
     struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
     int n = thud_tui_view(tui)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
     bool small = thud_tui_one_pane(tui);
+    tui->dragged_x = x;
     if (tui->dialog.mode == THUD_MODE_CHOOSING) {
         if (thud_chooser_click(&tui->dialog.chooser, x, y))
             thud_tui_chosen(tui);
@@ -287,14 +309,36 @@ void thud_tui_click(struct thud_tui *tui)
             thud_tui_act(tui, THUD_DO_EDIT);
         else if (field)
             thud_form_focus_on(&tui->form, tui->screen, field->path);
-        else
-            click_chart(tui, x, y);
+        else if (!click_chart(tui, x, y) && thud_tui_view(tui)->click) {
+            struct thud_pane page = thud_canvas_pane(&tui->canvas),
+                             in = thud_pane_inside(&page, at.x + 1, at.y + 1, at.w - 2, at.h - 2);
+            thud_tui_view(tui)->click(tui, i, &in, x - at.x - 1, row);
+        }
         return;
     }
 }
 
+void thud_tui_drag(struct thud_tui *tui)
+{
+    int x = tui->backend->click_x, y = tui->backend->click_y;
+    const struct thud_chart_window *window = &tui->window[tui->screen];
+    if (tui->dialog.mode != THUD_MODE_NORMAL || isnan(chart_at(tui, x, y)))
+        return;
+    if (window->to > window->from) {
+        tui->window[tui->screen] = thud_chart_pan(&tui->chart, (double)(tui->dragged_x - x) / (tui->chart.plot.w - 1));
+        tui->reading[tui->screen] = NAN; /* else what is shown would follow it back */
+    } else
+        click_chart(tui, x, y);
+    tui->dragged_x = x;
+}
+
 void thud_tui_wheel(struct thud_tui *tui, int step)
 {
+    double at = chart_at(tui, tui->backend->click_x, tui->backend->click_y);
+    if (tui->dialog.mode == THUD_MODE_NORMAL && !isnan(at)) {
+        zoom(tui, step < 0, at);
+        return;
+    }
     if (tui->dialog.mode == THUD_MODE_CHOOSING)
         thud_chooser_key(&tui->dialog.chooser, step < 0 ? THUD_KEY_UP : THUD_KEY_DOWN);
     else if (tui->dialog.mode == THUD_MODE_OVER)

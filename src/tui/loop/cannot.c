@@ -56,6 +56,9 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_LEAP_UP:
     case THUD_DO_LEAP_DOWN:
         return steps(tui) ? NULL : "The cursor is on no number";
+    case THUD_DO_ZOOM:
+    case THUD_DO_UNZOOM:
+        return tui->chart.plot.w > 1 ? own : "There is no chart to be read here";
     case THUD_DO_SAVE:
         return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
     case THUD_DO_STATES:

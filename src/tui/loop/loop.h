@@ -22,6 +22,7 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action); /* w
 
 /* act.c */
 void thud_tui_click(struct thud_tui *tui);
+void thud_tui_drag(struct thud_tui *tui);
 void thud_tui_wheel(struct thud_tui *tui, int step); /* 1 down, -1 up */
 void thud_tui_act(struct thud_tui *tui, enum thud_action action);
 

@@ -230,6 +230,8 @@ static void take_key(struct thud_tui *tui, int key)
         interrupt(tui);
     } else if (key == THUD_KEY_CLICK) {
         thud_tui_click(tui);
+    } else if (key == THUD_KEY_DRAG) {
+        thud_tui_drag(tui);
     } else if (key == THUD_KEY_WHEEL_UP || key == THUD_KEY_WHEEL_DOWN) {
         thud_tui_wheel(tui, key == THUD_KEY_WHEEL_UP ? -1 : 1);
     } else if (key == THUD_KEY_PASTE) {

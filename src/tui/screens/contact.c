@@ -228,7 +228,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     refresh(tui);
     if (index == CHECK)
         return draw_check(tui, pane);
-    struct thud_chart chart = thud_tui_reading(tui);
+    struct thud_chart chart = thud_tui_reading(tui, tui->reading[tui->screen]);
     char text[600];
     if (state(tui)->figure)
         thud_chart_draw(pane, &state(tui)->figure->panel[0], &chart);

@@ -10,6 +10,7 @@
 #include "study/scene/level.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
+#include "tui/screens/movement.h"
 #include "tui/screens/peaks_strip.h"
 #include "tui/widgets/dots.h"
 
@@ -424,4 +425,21 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     }
 }
 
-THUD_VIEW(model, "Model", MODEL, .verdict = true, .keys = "structures.", .act = act, .cannot = cannot);
+/* A floor of the drawing leads to its row. */
+static void click(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y)
+{
+    int s = tui->interface + index;
+    if (index == PEAKS || s >= tui->doc.scene.nstructures || pane->scroll > 0)
+        return;
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
+    struct elevation e = elevation_of(tui, pane->h);
+    int top = pane->h - 1 - e.rows;
+    double level = e.high_m - (y - top) * (e.high_m - e.low_m) / (e.rows - 1.0);
+    if (!thud_kind_is_building(structure->kind) || e.rows < LEAST_ROWS || y < top || x > BUILDING)
+        return;
+    char key[THUD_PATH_MAX];
+    snprintf(key, sizeof key, "structures.%d.mass.%d", s + 1, thud_storey_at(structure, level));
+    thud_form_focus_on(&tui->form, THUD_SCREEN_MODEL, key);
+}
+
+THUD_VIEW(model, "Model", MODEL, .verdict = true, .keys = "structures.", .act = act, .click = click, .cannot = cannot);

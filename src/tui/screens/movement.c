@@ -427,6 +427,42 @@ static void say_contact(struct stage *stage, const struct thud_pane *pane, int w
     thud_pane_right(pane, pane->w, 0, thud_look(THUD_ROLE_ERROR, THUD_BOLD), text);
 }
 
+static struct thud_pane stage_pane(const struct thud_pane *pane)
+{
+    return thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1 - (pane->h >= 7));
+}
+
+int thud_storey_at(const struct thud_structure *structure, double level_m)
+{
+    int best = 0, slabs = thud_structure_floors(structure) - structure->storeys;
+    for (int i = 1; i <= structure->storeys; i++)
+        if (!best || fabs(thud_structure_elevation(structure, i - 1 + slabs) - level_m) <
+                         fabs(thud_structure_elevation(structure, best - 1 + slabs) - level_m))
+            best = i;
+    return best;
+}
+
+int thud_movement_floor(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
+                        const struct thud_run *run, int x, int y, int *structure)
+{
+    struct stage stage = {
+        .scene = scene, .model = model, .history = thud_run_history(run), .result = thud_run_result(run)};
+    struct thud_pane area = stage_pane(pane);
+    int floor = 0;
+    if (thud_dots_init(&stage.dots, &area, NULL) != THUD_OK)
+        return 0;
+    for (int s = 0; s < scene->nstructures && floor == 0 && set_stage(&stage); s++) {
+        double at = (x + 0.5) * stage.dots.across,
+               level = stage.low_m + (stage.ground - (y - 0.5) * stage.dots.down) / stage.storey;
+        bool inside = at >= stage.left[s] - stage.dots.across && at < stage.left[s] + stage.body + stage.dots.across;
+        *structure = s;
+        floor =
+            inside && thud_kind_is_building(scene->structure[s].kind) ? thud_storey_at(&scene->structure[s], level) : 0;
+    }
+    thud_dots_clear(&stage.dots);
+    return floor;
+}
+
 void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
                         const struct thud_run *run, bool bumper, double t)
 {
@@ -434,7 +470,7 @@ void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *s
     struct stage stage = {
         .scene = scene, .model = model, .history = history, .result = thud_run_result(run), .t = t, .bumper = bumper};
     bool roomy = pane->h >= 7;
-    struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1 - roomy);
+    struct thud_pane area = stage_pane(pane);
     struct thud_pane below = thud_pane_inside(pane, 1, pane->h - 1, pane->w - 1, 1);
     int worst = -1;
     double force = 0.0;

@@ -33,16 +33,35 @@ static struct strip strip_of(const struct thud_tui *tui, int w)
     return strip;
 }
 
+/* Numbers and the heads over them end here, exclusive. */
+static int edge_of(const struct strip *strip, int column)
+{
+    return strip->column[column] + (column == THUD_LIVE_CASES ? 6 : 11);
+}
+
+/* Appends a head that ends over column `edge` of the pane; the title begins a column before the pane does. */
+static void add_head(char *text, size_t size, int edge, const char *head)
+{
+    int used = thud_utf8_columns(text), room = edge - 1 - used;
+    size_t n = strlen(text);
+    if (n < size)
+        snprintf(text + n, size - n, "%*s", room, head);
+}
+
 void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)
 {
     struct strip strip = strip_of(tui, w);
     const bool linked = tui->doc.scene.nlinks > 0, bumper = thud_scene_has_bumper(&tui->doc.scene);
-    snprintf(text, size, "%-*s%-13s%-13s%-13s%s%s", strip.column[0] - 1,
-             thud_tui_shows_old(tui) ? "Before the edit" : "Peaks", "no pounding", linked ? "neither" : "no bumper",
-             !linked  ? "bumper"
-             : bumper ? "both"
-                      : "links",
-             "ratio", strip.percent && thud_tui_pinned(tui) ? "    change" : "");
+    const char *const head[] = {"no pounding", linked ? "neither" : "no bumper",
+                                !linked  ? "bumper"
+                                : bumper ? "both"
+                                         : "links",
+                                "ratio"};
+    snprintf(text, size, "%s", thud_tui_shows_old(tui) ? "Before the edit" : "Peaks");
+    for (int i = 0; i <= THUD_LIVE_CASES; i++)
+        add_head(text, size, edge_of(&strip, i), head[i]);
+    if (strip.percent && thud_tui_pinned(tui))
+        add_head(text, size, strip.percent + 8, "change");
 }
 
 void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane, int x, int y,
@@ -57,7 +76,7 @@ void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane,
                                   : ratio < 1.0 ? THUD_ROLE_GOOD
                                                 : THUD_ROLE_WARN,
                                   0),
-                        "%.3f", ratio);
+                        "%5.3f", ratio);
 }
 
 /* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
@@ -80,16 +99,16 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
         if (moved)
             snprintf(text, sizeof text, "%s→%s", old, number);
         if (moved && strip->percent && before > 0.0)
-            thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+.1f %%",
+            thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+6.1f %%",
                             thud_shown(100.0 * (value[i] / before - 1.0), 1));
-        thud_pane_put(pane, column_x[i], y,
-                      thud_look(failed                                                      ? THUD_ROLE_ERROR
-                                : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                            : THUD_ROLE_RESULT,
-                                moved ? THUD_BOLD : 0),
-                      text);
+        thud_pane_right(pane, edge_of(strip, i), y,
+                        thud_look(failed                                                      ? THUD_ROLE_ERROR
+                                  : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
+                                                                                              : THUD_ROLE_RESULT,
+                                  moved ? THUD_BOLD : 0),
+                        text);
     }
-    thud_ratio_draw(&tui->run.live, pane, column_x[3], y, value);
+    thud_ratio_draw(&tui->run.live, pane, edge_of(strip, THUD_LIVE_CASES) - 5, y, value);
 }
 
 /* The impacts of the last case as upright lines, over the time of the run. */
@@ -167,9 +186,11 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     peak_row(tui, &layout, pane, y, "force", "MN", value,
              pinned ? 1e-6 * thud_live_force(pinned, last, tui->interface + 1, &unused) : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
-        if (tui->run.live.which[i].state == THUD_LIVE_DONE)
-            thud_pane_print(pane, column_x[i], y + 1, thud_look(THUD_ROLE_MUTED, 0), "%d impact%s", impacts[i],
-                            impacts[i] == 1 ? "" : "s");
+        if (tui->run.live.which[i].state == THUD_LIVE_DONE) {
+            char text[32];
+            snprintf(text, sizeof text, "%d impact%s", impacts[i], impacts[i] == 1 ? "" : "s");
+            thud_pane_right(pane, edge_of(&layout, i), y + 1, thud_look(THUD_ROLE_MUTED, 0), text);
+        }
     if (tui->interface + 1 < tui->doc.scene.nstructures) {
         char number[24];
         double clearance = thud_interface_clearance(&tui->doc.scene.interface[tui->interface]);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/intensity.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
 #include "tui/screens/movement.h"
@@ -30,6 +31,20 @@ static void choose_storey(struct thud_tui *tui)
     }
 }
 
+/* What is shown first: from a little before 5 % of the Arias intensity to 95 % of it, with the cursor in it. */
+static void open_on_strong_motion(struct thud_tui *tui)
+{
+    struct thud_plots_state *p = thud_plots(tui);
+    if (p->opened || !tui->doc.record)
+        return;
+    const struct thud_intensity m = thud_intensity_of(tui->doc.record);
+    double margin = 0.1 * m.d5_95_s, from = fmax(0.0, fmin(m.t5_s, p->time_s) - margin),
+           to = fmax(m.t95_s, p->time_s) + margin;
+    p->opened = true;
+    if (to - from < 0.8 * thud_plots_end(tui))
+        tui->window[THUD_SCREEN_PLOTS] = (struct thud_chart_window){from, to};
+}
+
 /* The contact with the largest force, where none was chosen; its left floor with it. */
 static void choose_sight(struct thud_tui *tui)
 {
@@ -47,7 +62,7 @@ static void choose_sight(struct thud_tui *tui)
             if (p->sight.contact < 0 || result->contact[i].force.value > result->contact[p->sight.contact].force.value)
                 p->sight.contact = i;
         if (p->sight.contact >= 0)
-            p->time_s = result->contact[p->sight.contact].force.time_s;
+            thud_plots_set_time(tui, result->contact[p->sight.contact].force.time_s);
     }
     if (p->sight.dof < 0 && p->sight.contact >= 0)
         p->sight.dof = c->model->contact[p->sight.contact].left_dof >= 0
@@ -56,6 +71,7 @@ static void choose_sight(struct thud_tui *tui)
     if (p->sight.dof < 0 && c->model->ndof > 0)
         p->sight.dof = 0;
     choose_storey(tui);
+    open_on_strong_motion(tui);
 }
 
 static bool over_time(enum thud_plot plot)
@@ -73,12 +89,15 @@ static void look_at(struct thud_tui *tui)
     if (!at->wanted || (!at->impact && c->state != THUD_LIVE_DONE))
         return;
     p->plot = at->impact ? THUD_PLOT_FORCE : THUD_PLOT_ACCELERATION;
-    p->span_s = at->impact ? 0.5 : 0.0;
+    p->opened = true;
+    tui->window[THUD_SCREEN_PLOTS] = at->impact
+                                         ? (struct thud_chart_window){fmax(0.0, at->time_s - 0.25), at->time_s + 0.25}
+                                         : (struct thud_chart_window){0.0, 0.0};
     p->fresh = tui->look_at.wanted = false;
     if (at->impact) {
         p->sight.which = at->which;
         p->sight.contact = at->contact;
-        p->time_s = at->time_s;
+        p->time_s = tui->reading[THUD_SCREEN_PLOTS] = at->time_s; /* its histories may not be there yet */
     } else {
         p->sight.dof = c->model->structure[at->structure].first + at->floor;
         p->floor_chosen = true;
@@ -135,7 +154,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     if (index == CHART)
         snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
                  p->figure ? p->figure->title : thud_plot_title(p->plot),
-                 p->span_s > 0.0 && over_time(p->plot) ? ", zoom" : "");
+                 over_time(p->plot) && tui->window[THUD_SCREEN_PLOTS].to > 0.0 ? ", zoom" : "");
     else if (index == MOVE)
         snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed,
                  has_fallen(tui, p) ? " COLLAPSED"
@@ -165,6 +184,14 @@ static void words(struct thud_tui *tui, char *text, size_t size)
     thud_chart_words(&p->figure->panel[0], p->time_s, text, size);
 }
 
+/* The cursor, but while the chart is dragged away from under it. */
+static double dragged(const struct thud_tui *tui)
+{
+    const struct thud_chart_window *window = &tui->window[THUD_SCREEN_PLOTS];
+    double at = thud_plots(tui)->time_s;
+    return isnan(tui->reading[THUD_SCREEN_PLOTS]) && (at < window->from || at > window->to) ? NAN : at;
+}
+
 static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_plots_state *p = thud_plots(tui);
@@ -172,15 +199,13 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
     if (!p->figure) {
         return thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), p->why);
     }
-    struct thud_chart chart = {.cursor = over_time(p->plot) ? p->time_s : NAN,
-                               .drawn = over_time(p->plot) ? &tui->chart : NULL};
-    double end = thud_plots_end(tui), from = fmax(0.0, fmin(p->time_s - 0.5 * p->span_s, end - p->span_s));
+    const struct thud_chart other = {.cursor = NAN},
+                            chart = over_time(p->plot) ? thud_tui_reading(tui, dragged(tui)) : other;
     for (int i = 0; i < p->figure->columns; i++) {
         struct thud_pane part =
             thud_pane_inside(pane, i * pane->w / p->figure->columns, 0, pane->w / p->figure->columns, pane->h);
         if (over_time(p->plot))
-            thud_panel_limits(&p->figure->panel[i], THUD_X, p->span_s > 0.0 ? from : 0.0,
-                              p->span_s > 0.0 ? from + p->span_s : end);
+            thud_panel_limits(&p->figure->panel[i], THUD_X, 0.0, thud_plots_end(tui));
         if (over_time(p->plot)) {
             struct thud_range whole = still_range(&p->figure->panel[i], p->playing);
             thud_panel_limits(&p->figure->panel[i], THUD_Y, whole.least, whole.most);
@@ -288,8 +313,8 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
         return tui->interface + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     bool of_time = action == THUD_DO_PLAY || action == THUD_DO_SCRUB_BACK || action == THUD_DO_SCRUB_FORWARD ||
                    action == THUD_DO_NEXT_IMPACT || action == THUD_DO_PREVIOUS_IMPACT ||
-                   action == THUD_DO_LARGEST_IMPACT || action == THUD_DO_ZOOM || action == THUD_DO_UNZOOM ||
-                   action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
+                   action == THUD_DO_LARGEST_IMPACT || action == THUD_DO_NEXT_CONTACT ||
+                   action == THUD_DO_PREVIOUS_CONTACT;
     return of_time && (!thud_plots_case(tui)) ? "There are no histories of this case: r runs, b is another case" : NULL;
 }
 
@@ -315,6 +340,19 @@ static void command(struct thud_tui *tui, const char *word, const char *rest)
     thud_plots(tui)->fresh = false;
 }
 
+/* A floor of the buildings that move leads to its row of the model. */
+static void click(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y)
+{
+    const struct thud_live_case *c = thud_plots_case(tui);
+    int structure = 0,
+        floor = c && index == MOVE ? thud_movement_floor(pane, &tui->doc.scene, c->model, c->run, x, y, &structure) : 0;
+    char key[THUD_PATH_MAX];
+    if (floor < 1)
+        return;
+    snprintf(key, sizeof key, "structures.%d.mass.%d", structure + 1, floor);
+    thud_tui_go_to_field(tui, key);
+}
+
 static void begin(struct thud_tui *tui)
 {
     *thud_plots(tui) = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER, ""}, .speed = 0.25};
@@ -327,5 +365,5 @@ static void release(struct thud_tui *tui)
 
 THUD_VIEW(plots, "Plots", PLOTS, .moved = true, .size = sizeof(struct thud_plots_state), .begin = begin,
           .free = release, .offer = offer, .command = command, .place = place, .act = act, .cannot = cannot,
-          .figure = figure, .next_figure = next_figure, .read_at = thud_plots_set_time, .history = history,
-          .words = words, .pause = thud_plots_pause, .tick = thud_plots_tick);
+          .figure = figure, .next_figure = next_figure, .read_at = thud_plots_set_time, .click = click,
+          .history = history, .words = words, .pause = thud_plots_pause, .tick = thud_plots_tick);

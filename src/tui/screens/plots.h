@@ -8,8 +8,9 @@
 struct thud_plots_state {
     enum thud_plot plot;
     struct thud_sight sight;
-    bool floor_chosen;     /* and not the program's own choice */
-    double time_s, span_s; /* cursor, and how much time is shown; span 0: all */
+    bool floor_chosen; /* and not the program's own choice */
+    double time_s;     /* of its cursor */
+    bool opened;       /* on the strong motion */
     bool playing;
     double speed, last_s;
     struct thud_figure *figure;

@@ -33,7 +33,7 @@ double thud_plots_end(struct thud_tui *tui)
 void thud_plots_set_time(struct thud_tui *tui, double t)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    p->time_s = fmax(0.0, fmin(thud_plots_end(tui), t));
+    p->time_s = tui->reading[THUD_SCREEN_PLOTS] = fmax(0.0, fmin(thud_plots_end(tui), t));
 }
 
 /* The floor of a contact that is no wall's and strikes. */
@@ -62,7 +62,7 @@ static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int dire
     }
     p->sight.contact = impact[best].contact;
     const struct thud_peak *force = &thud_run_result(c->run)->contact[impact[best].contact].force;
-    p->time_s = largest && force->value > 0 ? force->time_s : impact[best].start_s;
+    thud_plots_set_time(tui, largest && force->value > 0 ? force->time_s : impact[best].start_s);
     p->fresh = false;
     char speed[24];
     if (!(impact[best].force_n > 0.0)) {
@@ -78,21 +78,16 @@ static void to_impact(struct thud_tui *tui, struct thud_plots_state *p, int dire
                  1e3 * impact[best].indentation_m);
 }
 
-static void zoom(struct thud_tui *tui, struct thud_plots_state *p, double factor)
-{
-    double end = thud_plots_end(tui), span = (p->span_s > 0.0 ? p->span_s : end) * factor;
-    p->span_s = span >= end ? 0.0 : fmax(span, 1e-3);
-}
-
 bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
-    double step = (p->span_s > 0.0 ? p->span_s : thud_plots_end(tui)) / 100.0;
+    const struct thud_chart_window *window = &tui->window[THUD_SCREEN_PLOTS];
+    double step = (window->to > window->from ? window->to - window->from : thud_plots_end(tui)) / 100.0;
     switch (action) {
     case THUD_DO_PLAY:
         p->playing = !p->playing;
         if (p->playing && p->time_s >= thud_plots_end(tui))
-            p->time_s = 0.0;
+            thud_plots_set_time(tui, 0.0);
         p->last_s = tui->backend->now(tui->backend);
         return true;
     case THUD_DO_FASTER:
@@ -110,10 +105,6 @@ bool thud_plots_act_on_time(struct thud_tui *tui, enum thud_action action)
         return true;
     case THUD_DO_LARGEST_IMPACT:
         to_impact(tui, p, 1, true);
-        return true;
-    case THUD_DO_ZOOM:
-    case THUD_DO_UNZOOM:
-        zoom(tui, p, action == THUD_DO_ZOOM ? 1.0 / 3.0 : 3.0);
         return true;
     default:
         return false;

@@ -155,7 +155,7 @@ static const struct thud_figure *figure(struct thud_tui *tui)
 
 static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    struct thud_chart chart = thud_tui_reading(tui);
+    struct thud_chart chart = thud_tui_reading(tui, tui->reading[tui->screen]);
     char text[600];
     const struct thud_figure *shown = figure(tui);
     if (shown)
@@ -275,7 +275,8 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
 
 static int figures(struct thud_tui *tui)
 {
-    return tui->doc.record ? THUD_RECORD_CURVES + (thud_basket_figure(tui, &state(tui)->basket) != NULL) : 0;
+    bool suite = thud_basket_count(tui) > 0 && thud_basket_figure(tui, &state(tui)->basket);
+    return tui->doc.record ? THUD_RECORD_CURVES + suite : 0;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)

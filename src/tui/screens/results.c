@@ -18,6 +18,8 @@ enum { SORTS = 3, QUANTITIES = 6, ELASTIC_QUANTITIES = 4 };
 
 struct results_state {
     int which, sort, quantity; /* the case whose impacts and energies are shown, their order, the first quantity */
+    bool by_value;             /* the floors: the largest first quantity of the last case first */
+    char filter[48];           /* of what names a floor, or is known of an impact */
 };
 
 static struct results_state *state(const struct thud_tui *tui)
@@ -57,11 +59,13 @@ static enum thud_live_which shown(const struct thud_tui *tui)
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     static const char *const sort[] = {"by time", "by force", "by floor"};
+    const char *filter = state(tui)->filter, *with = *filter ? ", with " : "";
     if (index == PEAKS)
-        snprintf(text, size, "Peaks%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
-                 thud_tui_shows_old(tui) ? " before the edit" : "");
+        snprintf(text, size, "Peaks%s%s%s%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
+                 thud_tui_shows_old(tui) ? " before the edit" : "", state(tui)->by_value ? ", largest first" : "", with,
+                 filter);
     else if (index == IMPACTS)
-        snprintf(text, size, "Impacts, %s, %s", thud_live_name(shown(tui)), sort[state(tui)->sort]);
+        snprintf(text, size, "Impacts, %s, %s%s%s", thud_live_name(shown(tui)), sort[state(tui)->sort], with, filter);
     else
         snprintf(text, size, "How, and energy (%s)", thud_live_name(shown(tui)));
 }
@@ -113,6 +117,43 @@ static int floor_count(const struct thud_structure *structure)
                                            : structure->storeys + (structure->kind == THUD_ISOLATED);
 }
 
+struct place {
+    int s, floor;
+    double value;
+};
+
+/* From above, or by value where that is asked for. */
+static int by_value(const void *a, const void *b)
+{
+    double x = ((const struct place *)a)->value, y = ((const struct place *)b)->value;
+    return (x < y) - (x > y);
+}
+
+/* The floors that the filter lets through, in their order; free with free(). NULL: no memory. */
+static struct place *list_places(struct thud_tui *tui, enum thud_peak_kind kind, int *n)
+{
+    const struct thud_scene *scene = &tui->doc.scene;
+    const struct thud_live *live = &tui->run.live;
+    enum thud_live_which last =
+        live->which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    int all = 0;
+    *n = 0;
+    for (int s = 0; s < scene->nstructures; s++)
+        all += floor_count(&scene->structure[s]);
+    struct place *place = malloc((size_t)(all > 0 ? all : 1) * sizeof *place);
+    for (int s = 0; place && s < scene->nstructures; s++)
+        for (int floor = floor_count(&scene->structure[s]) - 1; floor >= 0; floor--) {
+            char text[THUD_NAME_MAX + 16];
+            double value = thud_live_floor(live, last, s, floor, kind);
+            snprintf(text, sizeof text, "%s %d", scene->structure[s].name, floor + 1);
+            if (strstr(text, state(tui)->filter))
+                place[(*n)++] = (struct place){s, floor, isnan(value) ? -1.0 : value};
+        }
+    if (place && state(tui)->by_value && *n > 1)
+        qsort(place, (size_t)*n, sizeof *place, by_value);
+    return place;
+}
+
 static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
 {
     static const struct {
@@ -141,23 +182,28 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
         thud_pane_put(pane, left + 29 * c, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[(first + c) % all].head);
     if (columns < all)
         thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
-    for (int s = 0; s < tui->doc.scene.nstructures; s++)
-        for (int floor = floor_count(&tui->doc.scene.structure[s]) - 1; floor >= 0; floor--, y++) {
+    int n;
+    struct place *place = list_places(tui, column[first].kind, &n);
+    for (int i = 0; place && i < n; i++, y += 1 + (pinned != NULL)) {
+        int s = place[i].s, floor = place[i].floor;
+        char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
+        snprintf(key, sizeof key, "floor %d %d", s, floor);
+        snprintf(text, sizeof text, "%s %d",
+                 thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
+        thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
+        if (pinned)
+            thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), thud_tui_pin_name(tui));
+        for (int c = 0; c < columns; c++) {
+            enum thud_peak_kind kind = column[(first + c) % all].kind;
+            double factor = column[(first + c) % all].factor;
+            quantity(tui, pane, left + 29 * c, y, s, floor, kind, factor);
             if (pinned)
-                thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), thud_tui_pin_name(tui));
-            for (int c = 0; pinned && c < columns; c++)
-                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, column[(first + c) % all].kind,
-                                column[(first + c) % all].factor);
-            char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
-            snprintf(key, sizeof key, "floor %d %d", s, floor);
-            snprintf(text, sizeof text, "%s %d",
-                     thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
-            thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
-            for (int c = 0; c < columns; c++)
-                quantity(tui, pane, left + 29 * c, y, s, floor, column[(first + c) % all].kind,
-                         column[(first + c) % all].factor);
-            y += pinned != NULL;
+                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, kind, factor);
         }
+    }
+    if (n == 0)
+        thud_field_note(pane, y++, "no floor's name has \"%s\"", state(tui)->filter);
+    free(place);
     return y;
 }
 
@@ -224,8 +270,8 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
     bool wide = pane->w >= 66;
     thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "      t s  fl.    v m/s     F MN%s",
                     wide ? "     d mm       ms       e   kJ lost" : "");
-    int n = count < IMPACTS_MAX ? count : IMPACTS_MAX;
-    for (int i = 0; i < n; i++) {
+    int n = 0;
+    for (int i = 0; i < count && n < IMPACTS_MAX; i++) {
         char key[48], text[160], v[24], f[24], place[24];
         bool several = tui->doc.scene.nstructures > 2;
         if (several)
@@ -238,12 +284,14 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
                  row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
         if (wide)
             impact_rest(&row[i].impact, text, sizeof text);
-        thud_field_line(tui, IMPACTS, pane, i + 1, i, key, text);
+        if (strstr(text, state(tui)->filter))
+            thud_field_line(tui, IMPACTS, pane, ++n, i, key, text);
     }
     if (count == 0)
         thud_field_note(pane, 1, "none: the structures do not meet");
-    if (n < count)
-        thud_field_note(pane, n + 1, "and %d more (:run -o DIR writes them all)", count - n);
+    else if (n < count)
+        thud_field_note(pane, n + 1, "and %d more (%s)", count - n,
+                        *state(tui)->filter ? "f filters" : ":run -o DIR writes them all");
     free(row);
     return n + 1 + (n < count || count == 0);
 }
@@ -315,9 +363,19 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     return index == PEAKS ? draw_peaks(tui, pane) : index == IMPACTS ? draw_impacts(tui, pane) : draw_how(tui, pane);
 }
 
+static void filter(struct thud_tui *tui, const char *text)
+{
+    snprintf(state(tui)->filter, sizeof state(tui)->filter, "%.47s", text);
+}
+
 static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
-    if (action == THUD_DO_SORT) {
+    static const struct thud_prompt prompt = {.words = "rows that contain: ", .done = filter};
+    if (action == THUD_DO_FILTER) {
+        thud_tui_prompt(tui, &prompt, state(tui)->filter);
+    } else if (action == THUD_DO_SORT && tui->form.pane[THUD_SCREEN_RESULTS] == PEAKS) {
+        state(tui)->by_value = !state(tui)->by_value;
+    } else if (action == THUD_DO_SORT) {
         state(tui)->sort = (state(tui)->sort + 1) % SORTS;
         if (tui->form.pane[THUD_SCREEN_RESULTS] == IMPACTS) /* the first of the new order */
             tui->form.focus[THUD_SCREEN_RESULTS][0] = '\0';

@@ -112,7 +112,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
         return thud_sweep_form_draw(tui, FORM, pane);
     refresh(tui);
     if (s->shown) {
-        struct thud_chart chart = thud_tui_reading(tui);
+        struct thud_chart chart = thud_tui_reading(tui, tui->reading[tui->screen]);
         chart.here = here(tui, s);
         chart.has_here = !isnan(chart.here);
         thud_chart_figure(pane, s->shown, s->panel, &chart);

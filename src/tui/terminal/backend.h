@@ -31,6 +31,7 @@ enum {
     THUD_KEY_CLICK,    /* where: thud_backend.click_x, click_y */
     THUD_KEY_WHEEL_UP, /* as well */
     THUD_KEY_WHEEL_DOWN,
+    THUD_KEY_DRAG,          /* moved with the button down */
     THUD_KEY_PASTE,         /* what: thud_backend.paste */
     THUD_KEY_HANGUP,        /* no more keys will come */
     THUD_KEY_ALT = 0x400000 /* added to a code point */
@@ -63,7 +64,7 @@ enum thud_status thud_term_open(struct thud_backend *backend, const struct thud_
 void thud_term_close(struct thud_backend *backend);
 
 /* A script: keys come from text with names in angle brackets (`5<Enter>`, `<C-r>`, `<A-2>`, `<Size 80x24>`,
- * `<Click 12,3>`: column and row from 0); time stands still unless told. */
+ * `<Click 12,3>`, `<Drag 12,3>`, `<WheelUp 12,3>`: column and row from 0); time stands still unless told. */
 struct thud_script {
     const char *at;
     const char *paste; /* what `<Paste>` pastes */

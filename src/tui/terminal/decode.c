@@ -85,6 +85,8 @@ static int mouse(struct thud_decode *decode, int button, int x, int y, bool pres
     decode->mouse_y = y > 0 ? y - 1 : 0;
     if (button == 64 || button == 65)
         return button == 64 ? THUD_KEY_WHEEL_UP : THUD_KEY_WHEEL_DOWN;
+    if (button == 32)
+        return THUD_KEY_DRAG;
     return button == 0 && pressed ? THUD_KEY_CLICK : THUD_KEY_NONE;
 }
 

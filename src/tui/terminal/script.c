@@ -54,9 +54,17 @@ static int named_key(struct thud_backend *backend, const char *name)
         thud_scan_count(&at, &script->height))
         return THUD_KEY_RESIZE;
     at = name;
-    if (thud_scan_word(&at, "Click ") && thud_scan_count(&at, &backend->click_x) && thud_scan_word(&at, ",") &&
-        thud_scan_count(&at, &backend->click_y))
-        return THUD_KEY_CLICK;
+    static const struct {
+        const char *name;
+        int key;
+    } pointer[] = {{"Click ", THUD_KEY_CLICK},
+                   {"Drag ", THUD_KEY_DRAG},
+                   {"WheelUp ", THUD_KEY_WHEEL_UP},
+                   {"WheelDown ", THUD_KEY_WHEEL_DOWN}};
+    for (size_t i = 0; i < sizeof pointer / sizeof *pointer; i++, at = name)
+        if (thud_scan_word(&at, pointer[i].name) && thud_scan_count(&at, &backend->click_x) &&
+            thud_scan_word(&at, ",") && thud_scan_count(&at, &backend->click_y))
+            return pointer[i].key;
     if (strncmp(name, "C-", 2) == 0 && name[2])
         return THUD_CTRL(name[2]);
     if (strncmp(name, "A-", 2) == 0 && name[2])

@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-/* Reports of the mouse (xterm: presses and the wheel, decimal), pasted text between marks; and neither. */
-#define THUD_MOUSE_ON  "\033[?1000h\033[?1006h"
-#define THUD_MOUSE_OFF "\033[?1006l\033[?1000l"
+/* Reports of the mouse (xterm: presses, the wheel, moves with a button down; decimal), pasted text between marks; and neither. */
+#define THUD_MOUSE_ON  "\033[?1002h\033[?1006h"
+#define THUD_MOUSE_OFF "\033[?1006l\033[?1002l"
 #define THUD_PASTE_ON  "\033[?2004h"
 #define THUD_PASTE_OFF "\033[?2004l"
 

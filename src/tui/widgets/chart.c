@@ -141,7 +141,7 @@ static size_t nearest(const double *at, size_t n, double value)
     return best;
 }
 
-static double value_at(const struct thud_range *range, bool log, double along)
+double thud_chart_at(const struct thud_range *range, bool log, double along)
 {
     return log ? range->least * pow(range->most / range->least, along)
                : range->least + along * (range->most - range->least);
@@ -157,8 +157,8 @@ static void draw_map(struct drawing *d, const struct thud_map *map)
     const struct thud_pane *pane = &d->dots.pane;
     for (int row = 0; row < pane->h; row++)
         for (int column = 0; column < pane->w; column++) {
-            double x = value_at(&d->frame->x, d->frame->x_log, (column + 0.5) / pane->w);
-            double y = value_at(&d->frame->y, d->frame->y_log, 1.0 - (row + 0.5) / pane->h);
+            double x = thud_chart_at(&d->frame->x, d->frame->x_log, (column + 0.5) / pane->w);
+            double y = thud_chart_at(&d->frame->y, d->frame->y_log, 1.0 - (row + 0.5) / pane->h);
             double z = map->z[nearest(map->y, map->ny, y) * map->nx + nearest(map->x, map->nx, x)];
             if (!isfinite(z))
                 continue;
@@ -226,13 +226,49 @@ static unsigned char pattern_of(const struct drawing *d, const struct thud_serie
     return number < 0 ? 0 : pattern[number % (int)sizeof pattern];
 }
 
+/* Moves a window of `all` into it; one that has no room is none. */
+static struct thud_chart_window within(const struct thud_range *all, bool log, double low, double high)
+{
+    double over = low < 0.0 ? -low : high > 1.0 ? 1.0 - high : 0.0;
+    if (!(high - low < 0.999) || !(high > low))
+        return (struct thud_chart_window){0.0, 0.0};
+    return (struct thud_chart_window){thud_chart_at(all, log, low + over), thud_chart_at(all, log, high + over)};
+}
+
+struct thud_chart_window thud_chart_zoom(const struct thud_chart_frame *frame, double factor, double at)
+{
+    static const double least = 1e-5; /* of all */
+    double low = thud_chart_along(&frame->all, frame->x_log, frame->x.least),
+           high = thud_chart_along(&frame->all, frame->x_log, frame->x.most),
+           here = thud_chart_along(&frame->all, frame->x_log, at);
+    if (!(here >= low && here <= high))
+        here = 0.5 * (low + high);
+    if (factor * (high - low) < least)
+        return within(&frame->all, frame->x_log, low, high);
+    return within(&frame->all, frame->x_log, here - factor * (here - low), here + factor * (high - here));
+}
+
+struct thud_chart_window thud_chart_pan(const struct thud_chart_frame *frame, double part)
+{
+    double low = thud_chart_along(&frame->all, frame->x_log, frame->x.least),
+           high = thud_chart_along(&frame->all, frame->x_log, frame->x.most), by = part * (high - low);
+    return within(&frame->all, frame->x_log, low + by, high + by);
+}
+
 void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *panel, const struct thud_chart *chart)
 {
     struct thud_chart_frame frame;
+    struct thud_panel zoomed = *panel;
+    const struct thud_range all = thud_panel_range(panel, THUD_X);
+    if (chart->window.to > chart->window.from) {
+        thud_panel_limits(&zoomed, THUD_X, chart->window.from, chart->window.to);
+        panel = &zoomed;
+    }
     if (!thud_chart_axes(pane, panel, &frame)) {
         thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "more room is needed for this chart");
         return;
     }
+    frame.all = all;
     if (chart->drawn)
         *chart->drawn = frame;
     struct drawing d = {.frame = &frame};
