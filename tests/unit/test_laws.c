@@ -414,7 +414,20 @@ START_TEST(stiffness_goes_with_exponent)
 }
 END_TEST
 
-Suite *thud_suite(void);
+/* Trial values of an iteration that runs away may not pass for a force. */
+START_TEST(numbers_without_bounds_do_not_pass_for_forces)
+{
+    const double k = 0.36e3 * 8.9e7, column = _i ? 3e8 : 0;
+    const struct thud_branch b = {.K = k, .p = 2.65, .D = 1.3 * k, .r = 2.65, .column_npm = column};
+    double fd, fv;
+    ck_assert(isnan(thud_branch_force(&b, NAN, 0, &fd, &fv)));
+    ck_assert(isnan(thud_branch_force(&b, 0.01, NAN, &fd, &fv)));
+    ck_assert(!isfinite(thud_branch_force(&b, 0.01, INFINITY, &fd, &fv)));
+    ck_assert(!(thud_branch_force(&b, INFINITY, 0, &fd, &fv) < 1e100));
+    ck_assert(isfinite(thud_branch_force(&b, 0.01, 1, &fd, &fv)) && isfinite(fd) && isfinite(fv));
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("laws");
@@ -429,6 +442,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, edges);
     tcase_add_test(tests, elastic_energy);
     tcase_add_test(tests, touch_and_floor);
+    tcase_add_loop_test(tests, numbers_without_bounds_do_not_pass_for_forces, 0, 2); /* 1: with columns */
     tcase_add_test(tests, plain_restitution);
     tcase_add_test(tests, jankowski_exponent);
     tcase_add_test(tests, stiffness_goes_with_exponent);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/largest.h"
-#include "core/motion/branch_batch.h"
 #include "core/motion/nodes.h"
 #include "core/motion/response.h"
 #include "core/numerics/poly.h"
@@ -108,6 +107,18 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
+/* The law and its derivatives at THUD_BATCH points. At d <= 0 the linear part alone counts: a power below 1 has no slope
+ * at d = 0 that Newton's method could use. */
+static void law_at_points(const struct thud_branch *b, const double *d, const double *v, double *force, double *df_dd,
+                          double *df_dv)
+{
+    for (int i = 0; i < THUD_BATCH; i++) {
+        force[i] = thud_branch_force(b, d[i], v[i], &df_dd[i], &df_dv[i]);
+        if (!(d[i] > 0))
+            df_dd[i] = b->k_npm;
+    }
+}
+
 /* Indentation at the state, as the step takes it: at contact onset the contact has not moved yet. */
 static double indentation_now(const struct thud_state *state, int c)
 {
@@ -164,7 +175,7 @@ static double force_difference(const struct thud_state *state, const struct thud
         return worst;
     }
     worst = start_difference(state, x, a);
-    thud_branch_batch(thud_row_branch(state, c), d + LAST, v + LAST, law, law_d, law_v);
+    law_at_points(thud_row_branch(state, c), d + LAST, v + LAST, law, law_d, law_v);
     struct thud_batch difference = thud_batch_at(law);
     for (int k = 0; k < NODES; k++)
         thud_batch_add(&difference, -force[k], x->last[k]);
@@ -412,8 +423,8 @@ static void evaluate_laws(const struct thud_state *state, struct thud_collocatio
         const int c = x->active[a];
         int at = a * THUD_BATCH, point = a * THUD_POINTS;
         if (!thud_row_sticks(state, c))
-            thud_branch_batch(thud_row_branch(state, c), x->d + point, x->v + point, x->law + at, x->law_d + at,
-                              x->law_v + at);
+            law_at_points(thud_row_branch(state, c), x->d + point, x->v + point, x->law + at, x->law_d + at,
+                          x->law_v + at);
     }
     state->work->force_evaluations += x->nactive * NODES;
 }
@@ -585,7 +596,7 @@ static void begin_force(const struct thud_state *state, const struct thud_colloc
             d[i] = place + 0.5 * rate * h * x->point[i];
             v[i] = rate;
         }
-        thud_branch_batch(thud_row_branch(state, c), d, v, force, fd, fv);
+        law_at_points(thud_row_branch(state, c), d, v, force, fd, fv);
         for (int i = 0; i < THUD_BATCH; i++)
             force[i] = thud_larger(now, 0.5 * force[i]);
     } else {

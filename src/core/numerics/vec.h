@@ -57,12 +57,7 @@ static inline bool thud_vec2_any(thud_vec2_bits where)
     return (where[0] | where[1]) != 0;
 }
 
-/* x where the bits are 1, else 0; or else `otherwise`. */
-static inline thud_vec2 thud_vec2_only(thud_vec2_bits where, thud_vec2 x)
-{
-    return (thud_vec2)((thud_vec2_bits)x & where);
-}
-
+/* x where the bits are 1, else `otherwise`. */
 static inline thud_vec2 thud_vec2_choose(thud_vec2_bits where, thud_vec2 x, thud_vec2 otherwise)
 {
     return (thud_vec2)(((thud_vec2_bits)x & where) | ((thud_vec2_bits)otherwise & ~where));
