@@ -167,23 +167,52 @@ static void quartic(const double *f, double *c, int stride)
     c[4 * stride] = (32 * f[0] - 128 * f[1] + 192 * f[2] - 128 * f[3] + 32 * f[4]) / 3;
 }
 
+/* Value at s = 0 of the cubic through the points after it. */
+static double start_of_cubic(const double f[POINTS])
+{
+    return 4 * f[1] - 6 * f[2] + 4 * f[3] - f[4];
+}
+
+/* Whether a force that begins with the step jumps there rather than rises, as c v does under damping that goes with a low
+ * power of the indentation: the cubic through the other points then lies nearer to `eighth`, its value at s = 1/8. The
+ * quartic overshoots between the first two points however short the step is. */
+static bool jumps(const double f[POINTS], double eighth)
+{
+    const double weight = 35.0 / 128, /* of f[0] in the quartic's value at 1/8 */
+        by_others = (35 * 4 * f[1] - 70 * f[2] + 28 * f[3] - 5 * f[4]) / 128,
+                 by_cubic = by_others + weight * start_of_cubic(f);
+    return fabs(by_others + weight * f[0] - eighth) > fabs(by_cubic - eighth);
+}
+
+/* Forces of the rows at s into out. */
+static void forces_at(const struct thud_state *state, const struct thud_segment *seg, double s,
+                      struct thud_motion *work, double *out)
+{
+    thud_segment_state(seg, state->model->nmodes, s, work->q, work->qd);
+    thud_step_motion(state, work, s * seg->h_s);
+    memcpy(out, work->force, (size_t)state->model->nrows * sizeof *out);
+}
+
 static void write_forces(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
                          const struct thud_motion *end, struct thud_motion *work)
 {
-    int nc = state->model->nrows;
-    size_t bytes = (size_t)nc * sizeof *seg->force;
-    memcpy(seg->force, start->force, bytes); /* values at the points, and then coefficients */
-    for (int i = 1; i < POINTS - 1; i++) {
-        double s = (double)i / (POINTS - 1);
-        thud_segment_state(seg, state->model->nmodes, s, work->q, work->qd);
-        thud_step_motion(state, work, s * seg->h_s);
-        memcpy(seg->force + i * nc, work->force, bytes);
-    }
-    memcpy(seg->force + (POINTS - 1) * nc, end->force, bytes);
+    const int nc = state->model->nrows;
+    bool begins = false;
+    memcpy(seg->force, start->force, (size_t)nc * sizeof *seg->force); /* values at the points, and then coefficients */
+    memcpy(seg->force + (POINTS - 1) * nc, end->force, (size_t)nc * sizeof *seg->force);
+    for (int i = 1; i < POINTS - 1; i++)
+        forces_at(state, seg, (double)i / (POINTS - 1), work, seg->force + i * nc);
+    for (int c = 0; c < nc; c++)
+        begins = begins || (start->force[c] == 0 && seg->force[nc + c] != 0);
+    if (begins)
+        forces_at(state, seg, 1.0 / 8, work, seg->force + POINTS * nc);
     for (int c = 0; c < nc; c++) {
         double value[POINTS];
         for (int i = 0; i < POINTS; i++)
             value[i] = seg->force[i * nc + c];
+        if (value[0] == 0 && value[1] != 0 && jumps(value, seg->force[POINTS * nc + c]))
+            value[0] = start_of_cubic(value);
+        seg->force[POINTS * nc + c] = 0;
         quartic(value, seg->force + c, nc);
     }
 }
