@@ -26,8 +26,16 @@ static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, c
 struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
 {
     struct thud_floor_result *r = &result->structure[structure].floor[floor];
-    struct thud_peak *peak[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift};
-    return peak[quantity];
+    switch (quantity) {
+    case 0:
+        return &r->displacement;
+    case 1:
+        return &r->velocity;
+    case 2:
+        return &r->acceleration;
+    default:
+        return &r->drift;
+    }
 }
 
 /* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
