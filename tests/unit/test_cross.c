@@ -173,6 +173,38 @@ START_TEST(scenes_that_had_no_answer)
 }
 END_TEST
 
+/* Impulses at speeds that are taken as rest, whose sum of energies is rounding's. It chatters for long: its first
+ * steps. */
+START_TEST(impulses_at_rest_give_no_energy)
+{
+    struct scenes_one one;
+    struct scenes_solution solution;
+    scenes_draw(&one, SCENES_WIDE + 299);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-9, .slice = 100, .most = 1500}, &solution);
+    ck_assert_msg(solution.status == THUD_OK, "%s", solution.err.what);
+    scenes_answer_clear(&solution);
+    scenes_clear(&one);
+}
+END_TEST
+
+/* Damping that goes with a low power of the indentation: the force of a slab on a column all but jumps right after contact
+ * onset, and is largest in Dormand-Prince's first step, whose polynomial must not go beyond it. */
+START_TEST(forces_that_jump_at_onset)
+{
+    struct scenes_one one;
+    struct scenes_solution exact, other;
+    int at;
+    scenes_draw(&one, SCENES_COLUMNS + 579);
+    scenes_run(&one, &(struct scenes_options){.tolerance = 1e-8}, &exact);
+    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .tolerance = 1e-6}, &other);
+    double off = scenes_apart(&other, &exact, 1e-2, NULL, 0, &at);
+    ck_assert_msg(off < 1e-5, "%s: off by %g", scenes_kind_name(exact.number[at].kind), off);
+    scenes_answer_clear(&exact);
+    scenes_answer_clear(&other);
+    scenes_clear(&one);
+}
+END_TEST
+
 /* Equal neighbours whose forces differ by rounding: one more that rounding now held and now let go, with its ground motion
  * or stiffness changed by 1e-9. */
 START_TEST(equal_neighbours_do_not_switch_without_end)
@@ -291,6 +323,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, guesses_stay_near_the_last_step);
     tcase_add_test(tcase, stiff_contacts_do_not_chatter);
     tcase_add_test(tcase, equal_neighbours_do_not_switch_without_end);
+    tcase_add_test(tcase, impulses_at_rest_give_no_energy);
+    tcase_add_test(tcase, forces_that_jump_at_onset);
     tcase_add_loop_test(tcase, scenes_that_had_no_answer, 0, 11);
     suite_add_tcase(suite, tcase);
     return suite;
