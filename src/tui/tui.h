@@ -18,6 +18,7 @@ struct thud_tui_options {
     const struct thud_paths *paths; /* where presets and records are found; NULL: looked for */
     const char *output;             /* folder for pictures and tables; NULL: the working folder */
     const char *play;               /* a session to be played; NULL: none */
+    const char *program;            /* that runs commands beside the screens; NULL: this one */
     const char *gnuplot;            /* the program that draws pictures; NULL: `gnuplot` from PATH */
     bool ascii;                     /* no glyph beyond ASCII, also where the terminal has them */
     bool live_off;                  /* edits do not run at once */

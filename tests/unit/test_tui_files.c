@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/run/command.h"
 #include "tui/loop/play.h"
 #include "tui/terminal/config.h"
 #include "tui_fixture.h"
@@ -531,6 +532,68 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
+/* A program that is this shell script. */
+static void use_program(char *path, size_t size, const char *script)
+{
+    snprintf(path, size, "%s/thud.sh", f.folder);
+    FILE *file = fopen(path, "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "#!/bin/sh\n%s\n", script);
+    ck_assert_int_eq(fclose(file), 0);
+    ck_assert_int_eq(chmod(path, 0755), 0);
+    f.tui->options.program = path;
+}
+
+/* The form has the command's own options; what is filled in is what the command gets, on the file that is open. Progress is
+ * said while it runs, then the files or what it prints. */
+START_TEST(commands_have_forms)
+{
+    char program[200], expected[300];
+    ck_assert_int_eq(chdir(f.folder), 0);
+    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
+    fixture_keys(&f, ":set gap 3 cm<Enter>R");
+    fixture_expect(&f, "w saves them first");
+    fixture_keys(&f, "uR");
+    fixture_expect(&f, "thud report: a document about your buildings");
+    fixture_keys(&f, "<Down>"); /* the next one is the command's own */
+    ck_assert_str_eq(thud_option_at(0)->name, "set");
+    fixture_keys(&f, "<Size 80x40>");
+    fixture_expect(&f, "--project TEXT");
+    char *screen = fixture_text(&f);
+    int row = 0;
+    for (const char *at = strstr(screen, "-o DIR"), *to = strstr(screen, "--project"); at && at < to; at++)
+        row += *at == '\n';
+    free(screen);
+    for (int i = 1; i < row; i++)
+        fixture_keys(&f, "<Down>");
+    fixture_keys(&f, "Two towers<Enter>");
+    fixture_expect(&f, "Written report.html");
+    char *said = fixture_file(&f, "said");
+    snprintf(expected, sizeof expected, "[report][%s/towers.yaml][-o][towers-report][--project][Two towers]", f.folder);
+    ck_assert_str_eq(said, expected);
+    free(said);
+    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; echo ' a table'; echo 'of two rows'");
+    fixture_keys(&f, ":export opensees --case none<Enter>");
+    fixture_expect(&f, "of two rows");
+    said = fixture_file(&f, "said");
+    snprintf(expected, sizeof expected, "[export][opensees][%s/towers.yaml][--case][none]", f.folder);
+    ck_assert_str_eq(said, expected);
+    free(said);
+    use_program(program, sizeof program, "echo 'half of it' >&2; exit 3");
+    fixture_keys(&f, "<Esc>:gap<Enter><Enter>");
+    fixture_expect(&f, "! thud gap: half of it");
+    use_program(program, sizeof program, "echo working >&2; exec sleep 1000");
+    fixture_expect(&f, "thud gap");
+    thud_tui_command(f.tui, "gap -j 1");
+    while (strcmp(f.tui->said.text, "thud gap: working") != 0)
+        thud_tui_turn(f.tui, true);
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "thud gap  Esc stops");
+    fixture_keys(&f, "<Esc>");
+    fixture_expect(&f, "thud gap was stopped");
+}
+END_TEST
+
 /* Tabs between columns, as a spreadsheet takes them; of a chart its data. */
 START_TEST(numbers_are_copied)
 {
@@ -629,6 +692,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
     tcase_add_test(files, the_walk_of_an_engineer);
+    tcase_add_test(files, commands_have_forms);
     tcase_add_test(files, numbers_are_copied);
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);

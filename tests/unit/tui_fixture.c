@@ -108,7 +108,8 @@ void fixture_open(struct fixture *f, const char *preset, int width, int height, 
     fixture_write(f, "shipped/bodies.yaml", bodies);
     snprintf(name, sizeof name, "%s/%s.yaml", f->folder, preset);
     thud_script_open(&f->backend, &f->script, width, height, utf8);
-    struct thud_tui_options options = {.preset = name, .paths = &f->paths, .output = f->folder};
+    struct thud_tui_options options = {
+        .preset = name, .paths = &f->paths, .output = f->folder, .program = "/nowhere/thud"};
     enum thud_status status = thud_tui_create(&options, &f->backend, &f->tui, &err);
     ck_assert_msg(status == THUD_OK, "%s", thud_error_text(&err, text, sizeof text));
     fixture_keys(f, "");
@@ -143,7 +144,7 @@ void fixture_keys(struct fixture *f, const char *keys)
     for (int i = 0; i < 1000000 && (*f->script.at || thud_tui_turn(f->tui, false)) && !f->tui->end.quit; i++)
         if (*f->script.at)
             thud_tui_turn(f->tui, false);
-    while (f->tui->files.work)
+    while (f->tui->files.work || f->tui->files.command)
         thud_tui_turn(f->tui, true);
     thud_tui_draw(f->tui);
 }

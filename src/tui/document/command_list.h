@@ -1,5 +1,6 @@
 /* The commands of the `:` line: word, short word, what follows, and what it does: a function, a key of the scene whose
- * value follows, the action of a key, or a command of a screen. */
+ * value follows, the action of a key, a command of a screen, or one of the
+ * command line, run on this preset. */
 THUD_RUN("set", "", "KEY VALUE", set)
 THUD_RUN("case", "", "none|bumper|cavity|link", case)
 THUD_SET("title", "TEXT", "title")
@@ -35,6 +36,13 @@ THUD_RUN("screen", "", "NAME", screen)
 THUD_RUN("figures", "", "[SCREEN]", figures)
 THUD_RUN("picture", "", "[SCREEN [FIGURE]]", picture)
 THUD_RUN("table", "", "[SCREEN [FIGURE]]", table)
+THUD_CLI("report", REPORT)
+THUD_CLI("gap", GAP)
+THUD_CLI("fragility", FRAGILITY)
+THUD_CLI("uncertainty", UNCERTAINTY)
+THUD_CLI("stiffness", STIFFNESS)
+THUD_CLI("export", EXPORT)
+THUD_CLI("verify", VERIFY)
 THUD_ACT("undo", "", UNDO)
 THUD_ACT("redo", "", REDO)
 THUD_ACT("pin", "", PIN)

@@ -85,6 +85,8 @@ THUD_KEY(GENERAL, SHELF, 'F', 0, "F", "+figures",
 THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
 THUD_KEY(GENERAL, COPY, 'y', 0, "y", "+copy",
          "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
+THUD_KEY(GENERAL, REPORT, 'R', 0, "R", "+report",
+         "the form of `thud report`: a document about this preset (:gap, :fragility, :export and others have one too)")
 THUD_KEY(GENERAL, ZOOM, 'z', 0, "z", "zoom",
          "show less of the chart, around its cursor (the wheel: around the pointer; dragging moves it)")
 THUD_KEY(GENERAL, UNZOOM, 'Z', 0, "Z", "+wider", "show more of the chart")
@@ -131,8 +133,8 @@ THUD_KEY_AGAIN(CHOOSING, DOWN, THUD_KEY_DOWN, 0, "Down", "move", "down")
 THUD_KEY_AGAIN(CHOOSING, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "a page up")
 THUD_KEY_AGAIN(CHOOSING, PAGE_DOWN, THUD_KEY_PAGE_DOWN, 0, "PgDn", "", "a page down")
 THUD_KEY_AGAIN(CHOOSING, CLEAR, THUD_CTRL('u'), 0, "^U", "clear", "clear what was typed to narrow the list")
-THUD_KEY_AGAIN(NEW, ACCEPT, THUD_KEY_ENTER, 0, "Enter", "make it",
-               "make the scene of what stands there, and go to Model")
+THUD_KEY_AGAIN(NEW, ACCEPT, THUD_KEY_ENTER, 0, "Enter", "do it",
+               "make the scene of what stands there, and go to Model; in the form of a command, run it")
 THUD_KEY_AGAIN(NEW, CANCEL, THUD_KEY_ESC, 0, "Esc", "cancel", "back to what was there")
 THUD_KEY_AGAIN(NEW, ACCEPT_NEXT, THUD_KEY_TAB, 0, "Tab", "next",
                "the next value; on the ground motion the first file that fits what was typed")
@@ -141,6 +143,7 @@ THUD_KEY_AGAIN(NEW, ACCEPT_DOWN, THUD_KEY_DOWN, 0, "Down", "down", "the value be
 THUD_KEY_AGAIN(NEW, ACCEPT_UP, THUD_KEY_UP, 0, "Up", "", "the value above")
 THUD_KEY_AGAIN(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take its mark away")
 THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")
+THUD_KEY_AGAIN(SHELF, REPORT, 'R', 0, "R", "report", "the form of the report")
 THUD_KEY_AGAIN(SHELF, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen; what is marked stays so")
 THUD_KEY_AGAIN(SHELF, UP, THUD_KEY_UP, 'k', "Up", "", "the figure above")
 THUD_KEY_AGAIN(SHELF, DOWN, THUD_KEY_DOWN, 'j', "Down", "~Up/Down look", "the figure below")

@@ -164,16 +164,17 @@ struct thud_running {
 
 /* Figures and tables that are written. */
 struct thud_files {
-    char folder[512];               /* empty: as given at the start */
-    char wrote[8192];               /* names of the files written so far, one a line */
-    char marked[1024];              /* screen and name of figures, likewise */
-    struct thud_picture_work *work; /* figures being written; NULL: none */
-    int done, count;                /* as last looked at */
-    int screen;                     /* on which that was asked for */
-    enum thud_image picture;        /* one covers the screen, in this way, until the next key */
-    char written[700];              /* what is written then */
-    bool pictures_wanted;           /* once the run has its histories */
-    enum thud_action whole_wanted;  /* what is done once it has them whole: PICTURE or EXPORT */
+    char folder[512];                  /* empty: as given at the start */
+    char wrote[8192];                  /* names of the files written so far, one a line */
+    char marked[1024];                 /* screen and name of figures, likewise */
+    struct thud_picture_work *work;    /* figures being written; NULL: none */
+    struct thud_command_work *command; /* a command that runs; NULL: none */
+    int done, count;                   /* as last looked at */
+    int screen;                        /* on which that was asked for */
+    enum thud_image picture;           /* one covers the screen, in this way, until the next key */
+    char written[700];                 /* what is written then */
+    bool pictures_wanted;              /* once the run has its histories */
+    enum thud_action whole_wanted;     /* what is done once it has them whole: PICTURE or EXPORT */
 };
 
 /* What another screen is to show: an impact, or a floor. */

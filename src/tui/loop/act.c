@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/run/command.h"
+#include "tui/document/command_work.h"
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 
@@ -23,6 +25,10 @@ static void undo(struct thud_tui *tui, bool back)
 
 static void back(struct thud_tui *tui)
 {
+    if (tui->files.command) {
+        thud_command_work_stop(tui->files.command);
+        return;
+    }
     if (tui->files.work) { /* it lasts longest */
         thud_picture_work_stop(tui->files.work);
         return;
@@ -191,6 +197,9 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         break;
     case THUD_DO_STATES:
         thud_tui_list_states(tui);
+        break;
+    case THUD_DO_REPORT:
+        thud_tui_verb_form(tui, THUD_COMMAND_REPORT);
         break;
     case THUD_DO_SHELF:
         thud_tui_shelf(tui);

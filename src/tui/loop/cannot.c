@@ -56,6 +56,9 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_LEAP_UP:
     case THUD_DO_LEAP_DOWN:
         return steps(tui) ? NULL : "The cursor is on no number";
+    case THUD_DO_REPORT:
+        return thud_doc_unsaved(&tui->doc) ? "A report is of the file, and there are changes: w saves them first"
+                                           : NULL;
     case THUD_DO_ZOOM:
     case THUD_DO_UNZOOM:
         return tui->chart.plot.w > 1 ? own : "There is no chart to be read here";
@@ -66,16 +69,16 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_REMARKS:
         return thud_tui_cannot_list_remarks(tui);
     case THUD_DO_PICTURE:
-        if (tui->files.work)
-            return "Figures are being written; Esc stops that";
+        if (tui->files.work || tui->files.command)
+            return "Files are being written; Esc stops that";
         return view->figure && view->figure(tui) ? own : "There is no figure on this screen now";
     case THUD_DO_EXPORT:
         return (view->export_csv && !view->figure) || (view->figure && view->figure(tui))
                    ? own
                    : "There is no figure on this screen now";
     case THUD_DO_PICTURES:
-        if (tui->files.work)
-            return "Figures are being written; Esc stops that";
+        if (tui->files.work || tui->files.command)
+            return "Files are being written; Esc stops that";
         return tui->run.live.running || tui->run.revision != tui->doc.revision ? "There are no results yet: r runs"
                                                                                : own;
     default:

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/run/command.h"
 #include "base/ascii.h"
 #include "base/nearest.h"
 #include "base/scan.h"
@@ -17,6 +18,7 @@ struct command {
     const char *key;         /* what is said is its value; NULL: the rest holds */
     enum thud_action action; /* what a key does */
     int screen;              /* whose command it is; -1: none */
+    int verb;                /* enum thud_command_id of the command line's; 0: none */
 };
 
 /* "gap 5 cm", "gap=5cm" and "gap = 5 cm" are the same. */
@@ -268,15 +270,17 @@ static void run_bench(struct thud_tui *tui, char *rest)
 }
 
 static const struct command table[] = {
-#define THUD_RUN(word, short_word, usage, name) {word, short_word, run_##name, NULL, THUD_DO_NOTHING, -1},
-#define THUD_SET(word, usage, key)              {word, "", NULL, key, THUD_DO_NOTHING, -1},
-#define THUD_ACT(word, short_word, action)      {word, short_word, NULL, NULL, THUD_DO_##action, -1},
-#define THUD_OF(word, usage, screen)            {word, "", NULL, NULL, THUD_DO_NOTHING, THUD_SCREEN_##screen},
+#define THUD_RUN(word, short_word, usage, name) {word, short_word, run_##name, NULL, THUD_DO_NOTHING, -1, 0},
+#define THUD_SET(word, usage, key)              {word, "", NULL, key, THUD_DO_NOTHING, -1, 0},
+#define THUD_ACT(word, short_word, action)      {word, short_word, NULL, NULL, THUD_DO_##action, -1, 0},
+#define THUD_OF(word, usage, screen)            {word, "", NULL, NULL, THUD_DO_NOTHING, THUD_SCREEN_##screen, 0},
+#define THUD_CLI(word, id)                      {word, "", NULL, NULL, THUD_DO_NOTHING, -1, THUD_COMMAND_##id},
 #include "tui/document/command_list.h"
 #undef THUD_RUN
 #undef THUD_SET
 #undef THUD_ACT
 #undef THUD_OF
+#undef THUD_CLI
 };
 
 /* Quotes that a shell would have taken away. */
@@ -338,6 +342,10 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
             if (table[i].key)
                 thud_tui_set(tui, table[i].key, unquoted(rest));
+            else if (table[i].verb && !*rest && !tui->end.playing)
+                thud_tui_verb_form(tui, table[i].verb);
+            else if (table[i].verb)
+                thud_tui_verb(tui, table[i].verb, rest);
             else if (table[i].run)
                 table[i].run(tui, rest);
             else if (table[i].screen >= 0) {

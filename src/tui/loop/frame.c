@@ -24,7 +24,10 @@ static int run_status(struct thud_tui *tui, const struct thud_pane *row)
     for (int i = 0; i < tui->screens && own < 0.0; i++)
         if (tui->view[i]->progress)
             own = tui->view[i]->progress(tui);
-    if (tui->files.work) {
+    if (tui->files.command) {
+        snprintf(text, sizeof text, "%.30s  Esc stops ", tui->files.written);
+        role = THUD_ROLE_WARN;
+    } else if (tui->files.work) {
         snprintf(text, sizeof text, "figures %d/%d  Esc stops ", tui->files.done, tui->files.count);
         role = THUD_ROLE_WARN;
     } else if (tui->run.live.running || own >= 0.0) {

@@ -85,6 +85,11 @@ void thud_tui_picture(struct thud_tui *tui);
 void thud_tui_export(struct thud_tui *tui);
 void thud_tui_copy(struct thud_tui *tui); /* the focused pane's numbers to the clipboard */
 
+/* verb.c: commands of the command line (enum thud_command_id) on the preset that is open */
+void thud_tui_verb(struct thud_tui *tui, int id, const char *text); /* with options as they are typed */
+void thud_tui_verb_form(struct thud_tui *tui, int id);              /* asks for them */
+void thud_tui_verb_look(struct thud_tui *tui);                      /* says how far it is, and what came of it */
+
 /* shelf.c */
 void thud_tui_shelf(struct thud_tui *tui);
 /* Writes the marked figures, where none is marked those of the screen; the live cases are run again where the histories

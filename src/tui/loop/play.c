@@ -12,8 +12,8 @@ enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
 /* Works until nothing is left to do. */
 static void finish_work(struct thud_tui *tui)
 {
-    while (thud_tui_turn(tui, false) || tui->files.work)
-        if (tui->files.work)
+    while (thud_tui_turn(tui, false) || tui->files.work || tui->files.command)
+        if (tui->files.work || tui->files.command)
             thud_tui_turn(tui, true);
     thud_tui_draw(tui);
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/command.h"
 #include "app/run/run_figures.h"
 #include "tui/loop/loop.h"
 
@@ -208,6 +209,9 @@ static void take_key(struct thud_tui *tui, int key)
         write_figures(tui, shelf->item, shelf->n);
         shelf->n = 0;
         break;
+    case THUD_DO_REPORT:
+        thud_tui_verb_form(tui, THUD_COMMAND_REPORT); /* in place of the shelf */
+        return;
     case THUD_DO_MARK:
         if (shelf->at < shelf->n)
             mark(tui, &shelf->item[shelf->at]);

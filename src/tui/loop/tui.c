@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "tui/document/command_work.h"
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 #include "tui/loop/new_scene.h"
@@ -72,6 +73,13 @@ void thud_tui_free(struct thud_tui *tui)
     if (!tui)
         return;
     thud_tui_writing_end(tui);
+    if (tui->files.command) {
+        struct thud_text printed = {0}, said = {0};
+        thud_command_work_stop(tui->files.command);
+        thud_command_work_finish(tui->files.command, &printed, &said);
+        thud_text_clear(&printed);
+        thud_text_clear(&said);
+    }
     thud_live_clear(&tui->run.live);
     for (int i = 0; i < tui->screens; i++) {
         if (tui->view[i]->free)
@@ -369,6 +377,8 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
     int key = tui->backend->key(tui->backend, timeout);
     if (tui->files.work)
         thud_tui_writing_look(tui);
+    if (tui->files.command)
+        thud_tui_verb_look(tui);
     if (key != THUD_KEY_NONE)
         thud_tui_key(tui, key);
     else if (keep)

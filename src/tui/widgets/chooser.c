@@ -134,7 +134,12 @@ bool thud_chooser_click(struct thud_chooser *chooser, int x, int y)
 
 void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *area)
 {
-    int w = area->w < 76 ? area->w : 76, h = chooser->n + 4 < area->h ? chooser->n + 4 : area->h;
+    int widest = 72;
+    for (int i = 0; i < chooser->n; i++) {
+        int n = thud_utf8_columns(chooser->choice[i].text);
+        widest = n > widest ? n : widest;
+    }
+    int w = area->w < widest + 4 ? area->w : widest + 4, h = chooser->n + 4 < area->h ? chooser->n + 4 : area->h;
     struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
     thud_pane_blank(&box);
     struct thud_pane in = thud_pane_frame(&box, chooser->title, true);
