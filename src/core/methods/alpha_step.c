@@ -1,5 +1,6 @@
 #include "core/methods/alpha_step.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,26 +8,44 @@
 #include "core/model/modal_operator.h"
 #include "core/numerics/tolerance.h"
 
+/* Glossary, for one step of length h from t0 to t1; index j is a mode, a and c are rows (contacts, yielding storeys).
+ *
+ *     q0, q0', r0      x->start   modal displacement (m kg^1/2), velocity, and acceleration by the equations of motion,
+ *     q1, v1, r1       x->end     r = -D q' - Omega^2 q - gamma a_g - sum_c g_c F_c, at both ends of the step
+ *     a0, a1           x->a0, a1  the scheme's own accelerations, as in alpha_step.h
+ *     A                x->op      ((1 - am) I + (1 - af)(gamma h D + beta h^2 Omega^2))^-1
+ *     F_c              .force     force of row c, N; unknown at t1 where the row is active
+ *     -da1/dF_c        x->response = (1 - af) A g_c, one row of nmodes for each c
+ *     w_ac             x->w       -dd''_a/dF_c = g_a . (1 - af) A g_c, 1/kg
+ *     d_a, d_a', d_a'' x->d, v, a indentation (drift) of row a at t1 and its rates if no active row had a force
+ *
+ * Without forces at t1, a1 follows from A at once (predict). With them, what is left is small: as many unknowns as rows
+ * are active,
+ *
+ *     F_a = law_a(d_a - beta h^2 sum_c w_ac F_c,  d_a' - gamma h sum_c w_ac F_c)      (solve_forces, by Newton's method)
+ *
+ * and q1, v1, a1 are corrected by them (correct). */
 enum { NEWTON_MAX = 40 };
 
 struct alpha {
     struct thud_alpha p;
     struct thud_modal_operator *op;
-    double h_made;                       /* step that the operator and the responses belong to */
-    struct thud_motion start, end, work; /* q'' by the equations of motion */
-    double *a0, *a1;                     /* (nmodes) the scheme's own accelerations */
-    double *rhs;                         /* (nmodes) */
-    double *response;                    /* (nrows x nmodes) -da1/dF */
-    double *w;                           /* (nrows x nrows) -dd''/dF */
-    double *d, *v, *a;                   /* (nrows) d, d', d'' at the step's end without contact forces */
-    double *matrix, *change;             /* Newton's system for the active rows */
-    double *applied;                     /* (nrows) lagged: forces at the end of the step before */
-    int *active, nactive;                /* (nrows) those whose forces are looked for */
-    bool solved;                         /* the contact forces of the step's end are those of the laws */
-    bool goes_on;                        /* the start of the step is the end of the last: no law has changed there */
-    bool fresh;                          /* a0 is to be made anew, by the equations of motion */
-    double a0_step_s;                    /* step that a0 comes from */
-    double ground_mps2, before_mps2;     /* ground acceleration at the end of the step, and of the one before */
+    double h_made; /* step that the operator and the responses belong to */
+    struct thud_motion start, end, work;
+    double *a0, *a1;                 /* (nmodes) */
+    double *rhs;                     /* (nmodes) workspace */
+    double *response;                /* (nrows x nmodes) */
+    double *w;                       /* (nrows x nrows) */
+    double *d, *v, *a;               /* (nrows) */
+    double *matrix, *change;         /* Newton's system for the active rows, column-major, and its solution */
+    lapack_int *pivot;               /* of that */
+    double *applied;                 /* (nrows) lagged: forces at the end of the step before */
+    int *active, nactive;            /* (nrows) those whose forces are unknown */
+    bool solved;                     /* the contact forces at t1 are those of the laws */
+    bool goes_on;                    /* t0 is the end of the last step: no law has changed there */
+    bool fresh;                      /* a0 is to be made anew, from r0 */
+    double a0_step_s;                /* step that a0 comes from */
+    double ground_mps2, before_mps2; /* ground acceleration at t1, and at the end of the step before */
     double *block;
 };
 
@@ -42,7 +61,8 @@ enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_a
     enum thud_status status = thud_modal_operator_create(m, &x->op, err);
     x->block = calloc(3 * size + 3 * n + nc * n + 2 * nc * nc + 5 * nc + 1, sizeof *x->block);
     x->active = calloc(nc + 1, sizeof *x->active);
-    if (status != THUD_OK || !x->block || !x->active) {
+    x->pivot = calloc(nc + 1, sizeof *x->pivot);
+    if (status != THUD_OK || !x->block || !x->active || !x->pivot) {
         thud_alpha_free(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -70,6 +90,7 @@ void thud_alpha_free(void *own)
     thud_modal_operator_free(x->op);
     free(x->block);
     free(x->active);
+    free(x->pivot);
     free(x);
 }
 
@@ -92,54 +113,66 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     }
 }
 
-/* Whether the scheme's own acceleration is another than that of the equations of motion. */
-static bool differs(const struct thud_alpha *p)
+/* Whether the scheme's a is another acceleration than r. Newmark's and central difference's is r itself. */
+static bool has_own_acceleration(const struct thud_alpha *p)
 {
     return p->am != 0 || p->af != 0;
 }
 
-/* The scheme's own acceleration belongs to a time this many steps behind the state's. It goes on from step to step, at
- * the same distance in each; but not over a jump of the forces (a contact switched, the record ended), which it would
- * smear. For Newmark it is that of the equations of motion. */
-static double offset(const struct thud_alpha *p)
+/* The scheme's a0 is r at the time t0 + (am - af) h, to second order. It passes from step to step, but not over a jump of
+ * the forces (a contact switched, the record ended), which it would smear. */
+static double time_offset(const struct thud_alpha *p)
 {
     return p->am - p->af;
 }
 
-/* q, q', q'' and a0 at the start of the step. */
-static void start_step(const struct thud_state *state, struct alpha *x, double h)
+/* q0, q0', r0 and the forces: those of the last step's end where it goes on, else from the state. */
+static void take_start(const struct thud_state *state, struct alpha *x, bool goes_on)
 {
-    const struct thud_model *m = state->model;
-    const size_t bytes = (size_t)m->nmodes * sizeof(double);
-    const double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
-                 size = fabs(ground) + fabs(x->before_mps2);
-    if (x->goes_on && jump <= THUD_TOL_GROUND * size) {
+    const size_t bytes = (size_t)state->model->nmodes * sizeof(double);
+    if (goes_on) {
         const struct thud_motion last = x->start;
         x->start = x->end;
         x->end = last;
-    } else {
-        memcpy(x->start.q, state->q, bytes);
-        memcpy(x->start.qd, state->qd, bytes);
-        thud_step_motion(state, &x->start, 0);
+        return;
     }
-    if (x->p.lagged) { /* what acts now is the force of the step before */
-        for (int c = 0; c < m->nrows; c++) {
-            x->end.force[c] = x->start.force[c];
-            x->start.force[c] = x->applied[c];
-        }
-        thud_model_acceleration(m, state->q, state->qd, ground, x->start.qdd);
-        thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
+    memcpy(x->start.q, state->q, bytes);
+    memcpy(x->start.qd, state->qd, bytes);
+    thud_step_motion(state, &x->start, 0);
+}
+
+/* Lagged: what acts in the step is the force found at the end of the step before; the law's now is for the next. */
+static void lag_forces(const struct thud_state *state, struct alpha *x, double ground)
+{
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->nrows; c++) {
+        x->end.force[c] = x->start.force[c];
+        x->start.force[c] = x->applied[c];
     }
+    thud_model_acceleration(m, state->q, state->qd, ground, x->start.qdd);
+    thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
+}
+
+/* Everything at t0. Where the length of the steps changes, a0 keeps its time offset in steps: it lies on the line
+ * through r0. */
+static void start_step(const struct thud_state *state, struct alpha *x, double h)
+{
+    const int n = state->model->nmodes;
+    const double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
+                 size = fabs(ground) + fabs(x->before_mps2);
+    take_start(state, x, x->goes_on && jump <= THUD_TOL_GROUND * size);
+    if (x->p.lagged)
+        lag_forces(state, x, ground);
     x->fresh = x->fresh || jump > THUD_TOL_GROUND_JUMP * size;
-    if (x->fresh || offset(&x->p) == 0) {
-        memcpy(x->a0, x->start.qdd, bytes);
+    if (x->fresh || time_offset(&x->p) == 0) {
+        memcpy(x->a0, x->start.qdd, (size_t)n * sizeof(double));
     } else if (fabs(h - x->a0_step_s) > THUD_TOL_STEP_CHANGE * h) {
-        for (int j = 0; j < m->nmodes; j++)
+        for (int j = 0; j < n; j++)
             x->a0[j] = x->start.qdd[j] + h / x->a0_step_s * (x->a0[j] - x->start.qdd[j]);
     }
 }
 
-/* Newmark's update from the start of the step, without what a1 adds. */
+/* Newmark's update without the part of a1: by_q = h^2 (1/2 - beta), by_v = h (1 - gamma). */
 static void update(int n, double h, double by_q, double by_v, const double *restrict q0, const double *restrict v0,
                    const double *restrict a0, double *restrict q, double *restrict v)
 {
@@ -149,7 +182,7 @@ static void update(int n, double h, double by_q, double by_v, const double *rest
     }
 }
 
-/* What a1 adds. */
+/* The part of a1: by_q = h^2 beta, by_v = h gamma. */
 static void add_end(int n, double by_q, double by_v, const double *restrict a1, double *restrict q, double *restrict v)
 {
     for (int j = 0; j < n; j++) {
@@ -158,7 +191,8 @@ static void add_end(int n, double by_q, double by_v, const double *restrict a1, 
     }
 }
 
-/* The end of the step if no contact force acted there: q, q', a1. */
+/* q1, v1, a1 if no contact force acted at t1. With a1 = 0 in Newmark's update first, a1 = A ((1 - af) r(q1, v1) + af r0 -
+ * am a0), and its part is added. */
 static void predict(const struct thud_state *state, struct alpha *x, double h)
 {
     const struct thud_model *m = state->model;
@@ -167,13 +201,13 @@ static void predict(const struct thud_state *state, struct alpha *x, double h)
     update(n, h, h * h * (0.5 - p->beta), h * (1 - p->gamma), x->start.q, x->start.qd, x->a0, x->end.q, x->end.qd);
     x->ground_mps2 = thud_step_ground(state, h);
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
-    for (int j = 0; j < n && differs(p); j++)
+    for (int j = 0; j < n && has_own_acceleration(p); j++)
         x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
     thud_modal_operator_apply(x->op, m, x->rhs, x->a1);
     add_end(n, h * h * p->beta, h * p->gamma, x->a1, x->end.q, x->end.qd);
 }
 
-/* What the forces at the end of the step change there. */
+/* The part of the forces at t1 in a1, q1, v1. */
 static void correct(const struct thud_model *m, struct alpha *x, double h)
 {
     for (int c = 0; c < m->nrows; c++) {
@@ -199,58 +233,31 @@ static void row_end(const struct thud_model *m, const struct alpha *x, int a, do
     *acc = x->a[a] - pull;
 }
 
-static void swap(double *a, double *b)
+/* Equation of active row i and its derivatives by all active forces: residual F - law(d, d') and row i of the matrix
+ * I + (law_d beta h^2 + law_v gamma h) w; a contact that is held has d'' = 0 instead. */
+static void linearize(const struct thud_state *state, struct alpha *x, int i, double h)
 {
-    double t = *a;
-    *a = *b;
-    *b = t;
+    const int n = x->nactive, nc = state->model->nrows, a = x->active[i];
+    const double by_d = x->p.beta * h * h, by_v = x->p.gamma * h;
+    const bool held = state->locates && thud_row_sticks(state, a);
+    double d, v, acc, fd = 0, fv = 0;
+    row_end(state->model, x, a, h, &d, &v, &acc);
+    x->change[i] = held ? acc : x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
+    /* the slope of a law may be without bound at d = 0, and with beta = 0 it does not count */
+    const double slope = held ? -1 : (by_d > 0 ? fd * by_d : 0) + fv * by_v;
+    for (int k = 0; k < n; k++)
+        x->matrix[k * n + i] = slope * x->w[a * nc + x->active[k]] + (k == i && !held ? 1 : 0);
 }
 
-/* x of A x = b into b by Gauss with partial pivoting; A (n x n), column-major, is used up. What is singular leaves what
- * is not finite. */
-static void solve_linear(int n, double *a, double *b)
-{
-    for (int i = 0; i < n; i++) {
-        int best = i;
-        for (int k = i + 1; k < n; k++)
-            best = fabs(a[i * n + k]) > fabs(a[i * n + best]) ? k : best;
-        for (int j = i; j < n && best != i; j++)
-            swap(&a[j * n + i], &a[j * n + best]);
-        if (best != i)
-            swap(&b[i], &b[best]);
-        for (int k = i + 1; k < n; k++) {
-            double factor = a[i * n + k] / a[i * n + i];
-            for (int j = i + 1; j < n; j++)
-                a[j * n + k] -= factor * a[j * n + i];
-            b[k] -= factor * b[i];
-        }
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = i + 1; j < n; j++)
-            b[i] -= a[j * n + i] * b[j];
-        b[i] /= a[i * n + i];
-    }
-}
-
-/* One step of Newton's method on F - law(d, d') = 0, or d'' = 0 where a contact is held; returns the largest change
- * relative to the forces, NaN where the system is singular. */
+/* One step of Newton's method; returns the largest change relative to the forces, NaN where the system is singular. */
 static double newton(const struct thud_state *state, struct alpha *x, double h)
 {
-    const int n = x->nactive, nc = state->model->nrows;
-    const double by_d = x->p.beta * h * h, by_v = x->p.gamma * h;
+    const int n = x->nactive;
     double largest = 0;
-    for (int i = 0; i < n; i++) {
-        const int a = x->active[i];
-        const bool held = state->locates && thud_row_sticks(state, a);
-        double d, v, acc, fd = 0, fv = 0;
-        row_end(state->model, x, a, h, &d, &v, &acc);
-        x->change[i] = held ? acc : x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
-        /* the slope of a law may be without bound at d = 0 */
-        const double slope = held ? -1 : (by_d > 0 ? fd * by_d : 0) + fv * by_v;
-        for (int k = 0; k < n; k++)
-            x->matrix[k * n + i] = slope * x->w[a * nc + x->active[k]] + (k == i && !held ? 1 : 0);
-    }
-    solve_linear(n, x->matrix, x->change);
+    for (int i = 0; i < n; i++)
+        linearize(state, x, i, h);
+    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
+        return NAN;
     for (int i = 0; i < n; i++) {
         double *force = &x->end.force[x->active[i]], before = fabs(*force);
         if (!isfinite(x->change[i]))
@@ -280,6 +287,7 @@ static bool iterate(const struct thud_state *state, struct alpha *x, double h)
     return false;
 }
 
+/* The force of row c becomes an unknown, with that of the step's start as first guess. */
 static void activate(const struct thud_model *m, struct alpha *x, int c)
 {
     x->v[c] = thud_model_gap_sum(m, c, x->end.qd);
@@ -288,8 +296,8 @@ static void activate(const struct thud_model *m, struct alpha *x, int c)
     x->end.force[c] = x->start.force[c];
 }
 
-/* Whether row c can have a force at the step's end. */
-static bool counts(const struct thud_state *state, int c)
+/* Whether row c can have a force at t1: located, what acts in the whole step; else every law of force. */
+static bool may_act(const struct thud_state *state, int c)
 {
     if (!state->locates)
         return !thud_row_contact(state, c) ||
@@ -297,13 +305,14 @@ static bool counts(const struct thud_state *state, int c)
     return thud_row_acts(state, c);
 }
 
-/* Nothing located: contacts that were left out, and that the forces on the others have closed. */
+/* Nothing located: activates contacts that were open in the prediction and that the forces of the others have closed;
+ * returns whether there are any. */
 static bool activate_closed(const struct thud_state *state, struct alpha *x, double h)
 {
     const int before = x->nactive;
     for (int c = 0; c < state->model->ncontacts && !state->locates; c++) {
         double d, v, acc;
-        bool active = !counts(state, c) || x->d[c] > 0;
+        bool active = !may_act(state, c) || x->d[c] > 0;
         for (int i = 0; i < before; i++)
             active = active || x->active[i] == c;
         if (active)
@@ -315,9 +324,8 @@ static bool activate_closed(const struct thud_state *state, struct alpha *x, dou
     return x->nactive > before;
 }
 
-/* Contact forces of the step's end. Where the law jumps (nothing located) there may be no solution: the last try is
- * taken, as a program does that only sees its iterations run out, and counted as rejected. */
-static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
+/* Which rows are active by the prediction. Sets end.apart: no contact is indented at t1. */
+static void choose_active(const struct thud_state *state, struct alpha *x)
 {
     const struct thud_model *m = state->model;
     x->nactive = 0;
@@ -326,15 +334,22 @@ static void solve_forces(const struct thud_state *state, struct alpha *x, double
         x->end.force[c] = 0;
         if (state->locates && !thud_row_contact(state, c) && !thud_row_acts(state, c))
             x->end.force[c] = thud_row_branch(state, c)->f0_n; /* the constant force of an elastic storey */
-        if (state->locates && !counts(state, c))
+        if (state->locates && !may_act(state, c))
             continue;
         x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);
         if (!state->locates && c < m->ncontacts && x->d[c] <= 0 && (x->p.beta == 0 || x->start.force[c] == 0))
             continue; /* where nothing is located, an open one has no force */
         x->end.apart = false;
-        if (counts(state, c))
+        if (may_act(state, c))
             activate(m, x, c);
     }
+}
+
+/* Contact forces at t1. Where the law jumps (nothing located) there may be no solution: the last try is taken, as a
+ * program does that only sees its iterations run out, and counted as rejected. */
+static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
+{
+    choose_active(state, x);
     x->solved = true;
     if (x->nactive == 0)
         return;
@@ -344,8 +359,8 @@ static void solve_forces(const struct thud_state *state, struct alpha *x, double
     state->work->rejected += !x->solved;
 }
 
-/* From the start to the end of the step with the given a0. */
-static void cross(const struct thud_state *state, struct alpha *x, double h)
+/* From t0 to t1 with given a0; r1 by the equations of motion. */
+static void take_step(const struct thud_state *state, struct alpha *x, double h)
 {
     predict(state, x, h);
     x->end.apart = false;
@@ -353,7 +368,7 @@ static void cross(const struct thud_state *state, struct alpha *x, double h)
         solve_forces(state, x, h);
     if (!x->end.apart)
         correct(state->model, x, h);
-    if (!state->locates && !differs(&x->p)) { /* a1 solves the equations of motion */
+    if (!state->locates && !has_own_acceleration(&x->p)) { /* a1 solves the equations of motion */
         memcpy(x->end.qdd, x->a1, (size_t)state->model->nmodes * sizeof *x->a1);
         return;
     }
@@ -369,12 +384,12 @@ enum thud_status thud_alpha_step(const struct thud_state *state, void *own, stru
     (void)err;
     prepare(state->model, x, h);
     start_step(state, x, h);
-    cross(state, x, h);
-    if (x->fresh && offset(&x->p) != 0) {
-        /* how the acceleration changes is known now: once more with a0 in its place */
+    take_step(state, x, h);
+    if (x->fresh && time_offset(&x->p) != 0) {
+        /* r0 and r1 tell how the acceleration changes: once more, with a0 at its time offset */
         for (int j = 0; j < state->model->nmodes; j++)
-            x->a0[j] = x->start.qdd[j] + offset(&x->p) * (x->end.qdd[j] - x->start.qdd[j]);
-        cross(state, x, h);
+            x->a0[j] = x->start.qdd[j] + time_offset(&x->p) * (x->end.qdd[j] - x->start.qdd[j]);
+        take_step(state, x, h);
     }
     x->a0_step_s = h;
     thud_step_write(state, seg, h, &x->start, &x->end, &x->work);
