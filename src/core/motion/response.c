@@ -7,40 +7,49 @@
 #include "core/contact/segment.h"
 #include "core/numerics/tolerance.h"
 
-/* The linear part of a step's equations, so that its unknowns are forces alone. In modal coordinates, with s = (t - t0)/h,
+/* Tables of eq. (8) of thud-methods(7): how the gaps move in a step, without contact forces and under each other's.
  *
- *     q'' + D q' + omega^2 q = -gamma a_g(s) - sum_b g_b F_b(s),   d_a = g_a . q - clearance_a
- *     F_b(s) = sum_j F_b(s_j) l_j(s)                               l_j: Lagrange polynomials of the nodes
+ * In a step of length h from t0, with s = (t - t0)/h, the modes obey
  *
- * is linear in F, so that d_a(s_i) = d0_a(s_i) + sum_bj R_ab,ij F_b(s_j), where d0 is the motion without these forces. R
- * depends on h alone: it is summed from the motion under loads 1, s, s^2, ... by power series, once for each step size.
- * Without coupling damping the tables of the loads are those of unit loads on each mode, shared by all contacts. */
-
-/* POWERS: loads 1, s, s^2, ... of the time s in a step, as many as there are nodes, and before them the load that is an
- * impulse: its motion is the rate of that under 1. */
+ *     q'' + D q' + Omega^2 q = -gamma a_g(s) - sum_b g_b F_b(s),   d_a = g_a . q - clearance_a
+ *     F_b(s) = sum_k F_b(s_k) l_k(s)                               l_k: Lagrange polynomials of the nodes
+ *
+ * This is linear in F. So d_a(s_i) = d0_a(s_i) - sum_b sum_k R_ab,ik F_b(s_k), where d0 is the motion without the forces.
+ *
+ * Glossary; a, b are rows (contacts, storeys), j a mode, i a point, k a node, p a power of s.
+ *
+ *     level          h = h_top/2^level; the tables of a level are made when it is first needed
+ *     x_p            motion from rest of a mode under the load s^p alone: level->load, one table for all rows where modes
+ *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b); power -1, the first of
+ *                    POWERS, is an impulse, whose motion is h times the rate of x_0
+ *     R_ab, R'_ab    thud_response.indentation and .rate: sums of g_a x_p times the coefficients of l_k, below 0 where
+ *                    the force pushes apart
+ *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
+ *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1
+ *     bend           by how much the slope of a_g changes at a sample inside the step, times h_top (m/s^2)
+ *     ramp           indentation under a ground acceleration that rises by 1 m/s^2 in h_top: a power series of t/h_top,
+ *                    from its third power on */
 enum { LEVELS = 48, POWERS = THUD_NODES + 1 };
-enum { RAMP_ORDER = 3 }; /* the lowest of the motion under a load that rises */
+enum { RAMP_ORDER = 3 };
 
 struct level {
-    double
-        *load; /* (loads x POWERS x nmodes x THUD_POINTS): how far each mode moves under loads by powers of the time */
-    struct thud_response *pair; /* (nrows x nrows) */
+    double *load;               /* (loads x POWERS x nmodes x THUD_POINTS) */
+    struct thud_response *pair; /* (nrows x nrows) R_ab and R'_ab; NULL inside where not yet made */
 };
 
 struct thud_responses {
     const struct thud_model *model;
-    int loads; /* loads: 1 on every mode where modes are uncoupled, else those of each contact's unit force */
+    int loads; /* tables in level->load */
     double h_top, tolerance;
     double lagrange[THUD_NODES * THUD_NODES], point[THUD_POINTS];
     struct thud_nodes first, last; /* the points: a batch, and those behind it */
     struct level level[LEVELS];
-    struct thud_segment seg; /* of unit loads */
-    double *at_start;        /* (nmodes) modal accelerations at the start of a step, */
-    double *rise;            /* (nmodes) what the straight lines of ground motion and displacements add to them, */
-    double *zero;            /* (nmodes) and no displacements */
-    double *ramp_modes;      /* (THUD_SEGMENT_TERMS x nmodes): under a ground acceleration that rises by 1 in h_top, */
-    double *ramp;            /* (nrows x THUD_SEGMENT_TERMS): and so each contact's indentation, made when needed */
-    int *ramp_terms;         /* (nrows) 0 before that */
+    struct thud_segment seg; /* workspace: series of the motion under unit loads */
+    double *at_start, *rise; /* (nmodes) */
+    double *zero;            /* (nmodes) no displacements */
+    double *ramp_modes;      /* (THUD_SEGMENT_TERMS x nmodes) modes under the ramp */
+    double *ramp;            /* (nrows x THUD_SEGMENT_TERMS) indentations under it, made when needed */
+    int *ramp_terms;         /* (nrows) terms that count; 0: not made */
 };
 
 /* calloc of at least one element. */
@@ -49,6 +58,7 @@ static void *allocate(size_t count, size_t size)
     return calloc(count ? count : 1, size);
 }
 
+/* An empty segment of length h for the series of a motion under a unit load. */
 static struct thud_segment *unit_segment(struct thud_responses *x, double h)
 {
     struct thud_segment *seg = &x->seg;
@@ -112,9 +122,9 @@ void thud_responses_free(struct thud_responses *x)
     free(x);
 }
 
-/* ---- responses ---- */
+/* ---- R and R' ---- */
 
-/* How far the segment's modes have moved at the points, out (nmodes x THUD_POINTS). */
+/* Modal displacements of the segment at the points, out (nmodes x THUD_POINTS). */
 static void read_modes(const struct thud_responses *x, double *out)
 {
     const struct thud_segment *seg = &x->seg;
@@ -134,10 +144,12 @@ static void add_to(double factor, const double *restrict x, double *restrict out
         out[i] += factor * x[i];
 }
 
-/* The motion x_(p - 2) under the load b s^(p - 2), from that under the next two: the rate of x_p is p x_(p - 1), so the
- * equation of motion x_p'' + h C x_p' + h^2 K x_p = h^2 b s^p reads
- *     p (p - 1) x_(p - 2) = h^2 (b s^p - K x_p) - h p C x_(p - 1)
- * and nothing cancels on the way down. For p = 1 its left side is the rate of x_0. (nmodes x THUD_POINTS) each. */
+/* x_(p-2) from x_(p-1) and x_p, (nmodes x THUD_POINTS) each, for loads b s^p. The rate of x_p is p x_(p-1), so that the
+ * equation of motion x_p'' + h D x_p' + h^2 Omega^2 x_p = h^2 b s^p reads
+ *
+ *     p (p - 1) x_(p-2) = h^2 (b s^p - Omega^2 x_p) - h p D x_(p-1)
+ *
+ * and nothing cancels on the way down. For p = 1 the left side is the rate of x_0 (times h). */
 static void step_down(const struct thud_responses *x, double h, int p, const double *b, const double *xp,
                       const double *below, double *out)
 {
@@ -161,8 +173,8 @@ static void step_down(const struct thud_responses *x, double h, int p, const dou
     }
 }
 
-/* Modes under loads b times powers of the time, table (POWERS x nmodes x THUD_POINTS): the highest two by their series,
- * and from them the others. */
+/* All x_p for loads b, table (POWERS x nmodes x THUD_POINTS): the highest two by their power series, the others down
+ * from them. */
 static void fill_powers(struct thud_responses *x, double h, const double *b, double *table)
 {
     const struct thud_model *m = x->model;
@@ -199,19 +211,11 @@ static const double *table_of(const struct thud_responses *x, const struct level
     return level->load + (x->model->couples ? c : 0) * POWERS * x->model->nmodes * THUD_POINTS;
 }
 
-/* Response of contact a to forces of contact b. A force pushes the two apart: indentation falls. */
-static bool fill_pair(const struct thud_responses *x, const struct level *level, double h, int a, int b)
+/* Motion of gap a under the loads of row b, by power: power (POWERS x THUD_POINTS). Only modes of a's structures count. */
+static void gap_powers(const struct thud_responses *x, const struct level *level, int a, int b,
+                       double power[POWERS][THUD_POINTS])
 {
     const struct thud_model *m = x->model;
-    struct thud_response *r = &level->pair[a * m->nrows + b];
-    double *block = allocate(2 * THUD_NODES * THUD_POINTS + 2 * THUD_BATCH, sizeof *block),
-           power[POWERS][THUD_POINTS] = {0};
-    if (!block)
-        return false;
-    r->indentation = block;
-    r->rate = block + THUD_NODES * THUD_POINTS;
-    r->own_indentation = r->rate + THUD_NODES * THUD_POINTS;
-    r->own_rate = r->own_indentation + THUD_BATCH;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes, *table = table_of(x, level, b);
     int structure[2], structures = thud_model_row_structures(m, a, structure);
     for (int p = 0; p < POWERS; p++, table += m->nmodes * THUD_POINTS)
@@ -220,20 +224,34 @@ static bool fill_pair(const struct thud_responses *x, const struct level *level,
             for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
                 add_to(m->couples ? -ga[j] : -ga[j] * gb[j], table + j * THUD_POINTS, power[p]);
         }
-    for (int k = 0; k < THUD_NODES; k++)
+}
+
+/* R_ab and R'_ab: the powers of s put together to the Lagrange polynomial of each node; the rate of x_p is p/h x_(p-1). */
+static bool fill_pair(const struct thud_responses *x, const struct level *level, double h, int a, int b)
+{
+    struct thud_response *r = &level->pair[a * x->model->nrows + b];
+    double *block = allocate(2 * THUD_NODES * THUD_POINTS + 2 * THUD_BATCH, sizeof *block),
+           power[POWERS][THUD_POINTS] = {0};
+    if (!block)
+        return false;
+    r->indentation = block;
+    r->rate = block + THUD_NODES * THUD_POINTS;
+    r->own_indentation = r->rate + THUD_NODES * THUD_POINTS;
+    r->own_rate = r->own_indentation + THUD_BATCH;
+    gap_powers(x, level, a, b, power);
+    for (int k = 0; k < THUD_NODES; k++) {
         for (int p = 0; p < THUD_NODES; p++) {
             double part = x->lagrange[p * THUD_NODES + k];
             add_to(part, power[p + 1], r->indentation + k * THUD_POINTS);
             add_to(part * (p > 0 ? p : 1) / h, power[p], r->rate + k * THUD_POINTS);
         }
-    for (int k = 0; k < THUD_NODES; k++) {
         r->own_indentation[k] = r->indentation[k * THUD_POINTS + k];
         r->own_rate[k] = r->rate[k * THUD_POINTS + k];
     }
     return true;
 }
 
-/* Each of two contacts responds to the other in the same way: stiffness and damping are symmetric. */
+/* R_ab = R_ba, as stiffness and damping are symmetric (Betti and Maxwell). */
 static bool mirror_pair(const struct thud_responses *x, const struct level *level, int a, int b)
 {
     const struct thud_response *other = &level->pair[b * x->model->nrows + a];
@@ -263,8 +281,7 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
 
 /* ---- without contact forces ---- */
 
-/* Apart from the straight line of its place and rate, a mode starts at rest under a load: its acceleration now, which
- * ground acceleration and spring go on to change by straight lines. */
+/* r0 and rise. Apart from the straight line q0 + q0' t each mode starts at rest under the load r0 + rise s. */
 static void find_loads(struct thud_responses *x, const struct thud_state *state, double h)
 {
     const struct thud_model *m = x->model;
@@ -281,11 +298,12 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
     }
 }
 
-/* Values and rates at all points. */
+/* Indentation and its rate at all points, in pairs. */
 struct motion {
     thud_vec2 value[THUD_POINTS / 2], rate[THUD_POINTS / 2];
 };
 
+/* Adds r0 x_0 + rise x_1 and its rate (r0 x_-1 + rise x_0)/h of one mode. */
 static inline void add_mode(struct motion *sum, double at_start, double rise, double h, const double *impulse,
                             const double *constant, const double *ramp)
 {
@@ -297,7 +315,7 @@ static inline void add_mode(struct motion *sum, double at_start, double rise, do
     }
 }
 
-/* Contact c under the loads of its modes. */
+/* d and v (THUD_POINTS each) of row c without contact forces and without bends of the ground acceleration. */
 static void move_contact(const struct thud_responses *x, const struct thud_state *state, const struct level *level,
                          double h, int c, double *d, double *v)
 {
@@ -325,7 +343,7 @@ static void move_contact(const struct thud_responses *x, const struct thud_state
     memcpy(v, sum.rate, sizeof sum.rate);
 }
 
-/* Number of terms of contact c's response to a rise of the ground acceleration. */
+/* Makes the ramp of row c; returns how many of its terms count. */
 static int ramp_of(struct thud_responses *x, int c)
 {
     /* what is left out of what a bend adds is far below that of the rest */
@@ -343,7 +361,7 @@ static int ramp_of(struct thud_responses *x, int c)
     return x->ramp_terms[c] = terms;
 }
 
-/* Adds what a bend of the ground acceleration (by so much in h_top) does, `after_s` into the step. */
+/* Adds the effect of a bend `after_s` into the step: bend times the ramp, from there on. */
 static void add_kink(struct thud_responses *x, int c, double bend, double h, double after_s, double *d, double *v)
 {
     const double *ramp = x->ramp + c * THUD_SEGMENT_TERMS;
@@ -363,7 +381,7 @@ static void add_kink(struct thud_responses *x, int c, double bend, double h, dou
     }
 }
 
-/* Bends of the ground acceleration inside the step. */
+/* The same of every sample of the ground motion inside the step where it bends. */
 static void add_kinks(struct thud_responses *x, const struct thud_state *state, double h, double end_s,
                       const int *contact, int n, double *d, double *v)
 {
