@@ -1,5 +1,6 @@
 /* Files: saving with comments kept, other names, changes by others, recovery, opening, quitting. */
 #include <check.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +8,10 @@
 #include <unistd.h>
 
 #include "app/run/command.h"
+#include "app/run/new_preset.h"
+#include "plot/figures/figures_sweep.h"
 #include "tui/loop/play.h"
+#include "tui/screens/sweep_screen.h"
 #include "tui/terminal/config.h"
 #include "tui_fixture.h"
 
@@ -532,6 +536,95 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
+static void use_program(char *path, size_t size, const char *script);
+
+/* Two buildings of one's own, a suite of two motions, two variants of the gap with names, fragility over the suite, and the
+ * report of the one that is chosen. */
+START_TEST(the_walk_to_a_report)
+{
+    static const char *const walk[] = {
+        "n5<Tab>7<Down><Tab>500<Tab>550<Down><Down><Down>3<Down>pul<Enter>", /* two buildings */
+        "3<Home><Down> <Down> ",                                             /* the suite */
+        "w2<Home><Enter>5<Enter>",                                           /* saved; another gap */
+        "U<F2>wide<Enter>U<Down><F2>near<Enter>",                            /* two variants */
+        "6r",                                                                /* the suite at every gap */
+        "c",
+        "wR<Enter>", /* the report */
+    };
+    char program[200];
+    int keys = 0;
+    f.tui->options.gnuplot = "/nowhere/gnuplot";
+    ck_assert_int_eq(chdir(f.folder), 0);
+    fixture_write(&f, "another.csv", "time_s,acceleration_g\n0,0\n0.1,0.2\n0.2,-0.3\n0.3,0.1\n0.4,0\n");
+    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
+    for (size_t i = 0; i < sizeof walk / sizeof *walk; i++) {
+        fixture_keys(&f, walk[i]);
+        keys += count_keys(walk[i]);
+        if (i == 1)
+            ck_assert_str_eq(f.tui->doc.scene.study.records, "another.csv,pulse.csv");
+        if (i == 2)
+            ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.05, 1e-12);
+        if (i == 4)
+            fixture_expect(&f, "2 ground motions");
+    }
+    char *near = fixture_file(&f, "near.yaml"), *wide = fixture_file(&f, "wide.yaml");
+    ck_assert_ptr_nonnull(near);
+    ck_assert_ptr_nonnull(wide);
+    ck_assert_ptr_nonnull(strstr(near, "gap: 3 cm"));
+    ck_assert_ptr_nonnull(strstr(wide, "gap: 5 cm"));
+    free(near);
+    free(wide);
+    ck_assert_int_gt(thud_sweep_data_figures(&thud_sweep_state(f.tui)->data),
+                     thud_sweep_figure_count(&thud_sweep_state(f.tui)->data.rows.table)); /* its fragility is there */
+    fixture_expect(&f, "Written report.html");
+    char *said = fixture_file(&f, "said");
+    ck_assert_ptr_nonnull(said);
+    ck_assert_ptr_nonnull(strstr(said, "[report][buildings.yaml]"));
+    free(said);
+    printf("# the walk to a report takes %d keys\n", keys);
+    ck_assert_int_le(keys, 70);
+}
+END_TEST
+
+/* Every kind of the form makes a scene that runs: bearings with 2.5 s and 5 % of the weight, stiffnesses and modes that
+ * are read from files. */
+START_TEST(new_scenes_of_every_kind)
+{
+    const struct thud_scene *now = &f.tui->doc.scene;
+    char keys[400];
+    ck_assert_int_eq(chdir(f.folder), 0);
+    fixture_write(&f, "k.tab", "Story,1,2\n,kN/m,kN/m\n1,2e5,-1e5\n2,-1e5,1e5\n");
+    fixture_write(&f, "m.tab",
+                  "Case,Mode,Period,Story1,Story2\n,,sec,,\nModal,1,0.4,1,1.618033988749895\n"
+                  "Modal,2,0.15,1.618033988749895,-1\n");
+    for (int i = 0; thud_new_kind(i); i++) {
+        const char *kind = thud_new_kind(i);
+        bool matrix = strcmp(kind, "matrix") == 0, modes = strcmp(kind, "modes") == 0;
+        snprintf(keys, sizeof keys,
+                 ":new name: n%d; kind: %s, shear; storeys: 2; mass: 250 t; stiffness: %s, 500; gap: 2 cm; "
+                 "record: pulse.csv<Enter>",
+                 i, kind,
+                 matrix  ? "k.tab"
+                 : modes ? "m.tab"
+                         : "500");
+        fixture_keys(&f, keys);
+        fixture_expect(&f, "each value can be changed here now");
+        ck_assert_int_eq((int)f.tui->run.live.which[THUD_LIVE_NONE].state, (int)THUD_LIVE_DONE);
+        const struct thud_structure *s = &now->structure[0];
+        if (strcmp(kind, "lead-rubber") == 0) {
+            ck_assert_double_eq_tol(s->isolator_strength_n, 0.05 * 750e3 * 9.80665, 1e-3 * s->isolator_strength_n);
+            ck_assert_double_eq_tol(s->isolator_post_yield_npm, 750e3 * 6.3165, 1e-3 * s->isolator_post_yield_npm);
+        } else if (strcmp(kind, "pendulum") == 0)
+            ck_assert_double_eq_tol(2 * 3.14159265 * sqrt(s->isolator_radius_m / 9.80665), 2.5, 0.01);
+        else if (matrix || modes)
+            ck_assert_double_eq_tol(2 * 3.14159265 / f.tui->run.live.which[THUD_LIVE_NONE].model->structure[0].omega[0],
+                                    matrix ? 0.508 : 0.4, 1e-3);
+        fixture_keys(&f, "u");
+        fixture_keys(&f, "w");
+    }
+}
+END_TEST
+
 /* A program that is this shell script. */
 static void use_program(char *path, size_t size, const char *script)
 {
@@ -692,6 +785,8 @@ Suite *thud_suite(void)
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
     tcase_add_test(files, the_walk_of_an_engineer);
+    tcase_add_test(files, the_walk_to_a_report);
+    tcase_add_test(files, new_scenes_of_every_kind);
     tcase_add_test(files, commands_have_forms);
     tcase_add_test(files, numbers_are_copied);
     tcase_add_test(files, settings_come_from_a_file);

@@ -7,6 +7,8 @@
 
 #include "tui_fixture.h"
 
+static int many; /* keys in all, on larger terminals too: THUD_KEYS; 0: few */
+
 static uint64_t next(uint64_t *seed) /* splitmix64 */
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15U;
@@ -28,16 +30,18 @@ static int random_key(struct fixture *f, uint64_t *seed)
         0x7f, 0x1b, 0x9, 0xd, 0xe9, 0x2588, 0x4e2d, 0x1f600, 0x301, 0x10ffff, THUD_KEY_ALT + '3', THUD_KEY_F2};
     int kind = pick(seed, 20);
     if (kind == 0) {
-        f->script.width = 5 + pick(seed, 196);
-        f->script.height = 2 + pick(seed, 59);
+        f->script.width = 5 + pick(seed, 196 + 100 * (many > 0));
+        f->script.height = 2 + pick(seed, 59 + 40 * (many > 0));
         return THUD_KEY_RESIZE;
     }
+    f->backend.click_x = pick(seed, f->script.width); /* of keys of the mouse */
+    f->backend.click_y = pick(seed, f->script.height);
     if (kind < 4)
         return text[pick(seed, (int)sizeof text - 1)];
     if (kind < 6)
         return odd[pick(seed, (int)(sizeof odd / sizeof *odd))];
     if (kind < 9)
-        return THUD_KEY_FIRST + pick(seed, 12);
+        return THUD_KEY_FIRST + pick(seed, THUD_KEY_PASTE - THUD_KEY_FIRST);
     if (kind == 9)
         return 'g';
     return thud_key_at(pick(seed, thud_key_count()))->key;
@@ -87,7 +91,7 @@ static void walk(const char *preset, uint64_t seed, int keys, bool utf8)
 
 START_TEST(random_keys)
 {
-    walk(_i % 2 ? "bodies" : "towers", 0x7468756400000000U + (uint64_t)_i, 150, _i % 3 != 0);
+    walk(_i % 2 ? "bodies" : "towers", 0x7468756400000000U + (uint64_t)_i, many ? many / 4 : 150, _i % 3 != 0);
 }
 END_TEST
 
@@ -119,8 +123,10 @@ Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("tui random");
+    const char *keys = getenv("THUD_KEYS");
+    many = keys ? atoi(keys) : 0;
     TCase *random = tcase_create("random keys");
-    tcase_set_timeout(random, 120.0);
+    tcase_set_timeout(random, many ? 7200.0 : 120.0);
     tcase_add_loop_test(random, random_keys, 0, 4);
     tcase_add_test(random, every_size);
     suite_add_tcase(suite, random);

@@ -15,19 +15,33 @@
 static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
                        true},
-    [THUD_NEW_KIND] = {"kind", "kind", "", "Space: shear, isolated, rigid, wall", false},
+    [THUD_NEW_KIND] = {"kind", "kind", "",
+                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, matrix, modes (files)",
+                       false},
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
                        false},
-    [THUD_NEW_STIFFNESS] =
-        {"stiffness", "stiffness or period", "MN/m",
-         "Of every storey (MN/m, kN/mm, N/m), or the first period (s): the stiffness follows from it", false},
+    [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "MN/m",
+                            "Of every storey (MN/m, kN/mm, N/m), or the first period (s), from which it follows; of "
+                            "matrix and modes a file",
+                            false},
     [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "m, ft", false},
     [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false},
     [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true},
     [THUD_NEW_RECORD] = {"record", "ground motion", "",
                          "Typing narrows the list, Tab takes its first; empty: no ground motion", true}};
-static const char *const kinds[] = {"shear", "isolated", "rigid", "wall", NULL};
+static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall", "lead-rubber",
+                                    "pendulum", "matrix",   "modes", NULL};
+
+static bool is_isolated(const char *kind)
+{
+    return strcmp(kind, "isolated") == 0 || strcmp(kind, "lead-rubber") == 0 || strcmp(kind, "pendulum") == 0;
+}
+
+static bool is_read(const char *kind)
+{
+    return strcmp(kind, "matrix") == 0 || strcmp(kind, "modes") == 0;
+}
 
 const struct thud_new_about *thud_new_about(enum thud_new_row row)
 {
@@ -68,7 +82,7 @@ void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, 
 bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side)
 {
     const char *k = preset->text[THUD_NEW_KIND][side];
-    bool building = strcmp(k, "shear") == 0 || strcmp(k, "isolated") == 0;
+    bool building = strcmp(k, "shear") == 0 || is_isolated(k) || is_read(k);
     if (about[row].single)
         return side == 0;
     return row == THUD_NEW_KIND || building || (row == THUD_NEW_MASS && strcmp(k, "rigid") == 0);
@@ -106,6 +120,35 @@ static enum thud_status stiffness(const struct thud_new_preset *preset, int side
     return THUD_OK;
 }
 
+/* Usual bearings: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there. */
+static enum thud_status bearings(const struct thud_new_preset *preset, int side, struct thud_text *out,
+                                 struct thud_error *err)
+{
+    static const double period_s = 2.5, ratio = 0.05;
+    const char *end;
+    char text[THUD_NEW_TEXT + 16], value[64];
+    struct thud_quantity mass;
+    double n, omega = 2 * THUD_PI / period_s;
+    if (strcmp(preset->text[THUD_NEW_KIND][side], "pendulum") == 0) {
+        thud_quantity_format(THUD_GRAVITY / (omega * omega), "m", value, sizeof value);
+        thud_text_append(out, "    isolator:\n      law: pendulum\n      radius: %.4s m\n      friction: 5 %%\n",
+                         value);
+        return THUD_OK;
+    }
+    value_of(preset, THUD_NEW_MASS, side, text, sizeof text);
+    enum thud_status status = thud_quantity_parse(text, THUD_MASS, NULL, &mass, err);
+    if (status != THUD_OK)
+        return status;
+    if (thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
+        return thud_error_set(err, THUD_INPUT, "bearings stand below at least one storey");
+    double all = mass.value * (n + 1);
+    thud_text_append(out,
+                     "    isolator:\n      law: lead-rubber\n      strength: %.4g kN\n      post-yield: %.4g MN/m\n"
+                     "      yield: 10 mm\n",
+                     1e-3 * ratio * all * THUD_GRAVITY, 1e-6 * all * omega * omega);
+    return THUD_OK;
+}
+
 /* KEY: VALUE, and what is to be said of it. */
 static void line(struct thud_text *out, const char *key, const char *value, const char *comment)
 {
@@ -123,7 +166,8 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     const char *k = preset->text[THUD_NEW_KIND][side];
     char mass[THUD_NEW_TEXT + 16], text[THUD_NEW_TEXT + 16];
     thud_text_append(out, "  - name: %s\n", side ? "B" : "A");
-    line(out, "kind", k, side ? NULL : "shear | isolated | rigid | wall");
+    line(out, "kind", is_isolated(k) ? "isolated" : k,
+         side ? NULL : "shear | isolated | rigid | wall | matrix | modes");
     if (strcmp(k, "wall") == 0)
         return THUD_OK;
     value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
@@ -134,16 +178,23 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     }
     line(out, "storeys", preset->text[THUD_NEW_STOREYS][side], NULL);
     line(out, "mass", mass, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
-    enum thud_status status = stiffness(preset, side, text, sizeof text, err);
-    if (status != THUD_OK)
-        return status;
-    line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
+    if (is_read(k)) {
+        line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");
+    } else {
+        enum thud_status status = stiffness(preset, side, text, sizeof text, err);
+        if (status != THUD_OK)
+            return status;
+        line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
+    }
     value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
     line(out, "height", text, side ? NULL : "of every storey, or a list");
     value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
     line(out, "damping", text, side ? NULL : "of every mode");
-    if (strcmp(k, "isolated") == 0) {
+    if (is_isolated(k))
         line(out, "base-mass", mass, NULL);
+    if (is_isolated(k) && strcmp(k, "isolated") != 0)
+        return bearings(preset, side, out, err);
+    if (is_isolated(k)) {
         line(out, "isolation-stiffness", "12.5 MN/m", NULL);
         line(out, "isolation-damping", "15 %", NULL);
     }
@@ -156,7 +207,7 @@ static void called(const struct thud_new_preset *preset, int side, char *text, s
     const char *k = preset->text[THUD_NEW_KIND][side];
     if (thud_new_applies(preset, THUD_NEW_STOREYS, side))
         snprintf(text, size, "%.20s-storey %s", preset->text[THUD_NEW_STOREYS][side],
-                 k[0] == 's' ? "building" : "isolated building");
+                 is_isolated(k) ? "isolated building" : "building");
     else
         snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
 }

@@ -151,7 +151,7 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
             snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
             if (!thud_scene_param(&tui->doc.scene, key, &(int){0})) {
                 if (c >= first && c <= last)
-                    thud_pane_put(pane, column[c].x - shift, y, thud_look(THUD_ROLE_MUTED, 0), "-");
+                    thud_pane_right(pane, column[c].x - shift + column[c].w, y, thud_look(THUD_ROLE_MUTED, 0), "-");
             } else if (c >= first && c <= last)
                 thud_field_value(tui, index, pane, column[c].x - shift, y, column[c].w, key, false);
             else
@@ -275,10 +275,16 @@ static void draw_building(struct thud_dots *dots, const struct elevation *e, con
         thud_dots_line(dots, x, base, x, top, 1, look);
     thud_dots_line(dots, left + core, base, left + core, top, 1, look);
     thud_dots_line(dots, right - core, base, right - core, top, 1, look);
+    const double bearing = structure->kind == THUD_ISOLATED ? dots->down : 0.0; /* the slab lies on them */
     for (int i = 0; i < n; i++) {
-        double y = row_of(dots, e, thud_structure_elevation(structure, i));
+        double y = row_of(dots, e, thud_structure_elevation(structure, i)) - (i == 0 ? bearing : 0.0);
         thud_dots_line(dots, left, y, right, y, 1, look);
     }
+    for (double x = -1.0; x <= 1.0 && bearing > 0.0; x += 1.0)
+        for (int side = 0; side < 2; side++) {
+            double at = side ? right - 1.5 * dots->across : left + 1.5 * dots->across;
+            thud_dots_line(dots, at + x, base, at + x, base - bearing, 1, thud_look(THUD_ROLE_WARN, THUD_BOLD));
+        }
 }
 
 /* The shape of mode j (from 0), as wide as SHAPE. */
