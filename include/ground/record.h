@@ -17,6 +17,7 @@ struct thud_record {
     char station[96];
     char component[64];
     char event[96];
+    char licence[96];              /* under which its file may be passed on; empty: its file does not say */
     char sha256[THUD_SHA256_TEXT]; /* of its file, unpacked; empty: it is of none */
     char note[160];                /* how the samples were found in the file, for a person to see; may be empty */
     double dt_s;

@@ -56,6 +56,7 @@ static void add_keys(struct thud_text *out)
     add_group(THUD_GROUP_RECORD, "record.", out);
     add_group(THUD_GROUP_ANALYSIS, "analysis.", out);
     add_group(THUD_GROUP_STUDY, "study.", out);
+    add_group(THUD_GROUP_DOCUMENT, "document.", out);
     add_group(THUD_GROUP_SCENE, "", out);
 }
 

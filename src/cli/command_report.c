@@ -87,10 +87,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     }
     struct thud_site_report_options options = {.by = &by,
                                                .command = text.data,
-                                               .project = thud_args_value(args, "project"),
-                                               .author = thud_args_value(args, "author"),
-                                               .checker = thud_args_value(args, "checker"),
-                                               .date = thud_args_value(args, "date"),
+                                               .pdf = thud_args_has(args, "pdf"),
                                                .records = &records,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,
@@ -105,6 +102,8 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (status != THUD_OK)
         return status;
     thud_text_append(&text, "%s/report.html\n%s/report.md\n", folder, folder);
+    if (options.pdf)
+        thud_text_append(&text, "%s/report.pdf\n", folder);
     return thud_cli_print_files(args, &text, err);
 }
 

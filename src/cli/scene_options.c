@@ -13,11 +13,9 @@
 /* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */
 static const struct {
     const char *group, *option;
-} of_group[] = {{"analysis", "method"},
-                {"analysis", "step"},
-                {"analysis", "tolerance"},
-                {"analysis", "modes"},
-                {"study", "sensitivity"}};
+} of_group[] = {{"analysis", "method"},   {"analysis", "step"},    {"analysis", "tolerance"}, {"analysis", "modes"},
+                {"study", "sensitivity"}, {"document", "project"}, {"document", "author"},    {"document", "checker"},
+                {"document", "date"},     {"document", "revision"}};
 enum { OF_GROUPS = sizeof of_group / sizeof *of_group, KEY = 64 };
 
 /* The i-th option that sets one value of the scene, and that value's key; NULL past the last. */

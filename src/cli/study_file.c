@@ -126,6 +126,7 @@ static enum thud_status begin(const struct thud_args *args, const char *group, c
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *untitled = *scene;
     untitled->title[0] = '\0';
+    untitled->document = (struct thud_title_block){0};
     thud_scene_json(untitled, NULL, 0, &text);
     free(untitled);
     if (!text.failed)

@@ -82,7 +82,7 @@ START_TEST(figures_are_inside_and_beside)
     for (int i = 0; i < 3; i++) {
         struct thud_text svg = {0};
         thud_text_append(&svg, "%s", bytes[i]);
-        thud_document_figure(&document, "a.svg", "What \"is\" seen", &svg);
+        thud_document_figure(&document, "a.svg", "The caption.", "What \"is\" seen", &svg);
         ck_assert_ptr_null(svg.data);
     }
     write_both();
@@ -93,8 +93,8 @@ START_TEST(figures_are_inside_and_beside)
     }
     ck_assert_ptr_null(thud_document_picture(&document, 3, &file));
     ck_assert(has(&html, "<img alt=\"What &quot;is&quot; seen\" src=\"data:image/svg+xml;base64,"));
-    ck_assert(has(&markdown, "![What \"is\" seen](a.svg)\n\nFigure 1. What \"is\" seen\n"));
-    ck_assert(has(&html, "<figcaption>Figure 3. What"));
+    ck_assert(has(&markdown, "![What \"is\" seen](a.svg)\n\nFigure 1. The caption.\n"));
+    ck_assert(has(&html, "<figcaption>Figure 3. The caption."));
 }
 END_TEST
 
@@ -108,13 +108,23 @@ START_TEST(sentences_in_tables_and_what_is_cut)
         if (i % 3 == 2)
             thud_document_row(&document);
     }
+    thud_document_table(&document, ""); /* of a title block: no caption, and it is not counted */
+    thud_document_head(&document, "Project|A");
+    thud_document_table(&document, "Next");
     size_t n = document.n;
+    for (int i = 0; i < 3; i++)
+        thud_document_item(&document, "item %d", i);
+    thud_document_take(&document, n, 2);
+    ck_assert(document.n == n + 1);
+    n = document.n;
     thud_document_item(&document, "not for the first page");
     thud_document_cut(&document, n);
     ck_assert(document.n == n);
     write_both();
-    ck_assert(has(&html, "<td class=\"prose\">a sentence with several words</td><td>3</td>"));
+    ck_assert(has(&html, "<td class=\"words\">a sentence with several words</td><td>3</td>"));
     ck_assert(has(&markdown, "\n|---|---|---:|\n"));
+    ck_assert(has(&markdown, "**Table 2. Next**") && has(&markdown, "\n| Project | A |\n"));
+    ck_assert(has(&html, "<li>item 2</li>") && !has(&html, "item 0") && !has(&html, "item 1"));
     ck_assert(!has(&html, "first page") && !has(&markdown, "first page"));
 }
 END_TEST

@@ -7,6 +7,8 @@
 
 #include "base/quantity.h"
 #include "plot/figures/figures_run.h"
+#include "plot/figures/figures_scene.h"
+#include "study/scene/level.h"
 
 /* Two buildings of 3 and 9 floors and a made-up run with one impact at 5 s on floor 2. */
 enum { LEFT = 3, RIGHT = 9, DOFS = LEFT + RIGHT, CONTACTS = 3, ROWS = 1001 };
@@ -112,12 +114,46 @@ START_TEST(histories_show_floors_in_their_units)
         ck_assert(a->axis[THUD_Y].least == figure->panel[2 * LEFT].axis[THUD_Y].least);
         ck_assert_ptr_nonnull(strstr(figure->title, "bumper, gap 10 cm"));
         int i = 321, dof = 1;
-        const double want[] = {0.1 * (dof + 1) * cos(3.21), -(dof + 1) * sin(3.21), 100 * 0.01 * (dof + 1) * sin(3.21),
-                               1000 * 0.01 * sin(3.21)};
+        const double want[] = {0.1 * (dof + 1) * cos(3.21), -(dof + 1) * sin(3.21) / THUD_GRAVITY,
+                               100 * 0.01 * (dof + 1) * sin(3.21), 1000 * 0.01 * sin(3.21)};
         ck_assert_msg(fabs(a->series[0]->y[i] - want[w]) < 1e-9, "%d: %g %g", w, a->series[0]->y[i], want[w]);
         ck_assert(zoom->axis[THUD_X].least < 5.0 && zoom->axis[THUD_X].most > 5.2 && zoom->axis[THUD_X].most < 7.0);
         thud_figure_free(figure);
     }
+    drop(s);
+}
+END_TEST
+
+/* Masses and slabs stand at the elevations of the floors, gap and bumper have one factor, and the figure says what it
+ * shows. */
+START_TEST(a_scene_is_drawn_to_scale)
+{
+    struct sample *s = make();
+    const struct thud_scene *scene = s->source.scene;
+    struct thud_figure *figure = thud_figure_of_scene(scene, "scene", "");
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    int masses = 0, floors = 0;
+    for (int b = 0; b < scene->nstructures; b++) {
+        const int n = thud_structure_floors(&scene->structure[b]);
+        for (int f = 0; f < n; f++) {
+            bool found = false;
+            for (int i = 0; i < figure->panel[1].nseries; i++) {
+                const struct thud_series *dot = figure->panel[1].series[i];
+                found |= strcmp(dot->name, "mass") == 0 &&
+                         fabs(dot->y[0] - thud_structure_elevation(&scene->structure[b], f)) < 1e-12;
+            }
+            ck_assert_msg(found, "%d %d", b, f);
+        }
+        floors += n;
+    }
+    for (int i = 0; i < figure->panel[1].nseries; i++)
+        masses += strcmp(figure->panel[1].series[i]->name, "mass") == 0;
+    ck_assert_int_eq(masses, floors);
+    struct thud_text words = {0};
+    thud_figure_words(figure, &words);
+    ck_assert_ptr_nonnull(strstr(words.data, "a drawing of"));
+    thud_text_clear(&words);
+    thud_figure_free(figure);
     drop(s);
 }
 END_TEST
@@ -204,7 +240,7 @@ START_TEST(envelopes_stand_over_the_height)
     const struct thud_series *acceleration = figure->panel[0].series[0], *drift = figure->panel[2].series[0];
     ck_assert_uint_eq(acceleration->n, LEFT + 1); /* and the ground */
     ck_assert(acceleration->x[0] == 0.0 && acceleration->y[0] == 0.0);
-    ck_assert(acceleration->x[3] == 3.0 && acceleration->y[3] == 9.0);
+    ck_assert(fabs(acceleration->x[3] - 3.0 / THUD_GRAVITY) < 1e-12 && acceleration->y[3] == 9.0);
     const struct thud_panel *ratio = &figure->panel[3];
     ck_assert_str_eq(ratio->axis[THUD_X].label, "Drift ratio");
     ck_assert(fabs(ratio->series[0]->x[2] - 100 * 2e-3 / 3) < 1e-12); /* storey 2: 2 mm of 3 m */
@@ -236,6 +272,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("figures_run");
     TCase *tcase = tcase_create("figures_run");
     tcase_add_test(tcase, histories_show_floors_in_their_units);
+    tcase_add_test(tcase, a_scene_is_drawn_to_scale);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_lie_over_each_other);
     tcase_add_test(tcase, storeys_that_yield_show_their_loops);

@@ -73,6 +73,13 @@ struct thud_mark {
     const char *text; /* may be empty */
 };
 
+/* Words at a place, in front of the series: -1 left of it, 0 on it, 1 right of it. */
+struct thud_label {
+    double x, y;
+    int side;
+    const char *text;
+};
+
 /* A quantity over two parameters: z is (ny x nx), row-major, NaN where there is nothing. Contours at `level`. */
 struct thud_map {
     size_t nx, ny;
@@ -90,12 +97,14 @@ struct thud_panel {
     const char *title;
     const char *note;         /* one line under the title */
     struct thud_axis axis[2]; /* by enum thud_side */
-    int nseries, nmarks;
+    int nseries, nmarks, nlabels;
     struct thud_series **series;
     struct thud_mark *mark;
+    struct thud_label *label;
     struct thud_map *map; /* NULL: none */
     bool closer;          /* another panel's series, seen closer */
     bool strip;           /* one of a stack of small ones with one x axis, at the lowest; its title stands inside */
+    bool drawing;         /* of things, not of results: no grid, no numbers along x */
     bool used;
 };
 
@@ -134,6 +143,8 @@ void thud_panel_log(struct thud_panel *panel, enum thud_side side);
 void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text);
 void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from, double to, const char *text);
 
+void thud_panel_label(struct thud_panel *panel, double x, double y, int side, const char *text);
+
 /* Copies n values each; x or y NULL: zeros, to be filled by the caller. NULL when out of memory. */
 struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                    const double *x, const double *y);
@@ -168,6 +179,9 @@ char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
 /* All data of a figure as CSV: panel, series, then a column for each variable (an axis, a map's quantity, the upper end
  * of a band), headed by its name and unit; a row has numbers in those of its panel. */
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
+
+/* What a figure shows, in a sentence for each panel: what over what, and how far each curve reaches. */
+void thud_figure_words(const struct thud_figure *figure, struct thud_text *out);
 
 /* Least and largest of z that are numbers; false when there are none. */
 bool thud_map_range(const struct thud_map *map, double *least, double *most);

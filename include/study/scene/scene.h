@@ -164,6 +164,11 @@ struct thud_study_choice {
     char events[THUD_VARY_TEXT];  /* of the fragility, with commas or in brackets; empty: pounding, worse */
 };
 
+/* The title block of a report; empty: not given. */
+struct thud_title_block {
+    char project[128], author[64], checker[64], date[32], revision[32];
+};
+
 struct thud_scene {
     char name[THUD_NAME_MAX]; /* the preset's name, from its file name */
     char title[THUD_TEXT_MAX];
@@ -175,6 +180,7 @@ struct thud_scene {
     struct thud_analysis analysis;
     double shape[THUD_SHAPE_ROOM]; /* parts of the structures that are read from files */
     struct thud_study_choice study;
+    struct thud_title_block document;
     int nlinks;
     struct thud_link link[THUD_LINKS_MAX];
 };
@@ -250,6 +256,7 @@ enum thud_group {
     THUD_GROUP_LINK,
     THUD_GROUP_ANALYSIS,
     THUD_GROUP_STUDY,
+    THUD_GROUP_DOCUMENT,
     THUD_GROUPS
 };
 /* The described parameters of a group, in the order of presets; *count of them. */

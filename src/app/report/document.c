@@ -9,7 +9,7 @@ enum kind { TITLE, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
 
 struct thud_document_piece {
     enum kind kind;
-    struct thud_text text, file, svg; /* file and svg: of a figure */
+    struct thud_text text, file, alt, svg; /* all but text: of a figure */
 };
 
 enum { SENTENCES_MAX = 4000 };
@@ -83,7 +83,15 @@ void thud_document_row(struct thud_document *document)
     add(document, ROW, "");
 }
 
-void thud_document_figure(struct thud_document *document, const char *file, const char *caption, struct thud_text *svg)
+void thud_document_head(struct thud_document *document, const char *cells)
+{
+    for (size_t n; n = strcspn(cells, "|"), n > 0; cells += n + (cells[n] == '|'))
+        thud_document_cell(document, "%.*s", (int)n, cells);
+    thud_document_row(document);
+}
+
+void thud_document_figure(struct thud_document *document, const char *file, const char *caption, const char *alt,
+                          struct thud_text *svg)
 {
     struct thud_document_piece *piece = add(document, FIGURE, caption);
     if (!piece) {
@@ -91,9 +99,10 @@ void thud_document_figure(struct thud_document *document, const char *file, cons
         return;
     }
     thud_text_append(&piece->file, "%s", file);
+    thud_text_append(&piece->alt, "%s", alt);
     piece->svg = *svg;
     *svg = (struct thud_text){0};
-    document->failed = document->failed || piece->file.failed || piece->svg.failed;
+    document->failed = document->failed || piece->file.failed || piece->alt.failed || piece->svg.failed;
 }
 
 const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file)
@@ -106,14 +115,25 @@ const struct thud_text *thud_document_picture(const struct thud_document *docume
     return NULL;
 }
 
+void thud_document_take(struct thud_document *document, size_t n, size_t count)
+{
+    size_t end = n + count < document->n ? n + count : document->n;
+    for (size_t i = n; i < end; i++) {
+        struct thud_document_piece *piece = &document->piece[i];
+        struct thud_text *const text[] = {&piece->text, &piece->file, &piece->alt, &piece->svg};
+        for (size_t k = 0; k < sizeof text / sizeof *text; k++)
+            thud_text_clear(text[k]);
+    }
+    if (end <= n)
+        return;
+    memmove(&document->piece[n], &document->piece[end], (document->n - end) * sizeof *document->piece);
+    document->n -= end - n;
+}
+
 void thud_document_cut(struct thud_document *document, size_t n)
 {
-    for (size_t i = n; i < document->n; i++) {
-        thud_text_clear(&document->piece[i].text);
-        thud_text_clear(&document->piece[i].file);
-        thud_text_clear(&document->piece[i].svg);
-    }
-    document->n = n < document->n ? n : document->n;
+    if (n < document->n)
+        thud_document_take(document, n, document->n - n);
 }
 
 void thud_document_clear(struct thud_document *document)
@@ -128,7 +148,9 @@ static void put_number(const struct thud_document *document, size_t i, struct th
 {
     int number = 0;
     for (size_t k = 0; k <= i; k++)
-        number += document->piece[k].kind == document->piece[i].kind;
+        number += document->piece[k].kind == document->piece[i].kind && document->piece[k].text.size > 0;
+    if (document->piece[i].text.size == 0)
+        return;
     thud_text_append(out, "%s %d. ", document->piece[i].kind == TABLE ? "Table" : "Figure", number);
 }
 
@@ -137,10 +159,28 @@ static const char *text_of(const struct thud_document_piece *piece)
     return piece->text.data ? piece->text.data : "";
 }
 
-/* Sentences begin at the left of their column, numbers end at its right. */
-static bool is_prose(const char *text)
+static bool is_words(const char *text)
 {
-    return strlen(text) > 24 && strchr(text, ' ');
+    return (strlen(text) > 24 && strchr(text, ' ')) || !strchr("0123456789+-.<[", *text);
+}
+
+/* Words begin at the left of their column, numbers end at its right: of a table, one of whose body's cells in column k is
+ * in words. */
+static bool column_is_words(const struct thud_document *document, size_t table, int k)
+{
+    int column = 0, row = 0;
+    for (size_t i = table + 1; i < document->n; i++) {
+        const struct thud_document_piece *piece = &document->piece[i];
+        if (piece->kind == ROW) {
+            row++;
+            column = 0;
+        } else if (piece->kind != CELL) {
+            break;
+        } else if (column++ == k && row > 0 && is_words(text_of(piece))) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* ---- HTML ---- */
@@ -190,11 +230,12 @@ static void base64(struct thud_text *out, const struct thud_text *bytes)
 
 /* A4: 210 mm less 10 mm on both sides is what a figure of 190 mm takes. */
 static const char style[] =
-    "@page { size: A4; margin: 12mm 10mm 16mm 10mm; @bottom-right { content: counter(page) ' of ' counter(pages); "
-    "font-size: 8pt } }\n"
+    "@page { size: A4; margin: 12mm 10mm 16mm 10mm; @bottom-right { content: 'page ' counter(page) ' of ' "
+    "counter(pages); "
+    "font-size: 8pt } @bottom-left { content: string(title); font-size: 8pt } }\n"
     "html { font: 10.5pt/1.45 'DejaVu Sans', Verdana, sans-serif; color: #111; background: #fff }\n"
     "body { max-width: 190mm; margin: 8mm auto; padding: 0 4mm }\n"
-    "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em }\n"
+    "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em; string-set: title content() }\n"
     "h2 { font-size: 1.2em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid }\n"
     "main > div { overflow-x: auto } tbody th { max-width: 22em; overflow-wrap: anywhere }\n"
     "p, li { margin: .4em 0 } ul { padding-left: 1.4em }\n"
@@ -202,7 +243,7 @@ static const char style[] =
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
     "tabular-nums }\n"
-    "td.prose { text-align: left }\n"
+    "td.words, thead th.words { text-align: left }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
@@ -217,6 +258,7 @@ static const char style[] =
 struct place {
     bool list, table, body;
     int column;
+    size_t at; /* the table */
 };
 
 static void html_leave(struct thud_text *out, struct place *place, enum kind next)
@@ -238,16 +280,21 @@ static void html_element(struct thud_text *out, const char *open, const char *te
     thud_text_append(out, "%s", close);
 }
 
-static void html_cell(struct thud_text *out, struct place *place, const char *text)
+static void html_cell(struct thud_text *out, struct place *place, const struct thud_document *document,
+                      const char *text)
 {
     if (place->column++ == 0)
         thud_text_append(out, place->body ? "<tr>" : "<thead><tr>");
     if (!place->body)
-        html_element(out, "<th scope=\"col\">", text, "</th>");
+        html_element(out,
+                     column_is_words(document, place->at, place->column - 1) ? "<th scope=\"col\" class=\"words\">"
+                                                                             : "<th scope=\"col\">",
+                     text, "</th>");
     else if (place->column == 1)
         html_element(out, "<th scope=\"row\">", text, "</th>");
     else
-        html_element(out, is_prose(text) ? "<td class=\"prose\">" : "<td>", text, "</td>");
+        html_element(out, column_is_words(document, place->at, place->column - 1) ? "<td class=\"words\">" : "<td>",
+                     text, "</td>");
 }
 
 /* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
@@ -289,10 +336,10 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
                          is_long(document, i) ? "<div><table class=\"long\">\n<caption>" : "<div><table>\n<caption>");
         put_number(document, i, out);
         html_element(out, "", text_of(piece), "</caption>\n");
-        *place = (struct place){.table = true};
+        *place = (struct place){.table = true, .at = i};
         break;
     case CELL:
-        html_cell(out, place, text_of(piece));
+        html_cell(out, place, document, text_of(piece));
         break;
     case ROW:
         thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n<tbody>\n");
@@ -300,7 +347,8 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         place->column = 0;
         break;
     case FIGURE:
-        html_element(out, "<figure><img alt=\"", text_of(piece), "\" src=\"data:image/svg+xml;base64,");
+        html_element(out, "<figure><img alt=\"", piece->alt.data ? piece->alt.data : "",
+                     "\" src=\"data:image/svg+xml;base64,");
         base64(out, &piece->svg);
         thud_text_append(out, "\"><figcaption>");
         put_number(document, i, out);
@@ -345,13 +393,6 @@ static void escape_markdown(struct thud_text *out, const char *text)
     }
 }
 
-/* Of column k of the row that begins with piece `from`: the first of a table's body. */
-static bool column_is_prose(const struct thud_document *document, size_t from, int k)
-{
-    size_t i = from + (size_t)k;
-    return i < document->n && document->piece[i].kind == CELL && is_prose(text_of(&document->piece[i]));
-}
-
 static void markdown_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
     const struct thud_document_piece *piece = &document->piece[i];
@@ -361,7 +402,7 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
     if (out->size > 0 && !goes_on)
         thud_text_append(out, "\n");
     if (!goes_on)
-        *place = (struct place){.list = piece->kind == ITEM, .table = piece->kind == TABLE};
+        *place = (struct place){.list = piece->kind == ITEM, .table = piece->kind == TABLE, .at = i};
     switch (piece->kind) {
     case TITLE:
     case HEADING:
@@ -378,6 +419,8 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
         }
         return;
     case TABLE:
+        if (!*text)
+            return;
         thud_text_append(out, "**");
         put_number(document, i, out);
         escape_markdown(out, text);
@@ -391,14 +434,14 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
     case ROW:
         thud_text_append(out, "\n");
         for (int k = 0; !place->body && k < place->column; k++)
-            thud_text_append(out, "%s", k == 0 ? "|---|" : column_is_prose(document, i + 1, k) ? "---|" : "---:|");
+            thud_text_append(out, "%s", k == 0 ? "|---|" : column_is_words(document, place->at, k) ? "---|" : "---:|");
         thud_text_append(out, place->body ? "" : "\n");
         place->body = true;
         place->column = 0;
         return;
     case FIGURE:
         thud_text_append(out, "![");
-        escape_markdown(out, text);
+        escape_markdown(out, piece->alt.data ? piece->alt.data : "");
         thud_text_append(out, "](%s)\n\n", piece->file.data ? piece->file.data : "");
         put_number(document, i, out);
         break;

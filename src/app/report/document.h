@@ -19,18 +19,22 @@ void thud_document_heading(struct thud_document *document, const char *text);
 void thud_document_paragraph(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 /* Items that follow each other are one list. */
 void thud_document_item(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
-/* Takes out the pieces from the n-th (from 0) on; document->n counts them. */
+/* Takes out the pieces from the n-th (from 0) on; document->n counts them. Or so many of them. */
 void thud_document_cut(struct thud_document *document, size_t n);
+void thud_document_take(struct thud_document *document, size_t n, size_t count);
 /* Lines as they are, in letters of one width. */
 void thud_document_lines(struct thud_document *document, const char *text);
-/* A table: its caption, cells from left to right, thud_document_row after each row. The first row is the head, the
+/* A table: its caption (numbered; empty: neither), cells from left to right, thud_document_row after each row. The first row is the head, the
  * first column the name of its row. Ends with whatever is no cell. */
 void thud_document_table(struct thud_document *document, const char *caption);
 void thud_document_cell(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+/* A row of cells parted by `|`. */
+void thud_document_head(struct thud_document *document, const char *cells);
 void thud_document_row(struct thud_document *document);
-/* A picture in SVG, also written beside the Markdown as `file`; the caption says what is to be seen. Takes the bytes of
- * `svg`. */
-void thud_document_figure(struct thud_document *document, const char *file, const char *caption, struct thud_text *svg);
+/* A picture in SVG, also written beside the Markdown as `file`; the caption says what it is, `alt` what is to
+ * be seen in it. Takes the bytes of `svg`. */
+void thud_document_figure(struct thud_document *document, const char *file, const char *caption, const char *alt,
+                          struct thud_text *svg);
 
 void thud_document_html(const struct thud_document *document, struct thud_text *out);
 void thud_document_markdown(const struct thud_document *document, struct thud_text *out);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/report/paper_pdf.h"
 #include "app/report/site_report_private.h"
 #include "io/file/file.h"
 
@@ -254,7 +255,12 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
         thud_document_html(&site->document, &text);
         status = thud_text_write_in(&text, folder, "report.html", err);
     }
-    return status == THUD_OK ? thud_made_by_keep(by, err) : status;
+    if (status == THUD_OK && site->options->pdf) {
+        tell(site, "report.pdf");
+        status = thud_report_pdf(folder, site->options->pictures ? site->options->pictures->cancel : NULL, err);
+    }
+    const enum thud_status kept = status == THUD_OK || status == THUD_OUTPUT ? thud_made_by_keep(by, NULL) : status;
+    return status == THUD_OK ? kept : status;
 }
 
 static void clear(struct site *site)

@@ -10,21 +10,21 @@
 #include "plot/gnuplot/gnuplot.h"
 
 struct thud_site_report_options {
-    const struct thud_made_by *by;                 /* the folder, and whose results its are */
-    const char *project, *author, *checker, *date; /* of the title block; NULL: not given */
-    const char *command;                           /* as typed, to repeat it */
+    const struct thud_made_by *by;          /* the folder, and whose results its are */
+    const char *command;                    /* as typed, to repeat it */
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
     const struct thud_inputs *inputs;       /* that are uncertain */
     size_t samples;                         /* of them; 0: none are drawn */
     enum thud_sampling sampling;
     unsigned long long seed;
+    bool pdf; /* report.pdf too */
     const struct thud_picture_options *pictures;
     void *context;
     void (*progress)(void *context, const char *what); /* may be NULL */
 };
 
 /* Writes report.html, which needs nothing else, and report.md with its figures (SVG) into the folder. THUD_GNUPLOT:
- * both are written, without figures. Errors: THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
+ * both are written, without figures. With `pdf` report.pdf too (THUD_OUTPUT where it cannot be made). Errors: THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
 enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
                                   struct thud_error *err);
 

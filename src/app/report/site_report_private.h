@@ -70,14 +70,23 @@ struct site {
 /* All sections, in the order of the document. Errors: THUD_MEMORY, THUD_CANCELLED; see also site->pictures. */
 enum thud_status thud_site_write(struct site *site, struct thud_error *err);
 
-/* ---- the first page, and every input ---- */
+/* ---- sections, in the order of the document ---- */
 
-/* Project, author, checker and date, where they are given. */
+/* Project, author, checker, date and revision, where they are given. */
 void thud_site_title_block(struct site *site);
 /* A row for each thing that is decided. */
 void thud_site_verdicts(struct site *site);
-/* A table for each building, contact and bumper: every number that the runs use, by its key in a preset. */
+/* The three cautions that matter most; the others. */
+void thud_site_foremost(struct site *site);
+void thud_site_cautions(struct site *site);
+/* The drawing and the structures; every number that the runs use, by its key in a preset; the ground motions. */
+void thud_site_scene(struct site *site);
 void thud_site_inputs(struct site *site);
+void thud_site_loads(struct site *site);
+void thud_site_method(struct site *site);
+void thud_site_checks(struct site *site);
+void thud_site_unmade(struct site *site);
+void thud_site_provenance(struct site *site);
 
 /* Impacts of a run, and at how many levels. */
 int thud_site_impacts(const struct thud_result *result, int *levels);
@@ -109,9 +118,15 @@ struct thud_site_shown {
 struct thud_site_shown thud_site_number(double value, int digits);
 /* "floor 4 of A and floor 4 of B"; a wall has no floors. */
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
+/* "kobe-surrogate.csv (synthetic)", or event, station and component. */
+void thud_site_motion(const struct thud_record *record, char *text, size_t size);
+/* Whose struck columns they are: "floor 5 of B". Returns `name`. */
+const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size);
+/* "force of floor 4 of A and floor 4 of B", of a measure's name. */
+void thud_site_measure(const struct site *site, const char *name, char *text, size_t size);
 /* The contact with the largest force; NULL where there was no contact. */
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
-/* `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
+/* The caption ends in a stop. `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
 void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);
 
 #endif

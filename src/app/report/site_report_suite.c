@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "app/run/summary_line.h"
 #include "app/sweep/sweep_jobs.h"
 #include "plot/figures/figures_fragility.h"
 #include "plot/figures/figures_gap.h"
@@ -186,7 +187,7 @@ static void say_widths(struct site *site)
         d,
         "So that there is no contact, %zu of them need a gap of up to %.1f cm, %zu of them up to %.1f cm, "
         "and all of them %.1f cm, between the bare faces.",
-        f.half, 100 * f.median, f.most84, 100 * f.p84, 100 * f.most);
+        f.half, thud_summary_gap_cm(f.median), f.most84, thud_summary_gap_cm(f.p84), thud_summary_gap_cm(f.most));
 }
 
 /* How many motions the bumper helps and harms. */
@@ -252,7 +253,8 @@ static void add_motions(struct site *site)
         thud_document_cell(d, "%s", suite->gaps.name[r]);
         thud_document_cell(d, "%.3f", thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY);
         thud_document_cell(d, "%.4g", suite->plan.record[r]->scale);
-        thud_document_cell(d, "%.1f", 100 * thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL));
+        thud_document_cell(d, "%.1f",
+                           thud_summary_gap_cm(thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
         for (int k = 0; k < ncases; k++)
             thud_document_cell(
                 d, "%s",

@@ -82,6 +82,16 @@ static double unit_of(const struct thud_quantity_of_run *q)
     return q->ratio ? 1 : unit[q->kind];
 }
 
+/* "stiffness of B" of "stiffness.B", "contact stiffness" of "contact-stiffness"; "no bumper" of the case "none". */
+static void input_words(const char *name, char *text, size_t size)
+{
+    const char *dot = strchr(name, '.');
+    const int n = dot ? (int)(dot - name) : (int)strlen(name);
+    snprintf(text, size, "%.*s%s%s", n, name, dot ? " of " : "", dot ? dot + 1 : "");
+    for (int i = 0; i < n && text[i]; i++)
+        text[i] = text[i] == '-' ? ' ' : text[i];
+}
+
 static void add_sampled_row(struct site *site, int q)
 {
     struct thud_document *d = &site->document;
@@ -90,20 +100,23 @@ static void add_sampled_row(struct site *site, int q)
     const struct thud_uncertainty_told *t = &study->told[q];
     const double value[] = {t->nominal, t->low, t->median, t->high};
     double unit = unit_of(quantity);
-    thud_document_cell(d, "%s%s", quantity->name,
+    const bool none = strncmp(quantity->name, "none: ", 6) == 0;
+    thud_document_cell(d, "%s%s%s", none ? "no bumper: " : "", quantity->name + (none ? 6 : 0),
                        unit == THUD_GRAVITY ? ", g"
                        : unit == 1e-3       ? ", mm"
                        : unit == 1e6        ? ", MN"
                                             : "");
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
         thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / unit, 3).text);
-    thud_document_cell(d, "%s", study->uncertainty->input[thud_uncertainty_strongest(study, t)].name);
+    char input[160];
+    input_words(study->uncertainty->input[thud_uncertainty_strongest(study, t)].name, input, sizeof input);
+    thud_document_cell(d, "%s", input);
     thud_document_row(d);
 }
 
 static void samples(struct site *site)
 {
-    static const char *const head[] = {"peak", "as written", "5 %", "median", "95 %", "moved most by"};
+    static const char *const head[] = {"peak", "nominal", "5 %", "median", "95 %", "governed by"};
     struct thud_document *d = &site->document;
     const struct thud_uncertainty *u = site->uncertainty;
     char caption[120];
@@ -123,11 +136,10 @@ static void samples(struct site *site)
         thud_uncertainty_input_text(u, i, input, sizeof input);
         thud_text_append(&inputs, "%s%s", i ? ", " : "", input);
     }
-    thud_document_paragraph(
-        d,
-        "Drawn evenly over each range, independently of each other (seed %llu): %s. These sizes are "
-        "what is not known in practice unless they were given; whoever knows better gives others.",
-        site->samples.seed, inputs.data ? inputs.data : "");
+    thud_document_paragraph(d,
+                            "Inputs drawn uniformly over their ranges, independently of each other (seed %llu): %s. "
+                            "Ranges that were not given are defaults of practice.",
+                            site->samples.seed, inputs.data ? inputs.data : "");
     d->failed = d->failed || inputs.failed;
     thud_text_clear(&inputs);
 }
@@ -141,9 +153,8 @@ void thud_site_samples_summary(struct site *site)
         if (!quantity->ratio || isnan(t->median))
             continue;
         thud_document_item(&site->document,
-                           "With the inputs as uncertain as said below, the bumper lowers the mean %s of %s in %.0f %% "
-                           "of %.0f samples "
-                           "(ratio %.2f in the median, %.2f to %.2f from 5 to 95 %%).",
+                           "Over samples of the uncertain inputs the bumper lowers the mean %s of %s in %.0f %% of "
+                           "%.0f (median ratio %.2f; %.2f to %.2f from 5 to 95 %%).",
                            quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift",
                            thud_site_name(site, quantity->structure), 100 * t->below, t->count, t->median, t->low,
                            t->high);
@@ -186,7 +197,7 @@ static void stiffness(struct site *site)
         }
     thud_document_row(d);
     for (int i = 0; i < site->nrows; i++) {
-        snprintf(what, sizeof what, site->row[i].factor == 1 ? "as written" : "%g times the stiffness",
+        snprintf(what, sizeof what, site->row[i].factor == 1 ? "nominal" : "%g times the stiffness",
                  site->row[i].factor);
         add_stiffness_row(site, what, &site->row[i]);
     }
@@ -200,7 +211,7 @@ static void stiffness(struct site *site)
 
 void thud_site_sure_section(struct site *site)
 {
-    thud_document_heading(&site->document, "How sure it is");
+    thud_document_heading(&site->document, "Sensitivity and uncertainty");
     sensitivity(site);
     samples(site);
     stiffness(site);

@@ -17,13 +17,25 @@ static void row(struct site *site, const char *what, const char *found)
 
 void thud_site_title_block(struct site *site)
 {
-    const struct thud_site_report_options *o = site->options;
+    const struct thud_title_block *b = &site->scene->document;
     const struct {
         const char *what, *value;
-    } line[] = {{"Project", o->project}, {"Author", o->author}, {"Checker", o->checker}, {"Date", o->date}};
-    for (size_t i = 0; i < sizeof line / sizeof *line; i++)
-        if (line[i].value)
-            thud_document_item(&site->document, "%s: %s", line[i].what, line[i].value);
+    } line[] = {{"Project", b->project},
+                {"Revision", b->revision},
+                {"Date", b->date},
+                {"Prepared by", b->author},
+                {"Checked by", b->checker}};
+    bool begun = false;
+    for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
+        if (!*line[i].value)
+            continue;
+        if (!begun)
+            thud_document_table(&site->document, "");
+        begun = true;
+        row(site, line[i].what, line[i].value);
+    }
+    if (*b->checker)
+        row(site, "Signature", "");
 }
 
 /* The gap that is there, and the one that is needed, of an interface (from 1). */
@@ -75,12 +87,12 @@ static void bumper_row(struct site *site)
     int a[3], d[3], levels;
     char text[300];
     if (site->ncases <= SITE_BUMPER) {
-        row(site, "bumper worth it", "there is none");
+        row(site, "bumper of use", "there is none");
         return;
     }
     if (thud_site_impacts(site->cases[SITE_NONE].result, &levels) == 0) {
         bool in_contact = thud_site_impacts(site->cases[SITE_BUMPER].result, &levels) > 0;
-        row(site, "bumper worth it",
+        row(site, "bumper of use",
             in_contact ? "no: there is no contact without it, and it is struck" : "no: there is no contact without it");
         return;
     }
@@ -102,7 +114,7 @@ static void bumper_row(struct site *site)
         snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
                  thud_site_number(1e-6 * without->force.value, 3).text,
                  thud_site_number(1e-6 * with->force.value, 3).text);
-    row(site, "bumper worth it", text);
+    row(site, "bumper of use", text);
 }
 
 /* The floor with the largest acceleration and the storey with the largest drift of the scene as written. */
@@ -172,9 +184,28 @@ static void failing_row(struct site *site)
     row(site, "storeys and columns that fail", text);
 }
 
+/* Of a suite the ground motion that needs the widest gap. */
+static void governing_motion(struct site *site)
+{
+    const struct thud_gap_study *gaps = &site->suite.gaps;
+    double widest = 0;
+    int at = 0;
+    char text[400];
+    for (int r = 0; r < gaps->suite.nrecords; r++) {
+        double needed = thud_needed_gap_widest(gaps->gap[r], 0, THUD_GAP_EXACT, NULL);
+        if (needed > widest) {
+            widest = needed;
+            at = r;
+        }
+    }
+    snprintf(text, sizeof text, "load case %d, %.280s: needs %.1f cm", at + 1, gaps->name[at],
+             thud_summary_gap_cm(widest));
+    row(site, "governing ground motion of the suite", text);
+}
+
 void thud_site_verdicts(struct site *site)
 {
-    char text[400], peak[96];
+    char text[600], peak[96];
     thud_document_heading(&site->document, "Verdicts");
     thud_document_table(&site->document, "What was asked, and what came out");
     row(site, "question", "result");
@@ -186,12 +217,15 @@ void thud_site_verdicts(struct site *site)
     governing_rows(site);
     failing_row(site);
     if (site->record) {
+        char motion[320];
         thud_record_peak_text(site->record, peak, sizeof peak);
-        snprintf(text, sizeof text, "%.200s%s, %s%s", thud_path_name(site->record->file),
-                 thud_record_synthetic_mark(site->record), peak,
+        thud_site_motion(site->record, motion, sizeof motion);
+        snprintf(text, sizeof text, "%.280s, %s%s", motion, peak,
                  site->suite.runs ? ": the rows above are of this one; the suite has its own section" : "");
         row(site, "ground motion", text);
     }
+    if (site->suite.runs)
+        governing_motion(site);
 }
 
 /* ---- every input ---- */
@@ -199,48 +233,61 @@ void thud_site_verdicts(struct site *site)
 struct inputs {
     struct site *site;
     bool begun;
-    char section[64]; /* "structures.1.column": the table that is open */
+    char owner[64]; /* "structures.1": the table that is open */
 };
 
-/* "structures.2" as "B", "interfaces.1.bumper" as "A and B: bumper", "record" as "ground motion". */
-static void section_name(const struct site *site, const char *section, char *text, size_t size)
+/* Of "structures.1.column" the part with its number, its length. */
+static size_t owner_of(const char *section)
 {
-    int i = 0, used = 0;
-    if (sscanf(section, "structures.%d%n", &i, &used) == 1 && i >= 1 && i <= site->scene->nstructures)
-        snprintf(text, size, "%.60s%s%s", thud_site_name(site, i - 1), section[used] ? ": " : "",
-                 section[used] ? section + used + 1 : "");
-    else if (sscanf(section, "interfaces.%d%n", &i, &used) == 1 && i >= 1 && i < site->scene->nstructures)
-        snprintf(text, size, "%.60s and %.60s%s%s", thud_site_name(site, i - 1), thud_site_name(site, i),
-                 section[used] ? ": " : "", section[used] ? section + used + 1 : "");
-    else if (sscanf(section, "links.%d", &i) == 1)
+    size_t n = strcspn(section, ".");
+    return section[n] ? n + 1 + strcspn(section + n + 1, ".") : n;
+}
+
+/* "structures.2" as "B", "interfaces.1" as "A and B", "record" as "the ground motion". */
+static void owner_name(const struct site *site, const char *owner, char *text, size_t size)
+{
+    int i = 0;
+    if (sscanf(owner, "structures.%d", &i) == 1 && i >= 1 && i <= site->scene->nstructures)
+        snprintf(text, size, "%.60s", thud_site_name(site, i - 1));
+    else if (sscanf(owner, "interfaces.%d", &i) == 1 && i >= 1 && i < site->scene->nstructures)
+        snprintf(text, size, "the gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
+    else if (sscanf(owner, "links.%d", &i) == 1)
         snprintf(text, size, "link %d", i);
     else
         snprintf(text, size, "%s",
-                 !*section                        ? "the scene"
-                 : strcmp(section, "record") == 0 ? "the ground motion"
-                                                  : "the analysis");
+                 !*owner                        ? "the scene"
+                 : strcmp(owner, "record") == 0 ? "the ground motion"
+                                                : "the analysis");
 }
 
 static void put_input(void *context, const char *section, const char *key, const char *value)
 {
     struct inputs *inputs = context;
     struct thud_document *d = &inputs->site->document;
-    char name[160], caption[200];
-    if (!inputs->begun || strcmp(section, inputs->section) != 0) {
+    const size_t n = owner_of(section);
+    const char *rest = section[n] ? section + n + 1 : "";
+    char name[160], caption[200], path[640];
+    int floor;
+    if (!inputs->begun || strlen(inputs->owner) != n || strncmp(section, inputs->owner, n) != 0) {
         inputs->begun = true;
-        snprintf(inputs->section, sizeof inputs->section, "%s", section);
-        section_name(inputs->site, section, name, sizeof name);
+        snprintf(inputs->owner, sizeof inputs->owner, "%.*s", (int)n, section);
+        owner_name(inputs->site, inputs->owner, name, sizeof name);
         snprintf(caption, sizeof caption, "Inputs of %s", name);
         thud_document_table(d, caption);
-        row(inputs->site, "key in the preset", "value");
+        thud_document_head(d, "key in the preset|meaning|value");
     }
-    row(inputs->site, key, value);
+    snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", key);
+    const struct thud_param *param = thud_scene_param(inputs->site->scene, path, &floor);
+    thud_document_cell(d, "%s%s%s", rest, *rest ? "." : "", key);
+    thud_document_cell(d, "%s", param ? param->title : "");
+    thud_document_cell(d, "%s", value);
+    thud_document_row(d);
 }
 
 void thud_site_inputs(struct site *site)
 {
     struct inputs inputs = {.site = site};
-    thud_document_heading(&site->document, "Every input");
+    thud_document_heading(&site->document, "Inputs");
     if (thud_preset_each(site->scene, &inputs, put_input) != THUD_OK)
         site->document.failed = true;
 }

@@ -1,6 +1,7 @@
 /* Words and pictures that several sections of a report share. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/report/site_report_private.h"
@@ -56,6 +57,7 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     if (site->options->pictures)
         options = *site->options->pictures;
     options.format = THUD_SVG;
+    options.no_title = true;
     if (options.width_px == 0) {
         options.width_px = WIDTH_PX;
         options.height_px = (int)(share * WIDTH_PX);
@@ -65,7 +67,6 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     const struct thud_record *const *record = site->suite.drawing ? site->suite.plan.record : &site->record;
     int nrecords = site->suite.drawing ? site->suite.plan.nrecords : 1;
     thud_synthetic_text(thud_records_synthetic(record, nrecords), nrecords, options.motions, sizeof options.motions);
-    thud_figure_title_add(figure, options.motions);
     enum thud_status status = thud_figure_check(figure, &err);
     if (status == THUD_OK && site->pictures == THUD_OK)
         status = thud_gnuplot_draw(figure, &options, &svg, &err);
@@ -75,11 +76,77 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     }
     if (site->pictures == THUD_OK) {
         snprintf(file, sizeof file, "%s.svg", figure->name);
-        thud_document_figure(d, file, caption, &svg);
+        struct thud_text alt = {0};
+        char all[400];
+        thud_figure_words(figure, &alt);
+        const bool told = *options.motions && !figure->panel[0].drawing;
+        snprintf(all, sizeof all, told ? "%.*s (%s)." : "%.*s.", (int)strlen(caption) - 1, caption, options.motions);
+        thud_document_figure(d, file, all, alt.data ? alt.data : caption, &svg);
+        thud_text_clear(&alt);
     } else {
         thud_document_paragraph(d, "[Not drawn: %s]", caption);
     }
     thud_figure_free(figure);
+}
+
+void thud_site_motion(const struct thud_record *record, char *text, size_t size)
+{
+    const char *name = *record->event ? record->event : thud_path_name(record->file);
+    snprintf(text, size, "%s%s%s%s%s%s", name, *record->station ? ", station " : "", record->station,
+             *record->component ? ", component " : "", record->component, thud_record_synthetic_mark(record));
+}
+
+const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size)
+{
+    snprintf(name, size, "floor %d of %s", r->storey, thud_site_name(site, r->structure));
+    return name;
+}
+
+/* The quantity without its unit, blanks in place of `_`: "shear_lower_n" as "shear lower". */
+static void quantity_words(const char *quantity, char *text, size_t size)
+{
+    static const char *const unit[] = {"_mps2", "_mps", "_nm", "_ns", "_m", "_n", "_j"};
+    size_t n = strlen(quantity);
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+        size_t k = strlen(unit[i]);
+        if (n > k && strcmp(quantity + n - k, unit[i]) == 0) {
+            n -= k;
+            break;
+        }
+    }
+    snprintf(text, size, "%.*s", (int)n, quantity);
+    for (char *at = text; *at; at++)
+        *at = *at == '_' ? ' ' : *at;
+}
+
+void thud_site_measure(const struct site *site, const char *name, char *text, size_t size)
+{
+    const char *dot = strrchr(name, '.');
+    char owner[THUD_MEASURE_NAME_MAX], quantity[64], place[320];
+    int interface = 0, used = 0;
+    if (!dot) {
+        snprintf(text, size, "%s", name);
+        return;
+    }
+    snprintf(owner, sizeof owner, "%.*s", (int)(dot - name), name);
+    quantity_words(dot + 1, quantity, sizeof quantity);
+    char *last = strrchr(owner, '.');
+    snprintf(place, sizeof place, "%s", owner);
+    if (sscanf(owner, "contact.%d.%n", &interface, &used) == 1 && used > 0) {
+        char left[16] = "", right[16] = "";
+        sscanf(owner + used, "%15[^-]-%15s", left, right);
+        const struct thud_result *r = site->own->result;
+        for (int c = 0; c < r->ncontacts; c++)
+            if (r->contact[c].interface == interface && r->contact[c].left_floor == atoi(left) &&
+                r->contact[c].right_floor == atoi(right))
+                thud_site_sides(site, interface, atoi(left), atoi(right), r->contact[c].struck, place, sizeof place);
+    } else if (sscanf(owner, "column.%d.%n", &interface, &used) == 1 && used > 0 && last) {
+        snprintf(place, sizeof place, "the columns below floor %s of %.*s", last + 1, (int)(last - owner - used),
+                 owner + used);
+    } else if (last && strspn(last + 1, "0123456789") == strlen(last + 1)) {
+        snprintf(place, sizeof place, "floor %s of %.*s", last + 1, (int)(last - owner), owner);
+    }
+    snprintf(text, size, "%s of %s", quantity, place);
 }
 
 struct thud_site_shown thud_site_number(double value, int digits)
@@ -88,8 +155,8 @@ struct thud_site_shown thud_site_number(double value, int digits)
     if (value == 0)
         return out;
     int places = fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
-    if (fabs(value) < 1e-4)
-        snprintf(out.text, sizeof out.text, "%.*g", digits, value);
+    if (fabs(value) < 5e-4)
+        snprintf(out.text, sizeof out.text, value > 0 ? "<0.001" : ">-0.001");
     else
         snprintf(out.text, sizeof out.text, "%.*f", places > 0 ? places : 0, value);
     return out;

@@ -179,6 +179,8 @@ static const struct thud_option options[] = {
     {"author", "NAME", "who made it", THUD_WORD_TEXT, false, REPORT},
     {"checker", "NAME", "who checked it", THUD_WORD_TEXT, false, REPORT},
     {"date", "DATE", "of the report, as it shall stand there", THUD_WORD_TEXT, false, REPORT},
+    {"revision", "TEXT", "of the report", THUD_WORD_TEXT, false, REPORT},
+    {"pdf", NULL, "report.pdf too, by weasyprint or a headless browser", THUD_WORD_NONE, false, REPORT},
     {"play", "FILE", "play a session of :log, without a terminal too", THUD_WORD_FILE, false, SCREEN},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},

@@ -530,6 +530,7 @@ static void save_all(struct saving *s)
                      thud_yaml_child(&s->preset->tree, thud_yaml_find(&s->preset->tree, 0, "links", NULL), i));
     save_group(s, THUD_GROUP_ANALYSIS);
     save_group(s, THUD_GROUP_STUDY);
+    save_group(s, THUD_GROUP_DOCUMENT);
 }
 
 bool thud_preset_diff(const struct thud_preset *preset, const struct thud_scene *scene, const char *newline,

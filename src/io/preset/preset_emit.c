@@ -218,6 +218,7 @@ void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
     }
     emit_group(emit, scene, THUD_GROUP_ANALYSIS);
     emit_group(emit, scene, THUD_GROUP_STUDY);
+    emit_group(emit, scene, THUD_GROUP_DOCUMENT);
 }
 
 /* ---- every key ---- */

@@ -511,8 +511,8 @@ static enum thud_status check_scene(struct thud_preset *preset, struct thud_erro
 
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
 {
-    static const char *const known[] = {"title",      "p-delta", "record",   "structures",
-                                        "interfaces", "links",   "analysis", "study"};
+    static const char *const known[] = {"title", "p-delta",  "record", "structures", "interfaces",
+                                        "links", "analysis", "study",  "document"};
     enum thud_status status = check_keys(preset, 0, "", known, sizeof known / sizeof *known, err);
     for (int i = 0; i < 2 && status == THUD_OK; i++) { /* those of the scene itself */
         int value = thud_yaml_find(&preset->tree, 0, known[i], NULL);
@@ -530,6 +530,8 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
         status = walk_group(preset, 0, "analysis", err);
     if (status == THUD_OK)
         status = walk_group(preset, 0, "study", err);
+    if (status == THUD_OK)
+        status = walk_group(preset, 0, "document", err);
     if (status == THUD_OK) {
         status = thud_building_files_read(&preset->scene, preset->name, err);
         if (status != THUD_OK && err && !err->file[0])

@@ -224,6 +224,7 @@ static enum thud_status build(const struct record_source *source, const struct r
     memcpy(record->station, raw->station, sizeof record->station);
     memcpy(record->component, raw->component, sizeof record->component);
     memcpy(record->event, raw->event, sizeof record->event);
+    memcpy(record->licence, raw->licence, sizeof record->licence);
     memcpy(record->note, raw->note, sizeof record->note);
     record->synthetic = raw->synthetic;
     status = thud_record_choice_apply(record, choice, err);

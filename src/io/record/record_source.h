@@ -56,7 +56,7 @@ struct record_raw {
     int factor_line;
     char station[96];
     char component[64];
-    char event[96];
+    char event[96], licence[96];
     char note[160]; /* how the samples were found, for a person to see */
     bool synthetic;
 };

@@ -89,6 +89,7 @@ void record_table_prose(struct record_table *table, const struct record_line *li
     keep(line, "station", raw->station, sizeof raw->station);
     keep(line, "component", raw->component, sizeof raw->component);
     keep(line, "event", raw->event, sizeof raw->event);
+    keep(line, "licence", raw->licence, sizeof raw->licence);
 }
 
 enum thud_status record_table_name(struct record_table *table, size_t i, const char *name, int line,

@@ -118,6 +118,9 @@ void thud_scene_json(const struct thud_scene *scene, const char *file, int inden
         put_items(&w, THUD_GROUP_LINK, scene->nlinks);
     if (scene->study.nvary > 0 || scene->study.ncases > 0 || scene->study.sensitivity > 0)
         put_group(&w, THUD_GROUP_STUDY, true);
+    const struct thud_title_block *block = &scene->document;
+    if (*block->project || *block->author || *block->checker || *block->date || *block->revision)
+        put_group(&w, THUD_GROUP_DOCUMENT, true);
     thud_text_append(out, "}");
     free(w.value);
 }

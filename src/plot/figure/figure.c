@@ -201,6 +201,17 @@ void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from,
     marks[panel->nmarks++] = (struct thud_mark){side, from, to, keep_text(panel->figure, text)};
 }
 
+void thud_panel_label(struct thud_panel *panel, double x, double y, int side, const char *text)
+{
+    if (!panel)
+        return;
+    struct thud_label *labels = grow(panel->figure, panel->label, panel->nlabels, sizeof *labels);
+    if (!labels)
+        return;
+    panel->label = labels;
+    labels[panel->nlabels++] = (struct thud_label){x, y, side, keep_text(panel->figure, text)};
+}
+
 struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                    const double *x, const double *y)
 {

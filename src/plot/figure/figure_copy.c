@@ -27,6 +27,8 @@ static void copy_panel(struct thud_panel *to, const struct thud_panel *from)
     }
     for (int i = 0; i < from->nmarks; i++)
         thud_panel_mark(to, from->mark[i].side, from->mark[i].from, from->mark[i].to, from->mark[i].text);
+    for (int i = 0; i < from->nlabels; i++)
+        thud_panel_label(to, from->label[i].x, from->label[i].y, from->label[i].side, from->label[i].text);
     if (from->map) {
         const struct thud_map *m = from->map;
         struct thud_map *map = thud_panel_map(to, m->nx, m->x, m->ny, m->y, m->z, m->label, m->unit);
@@ -41,6 +43,7 @@ static void copy_panel(struct thud_panel *to, const struct thud_panel *from)
     if (to) {
         to->closer = from->closer;
         to->strip = from->strip;
+        to->drawing = from->drawing;
     }
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/quantity.h"
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
@@ -11,7 +12,7 @@ enum { ACCELERATION, DISPLACEMENT, DRIFT, RATIO, QUANTITIES };
 static const struct {
     const char *label, *unit;
     double factor;
-} quantity[QUANTITIES] = {{"Total acceleration", "m/s²", 1.0},
+} quantity[QUANTITIES] = {{"Total acceleration", "g", 1.0 / THUD_GRAVITY},
                           {"Displacement", "cm", 100.0},
                           {"Deflection", "mm", 1000.0},
                           {"Drift ratio", "%", 100.0}};

@@ -19,7 +19,7 @@ static const struct quantity {
     double factor;
 } quantities[THUD_RUN_FIGURES] = {
     [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "floor velocity relative to the ground", "m/s", 1.0},
-    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "m/s²", 1.0},
+    [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "g", 1.0 / THUD_GRAVITY},
     [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "floor displacement relative to the ground", "cm",
                                   100.0},
     [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "interstorey deflection", "mm", 1000.0},

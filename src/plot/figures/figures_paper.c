@@ -1,7 +1,9 @@
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "plot/figures/figures_paper.h"
+#include "plot/figures/figures_scene.h"
 #include "study/scene/two_body.h"
 
 static const double step_s = 5e-4;
@@ -144,34 +146,36 @@ static void rectangle(struct thud_panel *panel, const char *name, int color, dou
     thud_panel_fill(panel, (struct thud_style){.color = color}, name, 2, x, low, high);
 }
 
-enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err)
+/* The two buildings of the paper, with bumpers. */
+static void two_buildings(struct thud_scene *scene)
 {
     static const int storeys[] = {4, 6};
-    static const double left[] = {0.0, 6.2}, width = 5.0, storey = 3.0, slab = 0.35;
-    struct thud_figure *figure = thud_figure_create("fig6", "The two buildings", 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    thud_panel_axis(panel, THUD_X, "", "");
-    thud_panel_axis(panel, THUD_Y, "Height", "m");
-    thud_panel_limits(panel, THUD_X, -0.8, 12.0);
-    thud_panel_limits(panel, THUD_Y, 0.0, 19.5);
-    thud_panel_tick(panel, THUD_X, left[0] + 0.5 * width, "A: 4-storey building");
-    thud_panel_tick(panel, THUD_X, left[0] + width + 0.6, "gap");
-    thud_panel_tick(panel, THUD_X, left[1] + 0.5 * width, "B: 6-storey building");
-    for (int b = 0; b < 2; b++)
-        for (int i = 1; i <= storeys[b]; i++) {
-            double top = storey * i, ends[2] = {left[b], left[b] + width};
-            const double y[2] = {top - storey, top};
-            rectangle(panel, i < storeys[b] ? "floor, 320 t" : "top floor, 250 t", i < storeys[b] ? 0 : 1, ends[0],
-                      ends[1], top - slab, top);
-            for (int side = 0; side < 2; side++)
-                thud_panel_add(panel, (struct thud_style){.color = 6}, "columns, 600 MN/m in each storey", 2,
-                               (double[]){ends[side], ends[side]}, y);
-            if (i <= storeys[0] && b == 0)
-                rectangle(panel, "bumper, 5 cm of rubber (not to scale)", 2, ends[1], ends[1] + 0.45, top - slab, top);
+    thud_scene_init(scene);
+    scene->nstructures = 2;
+    for (int s = 0; s < 2; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        thud_structure_init(p, THUD_SHEAR);
+        snprintf(p->name, sizeof p->name, "%d-storey building", storeys[s]);
+        p->storeys = storeys[s];
+        for (int i = 0; i < p->storeys; i++) {
+            p->mass_kg[i] = i + 1 < p->storeys ? 320e3 : 250e3;
+            p->stiffness_npm[i] = 600e6;
+            p->height_m[i] = 3;
+            p->slab_depth_m[i] = 0.3;
         }
-    thud_figure_note(figure,
-                     "Damping 5 % of critical in every mode; storeys of 3 m. Floors of both buildings are at the "
-                     "same levels and touch at A's four floors.");
+    }
+    thud_interface_init(&scene->interface[0]);
+    thud_interface_add_bumper(&scene->interface[0]);
+}
+
+enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(sizeof *scene);
+    if (!scene)
+        return finish(NULL, thud_error_set(err, THUD_MEMORY, "out of memory"), out, err);
+    two_buildings(scene);
+    struct thud_figure *figure = thud_figure_of_scene(scene, "fig6", "The two buildings");
+    free(scene);
     return finish(figure, THUD_OK, out, err);
 }
 

@@ -21,6 +21,7 @@ struct box {
 
 struct sheet {
     const struct thud_figure *figure;
+    const char *title;
     struct thud_text *out;
     double width, height; /* px */
     double em;            /* px */
@@ -62,9 +63,9 @@ void thud_gnuplot_panel(const struct sheet *sheet, int panel);
 /* How a series is drawn: "with lines lc rgb ..."; in the key a mark stands in the middle of its line. */
 void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key);
 
-/* Makes of what gnuplot 5.4 to 6.0 write the same, and what readers take. The picture has failed where there is no
- * memory for it. */
-void thud_picture_mend(enum thud_picture_format format, struct thud_text *picture);
+/* Makes of what gnuplot 5.4 to 6.0 write the same, and what readers take; an SVG gets the figure's own title and
+ * description. The picture has failed where there is no memory for it. */
+void thud_picture_mend(const struct thud_figure *figure, enum thud_picture_format format, struct thud_text *picture);
 enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
                                     struct thud_error *err);
 

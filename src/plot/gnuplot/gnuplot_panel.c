@@ -312,6 +312,7 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
         thud_text_append(sheet->out, "fs transparent solid %s noborder ",
                          bars || style.kind == THUD_BARS ? "0.8"
                          : style.thin                    ? "0.18"
+                         : style.wide                    ? "0.6"
                                                          : "0.25");
     else {
         thud_text_append(sheet->out, "lw %.2g ", width);
@@ -365,6 +366,18 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
         else
             thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.7", from);
         thud_text_append(out, " front font sprintf(',%%.4g', 0.85*PT) textcolor rgb '#404040'\n");
+    }
+}
+
+static void labels(const struct sheet *sheet, const struct thud_panel *panel)
+{
+    static const char *const side[] = {"right", "center", "left"};
+    for (int i = 0; i < panel->nlabels; i++) {
+        const struct thud_label *label = &panel->label[i];
+        thud_text_append(sheet->out, "set label %d ", 200 + i);
+        thud_gnuplot_quote(sheet->out, label->text, 0.0, sheet->em);
+        thud_text_append(sheet->out, " at first %.9g, first %.9g %s front font sprintf(',%%.4g', 0.85*PT)\n", label->x,
+                         label->y, side[label->side + 1]);
     }
 }
 
@@ -453,6 +466,8 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
                      grid_color);
     axis(sheet, panel, THUD_X, number_of + 1, &box);
     axis(sheet, panel, THUD_Y, number_of + 1, &box);
+    if (panel->drawing)
+        thud_text_append(out, "unset grid\nunset xtics\n");
     double room = 1.1 * (box.right - box.left), em = thud_gnuplot_fit(panel->title, room, sheet->em);
     if (panel->strip)
         em = 0.9 * sheet->em;
@@ -475,5 +490,6 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     if (panel->map)
         map_colors(sheet, panel->map, number_of + 1, &box);
     marks(sheet, panel);
+    labels(sheet, panel);
     plots(sheet, number_of);
 }

@@ -287,8 +287,8 @@ static void tell_limit(struct thud_error *err)
                          (double)space.rlim_cur / 1e6);
 }
 
-static enum thud_status judge(const struct child *child, const struct thud_picture_options *options, double seconds,
-                              struct thud_error *err)
+static enum thud_status judge(const struct child *child, const struct thud_figure *figure,
+                              const struct thud_picture_options *options, double seconds, struct thud_error *err)
 {
     char words[320];
     own_words(&child->messages, words, sizeof words);
@@ -312,7 +312,7 @@ static enum thud_status judge(const struct child *child, const struct thud_pictu
         tell_limit(err);
         return THUD_GNUPLOT;
     }
-    thud_picture_mend(options->format, child->picture);
+    thud_picture_mend(figure, options->format, child->picture);
     if (child->picture->failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory for a picture");
     return thud_picture_check(options->format, child->picture, err);
@@ -339,7 +339,7 @@ enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struc
          * a word; the dynamic linker ends with 127 as well and says what it lacks */
         bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127 &&
                        child.messages.size == 0;
-        status = missing ? start_failed(program, ENOENT, err) : judge(&child, options, seconds, err);
+        status = missing ? start_failed(program, ENOENT, err) : judge(&child, figure, options, seconds, err);
     }
     thud_text_clear(&child.messages);
     thud_text_clear(&script);

@@ -110,7 +110,7 @@ static void surroundings(const struct sheet *sheet)
     char footer[32];
     int note = thud_gnuplot_wrap(sheet->figure->note, 0.96 * sheet->width, THUD_NOTE_EM * sheet->em, NULL);
     snprintf(footer, sizeof footer, "%.3g*EY", 0.9 + 1.3 * (note - 1));
-    wide_label(sheet, 1, sheet->figure->title, "1-1.3*EY", THUD_TITLE_EM);
+    wide_label(sheet, 1, sheet->title, "1-1.3*EY", THUD_TITLE_EM);
     wide_label(sheet, 1 + THUD_LINES_MAX, sheet->figure->note, footer, THUD_NOTE_EM);
     for (int i = 0; i < sheet->nkeys; i++) {
         thud_text_append(out, "set label %d ", 40 + i);

@@ -46,7 +46,11 @@ static bool has_map(const struct thud_figure *figure)
 struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
                              struct thud_text *out)
 {
-    struct sheet sheet = {.figure = figure, .out = out, .rows = figure->rows, .columns = figure->columns};
+    struct sheet sheet = {.figure = figure,
+                          .title = options->no_title ? "" : figure->title,
+                          .out = out,
+                          .rows = figure->rows,
+                          .columns = figure->columns};
     static const double dpi[] = {[THUD_PNG] = 300.0, [THUD_SVG] = 96.0, [THUD_PDF] = THUD_PDF_DPI, [THUD_SIXEL] = 96.0};
     bool paper = options->width_mm > 0.0;
     double inch = dpi[options->format], point = inch / 72.0;
@@ -63,7 +67,7 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
         sheet.rows = figure->rows * figure->columns / sheet.columns;
     }
     lay_key(&sheet);
-    int title = thud_gnuplot_wrap(figure->title, 0.96 * sheet.width, THUD_TITLE_EM * sheet.em, NULL);
+    int title = !*sheet.title ? 0 : thud_gnuplot_wrap(sheet.title, 0.96 * sheet.width, THUD_TITLE_EM * sheet.em, NULL);
     int note = thud_gnuplot_wrap(figure->note, 0.96 * sheet.width, THUD_NOTE_EM * sheet.em, NULL);
     sheet.head = (0.8 + 1.6 * title) * sheet.em;
     sheet.foot = (0.6 + 1.3 * note + 1.6 * sheet.key_rows) * sheet.em;

@@ -269,6 +269,23 @@ static const struct thud_place study_places[] = {
     {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, study.both_signs)},
     {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.events), .size = THUD_VARY_TEXT},
 };
+
+static const struct thud_param document_params[] = {
+    WORD("project", "project", "What the report is for."),
+    WORD("author", "author", "Who made the report."),
+    WORD("checker", "checker", "Who checked it, or has to."),
+    WORD("date", "date", "Of the report, as it shall stand there."),
+    WORD("revision", "revision", "Of the report."),
+};
+#define AT(member) offsetof(struct thud_scene, document.member)
+static const struct thud_place document_places[] = {
+    {.store = THUD_STORE_TEXT, .offset = AT(project), .size = 128},
+    {.store = THUD_STORE_TEXT, .offset = AT(author), .size = 64},
+    {.store = THUD_STORE_TEXT, .offset = AT(checker), .size = 64},
+    {.store = THUD_STORE_TEXT, .offset = AT(date), .size = 32},
+    {.store = THUD_STORE_TEXT, .offset = AT(revision), .size = 32},
+};
+#undef AT
 /* clang-format on */
 
 #define GROUP(word, key)                                                                                               \
@@ -292,6 +309,7 @@ static const struct {
     [THUD_GROUP_LINK] = GROUP(link, "links"),
     [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis"),
     [THUD_GROUP_STUDY] = GROUP(study, "study"),
+    [THUD_GROUP_DOCUMENT] = GROUP(document, "document"),
 };
 
 const struct thud_param *thud_group_params(enum thud_group group, int *count)

@@ -242,15 +242,16 @@ static enum thud_status find_link(const struct thud_scene *scene, char **part, i
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
     static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "links",
-                                             "analysis", "study", "gap", "levels", "contact", "bumper"},
-                                            12};
+                                             "analysis", "study", "document", "gap", "levels", "contact", "bumper"},
+                                            13};
     return thud_words_unknown(&words, "key", key, err);
 }
 
 static enum thud_status find(const struct thud_scene *scene, struct path *path, struct thud_slot *out,
                              struct thud_error *err)
 {
-    static const enum thud_group flat[] = {THUD_GROUP_RECORD, THUD_GROUP_ANALYSIS, THUD_GROUP_STUDY};
+    static const enum thud_group flat[] = {THUD_GROUP_RECORD, THUD_GROUP_ANALYSIS, THUD_GROUP_STUDY,
+                                           THUD_GROUP_DOCUMENT};
     char **part = path->part;
     if (strcmp(part[0], "structures") == 0)
         return find_structure(scene, part + 1, path->n - 1, out, err);

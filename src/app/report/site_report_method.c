@@ -1,0 +1,292 @@
+/* Method, checks made and not made, reproducibility: prose from small tables. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "base/version.h"
+#include "core/methods/method.h"
+#include "io/preset/preset.h"
+
+/* ---- method ---- */
+
+static bool always(const struct site *site)
+{
+    (void)site;
+    return true;
+}
+static bool yields(const struct site *site)
+{
+    return thud_scene_yields(site->scene);
+}
+static bool has_columns(const struct site *site)
+{
+    return site->own->result->ncolumns > 0;
+}
+static bool has_p_delta(const struct site *site)
+{
+    return site->scene->p_delta;
+}
+static bool has_isolators(const struct site *site)
+{
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (site->scene->structure[s].kind == THUD_ISOLATED)
+            return true;
+    return false;
+}
+static bool has_suite(const struct site *site)
+{
+    return site->suite.runs != NULL;
+}
+static bool has_motion(const struct site *site)
+{
+    return site->record && !has_suite(site);
+}
+static bool has_samples(const struct site *site)
+{
+    return site->uncertainty != NULL;
+}
+static bool is_elastic(const struct site *site)
+{
+    return !yields(site);
+}
+static bool no_columns(const struct site *site)
+{
+    return !has_columns(site);
+}
+
+/* A sentence or two that stand where their condition holds. */
+struct phrase {
+    bool (*when)(const struct site *site);
+    const char *text;
+};
+
+static const struct phrase model[] = {
+    {always,
+     "Each building is a column of masses m at its floors, joined by storeys of lateral stiffness k. Relative to "
+     "the ground it moves by M u'' + C u' + K u = -M 1 a_g(t) + F, with the ground acceleration a_g and the "
+     "contact forces F. C gives every mode the damping ratio of the building (A. K. Chopra, Dynamics of "
+     "Structures, 4th ed., 11.4)."},
+    {yields,
+     "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the drift "
+     "d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift."},
+    {has_isolators,
+     "An isolated building stands on a base slab of its own mass; its isolators are one storey below the "
+     "slab, with a stiffness and a damping ratio of their own."},
+    {has_p_delta,
+     "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by "
+     "a tenth of its height has collapsed."},
+    {always, "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
+             "the approach velocity. The clearance is the gap less what the bumper stands out. Faces of slabs that "
+             "overlap in elevation meet."},
+    {has_columns,
+     "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
+     "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
+     "place of the strike."},
+};
+
+static const struct phrase unmade[] = {
+    {has_suite,
+     "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors are "
+     "under the governing load case alone."},
+    {has_motion, "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
+                 "suite of motions (option --records) adds fractions and fractiles over several."},
+    {has_samples,
+     "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
+     "same in every sample."},
+    {is_elastic, "Yielding: the storeys are elastic."},
+    {yields, "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength."},
+    {always, "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, soil and "
+             "foundations, and different ground motions under the buildings."},
+    {no_columns, "Slabs striking columns: in this scene floors meet floors."},
+    {has_columns, "Failure of struck columns: they stay elastic and whole, also above their capacity."},
+    {always, "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
+             "Local damage at the contact is in neither."},
+    {always, "Resistance of members, foundations and non-structural parts, by any code."},
+};
+
+static void say(struct site *site, const struct phrase *phrase, size_t n, bool items)
+{
+    for (size_t i = 0; i < n; i++)
+        if (phrase[i].when(site)) {
+            if (items)
+                thud_document_item(&site->document, "%s", phrase[i].text);
+            else
+                thud_document_paragraph(&site->document, "%s", phrase[i].text);
+        }
+}
+
+/* What a choice means: of "keep: it widens the clearance; recover: ..." the words behind its own. */
+static void add_choice(struct thud_text *out, const struct thud_param *param, double value)
+{
+    char key[64];
+    if (param->kind != THUD_PARAM_CHOICE || isnan(value))
+        return;
+    int n = snprintf(key, sizeof key, "%s: ", param->choices[(int)value]);
+    const char *at = strstr(param->help, key);
+    if (!at || n <= 0)
+        return;
+    at += n;
+    thud_text_append(out, " %c%s: %.*s.", param->title[0] - 'a' + 'A', param->title + 1,
+                     (int)(strcspn(at, ";") - (at[strcspn(at, ";")] == '\0')), at);
+}
+
+static void say_law(struct site *site, const char *what, const struct thud_law_choice *choice)
+{
+    struct thud_text text = {0};
+    const struct thud_law *law = choice->law;
+    thud_text_append(&text, "%s: %s, %s. Source: %s.", what, law->title, law->summary, law->reference);
+    for (int k = 0; k < law->nparams; k++)
+        add_choice(&text, &law->params[k], choice->value[k]);
+    thud_document_paragraph(&site->document, "%s", text.data ? text.data : "");
+    site->document.failed = site->document.failed || text.failed;
+    thud_text_clear(&text);
+}
+
+static bool same_choice(const struct thud_law_choice *a, const struct thud_law_choice *b)
+{
+    bool same = a->law == b->law;
+    for (int k = 0; same && k < a->law->nparams; k++)
+        same = a->value[k] == b->value[k] || (isnan(a->value[k]) && isnan(b->value[k]));
+    return same;
+}
+
+/* Each law once, where it is used first. */
+static void say_laws(struct site *site)
+{
+    const struct thud_scene *scene = site->scene;
+    char what[200];
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        const struct thud_interface *f = &scene->interface[i];
+        bool told[2] = {false, !f->has_bumper};
+        for (int k = 0; k < i; k++) {
+            told[0] = told[0] || same_choice(&f->contact, &scene->interface[k].contact);
+            told[1] =
+                told[1] || (scene->interface[k].has_bumper && same_choice(&f->bumper, &scene->interface[k].bumper));
+        }
+        for (int b = 0; b < 2; b++)
+            if (!told[b]) {
+                snprintf(what, sizeof what, "%s between %.60s and %.60s", b ? "Bumper" : "Contact of bare faces",
+                         thud_site_name(site, i), thud_site_name(site, i + 1));
+                say_law(site, what, b ? &f->bumper : &f->contact);
+            }
+    }
+}
+
+static void add_symbols(struct site *site)
+{
+    static const char *const symbol[][3] = {
+        {"a", "acceleration of a floor, total", "g = 9.80665 m/s2"},
+        {"u; d of a storey", "displacement relative to the ground; drift of a storey", "cm; mm"},
+        {"F; d of a contact; v", "contact force; indentation; approach velocity", "MN; mm; m/s"},
+        {"V; M of columns", "shear; bending moment", "MN; MN m"},
+        {"k; c; m", "stiffness; dashpot; mass (of a contact the effective mass m1 m2/(m1 + m2))", "MN/m; MN s/m; t"},
+        {"e; xi", "coefficient of restitution; damping ratio", "-; %"},
+        {"T1, T2, T3", "periods of the first modes", "s"},
+        {"Sa; Sd", "pseudo-acceleration; displacement of an oscillator (response spectrum)", "g; cm"},
+        {"gap", "distance of bare faces at rest; required ones are rounded up to a millimetre", "cm"},
+    };
+    struct thud_document *d = &site->document;
+    thud_document_table(d, "Symbols and units; every value is the largest over time unless it says otherwise");
+    thud_document_head(d, "symbol|meaning|unit");
+    for (size_t i = 0; i < sizeof symbol / sizeof *symbol; i++) {
+        for (int k = 0; k < 3; k++)
+            thud_document_cell(d, "%s", symbol[i][k]);
+        thud_document_row(d);
+    }
+}
+
+void thud_site_method(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_method *method = thud_method_find(site->own->result->method);
+    thud_document_heading(d, "Method");
+    say(site, model, sizeof model / sizeof *model, false);
+    say_laws(site);
+    if (method)
+        thud_document_paragraph(d, "The equations are solved by the method \"%s\": %s. Sources: %s.", method->title,
+                                method->summary, method->reference);
+    thud_document_paragraph(
+        d,
+        "Compared are %s. Events (onset, separation, yielding) are located in time, and every "
+        "largest value is that of the continuous history.",
+        site->ncases > SITE_BUMPER
+            ? "the buildings without pounding (too far apart to touch), with pounding but without bumper, "
+              "and with the bumper"
+            : "the buildings without pounding (too far apart to touch) and with pounding");
+    add_symbols(site);
+}
+
+/* ---- checks ---- */
+
+static void row(struct thud_document *d, const char *what, const char *found)
+{
+    thud_document_cell(d, "%s", what);
+    thud_document_cell(d, "%s", found);
+    thud_document_row(d);
+}
+
+void thud_site_checks(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_method *method = thud_method_find(site->second.method);
+    char text[600], of[320];
+    double worst = 0;
+    for (int i = 0; i < site->ncases; i++)
+        worst = fmax(worst, site->cases[i].result->energy.error_ratio);
+    thud_site_measure(site, site->second.of, of, sizeof of);
+    thud_document_heading(d, "Checks made");
+    thud_document_table(d, "Checks and what they found");
+    row(d, "check", "found");
+    if (site->second.values == 0)
+        snprintf(text, sizeof text, "not done: the scene is so stiff that %s takes more steps than are given to it",
+                 method ? method->title : site->second.method);
+    else
+        snprintf(text, sizeof text, "%d values compared; largest relative difference %.1e (%s); %s%s",
+                 site->second.values, site->second.difference, of,
+                 site->second.counts == 0 ? "all impact counts are equal" : "impact counts differ",
+                 site->second.difference > 1e-3 || site->second.counts > 0
+                     ? ". The methods do not agree to three digits: use no number before it is clear why"
+                     : "");
+    char second[200];
+    snprintf(second, sizeof second,
+             "second solution, %s, by the method \"%s\", which has no time stepping in common with the first",
+             site->own->words, method ? method->title : site->second.method);
+    row(d, second, text);
+    snprintf(text, sizeof text, "at most %.1e of the energy is unaccounted for", worst);
+    row(d, "energy balance of every case: input, kinetic, strain, damping, contact", text);
+    row(d, "inputs within their usual ranges", thud_scene_warning(site->scene, 0, NULL) ? "see the cautions" : "yes");
+    thud_document_paragraph(
+        d, "These checks show that the equations are solved right, not that they are the right equations: "
+           "the command thud verify --published lists what is validated against published results, and "
+           "what is not.");
+}
+
+void thud_site_unmade(struct site *site)
+{
+    thud_document_heading(&site->document, "Checks not made");
+    say(site, unmade, sizeof unmade / sizeof *unmade, true);
+}
+
+/* ---- reproducibility ---- */
+
+void thud_site_provenance(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    struct thud_text version = {0};
+    char *text = NULL;
+    unsigned long size;
+    thud_document_heading(d, "Reproducibility");
+    thud_version_text(&version);
+    thud_document_lines(d, version.data ? version.data : "");
+    d->failed = d->failed || version.failed;
+    thud_text_clear(&version);
+    thud_document_lines(d, site->options->command);
+    thud_document_paragraph(d, "The scene as computed, with every change made on the command line:");
+    if (thud_preset_text(site->session->preset, site->scene, &text, &size, NULL) == THUD_OK)
+        thud_document_lines(d, text);
+    else
+        d->failed = true;
+    free(text);
+}

@@ -1,0 +1,177 @@
+/* The scene that was computed: the drawing, the structures, and the ground motions as load cases. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "ground/identity.h"
+#include "ground/intensity.h"
+#include "ground/spectrum.h"
+#include "plot/figures/figures_record.h"
+#include "plot/figures/figures_scene.h"
+
+static void add_structure_rows(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    static const char *const kinds[] = {"shear building",         "rigid body",           "isolated building", "wall",
+                                        "building by its matrix", "building by its modes"};
+    thud_document_table(d, "Structures from left to right");
+    thud_document_head(d, "structure|kind|storeys|height m|mass t|damping %|T1 s|T2 s|T3 s");
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        const struct thud_structure *p = &site->scene->structure[s];
+        const struct thud_structure_result *r = &site->cases[SITE_FREE].result->structure[s];
+        double mass = p->kind == THUD_ISOLATED ? p->base_mass_kg : 0, height = 0;
+        for (int i = 0; i < p->storeys; i++) {
+            mass += p->mass_kg[i];
+            height += p->height_m[i];
+        }
+        thud_document_cell(d, "%s", thud_site_name(site, s));
+        thud_document_cell(d, "%s", kinds[p->kind]);
+        thud_document_cell(d, "%d", thud_site_is_building(site, s) ? p->storeys : 0);
+        if (thud_site_is_building(site, s))
+            thud_document_cell(d, "%.4g", height);
+        else
+            thud_document_cell(d, "-");
+        thud_document_cell(d, "%.5g", 1e-3 * mass);
+        thud_document_cell(d, thud_site_is_building(site, s) ? "%.3g" : "-", 100 * p->damping);
+        for (int m = 0; m < 3; m++)
+            if (m < r->floors && isfinite(r->period_s[m]))
+                thud_document_cell(d, "%.3f", r->period_s[m]);
+            else
+                thud_document_cell(d, "-");
+        thud_document_row(d);
+    }
+}
+
+void thud_site_scene(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    thud_document_heading(d, "Buildings and gap");
+    thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
+                     "Elevation of the buildings, levels in metres, and the model that is computed.");
+    add_structure_rows(site);
+    for (int i = 0; i + 1 < site->scene->nstructures; i++) {
+        const struct thud_interface *f = &site->scene->interface[i];
+        if (f->has_bumper)
+            thud_document_item(
+                d, "Clearance between %s and %s: %.4g cm (gap %.4g cm, bumper %.4g cm thick, cavity %.4g cm).",
+                thud_site_name(site, i), thud_site_name(site, i + 1), 100 * thud_interface_clearance(f), 100 * f->gap_m,
+                100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
+    }
+    for (int i = 0; i < site->scene->nlinks; i++) {
+        const struct thud_link_result *l = &site->own->result->link[i];
+        char name[2 * THUD_NAME_MAX];
+        thud_link_name(site->scene, i, name, sizeof name);
+        thud_document_item(
+            d, "Link %d, %s (%s), in every case: largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
+            name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
+            thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
+    }
+}
+
+/* ---- load cases ---- */
+
+/* What is known of a ground motion, "-" where it says nothing. */
+static const char *said(const char *text)
+{
+    return *text ? text : "-";
+}
+
+static void add_case_row(struct site *site, int number, const struct thud_record *record)
+{
+    struct thud_document *d = &site->document;
+    thud_document_cell(d, "%d", number);
+    thud_document_cell(d, "%s", *record->event ? record->event : thud_path_name(record->file));
+    thud_document_cell(d, "%s", record->synthetic ? "none: synthetic" : said(record->station));
+    thud_document_cell(d, "%s", said(record->component));
+    thud_document_cell(d, "%.4g", record->scale);
+    thud_document_cell(d, "%.3g", thud_record_peak(record) / THUD_GRAVITY);
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (thud_site_is_building(site, s)) {
+            const double period = site->own->result->structure[s].period_s[0];
+            const struct thud_spectrum_point p =
+                thud_spectrum_at(record, period, thud_gap_damping(site->own->solution.model, s));
+            thud_document_cell(d, "%.3g", p.acceleration_mps2 / THUD_GRAVITY);
+        }
+    thud_document_row(d);
+}
+
+static void add_load_cases(struct site *site, const struct thud_record *const *record, int n)
+{
+    struct thud_document *d = &site->document;
+    char head[1024] = "no.|event, or file|station|component|factor|peak g";
+    size_t used = strlen(head);
+    for (int s = 0; s < site->scene->nstructures && used + 100 < sizeof head; s++)
+        if (thud_site_is_building(site, s))
+            used += (size_t)snprintf(head + used, sizeof head - used, "|Sa g at T1 of %.64s", thud_site_name(site, s));
+    thud_document_table(d, "Load cases; Sa with the damping of each building");
+    thud_document_head(d, head);
+    for (int r = 0; r < n; r++)
+        add_case_row(site, r + 1, record[r]);
+    thud_document_table(d, "Files of the ground motions");
+    thud_document_head(d, "no.|file|licence|SHA-256");
+    for (int r = 0; r < n; r++) {
+        thud_document_cell(d, "%d", r + 1);
+        thud_document_cell(d, "%s", thud_path_name(record[r]->file));
+        thud_document_cell(d, "%s", said(record[r]->licence));
+        thud_document_cell(d, "%s", said(record[r]->sha256));
+        thud_document_row(d);
+    }
+}
+
+void thud_site_loads(struct site *site)
+{
+    enum { POINTS = 200, MARKS = THUD_STRUCTURES_MAX };
+    struct thud_document *d = &site->document;
+    struct thud_spectrum_point *point;
+    struct thud_period_mark mark[MARKS];
+    int nmarks = 0;
+    static const double damping = 0.05;
+    if (!site->record)
+        return;
+    const struct thud_record *const *suite = site->suite.runs ? site->suite.plan.record : &site->record;
+    struct thud_intensity m = thud_intensity_of(site->record);
+    char peak[96], motion[320];
+    thud_record_peak_text(site->record, peak, sizeof peak);
+    thud_site_motion(site->record, motion, sizeof motion);
+    thud_document_heading(d, "Load cases");
+    thud_document_paragraph(d, "Ground motion along the line of the buildings, the same under all of them. Vertical "
+                               "loads act by P-Delta alone, where it is switched on (input p-delta).");
+    add_load_cases(site, suite, site->suite.runs ? site->suite.plan.nrecords : 1);
+    thud_document_paragraph(d,
+                            "%s: %zu samples every %.4g s, %.4g s long; %s at %.4g s, largest velocity %.3g m/s, Arias "
+                            "intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
+                            motion, site->record->samples, site->record->dt_s, m.duration_s, peak, m.pga_time_s,
+                            m.pgv_mps, m.arias_mps, m.d5_95_s);
+    thud_document_table(d, "Response of each building's first mode to this ground motion");
+    thud_document_head(d, "structure|T1 s|damping %|Sa g|Sd cm");
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        const struct thud_structure_result *r = &site->own->result->structure[s];
+        if (!thud_site_is_building(site, s))
+            continue;
+        double zeta = thud_gap_damping(site->own->solution.model, s);
+        struct thud_spectrum_point p = thud_spectrum_at(site->record, r->period_s[0], zeta);
+        thud_document_cell(d, "%s", thud_site_name(site, s));
+        thud_document_cell(d, "%.3f", r->period_s[0]);
+        thud_document_cell(d, "%.3g", 100 * zeta);
+        thud_document_cell(d, "%.3g", p.acceleration_mps2 / THUD_GRAVITY);
+        thud_document_cell(d, "%.3g", 100 * p.displacement_m);
+        thud_document_row(d);
+        mark[nmarks].period_s = r->period_s[0];
+        snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
+        nmarks++;
+    }
+    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.55,
+                     "Acceleration, velocity and displacement of the ground.");
+    point = malloc(POINTS * sizeof *point);
+    if (!point) {
+        d->failed = true;
+        return;
+    }
+    thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
+    thud_site_figure(
+        site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.55,
+        "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the buildings.");
+    free(point);
+}

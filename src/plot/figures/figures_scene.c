@@ -1,0 +1,269 @@
+/* Left the elevation: slabs, columns, bumpers and the places that slabs strike, heights to scale, gaps wider by a factor
+ * that the note names. Right the model: masses, springs of storeys and isolators, contacts. Widths mean nothing. */
+#include "plot/figures/figures_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "study/scene/level.h"
+
+/* Widths on the drawing, m. */
+static const double building_m = 6, body_m = 4, wall_m = 1.5, gap_drawn_m = 2, model_m = 6;
+enum { LABELS_MOST = 12, TEETH = 6 };
+enum { SLAB = THUD_COLOR_GREY, FRAME = 6, STRUCK = 1, BUMPER = 2, CONTACT = 0 };
+static const struct thud_style solid = {.color = FRAME, .wide = true};
+
+struct drawing {
+    const struct thud_scene *scene;
+    struct thud_panel *elevation, *model;
+    double left[THUD_STRUCTURES_MAX], right[THUD_STRUCTURES_MAX]; /* faces in elevation */
+    double at[THUD_STRUCTURES_MAX];                               /* of the masses in the model */
+    double wider, low, high, foot; /* factor of the gaps; lowest ground, highest floor, what stands on the ground */
+};
+
+static void rectangle(struct thud_panel *panel, const char *name, int color, const double x[2], double bottom,
+                      double top)
+{
+    thud_panel_fill(panel, (struct thud_style){.color = color, .wide = true}, name, 2, x, (double[]){bottom, bottom},
+                    (double[]){top, top});
+}
+
+static void line(struct thud_panel *panel, const char *name, struct thud_style style, double x0, double y0, double x1,
+                 double y1)
+{
+    thud_panel_add(panel, style, name, 2, (double[]){x0, x1}, (double[]){y0, y1});
+}
+
+static void dot(struct thud_panel *panel, const char *name, int color, double x, double y)
+{
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color, .wide = true}, name, 1, &x, &y);
+}
+
+/* A spring from one point to another: a straight piece, teeth to either side, a straight piece. */
+static void spring(struct thud_panel *panel, const char *name, int color, double x0, double y0, double x1, double y1,
+                   double tooth_x, double tooth_y)
+{
+    double x[TEETH + 2], y[TEETH + 2];
+    for (int i = 0; i < TEETH + 2; i++) {
+        double t = i == 0 ? 0 : i == TEETH + 1 ? 1 : 0.2 + 0.6 * (i - 1) / (TEETH - 1);
+        double side = i < 2 || i > TEETH - 1 ? 0 : i % 2 ? 1 : -1;
+        x[i] = x0 + t * (x1 - x0) + side * tooth_x;
+        y[i] = y0 + t * (y1 - y0) + side * tooth_y;
+    }
+    thud_panel_add(panel, (struct thud_style){.color = color, .thin = true}, name, TEETH + 2, x, y);
+}
+
+static double elevation(const struct drawing *d, int s, int floor)
+{
+    double z = thud_structure_elevation(&d->scene->structure[s], floor);
+    return isnan(z) ? 0 : z;
+}
+
+static double width_of(enum thud_structure_kind kind)
+{
+    return kind == THUD_WALL ? wall_m : kind == THUD_RIGID ? body_m : building_m;
+}
+
+/* Where everything stands. */
+static void lay(struct drawing *d)
+{
+    const struct thud_scene *scene = d->scene;
+    double widest = 0, x = 0;
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        widest = fmax(widest, scene->interface[i].gap_m);
+    d->wider = 1;
+    for (double step = 10; widest > 0 && d->wider * widest < 0.5 * gap_drawn_m && step < 1e4; step *= 10)
+        d->wider = 2 * step * widest < gap_drawn_m ? 2 * step : step;
+    for (int s = 0; s < scene->nstructures; s++) {
+        const struct thud_structure *p = &scene->structure[s];
+        const int floors = thud_structure_floors(p);
+        d->left[s] = x;
+        d->right[s] = x + width_of(p->kind);
+        d->at[s] = model_m * s;
+        x = d->right[s];
+        if (s + 1 < scene->nstructures)
+            x += fmax(0.3, d->wider * scene->interface[s].gap_m);
+        if (p->kind != THUD_WALL) {
+            d->high = fmax(d->high, elevation(d, s, floors - 1));
+            d->low = fmin(d->low, thud_kind_is_building(p->kind) ? p->base_m : 0);
+        }
+    }
+    d->foot = d->low;
+    for (int s = 0; s < scene->nstructures; s++) /* isolators stand below their slab */
+        if (scene->structure[s].kind == THUD_ISOLATED)
+            d->foot = d->low - 0.1 * (d->high - d->low);
+}
+
+static double top_of_wall(const struct drawing *d, int s)
+{
+    double top = d->scene->structure[s].height_m[0];
+    return isfinite(top) ? fmax(top, 0.5) : d->high;
+}
+
+static void levels(const struct drawing *d, int s, int floor, double z)
+{
+    const struct thud_scene *scene = d->scene;
+    const int every = 1 + (thud_structure_floors(&scene->structure[s]) - 1) / LABELS_MOST;
+    char text[32];
+    if ((floor + 1) % every != 0)
+        return;
+    snprintf(text, sizeof text, "%+.2f", z);
+    if (s == 0)
+        thud_panel_label(d->elevation, d->left[s] - 0.3, z, -1, text);
+    else if (s + 1 == scene->nstructures)
+        thud_panel_label(d->elevation, d->right[s] + 0.3, z, 1, text);
+    else
+        thud_panel_label(d->elevation, 0.5 * (d->left[s] + d->right[s]), z + 0.03 * d->high, 0, text);
+}
+
+static void building(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const double x[] = {d->left[s], d->right[s]};
+    const int floors = thud_structure_floors(p), slab = p->kind == THUD_ISOLATED;
+    for (int f = 0; f < floors; f++) {
+        double z = elevation(d, s, f), below = f > 0 ? elevation(d, s, f - 1) : p->base_m;
+        double depth = fmax(thud_structure_depth(p, f), 0.02 * d->high);
+        rectangle(d->elevation, "slab", SLAB, x, z - depth, z);
+        levels(d, s, f, z);
+        for (int side = 0; side < 2 && f >= slab; side++)
+            line(d->elevation, "columns", solid, x[side], below, x[side], z);
+        for (int k = 0; k < 3 && f < slab; k++) {
+            double at = x[0] + (0.2 + 0.3 * k) * (x[1] - x[0]);
+            spring(d->elevation, "isolators", STRUCK, at, d->foot, at, z - depth, 0.25, 0);
+        }
+    }
+}
+
+static void in_elevation(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const double x[] = {d->left[s], d->right[s]}, z = p->kind == THUD_RIGID ? elevation(d, s, 0) : 0;
+    if (p->kind == THUD_WALL)
+        rectangle(d->elevation, "wall, moves with the ground", FRAME, x, d->foot, top_of_wall(d, s));
+    else if (p->kind == THUD_RIGID)
+        rectangle(d->elevation, "body", SLAB, x, z - 0.5, z + 0.5);
+    else
+        building(d, s);
+    thud_panel_label(d->elevation, 0.5 * (x[0] + x[1]),
+                     (p->kind == THUD_WALL ? top_of_wall(d, s) : elevation(d, s, thud_structure_floors(p) - 1)) +
+                         0.1 * (d->high - d->low),
+                     0, p->name);
+}
+
+static void number(const struct drawing *d, int s, double y, double value, const char *unit)
+{
+    char text[48];
+    snprintf(text, sizeof text, "%.4g %s", value, unit);
+    const int side = s > 0 || d->scene->nstructures == 1 ? 1 : -1;
+    const bool between = s > 0 && s + 1 < d->scene->nstructures; /* contacts to both sides: above their line */
+    thud_panel_label(d->model, d->at[s] + 0.4 * side, y + (between ? 0.025 * d->high : 0), side, text);
+}
+
+static void in_model(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const int floors = thud_structure_floors(p), slab = p->kind == THUD_ISOLATED,
+              every = 1 + (floors - 1) / LABELS_MOST;
+    const double x = d->at[s];
+    if (p->kind == THUD_WALL)
+        rectangle(d->model, "wall, moves with the ground", FRAME, (double[]){x - 0.3, x + 0.3}, d->foot,
+                  top_of_wall(d, s));
+    for (int f = 0; f < floors; f++) {
+        double z = elevation(d, s, f), below = f > 0 ? elevation(d, s, f - 1) : p->kind == THUD_RIGID ? z : p->base_m;
+        const bool told = (f + 1) % every == 0;
+        if (f < slab) {
+            spring(d->model, "isolators", STRUCK, x, d->foot, x, z, 0.25, 0);
+            number(d, s, 0.5 * (d->foot + z), 1e-6 * thud_structure_isolator(p).stiffness_npm, "MN/m");
+        } else if (thud_kind_is_read(p->kind)) {
+            line(d->model, "stiffness read from a file", (struct thud_style){.color = FRAME}, x, below, x, z);
+        } else if (p->kind != THUD_RIGID) {
+            spring(d->model, "storey stiffness", FRAME, x, below, x, z, 0.25, 0);
+            if (told)
+                number(d, s, 0.5 * (below + z), 1e-6 * p->stiffness_npm[f - slab], "MN/m");
+        }
+        dot(d->model, "mass", FRAME, x, z);
+        if (told)
+            number(d, s, z, 1e-3 * (f < slab ? p->base_mass_kg : p->mass_kg[f - slab]), "t");
+    }
+}
+
+static void contacts(const struct drawing *d, int i)
+{
+    const struct thud_interface *interface = &d->scene->interface[i];
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    const int n = thud_interface_contact_pairs(d->scene, i, pair);
+    const double from = d->right[i], to = d->left[i + 1], half = 0.015 * d->high;
+    for (int k = 0; k < n; k++) {
+        const bool left = thud_slab_is_left(pair[k].left_floor, pair[k].struck);
+        const int s = left ? i : i + 1, floor = left ? pair[k].left_floor : pair[k].right_floor;
+        double z = elevation(d, s, floor - 1), depth = thud_structure_depth(&d->scene->structure[s], floor - 1);
+        double y = z - 0.5 * depth;
+        if (interface->has_bumper) {
+            double face = from - d->wider * interface->bumper_cavity_m;
+            rectangle(d->elevation, "bumper", BUMPER, (double[]){face, face + d->wider * interface->bumper_thickness_m},
+                      y - half, y + half);
+        }
+        if (pair[k].struck)
+            dot(d->elevation, "columns are struck here", STRUCK, pair[k].struck < 0 ? from : to, y);
+        spring(d->model, interface->has_bumper ? "contact with bumper and gap" : "contact with gap", CONTACT, d->at[i],
+               y, d->at[i + 1], y, 0, 0.012 * d->high);
+    }
+    char text[64];
+    snprintf(text, sizeof text, "gap %.4g cm", 100 * interface->gap_m);
+    thud_panel_label(d->elevation, 0.5 * (from + to), d->foot - 0.06 * (d->high - d->low), 0, text);
+}
+
+static void links(const struct drawing *d)
+{
+    for (int i = 0; i < d->scene->nlinks; i++) {
+        int s[2], floor[2];
+        double z[2];
+        const char *const end[] = {d->scene->link[i].from, d->scene->link[i].to};
+        for (int k = 0; k < 2; k++) {
+            if (thud_link_end(d->scene, end[k], &s[k], &floor[k], NULL) != THUD_OK)
+                return;
+            z[k] = floor[k] > 0 ? elevation(d, s[k], floor[k] - 1) : 0;
+        }
+        const int a = s[0] < s[1] ? 0 : 1, b = 1 - a;
+        line(d->elevation, "link", (struct thud_style){.color = 5}, d->right[s[a]], z[a], d->left[s[b]], z[b]);
+        line(d->model, "link", (struct thud_style){.color = 5}, d->at[s[a]], z[a], d->at[s[b]], z[b]);
+    }
+}
+
+struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const char *name, const char *title)
+{
+    struct thud_figure *figure = thud_figure_create(name, title, 1, 2);
+    struct drawing d = {.scene = scene,
+                        .elevation = thud_figure_panel(figure, 0, 0, "Elevation"),
+                        .model = thud_figure_panel(figure, 0, 1, "Model")};
+    char note[240];
+    if (!figure)
+        return NULL;
+    d.high = 1;
+    lay(&d);
+    const double high = d.high - d.low, last = d.right[scene->nstructures - 1];
+    struct thud_panel *const panel[] = {d.elevation, d.model};
+    for (int k = 0; k < 2; k++) {
+        panel[k]->drawing = true;
+        thud_panel_axis(panel[k], THUD_Y, "Level", "m");
+        thud_panel_limits(panel[k], THUD_Y, d.foot - 0.12 * high, d.high + 0.18 * high);
+        thud_panel_mark(panel[k], THUD_Y, d.foot, d.foot, "");
+    }
+    thud_panel_limits(d.elevation, THUD_X, -0.25 * last, 1.25 * last);
+    thud_panel_limits(d.model, THUD_X, -0.8 * model_m, d.at[scene->nstructures - 1] + 0.8 * model_m);
+    for (int s = 0; s < scene->nstructures; s++) {
+        in_elevation(&d, s);
+        in_model(&d, s);
+    }
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        contacts(&d, i);
+    links(&d);
+    snprintf(note, sizeof note,
+             "Levels and slabs to scale (a thin slab at least as a line); widths of the buildings are no input; gaps "
+             "and bumpers "
+             "drawn %.4g times as wide as they are.",
+             d.wider);
+    thud_figure_note(figure, note);
+    return figure;
+}
