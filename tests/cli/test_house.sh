@@ -121,6 +121,26 @@ else
     echo "ok - keywords are compared without the locale"
 fi
 
+# no two files of a layer need each other: tsort names the loops of "who defines what I call"
+circles() { # FOLDER of objects
+    find "$1" -name '*.o' -exec nm -A {} + 2>/dev/null | sed 's/:[0-9a-f ]* \([A-Z]\) / \1 /' >"$tmp/names"
+    awk 'NR == FNR { if ($2 ~ /[TDRB]/) at[$3] = $1; next } $2 == "U" && ($3 in at) { print $1, at[$3] }' "$tmp/names" "$tmp/names" |
+        { LC_ALL=C tsort >/dev/null; } 2>&1
+}
+mkdir -p "$tmp/circle"
+printf 'int thud_b(void);\nint thud_a(void) { return thud_b(); }\n' >"$tmp/a.c"
+printf 'int thud_a(void);\nint thud_b(void) { return thud_a(); }\n' >"$tmp/b.c"
+$CC -O1 -c -o "$tmp/circle/a.o" "$tmp/a.c" && $CC -O1 -c -o "$tmp/circle/b.o" "$tmp/b.c"
+if [ -n "$(circles "$tmp/circle")" ]; then echo "ok - two files that need each other are found"; else echo "not ok - two files that need each other are found"; fi
+for layer in base ground core study; do
+    if circles "$BUILD/src/$layer" >"$tmp/out" && [ ! -s "$tmp/out" ]; then
+        echo "ok - no two files of $layer need each other"
+    else
+        echo "not ok - no two files of $layer need each other"
+        sed 's/^/# /' "$tmp/out"
+    fi
+done
+
 # the core library links alone: no part of it leans on the layers to its right
 if nm "$BUILD/libthud-core.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|sanitizer)_'; then
     echo "ok - the core library links alone # SKIP built with instruments"

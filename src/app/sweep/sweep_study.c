@@ -29,25 +29,6 @@ static void show(void *context, long done, long count, double elapsed_s)
         m->study->progress(m->study->context, done, count, elapsed_s);
 }
 
-enum thud_status thud_sweep_study_deliver(const struct thud_sweep_study *study, const struct thud_sweep_point *point,
-                                          struct thud_sweep_outcome *out, struct thud_error *err)
-{
-    thud_sweep_total_add(&out->total, point);
-    enum thud_status status = study->emit ? study->emit(study->context, point, err) : THUD_OK;
-    if (status == THUD_OK)
-        status = thud_sweep_watch_add(&out->watch, study->plan, point, err);
-    if (status == THUD_OK && study->suite)
-        status = thud_suite_add(study->suite, point, err);
-    if (status != THUD_OK || !study->table || out->too_many)
-        return status;
-    if (out->rows.table.nrows > THUD_SWEEP_ROWS_MAX) {
-        out->too_many = true;
-        thud_sweep_collector_clear(&out->rows);
-        return THUD_OK;
-    }
-    return thud_sweep_collector_add(&out->rows, study->plan, point, err);
-}
-
 enum thud_status thud_sweep_outcome_init(const struct thud_sweep_plan *plan, struct thud_sweep_outcome *out,
                                          struct thud_error *err)
 {

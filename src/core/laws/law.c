@@ -172,8 +172,7 @@ struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct t
 
 /* ---- a law and the columns that are struck ---- */
 
-/* Which parameter is the whole stiffness of the law, in which the columns are part of it from the start; -1: none. */
-static int spring_of(const struct thud_law *law)
+int thud_law_spring(const struct thud_law *law)
 {
     bool one_line = law->flags & THUD_LAW_LINEAR && !(law->flags & THUD_LAW_REVERSES) && !law->ultimate;
     return one_line ? thud_law_param(law, "stiffness") : -1;
@@ -181,23 +180,7 @@ static int spring_of(const struct thud_law *law)
 
 static bool gives(const struct thud_law *law, const struct thud_law_setup *setup)
 {
-    return setup->column_npm > 0 && spring_of(law) < 0;
-}
-
-enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
-{
-    int spring = spring_of(law);
-    setup->law = law;
-    if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
-        thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
-        thud_error_key(err, "law");
-        thud_error_allow(err, "another law, or columns without EI and stiffness");
-        return THUD_INPUT;
-    }
-    if (setup->column_npm > 0 && spring >= 0)
-        setup->value[spring] *= setup->column_npm / (setup->value[spring] + setup->column_npm);
-    enum thud_status status = law->prepare ? law->prepare(setup, err) : THUD_OK;
-    return status == THUD_OK ? thud_law_check(law, setup, err) : status;
+    return setup->column_npm > 0 && thud_law_spring(law) < 0;
 }
 
 /* Straight lines in series with a spring are straight lines: all of a line f0 + k d that damping only multiplies, and

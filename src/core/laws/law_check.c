@@ -84,7 +84,8 @@ static const char *cycle_fault(const struct thud_law *law, const struct thud_law
     return fault ? fault : phase_fault(law, setup, memory, THUD_APPROACH);
 }
 
-enum thud_status thud_law_check(const struct thud_law *law, const struct thud_law_setup *setup, struct thud_error *err)
+/* Puts the law through a contact of some depths. Errors: THUD_INPUT with the key "law". */
+static enum thud_status check(const struct thud_law *law, const struct thud_law_setup *setup, struct thud_error *err)
 {
     static const double depth_m[] = {1e-4, 1e-3, 1e-2, 1e-1};
     const char *fault = table_fault(law);
@@ -101,4 +102,20 @@ enum thud_status thud_law_check(const struct thud_law *law, const struct thud_la
     thud_error_key(err, "law");
     thud_error_allow(err, "what thud(3) says of a law of one's own");
     return THUD_INPUT;
+}
+
+enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
+{
+    int spring = thud_law_spring(law);
+    setup->law = law;
+    if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
+        thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
+        thud_error_key(err, "law");
+        thud_error_allow(err, "another law, or columns without EI and stiffness");
+        return THUD_INPUT;
+    }
+    if (setup->column_npm > 0 && spring >= 0)
+        setup->value[spring] *= setup->column_npm / (setup->value[spring] + setup->column_npm);
+    enum thud_status status = law->prepare ? law->prepare(setup, err) : THUD_OK;
+    return status == THUD_OK ? check(law, setup, err) : status;
 }

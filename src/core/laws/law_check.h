@@ -7,7 +7,7 @@
 /* Why no run can follow this branch, as the end of a sentence; NULL: it can. */
 const char *thud_branch_fault(const struct thud_law *law, const struct thud_branch *branch, enum thud_phase phase);
 
-/* Puts the law through a contact of some depths. Errors: THUD_INPUT with the key "law". */
-enum thud_status thud_law_check(const struct thud_law *law, const struct thud_law_setup *setup, struct thud_error *err);
+/* Which parameter is the whole stiffness of the law, in which the columns are part of it from the start; -1: none. */
+int thud_law_spring(const struct thud_law *law);
 
 #endif

@@ -1,3 +1,21 @@
+/* Peaks of the floors in one segment, and which floors need to be looked at (observe_peaks.h has the bounds).
+ *
+ * Glossary, for a segment of which the first part, s in [0, s_end], is committed; tau = s_end h in s.
+ *
+ *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 q^2) of a structure
+ *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
+ *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
+ *         SPEED         bound of |q'| and |omega q|
+ *         SECOND, THIRD bounds of |q''| and |q'''|, by the equations of motion from the row before
+ *         FOURTH        bound of the second rate of q'' + gamma a_g
+ *     value[row]        peaks->value: u, v and a of the floors at both ends
+ *     push              one row's force F(s): bounds of |F|, |F'|, |F''|, and F(s_end)
+ *     margin            tau^2/8 times the bound of the second rate: how far a floor's value may lie above the larger of
+ *                       its two ends
+ *
+ * Steps, for each structure: S below all peaks so far: nothing. Else modal, value, margin; a floor whose ends and margin
+ * stay below its peaks: nothing. Else the ends alone where the value rises or falls throughout, and the maximum of its
+ * polynomial where it may turn. */
 #include "core/observe/observe_peaks_parts.h"
 
 #include <math.h>
@@ -6,118 +24,14 @@
 
 #include "base/largest.h"
 #include "core/motion/free_vibration.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
-/* Peaks of the continuous history, read from the polynomials of a segment. */
-
-static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
-{
-    double where;
-    double value = thud_poly_peak(p, n, s_end, peak->value, &where);
-    if (value > peak->value) {
-        peak->value = value;
-        peak->time_s = seg->start_s + where * seg->h_s;
-    }
-}
-
-struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
-{
-    struct thud_floor_result *r = &result->structure[structure].floor[floor];
-    switch (quantity) {
-    case 0:
-        return &r->displacement;
-    case 1:
-        return &r->velocity;
-    case 2:
-        return &r->acceleration;
-    default:
-        return &r->drift;
-    }
-}
-
-/* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
- * floor's row is the same. */
-static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
-                             int terms, double *out)
-{
-    enum { N = 4 };
-    const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
-    int k = 0;
-    for (; k + N <= terms; k += N, x += N * nmodes) {
-        thud_vec2 sum[N] = {0};
-        int j = 0;
-        for (; j + 2 <= p->modes; j += 2)
-            for (int i = 0; i < N; i++)
-                sum[i] += thud_vec2_at(row + j) * thud_vec2_at(x + i * nmodes + j);
-        for (int i = 0; i < N; i++)
-            out[k + i] = thud_vec2_sum(sum[i]) + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
-    }
-    for (; k < terms; k++, x += nmodes)
-        out[k] = thud_dot(p->modes, row, x);
-}
-
-/* Of a floor's displacement: made once for all that is read from it in a segment. */
-static const double *floor_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
-                                  const struct thud_model_structure *p, int floor)
-{
-    double *u = peaks->series + floor * THUD_SEGMENT_TERMS;
-    if (!peaks->made[floor])
-        floor_polynomial(p, floor, seg->q, m->nmodes, seg->terms, u);
-    peaks->made[floor] = true;
-    return u;
-}
-
-/* Coefficients of a floor's value, and how many. */
-static int value_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
-                        const struct thud_model_structure *p, int floor, int quantity, double *out)
-{
-    const int n = seg->terms;
-    if (quantity == THUD_FLOOR_ACCELERATION && seg->interpolates) {
-        floor_polynomial(p, floor, peaks->acceleration, m->nmodes, n - 2, out);
-        return n - 2;
-    }
-    const double *u = floor_series(peaks, m, seg, p, floor);
-    const double rate = 1 / seg->h_s;
-    if (quantity == THUD_FLOOR_VELOCITY) {
-        for (int k = 0; k + 1 < n; k++)
-            out[k] = (k + 1) * rate * u[k + 1];
-        return n - 1;
-    }
-    if (quantity == THUD_FLOOR_ACCELERATION) {
-        for (int k = 0; k + 2 < n; k++)
-            out[k] = (k + 1) * (k + 2) * (rate * rate) * u[k + 2];
-        out[0] += m->ground_influence[p->first + floor] * seg->a0;
-        out[1] += m->ground_influence[p->first + floor] * seg->a1;
-        return n - 2;
-    }
-    const double *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? floor_series(peaks, m, seg, p, floor - 1) : NULL;
-    for (int k = 0; k < n; k++)
-        out[k] = below ? u[k] - below[k] : u[k];
-    return n;
-}
-
-void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
-                           int structure, int floor, int quantity, double s_end)
-{
-    double x[THUD_SEGMENT_TERMS];
-    int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
-    raise_peak(seg, thud_floor_peak(peaks->result, structure, floor, quantity), x, n, s_end);
-}
-
-/* No floor's series has been made of this segment yet. */
-void thud_peaks_forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
-{
-    memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
-}
-
-/* What is made of the modes of a structure in a segment up to s, rows of peaks->modal: total accelerations at both ends,
- * and bounds of the size of q' and omega q, of the second and third rates, and of the second rate of the acceleration. */
 enum { MODE_START, MODE_END, MODE_SPEED, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
 
-/* Springs, dashpots and the ground, whose acceleration's largest size is given. */
+/* Without forces of rows: springs, dashpots and the ground, whose acceleration is at most `ground`. START is the series'
+ * order 2; END leaves out a coupled damping. SECOND to FOURTH begin with the parts of the ground. */
 static void free_modes(const struct thud_observation *o, const struct thud_model_structure *p, double ground,
                        int stride, double *restrict out)
 {
@@ -137,20 +51,20 @@ static void free_modes(const struct thud_observation *o, const struct thud_model
     }
 }
 
-/* Adds the force of one row, whose parts in the modes are g. */
+/* Adds the force of one row with the Jacobian row g. */
 static void push_modes(int n, const double *restrict g, const struct thud_row_push *push, int stride,
                        double *restrict out)
 {
-    const double most = push->bound, rate = push->rate, bend = push->bend, end = push->end;
+    const double bound = push->bound, rate = push->rate, bend = push->bend, end = push->end;
     for (int j = 0; j < n; j++) {
         out[MODE_END * stride + j] -= g[j] * end;
-        out[MODE_SECOND * stride + j] += fabs(g[j]) * most;
+        out[MODE_SECOND * stride + j] += fabs(g[j]) * bound;
         out[MODE_THIRD * stride + j] += fabs(g[j]) * rate;
         out[MODE_FOURTH * stride + j] += fabs(g[j]) * bend;
     }
 }
 
-/* The modes' speeds, which forces change by no more than their size times the time. */
+/* SPEED of uncoupled modes: sqrt(q'^2 + omega^2 q^2) grows by no more than the loads' size times tau. */
 static void mode_speeds(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
                         double *restrict out)
 {
@@ -163,7 +77,7 @@ static void mode_speeds(const struct thud_observation *o, const struct thud_mode
             sqrt(qd[j] * qd[j] + spring[j] * q[j] * q[j]) + time * out[MODE_SECOND * stride + j];
 }
 
-/* Each rate by the equations of motion from those below it. */
+/* SECOND to FOURTH: |q''| <= load + (omega + dashpot) speed, |q'''| <= load' + spring |q'| + dashpot |q''|, and so on. */
 static void mode_rates(const struct thud_model *m, const struct thud_model_structure *p, int stride,
                        double *restrict out)
 {
@@ -179,7 +93,8 @@ static void mode_rates(const struct thud_model *m, const struct thud_model_struc
     }
 }
 
-/* The same where damping couples the modes: it passes energy from one to another, so that each may have all. */
+/* SPEED to FOURTH, and the rest of END, where damping couples the modes: it passes energy from one to another, so that
+ * each may have all of S. */
 static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, double speed,
                           int stride, double *out)
 {
@@ -216,7 +131,8 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
-/* Of a stepping method's segment, whose polynomials do not keep to the equations of motion: from their coefficients. */
+/* All rows of a stepping method's segment, whose polynomials do not obey the equations of motion: SECOND to FOURTH are
+ * sums of the sizes of their coefficients. */
 static void step_modes(struct thud_peaks *peaks, const struct thud_observation *o, const struct thud_model_structure *p)
 {
     const int n = o->state->model->nmodes, terms = o->seg->terms;
@@ -241,7 +157,7 @@ static void step_modes(struct thud_peaks *peaks, const struct thud_observation *
     }
 }
 
-/* Fills peaks->modal. */
+/* Fills peaks->modal; `bound`: of the structure in the segment. */
 static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
                             const struct thud_model_structure *p, const struct thud_response_bound *bound)
 {
@@ -263,8 +179,7 @@ static void structure_modes(struct thud_peaks *peaks, const struct thud_observat
     mode_rates(m, p, peaks->stride, peaks->modal);
 }
 
-/* How far values of the structure's worst floor may lie from a straight line between those at the two ends: time^2/8
- * times a bound of the second rate. */
+/* Margins of the structure's worst floor, by the largest entries of each mode's shape; also of the rate of the drift. */
 struct margins {
     double value[THUD_FLOOR_QUANTITIES], drift_rate;
 };
@@ -293,7 +208,7 @@ enum {
     FLOOR_ROWS = 2 * FLOOR_END
 };
 
-/* From the modes' by two floors at a time. */
+/* Fills peaks->value: all six rows as sums over the modes, two floors at a time. */
 static void floor_values(struct thud_peaks *peaks, const struct thud_observation *o,
                          const struct thud_model_structure *p)
 {
@@ -334,19 +249,21 @@ static void read_ends(const struct thud_peaks *peaks, const struct thud_observat
     }
 }
 
+/* The peak is at least |value|. */
 static void raise_to(struct thud_peak *peak, double value, double time_s)
 {
     if (fabs(value) > peak->value)
         *peak = (struct thud_peak){fabs(value), time_s};
 }
 
-/* Where the rate keeps its sign, the peak is at an end. */
+/* Whether the rate keeps its sign between its two ends, from which it differs by `margin` at most: then the peak is at an
+ * end. */
 static bool rises_or_falls(const double rate[2], double margin)
 {
     return rate[0] > margin ? rate[1] > margin : rate[0] < -margin && rate[1] < -margin;
 }
 
-/* Peaks of the floor's quantities of which `may` tells that they can be new. */
+/* Peaks of the floor's quantities that may be new. */
 static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index, int floor,
                         const struct margins *margin, const bool may[THUD_FLOOR_QUANTITIES])
 {
@@ -369,6 +286,7 @@ static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation 
     }
 }
 
+/* Peaks of the floors of one structure. */
 static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index,
                             const struct thud_response_bound *bound)
 {
@@ -424,7 +342,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     return THUD_OK;
 }
 
-/* Whether no floor comes above its peaks any more. */
+/* Whether the rest of the run can be left out: no floor comes above its peaks any more. */
 static bool may_jump(const void *own, const struct thud_rest *rest)
 {
     const struct thud_peaks *peaks = own;

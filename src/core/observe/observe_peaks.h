@@ -55,7 +55,6 @@ extern const struct thud_observer thud_observe_peaks;
 enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_state *state, struct thud_result *result,
                                  struct thud_error *err);
 void thud_peaks_clear(struct thud_peaks *peaks);
-struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity);
 
 /* What a structure can come to: S, and contact force on it (by mass^(1/2)). */
 struct thud_response_bound {

@@ -13,7 +13,7 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
 struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                                        const struct thud_segment *seg, int structure, double s);
 
-/* observe_peaks.c. Reads the peak of a floor's quantity from the polynomials of a segment; those of a structure are made
+/* observe_peaks_series.c. Reads the peak of a floor's quantity from the polynomials of a segment; those of a structure are made
  * once, until they are forgotten. */
 void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
                            int structure, int floor, int quantity, double s_end);

@@ -44,4 +44,20 @@ struct thud_observer {
     void (*jumped)(void *own, const struct thud_state *state);
 };
 
+/* The peak of a floor's quantity, THUD_FLOOR_DISPLACEMENT to THUD_FLOOR_DRIFT. */
+static inline struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
+{
+    struct thud_floor_result *r = &result->structure[structure].floor[floor];
+    switch (quantity) {
+    case 0:
+        return &r->displacement;
+    case 1:
+        return &r->velocity;
+    case 2:
+        return &r->acceleration;
+    default:
+        return &r->drift;
+    }
+}
+
 #endif

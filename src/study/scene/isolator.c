@@ -12,11 +12,6 @@ const char *thud_isolator_name(enum thud_isolator_law law)
     return name[law];
 }
 
-bool thud_isolator_slides(const struct thud_structure *structure)
-{
-    return structure->kind == THUD_ISOLATED && structure->isolator_law != THUD_ISOLATOR_LINEAR;
-}
-
 struct thud_isolator thud_structure_isolator(const struct thud_structure *s)
 {
     const enum thud_isolator_law law = (enum thud_isolator_law)s->isolator_law;

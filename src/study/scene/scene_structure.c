@@ -25,6 +25,11 @@ double thud_structure_yield(const struct thud_structure *structure, int i)
     return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
 }
 
+bool thud_isolator_slides(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_ISOLATED && structure->isolator_law != THUD_ISOLATOR_LINEAR;
+}
+
 double thud_structure_weight(const struct thud_structure *structure, int i)
 {
     double weight = 0;

@@ -54,20 +54,6 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     return status;
 }
 
-enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
-                                 enum thud_case which, int variant, bool check, struct thud_scene *cased,
-                                 struct thud_error *err)
-{
-    enum thud_change change;
-    double factor;
-    enum thud_status status = thud_scene_case(scene, which, cased, err);
-    if (status == THUD_OK && check)
-        status = thud_scene_check(cased, err);
-    if (status == THUD_OK && thud_sweep_variant(plan, variant, &change, &factor))
-        thud_change_scene(cased, change, factor);
-    return status;
-}
-
 enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_model **model,
                                   struct thud_run_options *options, struct thud_error *err)
 {

@@ -1,0 +1,96 @@
+/* Peaks of a floor's quantities from the power series of a segment, s = (t - t0)/h:
+ *
+ *     u_i(s) = sum_j phi_ij q_j(s),   v = u'/h,   a = u''/h^2 + iota_i a_g(s),   drift = u_i - u_(i-1)
+ *
+ * The largest size of each polynomial up to s_end is bracketed by thud_poly_peak. A stepping method's total acceleration
+ * is read from the forces instead (peaks->acceleration): its polynomial of the displacement has no right second rate. */
+#include <string.h>
+
+#include "core/numerics/poly.h"
+#include "core/numerics/vec.h"
+#include "core/observe/observe_peaks_parts.h"
+
+static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
+{
+    double where;
+    double value = thud_poly_peak(p, n, s_end, peak->value, &where);
+    if (value > peak->value) {
+        peak->value = value;
+        peak->time_s = seg->start_s + where * seg->h_s;
+    }
+}
+
+/* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
+ * floor's row is the same. */
+static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
+                             int terms, double *out)
+{
+    enum { N = 4 };
+    const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
+    int k = 0;
+    for (; k + N <= terms; k += N, x += N * nmodes) {
+        thud_vec2 sum[N] = {0};
+        int j = 0;
+        for (; j + 2 <= p->modes; j += 2)
+            for (int i = 0; i < N; i++)
+                sum[i] += thud_vec2_at(row + j) * thud_vec2_at(x + i * nmodes + j);
+        for (int i = 0; i < N; i++)
+            out[k + i] = thud_vec2_sum(sum[i]) + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
+    }
+    for (; k < terms; k++, x += nmodes)
+        out[k] = thud_dot(p->modes, row, x);
+}
+
+/* Of a floor's displacement: made once for all that is read from it in a segment. */
+static const double *floor_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                                  const struct thud_model_structure *p, int floor)
+{
+    double *u = peaks->series + floor * THUD_SEGMENT_TERMS;
+    if (!peaks->made[floor])
+        floor_polynomial(p, floor, seg->q, m->nmodes, seg->terms, u);
+    peaks->made[floor] = true;
+    return u;
+}
+
+/* Coefficients of a floor's value, and how many. */
+static int value_series(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                        const struct thud_model_structure *p, int floor, int quantity, double *out)
+{
+    const int n = seg->terms;
+    if (quantity == THUD_FLOOR_ACCELERATION && seg->interpolates) {
+        floor_polynomial(p, floor, peaks->acceleration, m->nmodes, n - 2, out);
+        return n - 2;
+    }
+    const double *u = floor_series(peaks, m, seg, p, floor);
+    const double rate = 1 / seg->h_s;
+    if (quantity == THUD_FLOOR_VELOCITY) {
+        for (int k = 0; k + 1 < n; k++)
+            out[k] = (k + 1) * rate * u[k + 1];
+        return n - 1;
+    }
+    if (quantity == THUD_FLOOR_ACCELERATION) {
+        for (int k = 0; k + 2 < n; k++)
+            out[k] = (k + 1) * (k + 2) * (rate * rate) * u[k + 2];
+        out[0] += m->ground_influence[p->first + floor] * seg->a0;
+        out[1] += m->ground_influence[p->first + floor] * seg->a1;
+        return n - 2;
+    }
+    const double *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? floor_series(peaks, m, seg, p, floor - 1) : NULL;
+    for (int k = 0; k < n; k++)
+        out[k] = below ? u[k] - below[k] : u[k];
+    return n;
+}
+
+void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m, const struct thud_segment *seg,
+                           int structure, int floor, int quantity, double s_end)
+{
+    double x[THUD_SEGMENT_TERMS];
+    int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
+    raise_peak(seg, thud_floor_peak(peaks->result, structure, floor, quantity), x, n, s_end);
+}
+
+/* No floor's series has been made of this segment yet. */
+void thud_peaks_forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
+{
+    memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
+}
