@@ -28,6 +28,7 @@ enum thud_status thud_picture_options_read(const struct thud_args *args, struct 
         options->font = choice->font;
     }
     options->none = thud_args_has(args, "no-figures");
+    options->no_title = thud_args_has(args, "no-title");
     options->drawing = thud_progress_drawing;
     if (program && program[0])
         options->program = program;

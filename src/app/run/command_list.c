@@ -170,6 +170,7 @@ static const struct thud_option options[] = {
      RUN | SWEEP | 1 << THUD_COMMAND_GAP | UNCERTAINTY | EXPORT | REPORT},
     {"no-figures", NULL, "draw nothing: tables and data alone", THUD_WORD_NONE, false, STUDY | MEASURE},
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
+    {"no-title", NULL, "pictures without title: a caption says it", THUD_WORD_NONE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},

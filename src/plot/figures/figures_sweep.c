@@ -177,9 +177,28 @@ void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const stru
     axis_of_key(panel, side, axis, NULL);
 }
 
+/* Of a study over one gap: the one from which no ground motion causes contact without bumper, m; NaN: not known. */
+static double free_gap(const struct thud_sweep_table *table)
+{
+    const struct thud_sweep_axis *axis = &table->axis[0];
+    int interface = strcmp(axis->key, "gap") == 0 ? 1 : 0;
+    double widest = NAN;
+    if (table->motions > 0 || !table->need || !numbers(axis))
+        return NAN;
+    if (strncmp(axis->key, "interfaces.", 11) == 0 && strcmp(axis->key + strlen(axis->key) - 4, ".gap") == 0)
+        interface = atoi(axis->key + 11);
+    for (int r = 0; r < table->nrecords; r++)
+        if (interface > 0 && table->need[r].interface == interface)
+            widest = fmax(widest, table->need[r].relative_displacement_m);
+    return widest >= axis->value[0] && widest <= axis->value[axis->n - 1] ? widest : NAN;
+}
+
 static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which)
 {
+    const double at = side == THUD_X && which == 0 ? free_gap(table) * thud_varied_factor(&table->axis[0]) : NAN;
     axis_of_key(panel, side, &table->axis[which], table);
+    if (!isnan(at))
+        thud_panel_mark(panel, side, at, at, "");
 }
 
 /* Keys that are not drawn, with their values. */
@@ -188,6 +207,9 @@ static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table
 {
     char text[768];
     int n = snprintf(text, sizeof text, "%s", before);
+    if (!isnan(free_gap(table)))
+        n += snprintf(text + n, sizeof text - (size_t)n, " Vertical line: no contact without bumper from here on%s.",
+                      table->nrecords > 1 ? ", under any of the motions" : "");
     for (int a = free; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
         n += snprintf(text + n, sizeof text - (size_t)n, " %s = %s.", table->axis[a].key,
                       table->axis[a].text[at ? at[a] : 0]);
@@ -367,7 +389,10 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
 {
     int structure[COLUMNS_MAX], columns = columns_of(table, structure);
     char text[256], head[160];
-    snprintf(text, sizeof text, "A%s, means over the floors", amplification(which) + 1);
+    if (table->nrecords == 1 && table->motions == 0)
+        snprintf(text, sizeof text, "%s: %s, means over the floors", record_name(table, 0, head), amplification(which));
+    else
+        snprintf(text, sizeof text, "A%s, means over the floors", amplification(which) + 1);
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         for (int q = ACCELERATION; q <= DRIFT; q++) {

@@ -1,5 +1,6 @@
 /* Where the panels and the key of a picture stand. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "plot/gnuplot/gnuplot_internal.h"
@@ -12,6 +13,8 @@ static void lay_key(struct sheet *sheet)
     sheet->nkeys = thud_figure_key(sheet->figure, sheet->key, most);
     if (sheet->nkeys > most)
         sheet->nkeys = most;
+    if (sheet->nkeys == 1) /* nothing to tell apart */
+        sheet->nkeys = 0;
     for (int i = 0; i < sheet->nkeys; i++) {
         double width = thud_gnuplot_width(sheet->key[i]->name, sheet->em) + (THUD_SAMPLE_EM + 0.5) * sheet->em;
         if (left > 0.0 && left + width > widest) {
@@ -94,6 +97,22 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
     return sheet;
 }
 
+/* Of the numbers along y, what is beyond the usual three digits pushes the label out. */
+static double numbers_width(const struct sheet *sheet, const struct thud_panel *panel)
+{
+    double widest = 0.0;
+    char number[32];
+    const struct thud_axis *axis = &panel->axis[THUD_Y];
+    if (!panel->used || axis->log || axis->nticks > 0)
+        return 0.0;
+    const struct thud_range range = thud_panel_range(panel, THUD_Y);
+    for (double at = range.least; at <= range.most + 0.5 * range.step && range.step > 0.0; at += range.step) {
+        snprintf(number, sizeof number, "%.4g", fabs(at) < 1e-9 * range.step ? 0.0 : at);
+        widest = fmax(widest, thud_gnuplot_width(number, sheet->em) + 0.6 * sheet->em);
+    }
+    return widest;
+}
+
 struct box thud_sheet_frame(const struct sheet *sheet, int panel)
 {
     int row = panel / sheet->columns, column = panel % sheet->columns;
@@ -102,6 +121,8 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     double names = 0.0; /* room for named ticks */
     const struct thud_panel *p = &sheet->figure->panel[panel];
     const struct thud_axis *axis = &p->axis[THUD_Y];
+    for (int i = column; i < sheet->rows * sheet->columns; i += sheet->columns) /* those below each other begin alike */
+        names = fmax(names, numbers_width(sheet, &sheet->figure->panel[i]));
     for (int i = 0; i < axis->nticks; i++)
         names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
     struct box box;
