@@ -315,6 +315,11 @@ void thud_scene_drop_contacts(struct thud_scene *scene);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
 /* Whether there is anything that case `none` leaves out. */
 bool thud_scene_has_measure(const struct thud_scene *scene);
+/* Without its bumpers, and with the links that it has. */
+static inline enum thud_case thud_scene_bare(const struct thud_scene *scene)
+{
+    return scene->nlinks > 0 ? THUD_CASE_LINK : THUD_CASE_NONE;
+}
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "link", "as-written" */
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);

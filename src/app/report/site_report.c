@@ -64,7 +64,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         if (i == SITE_FREE)
             thud_scene_drop_contacts(one->scene);
         else if (i == SITE_NONE) /* links stand in every case: what is compared is the bumper */
-            thud_scene_case(one->scene, one->scene->nlinks > 0 ? THUD_CASE_LINK : THUD_CASE_NONE, one->scene, NULL);
+            thud_scene_case(one->scene, thud_scene_bare(one->scene), one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];

@@ -34,17 +34,16 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
     struct thud_scene *scene = &suite->plan.scene;
     thud_sweep_plan_init(&suite->plan, site->scene);
     scene->record.factor = 1; /* the motions are scaled already */
-    if (site->scene->nlinks > 0) {
-        thud_error_set(err, THUD_INPUT, "the suite of a report compares a bumper with none, and knows no links");
-        thud_error_key(err, "links");
-        thud_error_allow(err, "a study without records, or thud sweep, which tells what links do over a suite");
-        return THUD_INPUT;
-    }
     suite->plan.record = (const struct thud_record *const *)site->options->records->record;
     suite->plan.nrecords = site->options->records->n;
     enum thud_status status = thud_sweep_vary(&suite->plan, scales, err);
+    const bool links = site->scene->nlinks > 0; /* they stand in both cases, as in those of one motion */
     if (status == THUD_OK)
-        status = thud_sweep_cases(&suite->plan, site->ncases > SITE_BUMPER ? "none,bumper" : "none", err);
+        status = thud_sweep_cases(&suite->plan,
+                                  site->ncases > SITE_BUMPER ? (links ? "link,as-written" : "none,bumper")
+                                  : links                    ? "link"
+                                                             : "none",
+                                  err);
     for (int i = 0; status == THUD_OK && i + 1 < site->scene->nstructures; i++)
         if (site->scene->interface[i].has_bumper && site->scene->interface[i].bumper_cavity_m > 0)
             suite->plan.cases[SITE_BUMPER - SITE_NONE] = THUD_CASE_AS_WRITTEN; /* in its own cavity */
@@ -60,7 +59,7 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
         struct thud_fragility_ask ask = {.event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed};
         status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
         ask.event = &suite->worse;
-        if (status == THUD_OK && k > 0)
+        if (status == THUD_OK && k > 0 && suite->plan.cases[0] == THUD_CASE_NONE)
             status = thud_fragility_make(suite->runs, &ask, &suite->worsens, err);
     }
     return status;
@@ -190,15 +189,30 @@ static void say_widths(struct site *site)
         f.half, thud_summary_gap_cm(f.median), f.most84, thud_summary_gap_cm(f.p84), thud_summary_gap_cm(f.most));
 }
 
+/* What the bumper makes of a measure's mean, structure s under motion r. The suite's ratios are to neither bumper nor
+ * links, of which the report has the latter in both cases. */
+static double bumper_ratio(const struct site *site, int r, enum thud_suite_measure measure, int s)
+{
+    const struct site_suite *suite = &site->suite;
+    double of[2];
+    for (int k = 0; k < 2; k++)
+        of[k] = thud_suite_value(suite->runs, r, suite->as_given, k, measure, s);
+    return suite->plan.cases[0] == THUD_CASE_NONE ? of[1] : of[1] / of[0];
+}
+
 /* How many motions the bumper helps and harms. */
 static void say_bumper(struct site *site, int s, bool drift)
 {
     const struct site_suite *suite = &site->suite;
     enum thud_suite_measure measure = drift ? THUD_SUITE_DRIFT_RATIO : THUD_SUITE_ACCELERATION_RATIO;
-    struct thud_fractiles f = over(site, 1, measure, s, 1 + equal);
     int helps = 0;
-    for (size_t i = 0; i < f.n; i++) /* sorted by the fractiles */
-        helps += suite->room[i] < 1 - equal;
+    for (int r = 0; r < suite->runs->nrecords; r++) {
+        suite->room[r] = bumper_ratio(site, r, measure, s);
+        helps += suite->room[r] < 1 - equal;
+    }
+    struct thud_fractiles f = thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, 1 + equal);
+    if (suite->runs->ndraws < THUD_SHARES_LEAST)
+        f.p16 = f.p84 = NAN;
     char spread[64] = "";
     if (!isnan(f.p16))
         snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
@@ -261,7 +275,7 @@ static void add_motions(struct site *site)
                 thud_site_number(1e-6 * thud_suite_value(suite->runs, r, suite->as_given, k, THUD_SUITE_FORCE, -1), 3)
                     .text);
         for (int s = 0; s < site->scene->nstructures && ncases > 1; s++) {
-            double ratio = thud_suite_value(suite->runs, r, suite->as_given, 1, THUD_SUITE_ACCELERATION_RATIO, s);
+            double ratio = bumper_ratio(site, r, THUD_SUITE_ACCELERATION_RATIO, s);
             if (site->scene->structure[s].kind != THUD_WALL)
                 thud_document_cell(d, isnan(ratio) ? "-" : "%.3f", ratio);
         }
@@ -318,7 +332,7 @@ static void add_figures(struct site *site)
         "The gap that is enough: over the height, and the share of the ground motions for which a gap is.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "How likely the buildings pound at this gap when all motions are so many times as strong.");
-    if (suite->plan.ncases > 1) {
+    if (suite->plan.ncases > 1 && suite->plan.cases[0] == THUD_CASE_NONE) {
         curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
         thud_site_figure(
             site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62,
