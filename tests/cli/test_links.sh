@@ -20,12 +20,27 @@ refused "a floor that is not there" links.1.to=B.7 'B has no floor "7" (1 to 6)'
 refused "a structure that is not there" links.1.from=C.1 'there is no structure "C.1"'
 refused "a building without a floor" links.1.from=A 'which floor of A is not said'
 refused "a link that is not there" links.3.damping=1kNs/m 'there is no link "3"'
-refused "a law that is none" links.1.law=rope 'unknown law "rope" (spring, dashpot, restrainer, strut)'
+refused "a law that is none" links.1.law=rope 'unknown law "rope" (spring, dashpot, friction, restrainer, strut)'
 refused "a negative dashpot" links.1.damping=-1kNs/m 'is too small (0 kN s/m'
 refused "a slack of what has none" links.1.slack=1cm 'unknown key "slack"'
 in_file "a floor that is not there" 'to: B.4' 'to: B.9' 40:9 'links.1.to: B has no floor "9"'
 in_file "a negative slack" 'law: spring' 'slack: -1 cm\n    law: restrainer' 38:12 'links.1.slack: -1 cm is too small'
 in_file "no law" '- law: spring' '- slack: 1 cm' 38:5 'links.1.law: the law of the link is not given'
+
+friction="--case link --set links.1.law=friction --set links.1.stiffness=500MN/m"
+# shellcheck disable=SC2086
+is "friction without a slip force" gives 3 run $scene $friction
+is "is told" says 'links.1.slip: slip force is not given (a force in'
+# shellcheck disable=SC2086
+is "friction that gives nothing before it slips" gives 3 run $scene $friction --set links.1.slip=0.1kN
+is "is told" says 'links.1.slip: friction gives by only 0.2 um before it slips (1 um or more'
+# shellcheck disable=SC2086
+is "friction slips" gives 0 run $scene $friction --set links.1.slip=1MN
+is "its force ends at the slip force" shows 'A.4-B.4 *friction *1000.0 .* 51$'
+is "and the energy has what it loses" shows 'lost in links that slip'
+# shellcheck disable=SC2086
+is "its events are listed" gives 0 run $scene $friction --set links.1.slip=1MN --events --quiet
+is "slipping and held" test "$(grep -c 'link 1 .*slips, d' "$tmp/out") $(grep -c 'link 1 .*held$' "$tmp/out")" = "51 51"
 
 is "a scene without links has no such case" gives 3 run towers --case link
 is "and it is said" says 'the scene has no link for the case "link"'

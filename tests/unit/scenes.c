@@ -371,7 +371,8 @@ static void draw_links(struct thud_scene *scene, int interface, double mass)
         draw_end(right, link->to, sizeof link->to);
         link->stiffness_npm = link->law == THUD_LINK_DASHPOT ? 0 : stiffness;
         link->damping_nspm = link->law > THUD_LINK_DASHPOT ? 0 : between_log(0.01, 3) * sqrt(stiffness * mass);
-        link->slack_m = link->law > THUD_LINK_DASHPOT && chance(0.8) ? between_log(1e-4, 0.05) : 0;
+        link->slip_n = link->law == THUD_LINK_FRICTION ? stiffness * between_log(3e-4, 0.02) : 0;
+        link->slack_m = link->law > THUD_LINK_FRICTION && chance(0.8) ? between_log(1e-4, 0.05) : 0;
     }
 }
 
@@ -618,6 +619,7 @@ bool scenes_heavier(struct scenes_one *one, double factor)
     for (int i = 0; i < s->nlinks; i++) {
         s->link[i].stiffness_npm *= factor;
         s->link[i].damping_nspm *= factor;
+        s->link[i].slip_n *= factor;
     }
     for (int i = 0; i + 1 < s->nstructures; i++) {
         struct thud_law_choice *law = law_in_use(&s->interface[i]);

@@ -106,6 +106,40 @@ START_TEST(a_spring_between_equal_oscillators)
 }
 END_TEST
 
+/* A free body on a link of friction to the ground: the spring until it slips, then all of its motion but that of the
+ * spring's last give is lost, and it swings in that give. */
+START_TEST(friction_stops_a_body)
+{
+    const double m = 320e3, k = 5e8, slip = 4e5;
+    const struct thud_structure_input s[] = {{.n = 1, .mass_kg = &m, .velocity_mps = 1}, {.n = 0}};
+    const struct thud_link_input link = {
+        .left_floor = 1, .right_structure = 1, .stiffness_npm = k, .slip_n = _i == 0 ? slip : 1e9};
+    struct thud_model *model = NULL;
+    const struct thud_model_input input = {.nstructures = 2, .structure = s, .nlinks = 1, .link = &link};
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    static const char *const method[] = {"exact", "dormand-prince"};
+    for (int i = 0; i < 2; i++) {
+        struct march a = march_run(model, NULL, method[i], 0, 1e-11, true, 2);
+        const double give = slip / k, lost = 0.5 * m - 0.5 * k * give * give, w = sqrt(k / m);
+        ck_assert_int_eq(a.status, THUD_OK);
+        if (_i == 0) {
+            ck_assert_double_eq_tol(a.result->energy.hysteretic_j, lost, 1e-9 * lost);
+            ck_assert_double_eq_tol(a.result->link[0].lost_j, lost, 1e-9 * lost);
+            ck_assert_double_eq_tol(a.result->link[0].stroke.value, lost / slip + give, 1e-10);
+            ck_assert_double_eq(a.result->link[0].force.value, slip);
+            ck_assert_int_eq(a.result->link[0].engaged, 1);
+        } else { /* it holds */
+            ck_assert_double_eq(a.result->link[0].lost_j, 0);
+            ck_assert_double_eq_tol(a.result->link[0].stroke.value, 1 / w, 1e-9);
+            ck_assert_double_eq_tol(a.result->link[0].force.value, k / w, 1e-9 * k / w);
+        }
+        ck_assert_double_lt(a.result->energy.error_ratio, 1e-10);
+        march_free(&a);
+    }
+    thud_model_free(model);
+}
+END_TEST
+
 /* The stiffer the link, the more its floors are one body on both springs. */
 START_TEST(a_very_stiff_link_makes_two_floors_one)
 {
@@ -235,8 +269,9 @@ static struct thud_model *tied_towers(double gap, double strength, struct march_
          .right_floor = 2,
          .law = tie->law,
          .setup = tie->setup,
-         .clearance_m = 0.002}};
-    return towers(gap, &law, link, 5);
+         .clearance_m = 0.002},
+        {.left_floor = 3, .right_structure = 1, .right_floor = 2, .stiffness_npm = 5e7, .slip_n = 6e4}};
+    return towers(gap, &law, link, 6);
 }
 
 static struct march way(const struct thud_model *model, const struct thud_record *record, bool blocks)
@@ -307,6 +342,7 @@ START_TEST(against_dormand_prince)
     ck_assert_int_eq(a.status, THUD_OK);
     ck_assert_int_eq(b.status, THUD_OK);
     ck_assert_int_gt(a.result->link[3].engaged, 0);
+    ck_assert_int_gt(a.result->link[5].engaged, 0);
     ck_assert_double_lt(march_peaks_apart(a.result, b.result, 0.01), 1e-7);
     compare_links(a.result, b.result, 1e-7);
     ck_assert_double_lt(a.result->energy.error_ratio, 1e-11);
@@ -325,6 +361,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_dashpot_between_equal_oscillators, 0, 3);
     tcase_add_test(tcase, a_spring_between_equal_oscillators);
+    tcase_add_loop_test(tcase, friction_stops_a_body, 0, 2);
     tcase_add_test(tcase, a_very_stiff_link_makes_two_floors_one);
     tcase_add_test(tcase, a_link_to_the_ground);
     tcase_add_test(tcase, a_link_of_nothing_changes_nothing);

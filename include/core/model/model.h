@@ -15,7 +15,8 @@
  * One-sided links are contacts behind those of the neighbours' floors.
  *
  * Storeys that yield (bilinear, kinematic hardening) have a row each behind those of the contacts, g = e_i - e_(i-1),
- * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. Everything that reads
+ * and a force beyond that of their elastic stiffness k: V = k d + F with F = -(1 - r) k d_p. A link of friction is one
+ * with r = 0 behind them, its k among those of the links that always act. Everything that reads
  * rows and forces (motion, accelerations, Delassus matrix) takes them like those of the contacts.
  *
  * P-Delta: the weight W above a storey of height h pushes it on by W d/h, a negative stiffness. The modes are those of
@@ -58,12 +59,14 @@ struct thud_model_structure {
     double collapse_least_m;     /* the least of them */
 };
 
-/* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or is a contact. */
+/* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or with k (d - d_p)
+ * where it slips, or is a contact. */
 struct thud_model_link {
     int left_dof, right_dof;            /* -1: the ground */
     int contact;                        /* index of the contact that it is; -1: it always acts */
     double sign;                        /* of that contact's force: -1 where it acts in tension */
     double stiffness_npm, damping_nspm; /* of one that always acts */
+    int storey;                         /* index among those that yield of one that slips; -1 */
     const double *row;                  /* (modes) d by the system's modal values */
     int structure, first_mode, modes;   /* one of the structures that it ties */
 };
@@ -92,7 +95,8 @@ struct thud_model_contact {
 
 /* A storey that yields: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= d_y. */
 struct thud_model_storey {
-    int structure, floor; /* from 0: it stands below that floor */
+    int structure, floor; /* from 0: it stands below that floor; of a link one of those that it ties, and -1 */
+    int link;             /* index of the link that it is; -1: a storey */
     double stiffness_npm; /* k */
     double yield_m;       /* d_y */
     double hardening;     /* r, 0 <= r < 1 */
@@ -116,6 +120,7 @@ struct thud_model {
     int nstructures, ndof, nmodes, ncontacts, ncolumns;
     int npairs;                             /* contacts of neighbours' floors; behind them those that are links */
     int nstoreys, nrows;                    /* storeys that yield; rows: contacts, and these storeys behind them */
+    int nslips;                             /* of these storeys the last ones, which are links of friction */
     int nlinks, nsystems, nshapes;          /* nshapes: modes of all structures, common ones counted for each */
     struct thud_model_structure *structure; /* (nstructures) */
     int *system;                            /* (nsystems) first structure of each: all its modes, and its damping */
@@ -177,6 +182,7 @@ struct thud_model_input {
     const struct thud_link_input {
         int left_structure, left_floor, right_structure, right_floor; /* floors from 1; 0: the ground */
         double stiffness_npm, damping_nspm;
+        double slip_n;              /* friction: the force of the stiffness is no larger; 0: not */
         const struct thud_law *law; /* one-sided: a contact with this law beyond the clearance; NULL: it always acts */
         bool tension;               /* one-sided: it acts where its ends move apart */
         struct thud_law_setup setup;

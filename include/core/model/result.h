@@ -40,9 +40,9 @@ struct thud_contact_result {
 struct thud_link_result {
     struct thud_peak force;  /* N */
     struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
-    double lost_j;           /* in its dashpot, or by its law */
-    int engaged;             /* times a one-sided one came to act */
-    int contact;             /* row of its events; -1: it always acts */
+    double lost_j;           /* in its dashpot, by its law, or by friction */
+    int engaged;             /* times a one-sided one came to act, or one of friction slipped */
+    int contact;             /* row of its events; -1: it has none */
 };
 
 /* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower
@@ -94,7 +94,7 @@ struct thud_energy {
         contact_j;    /* at the end; strain: what storeys would give back; contact: dissipated by the contacts so far */
     double initial_j; /* kinetic at the start */
     double stored_j;  /* elastic energy in contacts still closed */
-    double hysteretic_j; /* lost in storeys that yield */
+    double hysteretic_j; /* lost in storeys that yield and links that slip */
     double gravity_j;    /* work of the weight on drifting storeys: P-Delta */
     double error_ratio;  /* |initial + input - all the others| over the largest energy seen */
 };
@@ -150,11 +150,13 @@ struct thud_result {
 
 /* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
  * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
- * storeys yield, then the energy lost in them, and for each of those (nstoreys) drift, shear and plastic drift; then per
+ * storeys yield or links slip, then the energy lost in them, and for each such storey (nstoreys) drift, shear and plastic
+ * drift; then per
  * struck columns (nstruck) the shears at their lower and upper end, and per link its force (> 0: it pushes its ends
  * apart) and by how much they have come closer; with P-Delta last the work of the weight. */
 struct thud_history {
     int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
+    bool loses;  /* storeys yield or links slip */
     bool weighs; /* P-Delta */
     size_t rows, capacity;
     double *time_s; /* (rows) */
@@ -174,5 +176,6 @@ int thud_history_storey_drift(const struct thud_history *h, int storey);
 int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
 int thud_history_link_force(const struct thud_history *h, int link);
+int thud_history_link_stroke(const struct thud_history *h, int link);
 
 #endif

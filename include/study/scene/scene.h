@@ -101,12 +101,20 @@ struct thud_interface {
 };
 
 /* What ties a floor of one structure to one of its neighbour, in place of a bumper. */
-enum thud_link_law { THUD_LINK_SPRING, THUD_LINK_DASHPOT, THUD_LINK_RESTRAINER, THUD_LINK_STRUT, THUD_LINK_LAWS };
+enum thud_link_law {
+    THUD_LINK_SPRING,
+    THUD_LINK_DASHPOT,
+    THUD_LINK_FRICTION,
+    THUD_LINK_RESTRAINER,
+    THUD_LINK_STRUT,
+    THUD_LINK_LAWS
+};
 
 struct thud_link {
     char from[THUD_NAME_MAX + 8], to[THUD_NAME_MAX + 8]; /* A.4: floor 4 of A; A: a body, or a wall */
     double law;                                          /* enum thud_link_law */
     double stiffness_npm, damping_nspm;
+    double slip_n;  /* friction: its largest force */
     double slack_m; /* restrainer and strut: they act beyond it */
 };
 
@@ -220,6 +228,8 @@ double thud_structure_weight(const struct thud_structure *structure, int i);
 #define THUD_COLLAPSE_DRIFT 0.1
 /* Whether a storey of the scene yields. */
 bool thud_scene_yields(const struct thud_scene *scene);
+/* Whether a link of the scene is one of friction. */
+bool thud_scene_slips(const struct thud_scene *scene);
 /* Of a law; what must be given is NaN, its ends are empty. */
 void thud_link_init(struct thud_link *link, enum thud_link_law law);
 bool thud_link_has(enum thud_link_law law, int param); /* of THUD_GROUP_LINK, by index */

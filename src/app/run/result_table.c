@@ -135,8 +135,13 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
                      "               viscous %.5g, contact %.5g, stored in contacts %.5g;",
                      1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j,
                      1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j);
-    if (thud_scene_yields(report->scene))
-        thud_text_append(out, "\n               lost in storeys that yield %.5g;", 1e-3 * e->hysteretic_j);
+    const bool slips = thud_scene_slips(report->scene);
+    if (slips || thud_scene_yields(report->scene))
+        thud_text_append(out, "\n               lost in %s %.5g;",
+                         !slips                             ? "storeys that yield"
+                         : thud_scene_yields(report->scene) ? "storeys that yield and links that slip"
+                                                            : "links that slip",
+                         1e-3 * e->hysteretic_j);
     if (report->scene->p_delta)
         thud_text_append(out, "\n               work of the weight %.5g;", 1e-3 * e->gravity_j);
     thud_text_append(out, " unaccounted %.1e\n", e->error_ratio);

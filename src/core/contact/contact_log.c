@@ -34,6 +34,8 @@ static const char *state_of(const struct thud_state *state, int row)
     const struct thud_contact_state *s = thud_row_contact(state, row);
     if (!s) {
         int direction = state->storey[row - state->model->ncontacts].direction;
+        if (thud_model_row_storey(state->model, row)->link >= 0)
+            return direction == 0 ? "held" : direction > 0 ? "slips, d rising" : "slips, d falling";
         return direction == 0 ? "elastic" : direction > 0 ? "yields, d rising" : "yields, d falling";
     }
     switch (s->mode) {

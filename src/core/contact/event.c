@@ -360,7 +360,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
     if (s->direction == 0 && s->suppressed == 0) { /* by what its modes can do at most */
         double now = fabs(thud_contact_indentation(state, row) - s->plastic_m), most = 0;
-        if (now + seg->notes->drifts[m->storey[k].structure] <= bound)
+        if (m->storey[k].link < 0 && now + seg->notes->drifts[m->storey[k].structure] <= bound)
             return INFINITY;
         const struct thud_model_structure *of = &m->structure[m->storey[k].structure];
         const double *g = m->jacobian + row * m->nmodes;

@@ -47,6 +47,15 @@ static int yielding_storeys(const struct thud_model_input *in)
     return count;
 }
 
+/* Links of friction. */
+static int slipping_links(const struct thud_model_input *in)
+{
+    int count = 0;
+    for (int i = 0; i < in->nlinks; i++)
+        count += in->link[i].slip_n > 0;
+    return count;
+}
+
 /* Links that are contacts. */
 static int one_sided_links(const struct thud_model_input *in)
 {
@@ -411,6 +420,10 @@ static void fill_storey(struct thud_model *m, int k)
                                       .right_floor = storey->floor,
                                       .left_dof = dof,
                                       .right_dof = storey->floor > 0 ? dof - 1 : -1};
+    if (storey->link >= 0) {
+        to->left_dof = m->link[storey->link].left_dof;
+        to->right_dof = m->link[storey->link].right_dof;
+    }
     to->column = -1;
     to->eta = 1;
     to->left = floor_side(m, to->left_dof);
@@ -432,10 +445,22 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
                 continue;
             m->storey[k] = (struct thud_model_storey){.structure = s,
                                                       .floor = i,
+                                                      .link = -1,
                                                       .stiffness_npm = in->stiffness_npm[i],
                                                       .yield_m = in->yield_m[i],
                                                       .hardening = in->hardening[i],
                                                       .geometric_npm = in->geometric_npm ? in->geometric_npm[i] : 0};
+            fill_storey(m, k++);
+        }
+    for (int i = 0; i < input->nlinks; i++)
+        if (input->link[i].slip_n > 0) {
+            const struct thud_link_input *in = &input->link[i];
+            m->link[i].storey = k;
+            m->storey[k] = (struct thud_model_storey){.structure = m->link[i].structure,
+                                                      .floor = -1,
+                                                      .link = i,
+                                                      .stiffness_npm = in->stiffness_npm,
+                                                      .yield_m = in->slip_n / in->stiffness_npm};
             fill_storey(m, k++);
         }
     for (int i = 0; i < m->ncolumns; i++)
@@ -482,7 +507,8 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
         ndof += input->structure[s].n;
         nmodes += kept_of(input->structure[s].n, input->modes);
     }
-    const int nstoreys = yielding_storeys(input), ncontacts = input->ncontacts + one_sided_links(input);
+    const int nslips = slipping_links(input), nstoreys = yielding_storeys(input) + nslips,
+              ncontacts = input->ncontacts + one_sided_links(input);
     size_t floors = (size_t)ndof, modes = (size_t)nmodes, nc = (size_t)(ncontacts + nstoreys);
     if (!thud_arena_open(arena,
                          model_bytes(input, floors, modes, (size_t)nstoreys) + thud_tie_bytes(input, system, tied)))
@@ -495,6 +521,7 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
     m->ncontacts = ncontacts;
     m->nlinks = input->nlinks;
     m->nstoreys = nstoreys;
+    m->nslips = nslips;
     m->nrows = m->ncontacts + nstoreys;
     m->structure = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->structure);
     m->system = thud_arena_take(arena, (size_t)input->nstructures, sizeof *m->system);
@@ -572,7 +599,8 @@ static enum thud_status fill_links(struct thud_model *m, struct thud_arena *aren
                                        .contact = in->law ? contact : -1,
                                        .sign = in->tension ? -1 : 1,
                                        .stiffness_npm = in->stiffness_npm,
-                                       .damping_nspm = in->damping_nspm};
+                                       .damping_nspm = in->damping_nspm,
+                                       .storey = -1};
         fill_link_row(m, arena, to);
         if (in->law)
             status = fill_contact(m, arena, contact++, &one_sided, err);
@@ -656,7 +684,7 @@ static inline double floor_value(const struct thud_model *model, int dof, const 
 /* A floor's value from modal values: one dot product over its structure's modes. */
 int thud_model_yielding(const struct thud_model *model, int dof)
 {
-    for (int i = 0; i < model->nstoreys; i++)
+    for (int i = 0; i < model->nstoreys - model->nslips; i++)
         if (model->structure[model->storey[i].structure].first + model->storey[i].floor == dof)
             return i;
     return -1;

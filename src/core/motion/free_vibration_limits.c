@@ -274,21 +274,37 @@ static bool yields(struct thud_free_vibration *f, const struct thud_state *state
     return false;
 }
 
+/* How far the drift of storey k may lie above its values at the ends: a link's is of two floors far apart. */
+static double drift_margin(const struct thud_free_vibration *f, const struct thud_model *m, int k)
+{
+    const struct thud_model_storey *storey = &m->storey[k];
+    return storey->link < 0 ? f->margin[THUD_FLOOR_DRIFT * m->nstructures + storey->structure]
+                            : gap_margin(f, &m->contact[m->ncontacts + k]);
+}
+
+/* Its drift less what is plastic at the ends into f->gap; the largest. */
+static double largest_drift(struct thud_free_vibration *f, const struct thud_state *state, int k, int ends)
+{
+    const struct thud_model *m = state->model;
+    const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
+    const double *above = row->left_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + row->left_dof * ENDS,
+                 *below = row->right_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + row->right_dof * ENDS;
+    if (above)
+        thud_free_vibration_values(f, m, row->left.structure, THUD_FLOOR_DISPLACEMENT);
+    if (below)
+        thud_free_vibration_values(f, m, row->right.structure, THUD_FLOOR_DISPLACEMENT);
+    for (int t = 0; t < ends; t++)
+        f->gap[t] = (above ? above[t] : 0) - (below ? below[t] : 0) - state->storey[k].plastic_m;
+    return thud_largest_size(f->gap, ends);
+}
+
 /* Intervals until a storey yields, at most `intervals`. */
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals)
 {
     const struct thud_model *m = state->model;
-    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
     for (int k = 0; k < m->nstoreys; k++) {
-        const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
-        const double *above = u + row->left_dof * ENDS, *below = row->right_dof < 0 ? NULL : u + row->right_dof * ENDS;
-        const double plastic = state->storey[k].plastic_m,
-                     limit =
-                         m->storey[k].yield_m - f->margin[THUD_FLOOR_DRIFT * m->nstructures + m->storey[k].structure];
-        thud_free_vibration_values(f, m, m->storey[k].structure, THUD_FLOOR_DISPLACEMENT);
-        for (int t = 0; t <= intervals; t++)
-            f->gap[t] = above[t] - (below ? below[t] : 0) - plastic;
-        if (thud_largest_size(f->gap, intervals + 1) <= limit && state->storey[k].suppressed == 0)
+        const double limit = m->storey[k].yield_m - drift_margin(f, m, k);
+        if (largest_drift(f, state, k, intervals + 1) <= limit && state->storey[k].suppressed == 0)
             continue;
         for (int t = 0; t < intervals; t++)
             if ((fabs(f->gap[t]) > limit || fabs(f->gap[t + 1]) > limit) && yields(f, state, k, t))

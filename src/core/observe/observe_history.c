@@ -74,7 +74,7 @@ int thud_history_storey_plastic(const struct thud_history *h, int storey)
 }
 static int thud_history_column(const struct thud_history *h, int column, enum thud_column_quantity shear)
 {
-    int storeys = h->nstoreys > 0 ? 1 + 3 * h->nstoreys : 0;
+    int storeys = h->loses + 3 * h->nstoreys;
     return thud_history_hysteretic(h) + storeys + SHEARS * column + (int)shear;
 }
 
@@ -83,7 +83,7 @@ int thud_history_link_force(const struct thud_history *h, int link)
     assert(link >= 0 && link < h->nlinks);
     return thud_history_column(h, h->nstruck, 0) + link;
 }
-static int thud_history_link_stroke(const struct thud_history *h, int link)
+int thud_history_link_stroke(const struct thud_history *h, int link)
 {
     assert(link >= 0 && link < h->nlinks);
     return thud_history_column(h, h->nstruck, 0) + h->nlinks + link;
@@ -96,13 +96,14 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
     *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->npairs;
-    rows->history.nstoreys = model->nstoreys;
+    rows->history.nstoreys = model->nstoreys - model->nslips;
+    rows->history.loses = model->nstoreys > 0;
     rows->history.nstruck = model->ncolumns;
     rows->history.nlinks = model->nlinks;
     rows->history.weighs = model->collapses;
-    rows->history.columns = 1 + 3 * model->ndof + 2 * model->npairs + THUD_HISTORY_ENERGIES +
-                            (model->nstoreys > 0 ? 1 + 3 * model->nstoreys : 0) + SHEARS * model->ncolumns +
-                            2 * model->nlinks + model->collapses;
+    rows->history.columns = 1 + 3 * model->ndof + 2 * model->npairs + THUD_HISTORY_ENERGIES + rows->history.loses +
+                            3 * rows->history.nstoreys + SHEARS * model->ncolumns + 2 * model->nlinks +
+                            model->collapses;
     rows->work = calloc(3 * (size_t)model->nmodes + (size_t)model->nrows + 1, sizeof *rows->work);
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
@@ -162,7 +163,7 @@ static void fill_motion(const struct thud_history *h, const struct thud_state *s
 
 static void fill_storeys(const struct thud_history *h, const struct thud_state *state, double *row, const double *q)
 {
-    if (h->nstoreys > 0)
+    if (h->loses)
         row[thud_history_hysteretic(h)] = thud_storeys_hysteretic(state, q);
     for (int k = 0; k < h->nstoreys; k++) {
         double drift = thud_model_gap_sum(state->model, state->model->ncontacts + k, q);
@@ -211,10 +212,12 @@ static void fill_links(const struct thud_history *h, const struct thud_model *m,
     for (int i = 0; i < m->nlinks; i++) {
         const struct thud_model_link *p = &m->link[i];
         const double d = thud_model_link(m, i, q);
+        double *to = &row[thud_history_link_force(h, i)];
         row[thud_history_link_stroke(h, i)] = d;
-        row[thud_history_link_force(h, i)] = p->contact >= 0
-                                                 ? p->sign * force[p->contact]
-                                                 : p->stiffness_npm * d + p->damping_nspm * thud_model_link(m, i, qd);
+        *to = p->contact >= 0 ? p->sign * force[p->contact]
+                              : p->stiffness_npm * d + p->damping_nspm * thud_model_link(m, i, qd);
+        if (p->storey >= 0)
+            *to += force[m->ncontacts + p->storey];
     }
 }
 

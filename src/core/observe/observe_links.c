@@ -1,7 +1,9 @@
 /* A link that always acts: with d = g . q of its ends,
  *
- *     F = k d + c d',   stroke = d,   loss = int c d'^2 dt.
- */
+ *     F = k d + c d',   stroke = d,   loss = int c d'^2 dt;
+ *
+ * one of friction has F = k (d - d_p), no larger than its slip force, and loses what its storey does
+ * (core/contact/storey.h). */
 #include "core/observe/observe_links.h"
 
 #include <math.h>
@@ -33,34 +35,54 @@ static void raise(const struct thud_segment *seg, struct thud_peak *peak, const 
         *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }
 
-/* Coefficients of d, and of F. */
-static void series(const struct thud_model_link *p, const struct thud_segment *seg, int nmodes, double *d,
-                   double *force)
+/* What friction takes off k d while it holds. */
+static double offset(const struct thud_state *state, const struct thud_model_link *p)
+{
+    return p->storey < 0 ? 0 : p->stiffness_npm * state->storey[p->storey].plastic_m;
+}
+
+/* The largest force that friction lets the link have. */
+static double most_force(const struct thud_model *m, const struct thud_model_link *p)
+{
+    return p->storey < 0 ? (double)INFINITY : m->storey[p->storey].stiffness_npm * m->storey[p->storey].yield_m;
+}
+
+/* Coefficients of d, and of F while friction holds. */
+static void series(const struct thud_state *state, const struct thud_model_link *p, const struct thud_segment *seg,
+                   double *d, double *force)
 {
     const double rate = 1 / seg->h_s;
+    const int nmodes = state->model->nmodes;
     for (int k = 0; k < seg->terms; k++)
         d[k] = thud_dot(p->modes, p->row, seg->q + k * nmodes + p->first_mode);
     for (int k = 0; k < seg->terms; k++)
         force[k] = p->stiffness_npm * d[k] + (k + 1 < seg->terms ? p->damping_nspm * (k + 1) * rate * d[k + 1] : 0);
 }
 
-static void look(const struct thud_model *m, const struct thud_segment *seg, int link, struct thud_link_result *r,
+static void look(const struct thud_state *state, const struct thud_segment *seg, int link, struct thud_link_result *r,
                  double s)
 {
+    const struct thud_model_link *p = &state->model->link[link];
+    const double most = most_force(state->model, p);
     double d[THUD_SEGMENT_TERMS], force[THUD_SEGMENT_TERMS];
-    series(&m->link[link], seg, m->nmodes, d, force);
+    series(state, p, seg, d, force);
+    force[0] -= offset(state, p);
     raise(seg, &r->stroke, d, seg->terms, s);
-    raise(seg, &r->force, force, seg->terms, s);
+    if (r->force.value < most && p->storey >= 0 && state->storey[p->storey].direction != 0)
+        r->force = (struct thud_peak){most, seg->start_s};
+    if (r->force.value < most)
+        raise(seg, &r->force, force, seg->terms, s);
+    r->force.value = fmin(r->force.value, most);
 }
 
 /* Loss up to s. */
-static double loss(const struct thud_model *m, const struct thud_segment *seg, int link, double s)
+static double loss(const struct thud_state *state, const struct thud_segment *seg, int link, double s)
 {
-    const struct thud_model_link *p = &m->link[link];
+    const struct thud_model_link *p = &state->model->link[link];
     double d[THUD_SEGMENT_TERMS], force[THUD_SEGMENT_TERMS], sum = 0;
     if (p->damping_nspm == 0)
         return 0;
-    series(p, seg, m->nmodes, d, force);
+    series(state, p, seg, d, force);
     for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
         double rate = 0, at = s * thud_quadrature_node[i];
         for (int k = seg->terms - 1; k > 0; k--)
@@ -95,8 +117,8 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
             ends(o, i, &result->link[i]);
             continue;
         }
-        look(m, o->seg, i, &result->link[i], o->s);
-        result->link[i].lost_j += loss(m, o->seg, i, o->s);
+        look(o->state, o->seg, i, &result->link[i], o->s);
+        result->link[i].lost_j += loss(o->state, o->seg, i, o->s);
     }
     return THUD_OK;
 }
@@ -106,9 +128,11 @@ struct largest {
     double stroke, force, stroke_margin, force_margin;
 };
 
-static struct largest values(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_link *p,
-                             int ends, double *d)
+static struct largest values(struct thud_free_vibration *f, const struct thud_state *state,
+                             const struct thud_model_link *p, int ends, double *d)
 {
+    const struct thud_model *m = state->model;
+    const double held = offset(state, p);
     const int dof[] = {p->left_dof, p->right_dof};
     struct largest most = {0};
     for (int t = 0; t < ends; t++)
@@ -131,7 +155,7 @@ static struct largest values(struct thud_free_vibration *f, const struct thud_mo
     }
     for (int t = 0; t < ends; t++) {
         most.stroke = fmax(most.stroke, fabs(d[t]));
-        most.force = fmax(most.force, fabs(f->gap[t]));
+        most.force = fmax(most.force, fabs(f->gap[t] -= held));
     }
     return most;
 }
@@ -148,13 +172,13 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
         struct thud_link_result *r = &result->link[i];
         if (p->contact >= 0)
             continue;
-        const struct largest most = values(f, m, p, intervals + 1, d);
+        const struct largest most = values(f, state, p, intervals + 1, d);
         const double force = fmax(r->force.value, most.force) - most.force_margin,
                      stroke = fmax(r->stroke.value, most.stroke) - most.stroke_margin;
         for (int t = 0; t < intervals; t++)
             if (fmax(fabs(f->gap[t]), fabs(f->gap[t + 1])) >= force || fmax(fabs(d[t]), fabs(d[t + 1])) >= stroke)
                 for (int piece = 0; piece < f->pieces; piece++)
-                    look(m, thud_free_vibration_series(f, state, p->structure, t, piece), i, r, 1);
+                    look(state, thud_free_vibration_series(f, state, p->structure, t, piece), i, r, 1);
         r->lost_j += thud_free_vibration_link_loss(f, m, i, intervals);
     }
     return THUD_OK;
@@ -172,9 +196,17 @@ static bool may_jump(const void *own, const struct thud_rest *rest)
 
 const struct thud_observer thud_observe_links = {.segment = segment, .block = block, .may_jump = may_jump};
 
-void thud_links_finish(const struct thud_model *m, struct thud_result *result)
+void thud_links_finish(const struct thud_state *state, struct thud_result *result)
 {
+    const struct thud_model *m = state->model;
     for (int i = 0; i < m->nlinks; i++) {
+        const int storey = m->link[i].storey;
+        if (storey >= 0) {
+            result->link[i].lost_j = state->storey[storey].hysteretic_j;
+            result->link[i].engaged = state->storey[storey].excursions;
+            result->link[i].contact = m->ncontacts + storey;
+            continue;
+        }
         const int contact = result->link[i].contact = m->link[i].contact;
         if (contact < 0)
             continue;

@@ -7,7 +7,7 @@
 /* Its own state is the result. */
 extern const struct thud_observer thud_observe_links;
 
-/* At the end of a run: the links that are contacts. */
-void thud_links_finish(const struct thud_model *model, struct thud_result *result);
+/* At the end of a run: the links that are contacts, and what those of friction have lost. */
+void thud_links_finish(const struct thud_state *state, struct thud_result *result);
 
 #endif

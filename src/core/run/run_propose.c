@@ -96,7 +96,10 @@ static struct row_name name_row(const struct thud_model *model, int row)
     struct row_name name;
     const struct thud_model_storey *storey = thud_model_row_storey(model, row);
     const struct thud_model_contact *contact = &model->contact[row];
-    if (storey) {
+    if (storey && storey->link >= 0) {
+        snprintf(name.words, sizeof name.words, "link %d", storey->link + 1);
+        snprintf(name.key, sizeof name.key, "links.%d", storey->link + 1);
+    } else if (storey) {
         snprintf(name.words, sizeof name.words, "storey %d of structure %d", storey->floor + 1, storey->structure + 1);
         snprintf(name.key, sizeof name.key, "structures.%d.yield.%d", storey->structure + 1, storey->floor + 1);
     } else if (row >= model->npairs) {

@@ -37,7 +37,7 @@ static bool allocate_result(struct thud_run *run)
     struct thud_result *r = &run->result;
     struct thud_arena arena;
     size_t ns = (size_t)m->nstructures, nc = (size_t)m->ncontacts, columns = (size_t)m->ncolumns,
-           links = (size_t)m->nlinks, storeys = m->nstoreys > 0 ? (size_t)m->ndof : 0;
+           links = (size_t)m->nlinks, storeys = m->nstoreys > m->nslips ? (size_t)m->ndof : 0;
     size_t bytes = thud_arena_room(ns, sizeof *r->structure) + thud_arena_room(nc, sizeof *r->contact) +
                    thud_arena_room(columns, sizeof *r->column) +
                    thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
@@ -65,7 +65,7 @@ static bool allocate_result(struct thud_run *run)
         for (int j = 0; j < p->n; j++)
             r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];
     }
-    for (int k = 0; k < m->nstoreys; k++) {
+    for (int k = 0; k < m->nstoreys - m->nslips; k++) {
         const struct thud_model_storey *p = &m->storey[k];
         r->structure[p->structure].storey = storey + m->structure[p->structure].first;
         storey[m->structure[p->structure].first + p->floor] =
@@ -296,7 +296,7 @@ static bool has_contact(const struct thud_model *m, const struct thud_result *r)
 
 static void finish_storeys(struct thud_run *run)
 {
-    for (int k = 0; k < run->state.model->nstoreys; k++) {
+    for (int k = 0; k < run->state.model->nstoreys - run->state.model->nslips; k++) {
         const struct thud_model_storey *p = &run->state.model->storey[k];
         const struct thud_storey_state *s = &run->state.storey[k];
         struct thud_structure_result *structure = &run->result.structure[p->structure];
@@ -334,7 +334,7 @@ void thud_run_finish(struct thud_run *run)
         thud_ledger_finish(&run->ledger, &run->state);
     r->energy = run->ledger.balance;
     finish_storeys(run);
-    thud_links_finish(run->state.model, r);
+    thud_links_finish(&run->state, r);
     if (run->done && *r->reason && r->reason != no_contact && !has_contact(run->state.model, r))
         r->reason = run->state.model->nstoreys > 0 ? "no contact: closed form between events of storeys that yield"
                                                    : "no contact: modes alone, in closed form";

@@ -337,7 +337,7 @@ static int node_of(const struct thud_model_contact *c, bool right)
 static void contacts(struct thud_text *out, const struct thud_model *model)
 {
     thud_text_append(out, "\n# storeys that yield, by the floor above\nYIELDING = [");
-    for (int i = 0; i < model->nstoreys; i++)
+    for (int i = 0; i < model->nstoreys - model->nslips; i++)
         thud_text_append(out, "%s%d", i > 0 ? ", " : "",
                          model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
     thud_text_append(out, "]\n\n# contacts: left and right floor\nCONTACTS = []\n");
@@ -353,7 +353,7 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
     }
 }
 
-/* Springs and dashpots always act; a restrainer holds past a gap that opens, a strut pushes past one that closes. */
+/* Springs and dashpots always act, friction up to its slip force; a restrainer holds past a gap that opens, a strut pushes past one that closes. */
 static void links(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
 {
     static const double strength_m = 1e3; /* what holds past a gap never yields */
@@ -366,11 +366,18 @@ static void links(struct thud_text *out, const struct thud_scene *scene, const s
                   some = model->dof_structure[l->left_dof >= 0 ? l->left_dof : l->right_dof],
                   left = l->left_dof >= 0 ? l->left_dof + 1 : GROUND + some,
                   right = l->right_dof >= 0 ? l->right_dof + 1 : GROUND + some + 2;
-        thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ", l->contact >= 0 ? "ElasticPPGap" : "Elastic", tag);
-        number(out, l->contact >= 0 ? link->stiffness_npm : l->stiffness_npm);
+        const bool gap = l->contact >= 0, slips = l->storey >= 0;
+        thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ",
+                         gap     ? "ElasticPPGap"
+                         : slips ? "ElasticPP"
+                                 : "Elastic",
+                         tag);
+        number(out, gap ? link->stiffness_npm : l->stiffness_npm);
         thud_text_append(out, ", ");
-        number(out, l->contact >= 0 ? side * strength_m * link->stiffness_npm : l->damping_nspm);
-        if (l->contact >= 0) {
+        number(out, gap     ? side * strength_m * link->stiffness_npm
+                    : slips ? model->storey[l->storey].yield_m
+                            : l->damping_nspm);
+        if (gap) {
             thud_text_append(out, ", ");
             number(out, side * fmax(link->slack_m, least_gap_m));
         }
@@ -407,7 +414,7 @@ static void expected(struct thud_text *out, const struct thud_scene *scene, cons
         number(out, r->force.value);
         thud_text_append(out, "),\n");
     }
-    for (int i = 0; i < model->nstoreys; i++) {
+    for (int i = 0; i < model->nstoreys - model->nslips; i++) {
         const struct thud_model_storey *storey = &model->storey[i];
         const struct thud_structure_result *r = &result->structure[storey->structure];
         for (int k = 0; k < 2; k++) {

@@ -103,7 +103,7 @@ void thud_history_csv(const struct thud_report *report, struct thud_text *out)
     add_contact_columns(report, "force_n", out);
     add_contact_columns(report, "indentation_m", out);
     thud_text_append(out, ",energy.input_j,energy.kinetic_j,energy.strain_j,energy.viscous_j,energy.contact_j");
-    if (h->nstoreys > 0)
+    if (h->loses)
         thud_text_append(out, ",energy.hysteretic_j");
     add_storey_columns(report, "drift_m", out);
     add_storey_columns(report, "shear_n", out);

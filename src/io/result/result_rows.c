@@ -276,7 +276,7 @@ static const struct thud_column links[] = {
      .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
     {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
     {LINK(own.lost_j, "lost_j", "Energy lost in it, J."), .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
-    {LINK(own.engaged, "engaged", "How often a restrainer or a strut came to act; no value of others."),
+    {LINK(own.engaged, "engaged", "How often a restrainer or a strut came to act, or friction slipped; no value of others."),
      .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_link_schema = THUD_SCHEMA(
     "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
@@ -430,7 +430,7 @@ static void make_event(const void *of, int i, void *out)
     }
     at -= r->ncontacts;
     for (int l = 0; l < r->nlinks; l++)
-        at -= r->link[l].contact >= 0;
+        at -= r->link[l].contact >= 0 && r->link[l].contact < report->event[i].row;
     for (int s = 0; s < r->nstructures; s++)
         for (int k = 0; r->structure[s].storey && k < r->structure[s].floors; k++)
             if (r->structure[s].storey[k].yields && at-- == 0)
@@ -460,7 +460,7 @@ static const struct thud_column energies[] = {
     ENERGY(stored_j, "stored_j", "Stored in contacts at the end, J."),
     ENERGY(error_ratio, "error_ratio", "What is unaccounted for, over the largest of these."),
     {THUD_COLUMN(struct thud_energy, hysteretic_j, "hysteretic_j",
-                 "Lost in storeys that yield, J; where there are any."),
+                 "Lost in storeys that yield and links that slip, J; where there are any."),
      .only = THUD_ROW_YIELDS},
     {THUD_COLUMN(struct thud_energy, gravity_j, "gravity_j",
                  "Work of the weight on drifting storeys, J; with P-Delta."),

@@ -275,9 +275,9 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
                              e);
-        if (source[s].history->nstoreys > 0)
+        if (source[s].history->loses)
             thud_source_line(panel, &source[s], thud_history_hysteretic(source[s].history), -1, shown.factor,
-                             "yielding", THUD_HISTORY_ENERGIES);
+                             source[s].history->nstoreys > 0 ? "yielding" : "friction", THUD_HISTORY_ENERGIES);
         if (zoom)
             thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);
     }

@@ -1,4 +1,4 @@
-/* Storeys that yield: their loops, and what is left of them over the height. */
+/* Storeys that yield: their loops and those of links that slip, and what is left of them over the height. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,17 +8,38 @@
 
 enum { LOOPS_MAX = 6, LOOP_COLUMNS = 3 };
 
-/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history. */
+/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history; a link that
+ * slips: -1, its index and -1. */
 struct place {
     int structure, floor, storey;
 };
 
-static const struct thud_storey_result *storey_of(const struct thud_figure_source *source, const struct place *at)
+static double lost_of(const struct thud_figure_source *source, const struct place *at)
 {
-    return &source->result->structure[at->structure].storey[at->floor];
+    return at->structure < 0 ? source->result->link[at->floor].lost_j
+                             : source->result->structure[at->structure].storey[at->floor].hysteretic_j;
 }
 
-/* The storeys that yield, at most `most`; how many there are. */
+static double force_of(const struct thud_figure_source *source, const struct place *at)
+{
+    return at->structure < 0 ? source->result->link[at->floor].force.value
+                             : source->result->structure[at->structure].storey[at->floor].shear.value;
+}
+
+/* Links that slip behind the n storeys that yield. */
+static int list_links(const struct thud_figure_source *source, struct place *place, int most, int n)
+{
+    for (int i = 0; i < source->result->nlinks; i++) {
+        if (source->scene->link[i].law != THUD_LINK_FRICTION)
+            continue;
+        if (n < most)
+            place[n] = (struct place){-1, i, -1};
+        n++;
+    }
+    return n;
+}
+
+/* What yields or slips, at most `most`; how many there are. */
 static int list_storeys(const struct thud_figure_source *source, struct place *place, int most)
 {
     int n = 0;
@@ -31,30 +52,34 @@ static int list_storeys(const struct thud_figure_source *source, struct place *p
                 place[n] = (struct place){s, f, n};
             n++;
         }
-    return n;
+    return list_links(source, place, most, n);
 }
 
-bool thud_source_yields(const struct thud_figure_source *source)
+bool thud_source_yields(const struct thud_figure_source *source, bool links)
 {
-    return list_storeys(source, NULL, 0) > 0;
+    struct place first;
+    return list_storeys(source, &first, 1) > 0 && (links || first.structure >= 0);
 }
 
-static void loop(struct thud_panel *panel, const struct thud_figure_source *source, int storey, double factor,
-                 const char *name, int color)
+static void loop(struct thud_panel *panel, const struct thud_figure_source *source, const struct place *at,
+                 double factor, const char *name, int color)
 {
     const struct thud_history *h = source->history;
+    const bool link = at->structure < 0;
+    const int drift = link ? thud_history_link_stroke(h, at->floor) : thud_history_storey_drift(h, at->storey),
+              force = link ? thud_history_link_force(h, at->floor) : thud_history_storey_shear(h, at->storey);
     struct thud_series *series =
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, h->rows, NULL, NULL);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
-        series->x[i] = 1e3 * row[thud_history_storey_drift(h, storey)];
-        series->y[i] = factor * row[thud_history_storey_shear(h, storey)];
+        series->x[i] = 1e3 * row[drift];
+        series->y[i] = factor * row[force];
     }
 }
 
 struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources)
 {
-    enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) };
+    enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) + THUD_LINKS_MAX };
     static const char largest[] = "The storeys that lost most energy; histories.csv has all.";
     struct place *place = malloc(STOREYS * sizeof *place);
     double *lost = calloc(STOREYS, sizeof *lost), shear = 0.0;
@@ -62,27 +87,31 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
     int index[LOOPS_MAX], all = place && lost ? list_storeys(source, place, STOREYS) : 0;
     for (int k = 0; k < all; k++)
         for (int s = 0; s < nsources; s++) {
-            lost[k] = fmax(lost[k], storey_of(&source[s], &place[k])->hysteretic_j);
-            shear = fmax(shear, storey_of(&source[s], &place[k])->shear.value);
+            lost[k] = fmax(lost[k], lost_of(&source[s], &place[k]));
+            shear = fmax(shear, force_of(&source[s], &place[k]));
         }
     int n = thud_pick_largest(lost, all, LOOPS_MAX, index), columns = n < LOOP_COLUMNS ? n > 0 ? n : 1 : LOOP_COLUMNS;
     struct thud_shown shown = thud_shown_force(shear);
-    thud_source_title(source, nsources, "storey shear against drift", text, sizeof text);
+    thud_source_title(source, nsources,
+                      n > 0 && place[index[0]].structure < 0 ? "force against stroke" : "storey shear against drift",
+                      text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_HYSTERESIS), text,
                                                     n > 0 ? (n + columns - 1) / columns : 1, columns);
     for (int i = 0; i < n; i++) {
         const struct place *at = &place[index[i]];
-        const struct thud_structure *of = &source->scene->structure[at->structure];
-        if (thud_isolator_slides(of) && at->floor == 0)
+        const struct thud_structure *of = at->structure < 0 ? NULL : &source->scene->structure[at->structure];
+        if (!of)
+            snprintf(text, sizeof text, "link %d, friction", at->floor + 1);
+        else if (thud_isolator_slides(of) && at->floor == 0)
             snprintf(text, sizeof text, "%s, isolators", of->name);
         else
             snprintf(text, sizeof text, "%s, storey %d", of->name, at->floor + 1);
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, text);
-        thud_panel_axis(panel, THUD_X, "Drift", "mm");
+        thud_panel_axis(panel, THUD_X, of ? "Drift" : "Stroke", "mm");
         thud_panel_results_on_x(panel);
-        thud_panel_axis(panel, THUD_Y, "Shear", shown.unit);
+        thud_panel_axis(panel, THUD_Y, of ? "Shear" : "Force", shown.unit);
         for (int s = 0; s < nsources; s++)
-            loop(panel, &source[s], at->storey, shown.factor, nsources > 1 ? source[s].name : "", s);
+            loop(panel, &source[s], at, shown.factor, nsources > 1 ? source[s].name : "", s);
     }
     if (n < all)
         thud_figure_note(figure, largest);

@@ -160,6 +160,7 @@ static void add_link(struct assembly *a, const struct thud_scene *scene, const s
                                    .right_floor = floor[right],
                                    .stiffness_npm = link->stiffness_npm,
                                    .damping_nspm = link->damping_nspm,
+                                   .slip_n = link->slip_n,
                                    .tension = link->law == THUD_LINK_RESTRAINER,
                                    .clearance_m = link->slack_m};
     if (link->law == THUD_LINK_RESTRAINER || link->law == THUD_LINK_STRUT) {

@@ -217,7 +217,7 @@ static bool is_linear(const struct thud_scene *scene)
         if (scene->structure[s].velocity_mps != 0)
             return false;
     for (int i = 0; i < scene->nlinks; i++)
-        if (scene->link[i].law == THUD_LINK_RESTRAINER || scene->link[i].law == THUD_LINK_STRUT)
+        if (scene->link[i].law >= THUD_LINK_FRICTION)
             return false;
     return !thud_scene_yields(scene);
 }

@@ -14,11 +14,20 @@ void thud_link_init(struct thud_link *link, enum thud_link_law law)
     link->law = law;
     link->stiffness_npm = law == THUD_LINK_DASHPOT ? 0 : NAN;
     link->damping_nspm = law == THUD_LINK_DASHPOT ? NAN : 0;
+    link->slip_n = law == THUD_LINK_FRICTION ? NAN : 0;
 }
 
 void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size)
 {
     snprintf(text, size, "%s-%s", scene->link[i].from, scene->link[i].to);
+}
+
+bool thud_scene_slips(const struct thud_scene *scene)
+{
+    for (int i = 0; i < scene->nlinks; i++)
+        if (scene->link[i].law == THUD_LINK_FRICTION)
+            return true;
+    return false;
 }
 
 const char *thud_link_law_name(const struct thud_scene *scene, int i)
@@ -194,9 +203,9 @@ static enum thud_status check_values(const struct thud_scene *scene, int i, stru
         memcpy(&value, (const char *)&scene->link[i] + place->offset, sizeof value);
         snprintf(key, sizeof key, "links.%d.%s", i + 1, params[k].name);
         thud_quantity_format(value, params[k].unit, text, sizeof text);
-        const bool one_sided = place->offset == offsetof(struct thud_link, stiffness_npm) &&
-                               (int)scene->link[i].law >= THUD_LINK_RESTRAINER;
-        if (one_sided && value == 0) {
+        const bool needed =
+            place->offset == offsetof(struct thud_link, stiffness_npm) && (int)scene->link[i].law >= THUD_LINK_FRICTION;
+        if (needed && value == 0) {
             thud_error_set(err, THUD_INPUT, "it holds nothing with a stiffness of 0");
             thud_error_allow(err, "> 0 MN/m");
         } else if (isnan(value)) {
@@ -212,6 +221,23 @@ static enum thud_status check_values(const struct thud_scene *scene, int i, stru
     return THUD_OK;
 }
 
+/* Each time it slips the other way its ends have moved by twice this: a run's events stay countable. */
+static enum thud_status check_slip(const struct thud_scene *scene, int i, struct thud_error *err)
+{
+    static const double least_m = 1e-6;
+    const struct thud_link *link = &scene->link[i];
+    char key[32];
+    if (link->law != THUD_LINK_FRICTION || link->slip_n >= least_m * link->stiffness_npm)
+        return THUD_OK;
+    snprintf(key, sizeof key, "links.%d.slip", i + 1);
+    thud_error_set(err, THUD_INPUT, "friction gives by only %.3g um before it slips",
+                   1e6 * link->slip_n / link->stiffness_npm);
+    thud_error_allow(err, "1 um or more, a slip force of at least %.4g kN or a smaller stiffness",
+                     1e-3 * least_m * link->stiffness_npm);
+    thud_error_key(err, key);
+    return THUD_INPUT;
+}
+
 enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -219,6 +245,8 @@ enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_er
         status = check_ends(scene, i, err);
         if (status == THUD_OK)
             status = check_values(scene, i, err);
+        if (status == THUD_OK)
+            status = check_slip(scene, i, err);
     }
     return status;
 }

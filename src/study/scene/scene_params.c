@@ -37,7 +37,7 @@ static const char *const no_or_yes[] = {"no", "yes", NULL};
 static const char *const levels[] = {"all", "aligned", NULL};
 static const char *const isolators[] = {"linear", "lead-rubber", "pendulum", NULL};
 static const char *const shapes[] = {"clamped", "linear", NULL};
-static const char *const link_laws[] = {"spring", "dashpot", "restrainer", "strut", NULL};
+static const char *const link_laws[] = {"spring", "dashpot", "friction", "restrainer", "strut", NULL};
 enum { LINKS = (1 << THUD_LINK_LAWS) - 1 };
 
 static const struct thud_param scene_params[] = {
@@ -210,11 +210,12 @@ static const struct thud_place bumper_places[] = {
 };
 
 static const struct thud_param link_params[] = {
-    CHOICE("law", "law", "spring: stiffness and damping; dashpot: damping; restrainer: holds beyond its slack; strut: pushes beyond its slack.", link_laws, THUD_LINK_SPRING),
+    CHOICE("law", "law", "spring: stiffness and damping; dashpot: damping; friction: stiffness up to its slip force; restrainer: holds beyond its slack; strut: pushes beyond its slack.", link_laws, THUD_LINK_SPRING),
     WORD("from", "one end", "A.4: floor 4 of A, counted as in the results; a body or a wall by its name alone."),
     WORD("to", "other end", "A floor of the neighbour, in the same way."),
-    {NUMBER("stiffness", "stiffness", "Of the spring, 0: its dashpot alone; of a restrainer or a strut beyond its slack.", THUD_STIFFNESS, "MN/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e10},
+    {NUMBER("stiffness", "stiffness", "Of the spring, 0: its dashpot alone; of friction before it slips; of a restrainer or a strut beyond its slack.", THUD_STIFFNESS, "MN/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e10},
     {NUMBER("damping", "damping", "Force of the dashpot by the speed at which its ends move apart or together.", THUD_DASHPOT, "kN s/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
+    {NUMBER("slip", "slip force", "At which friction slips, either way.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
     {NUMBER("slack", "slack", "Its ends move apart (a restrainer) or together (a strut) by so much before it acts.", THUD_LENGTH, "cm", 0), FROM(0), UP_TO(5), ANY_USUAL},
 };
 #define AT(member) offsetof(struct thud_link, member)
@@ -224,6 +225,7 @@ static const struct thud_place link_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(to), .size = THUD_NAME_MAX + 8, .kinds = LINKS},
     {.store = THUD_STORE_NUMBER, .offset = AT(stiffness_npm), .kinds = LINKS & ~(1 << THUD_LINK_DASHPOT)},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping_nspm), .kinds = 1 << THUD_LINK_SPRING | 1 << THUD_LINK_DASHPOT},
+    {.store = THUD_STORE_NUMBER, .offset = AT(slip_n), .kinds = 1 << THUD_LINK_FRICTION},
     {.store = THUD_STORE_NUMBER, .offset = AT(slack_m), .kinds = 1 << THUD_LINK_RESTRAINER | 1 << THUD_LINK_STRUT},
 };
 #undef AT

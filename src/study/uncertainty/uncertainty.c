@@ -228,6 +228,7 @@ static void change_links(struct thud_scene *scene, double size, double u)
 {
     for (int i = 0; i < scene->nlinks; i++) {
         scene->link[i].stiffness_npm = changed(THUD_INPUT_LINK, scene->link[i].stiffness_npm, size, u);
+        scene->link[i].slip_n = changed(THUD_INPUT_LINK, scene->link[i].slip_n, size, u);
         scene->link[i].damping_nspm = changed(THUD_INPUT_LINK, scene->link[i].damping_nspm, size, u);
     }
 }

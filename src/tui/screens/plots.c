@@ -21,7 +21,7 @@ static void choose_storey(struct thud_tui *tui)
     double most = 0.0;
     if (p->plot != THUD_PLOT_HYSTERESIS || p->floor_chosen || !c)
         return;
-    for (int i = 0; i < c->model->nstoreys; i++) {
+    for (int i = 0; i < c->model->nstoreys - c->model->nslips; i++) {
         const struct thud_model_storey *storey = &c->model->storey[i];
         double lost = thud_run_result(c->run)->structure[storey->structure].storey[storey->floor].hysteretic_j;
         if (lost > most) {
