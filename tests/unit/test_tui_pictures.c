@@ -129,6 +129,10 @@ START_TEST(figures_are_marked_on_the_shelf)
     fixture_expect(&f, "Response spectrum, 5 %");
     fixture_keys(&f, "<Down> <Down> <Size 50x16><Size 80x24>");
     fixture_expect(&f, "2 of 14 marked");
+    fixture_expect(&f, "A, storey"); /* of its panels the one with the curves */
+    fixture_keys(&f, "]");
+    fixture_expect(&f, "ground acceleration (g)");
+    fixture_keys(&f, "[");
     fixture_keys(&f, " <Up> "); /* the fourth is marked and the third no longer is */
     fixture_expect(&f, "2 of 14 marked");
     fixture_keys(&f, "P");

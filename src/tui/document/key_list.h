@@ -145,6 +145,8 @@ THUD_KEY_AGAIN(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take i
 THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")
 THUD_KEY_AGAIN(SHELF, REPORT, 'R', 0, "R", "report", "the form of the report")
 THUD_KEY_AGAIN(SHELF, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen; what is marked stays so")
+THUD_KEY_AGAIN(SHELF, NEXT_CONTACT, ']', 0, "]", "~[ ] panel", "the next panel of the figure alone, after the last all")
+THUD_KEY_AGAIN(SHELF, PREVIOUS_CONTACT, '[', 0, "[", "", "the panel before")
 THUD_KEY_AGAIN(SHELF, UP, THUD_KEY_UP, 'k', "Up", "", "the figure above")
 THUD_KEY_AGAIN(SHELF, DOWN, THUD_KEY_DOWN, 'j', "Down", "~Up/Down look", "the figure below")
 THUD_KEY_AGAIN(SHELF, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "half a screen up")

@@ -13,6 +13,7 @@ enum { RUN = THUD_SCREEN_PLOTS, LEAST_BESIDE = 64 };
 struct shelf {
     struct thud_shelved item[THUD_PICTURES_MAX]; /* (n) */
     int n, at, top;
+    int panel;    /* shown alone, from 1; 0: all, or the one with the most curves */
     long made_of; /* what they were made of; -1: nothing */
 };
 
@@ -188,13 +189,14 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
     struct thud_pane in =
         thud_pane_frame(&right, shelf->at < shelf->n ? label(tui, shelf->item[shelf->at].figure) : "", false);
     if (shelf->at < shelf->n)
-        thud_chart_figure(&in, shelf->item[shelf->at].figure, -1, &chart);
+        thud_chart_figure(&in, shelf->item[shelf->at].figure, shelf->panel - 1, &chart);
 }
 
 static void take_key(struct thud_tui *tui, int key)
 {
     struct shelf *shelf = tui->dialog.own;
-    int page = tui->canvas.height / 2, step = 0;
+    const struct thud_figure *figure = shelf->at < shelf->n ? shelf->item[shelf->at].figure : NULL;
+    int page = tui->canvas.height / 2, step = 0, panels = figure ? figure->rows * figure->columns : 0;
     switch (thud_key_action(THUD_AT_SHELF, key)) {
     case THUD_DO_CANCEL:
         empty(shelf);
@@ -229,9 +231,15 @@ static void take_key(struct thud_tui *tui, int key)
     case THUD_DO_PAGE_DOWN:
         step = page;
         break;
+    case THUD_DO_NEXT_CONTACT:
+    case THUD_DO_PREVIOUS_CONTACT:
+        shelf->panel += thud_key_action(THUD_AT_SHELF, key) == THUD_DO_NEXT_CONTACT ? 1 : panels;
+        shelf->panel %= panels + 1;
+        return;
     default:
         break;
     }
+    shelf->panel = step ? 0 : shelf->panel;
     shelf->at = shelf->at + step >= shelf->n ? shelf->n - 1 : shelf->at + step;
     shelf->at = shelf->at < 0 ? 0 : shelf->at;
 }

@@ -61,7 +61,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     static const char *const sort[] = {"by time", "by force", "by floor"};
     const char *filter = state(tui)->filter, *with = *filter ? ", with " : "";
     if (index == PEAKS)
-        snprintf(text, size, "Peaks%s%s%s%s: no pounding / no bumper / bumper, ratio bumper : no bumper",
+        snprintf(text, size, "Peaks%s%s%s%s: no pounding / no bumper / bumper, ratio",
                  thud_tui_shows_old(tui) ? " before the edit" : "", state(tui)->by_value ? ", largest first" : "", with,
                  filter);
     else if (index == IMPACTS)

@@ -300,12 +300,22 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
     thud_dots_clear(&d.dots);
 }
 
+/* The panel with the most series, the first of them: what the figure is about. */
+static int busiest(const struct thud_figure *figure)
+{
+    int best = 0;
+    for (int i = 1; i < figure->rows * figure->columns; i++)
+        if (figure->panel[i].used && figure->panel[i].nseries > figure->panel[best].nseries)
+            best = i;
+    return best;
+}
+
 void thud_chart_figure(const struct thud_pane *pane, const struct thud_figure *figure, int only,
                        const struct thud_chart *chart)
 {
     int count = figure->rows * figure->columns;
     if (only < 0 && count > 1 && (pane->w / figure->columns < 34 || pane->h / figure->rows < 9))
-        only = 0; /* too little room for all of them */
+        only = busiest(figure); /* too little room for all of them */
     for (int i = 0; i < count; i++) {
         int row = i / figure->columns, column = i % figure->columns;
         struct thud_pane part = *pane;
