@@ -580,6 +580,9 @@ START_TEST(the_walk_to_a_report)
     char *said = fixture_file(&f, "said");
     ck_assert_ptr_nonnull(said);
     ck_assert_ptr_nonnull(strstr(said, "[report][buildings.yaml]"));
+    ck_assert_ptr_nonnull(strstr(said, "[--beside]["));
+    ck_assert_ptr_nonnull(strstr(said, "wide.yaml")); /* its variants are compared there */
+    ck_assert_ptr_nonnull(strstr(said, "near.yaml"));
     free(said);
     printf("# the walk to a report takes %d keys\n", keys);
     ck_assert_int_le(keys, 70);

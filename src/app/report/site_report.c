@@ -233,6 +233,8 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
         status = thud_site_suite_run(site, err);
     if (status == THUD_OK)
         status = stopped(site, err);
+    if (status == THUD_OK)
+        status = thud_site_variants_run(site, err);
     return status == THUD_OK ? run_second(site, err) : status;
 }
 

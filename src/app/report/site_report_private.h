@@ -39,6 +39,14 @@ struct site_suite {
     bool drawing;                        /* figures are of the suite, not of one motion */
 };
 
+/* A preset beside the scene, which is the first of them. */
+enum { SITE_VARIANTS_MAX = 16 };
+struct site_variant {
+    char name[THUD_NAME_MAX];
+    double gap_m, bumper_m; /* the smallest; the thickest, 0: there is none */
+    struct thud_stiffness_row row;
+};
+
 struct site {
     const struct thud_site_report_options *options;
     struct thud_session *session;
@@ -56,6 +64,8 @@ struct site {
     struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;
+    struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
+    int nvariants;                                  /* 0: none are asked for */
     struct {
         const char *method;
         int values, counts; /* compared, 0: it was given up; impact counts that differ */
@@ -101,6 +111,12 @@ void thud_site_suite_clear(struct site *site);
 /* Its part of the result, and its own section. */
 void thud_site_suite_summary(struct site *site);
 void thud_site_suite_section(struct site *site);
+
+/* ---- variants ---- */
+
+/* Errors: those of opening and running a preset. */
+enum thud_status thud_site_variants_run(struct site *site, struct thud_error *err);
+void thud_site_variants(struct site *site);
 
 /* ---- how sure it is ---- */
 

@@ -176,6 +176,7 @@ static const struct thud_option options[] = {
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, PICTURES | REPORT},
     {"j", "N", "runs at a time; results do not depend on it", THUD_WORD_TEXT, false, STUDY | FIGURES},
     {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, ALL & ~SCREEN},
+    {"beside", "PRESET,...", "variants to stand in one table with the scene", THUD_WORD_FILE, false, REPORT},
     {"project", "TEXT", "of the title block of a report; and", THUD_WORD_TEXT, false, REPORT},
     {"author", "NAME", "who made it", THUD_WORD_TEXT, false, REPORT},
     {"checker", "NAME", "who checked it", THUD_WORD_TEXT, false, REPORT},

@@ -63,6 +63,9 @@ const char *thud_tui_cannot_list_states(const struct thud_tui *tui); /* NULL: it
 void thud_tui_go_to_state(struct thud_tui *tui, const char *name);   /* or "#3" */
 void thud_tui_name_state(struct thud_tui *tui, const char *name);    /* the present one, and saves it so */
 
+/* Where the preset of a named state stands. */
+void thud_tui_state_path(const struct thud_tui *tui, const char *name, char *path, size_t size);
+
 /* solve.c: which value makes something hold; with a question before it is taken */
 void thud_tui_solve_field(struct thud_tui *tui);
 void thud_tui_solve(struct thud_tui *tui, const char *text); /* "force < 10 MN; gap=2 cm:20 cm", without */

@@ -46,7 +46,7 @@ void thud_tui_go_to_state(struct thud_tui *tui, const char *name)
 }
 
 /* A preset of that name beside this one, or in the working folder beside one that comes with thud. */
-static void path_of(const struct thud_tui *tui, const char *name, char *path, size_t size)
+void thud_tui_state_path(const struct thud_tui *tui, const char *name, char *path, size_t size)
 {
     const char *slash = strrchr(tui->doc.path, '/');
     bool beside = slash && !thud_doc_is_shipped(&tui->doc, tui->doc.path);
@@ -57,7 +57,7 @@ static void name_state(struct thud_tui *tui, struct thud_variant *v, const char 
 {
     struct thud_error err = {0};
     char path[600];
-    path_of(tui, name, path, sizeof path);
+    thud_tui_state_path(tui, name, path, sizeof path);
     struct thud_variant *other = thud_variants_named(&tui->doc.variants, name);
     if (!*name || strlen(name) >= sizeof v->name || strpbrk(name, "/#\\\"'") || (other && other != v) ||
         (!other && access(path, F_OK) == 0)) {

@@ -242,6 +242,20 @@ static struct thud_line *form_line(struct thud_tui *tui)
     return &form->value[form->at];
 }
 
+/* The files of the states with names, but for the one that is open. */
+static void named_states(struct thud_tui *tui, struct thud_line *line)
+{
+    char text[THUD_LINE_MAX] = "", path[600];
+    for (int i = 0; i < tui->doc.variants.n; i++) {
+        const char *name = tui->doc.variants.item[i].name;
+        size_t n = strlen(text);
+        thud_tui_state_path(tui, name, path, sizeof path);
+        if (*name && strcmp(path, tui->doc.path) != 0 && access(path, F_OK) == 0)
+            snprintf(text + n, sizeof text - n, "%s%.500s", n ? "," : "", path);
+    }
+    thud_line_set(line, text);
+}
+
 void thud_tui_verb_form(struct thud_tui *tui, int id)
 {
     static const struct thud_over over = {
@@ -262,6 +276,8 @@ void thud_tui_verb_form(struct thud_tui *tui, int id)
                 continue;
             if (rank == 0)
                 thud_line_set(&form->value[form->n], folder);
+            if (strcmp(option->name, "beside") == 0)
+                named_states(tui, &form->value[form->n]);
             form->option[form->n++] = option;
         }
 }
