@@ -166,8 +166,8 @@ START_TEST(coupled_modes_and_one_contact)
 }
 END_TEST
 
-/* The start of an indentation as the segment reads it, four orders at once, and as the state does: were they apart by
- * rounding, a contact at rest could be open by one and closed by the other. */
+/* The start of an indentation as the segment reads it and as the state does: were they apart by rounding, a contact at rest
+ * could be open by one and closed by the other, and would switch without end. */
 START_TEST(an_indentation_starts_with_the_same_bits_both_ways)
 {
     const int storeys[] = {_i + 1, 9 - _i};

@@ -10,8 +10,7 @@
  *     load factor  -h^2/((k + 1)(k + 2)): what a load of order k adds to q_j,k+2
  *
  * The recurrence is eq. (6) there, q_k+2 = load factor * (Omega^2 q_k + D (k + 1)/h q_k+1 + gamma a_k + sum_c g_c F_ck),
- * in two orders of summation: by orders (next_order), where damping couples modes or forces follow from the orders below,
- * eq. (7); and by modes (series_by_modes), where the forces are given. The second is 10 % of a bumper run quicker. */
+ * order by order (next_order); the forces are given, or follow from the orders below by eq. (7) (linear_forces). */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -27,21 +26,19 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
            terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
-    seg->block = calloc((terms + 1) * n + 3 * terms * nc + 2 * ns + 1, sizeof *seg->block);
-    seg->row = calloc(3 * nc + 1, sizeof *seg->row);
+    seg->block = calloc((terms + 1) * n + 2 * terms * nc + 2 * ns + 1, sizeof *seg->block);
+    seg->row = calloc(2 * nc + 1, sizeof *seg->row);
     struct thud_segment_notes *notes = seg->notes = calloc(1, sizeof *notes);
     if (!seg->block || !seg->row || !notes) {
         thud_segment_clear(seg);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     notes->cached = seg->row + nc;
-    notes->listed = notes->cached + nc;
     seg->q = seg->block;
     notes->bound = seg->q + terms * n;
     seg->force = notes->bound + n;
     notes->indentation = seg->force + terms * nc;
-    notes->load = notes->indentation + terms * nc;
-    notes->floors = notes->load + terms * nc;
+    notes->floors = notes->indentation + terms * nc;
     notes->drifts = notes->floors + ns;
     return THUD_OK;
 }
@@ -169,8 +166,6 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     forget(seg, state->model->nrows);
 }
 
-enum { BLOCK = 8 }; /* orders of loads summed at once, in registers: the collocation's forces have 7 */
-
 /* Modes of some systems that stand one after the other: of one, or of all. */
 struct slice {
     int system, systems;
@@ -193,20 +188,10 @@ static void first_terms(const struct thud_model *m, struct thud_segment *seg, co
     }
 }
 
-/* 1/k, for two modes at once */
-/* clang-format off */
-#define INVERSE(k) {1.0 / (k), 1.0 / (k)}
-/* clang-format on */
-static const thud_vec2_aligned inverse[THUD_SEGMENT_TERMS] = {
-    {0, 0},      INVERSE(1),  INVERSE(2),  INVERSE(3),  INVERSE(4),  INVERSE(5),  INVERSE(6),  INVERSE(7),
-    INVERSE(8),  INVERSE(9),  INVERSE(10), INVERSE(11), INVERSE(12), INVERSE(13), INVERSE(14), INVERSE(15),
-    INVERSE(16), INVERSE(17), INVERSE(18), INVERSE(19), INVERSE(20), INVERSE(21), INVERSE(22), INVERSE(23)};
-#undef INVERSE
-
 /* -h^2/((k + 1)(k + 2)) */
 static double load_factor(const struct thud_segment *seg, int k)
 {
-    return -seg->h_s * seg->h_s * inverse[k + 1][0] * inverse[k + 2][0];
+    return -seg->h_s * seg->h_s / ((k + 1) * (k + 2));
 }
 
 /* Order k of the ground acceleration, a straight line. */
@@ -214,8 +199,6 @@ static double ground_term(const struct thud_segment *seg, int k)
 {
     return k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
 }
-
-/* ---- by orders: where damping couples modes, or forces follow from the orders below ---- */
 
 /* out -= g F, of one row in the modes of one system */
 static void push(int n, const double *restrict g, double force, double *restrict out)
@@ -247,7 +230,7 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, con
 {
     const int end = of->mode + of->modes;
     const double *q = seg->q + k * m->nmodes, *q1 = q + m->nmodes;
-    const double by_q = load_factor(seg, k), by_q1 = -seg->h_s * inverse[k + 2][0], ground = by_q * ground_term(seg, k);
+    const double by_q = load_factor(seg, k), by_q1 = -seg->h_s / (k + 2), ground = by_q * ground_term(seg, k);
     double *q2 = seg->q + (k + 2) * m->nmodes;
     for (int j = of->mode; j < end; j += 2) {
         const bool single = j + 1 == end;
@@ -263,113 +246,6 @@ static void next_order(const struct thud_model *m, struct thud_segment *seg, con
     }
     if (k < seg->loaded)
         push_rows(m, seg, of, k, q2);
-}
-
-/* ---- by modes: given forces, and modes that nothing couples ---- */
-
-/* load factor * (gamma a_k + sum_c g_c F_ck) of two modes, or one, for all orders that have any: of the ground, and of the
- * rows listed. */
-static inline void sum_loads(const struct thud_model *m, const struct thud_segment *seg, int rows, int j, bool single,
-                             thud_vec2 *load)
-{
-    const thud_vec2 gamma = thud_vec2_some(m->gamma + j, single);
-    load[0] = load[1] = thud_vec2_set(0, 0);
-    for (int from = 0; from < seg->loaded && rows > 0; from += BLOCK) {
-        thud_vec2 sum[BLOCK] = {0};
-        for (int i = 0; i < rows; i++) {
-            const double *force = seg->notes->load + seg->notes->listed[i] * THUD_SEGMENT_TERMS + from;
-            const thud_vec2 g =
-                thud_vec2_some(m->jacobian + (size_t)seg->row[seg->notes->listed[i]] * (size_t)m->nmodes + j, single);
-            for (int k = 0; k < BLOCK; k++)
-                sum[k] += force[k] * g;
-        }
-        for (int k = 0; k < BLOCK; k++)
-            load[from + k] = sum[k];
-    }
-    load[0] += load_factor(seg, 0) * seg->a0 * gamma;
-    load[1] += load_factor(seg, 1) * seg->a1 * gamma;
-}
-
-/* All orders of two modes, or one, from 2 on; `loaded` of them have loads. On the way up the orders, the last two, q_k and
- * q_k+1, stay in registers (x, v). */
-static inline void mode_series(const struct thud_model *m, struct thud_segment *seg, int j, bool single, int loaded,
-                               const thud_vec2 *load)
-{
-    const double h = seg->h_s;
-    const thud_vec2 spring = -h * h * thud_vec2_some(m->spring + j, single),
-                    dashpot = -h * thud_vec2_some(m->dashpot + j, single);
-    const int n = m->nmodes, terms = seg->terms;
-    double *q = seg->q + j;
-    thud_vec2 x = thud_vec2_some(q, single), v = thud_vec2_some(q + n, single), next;
-    q += 2 * n;
-    int k = 2;
-    for (; k < loaded + 2 && k < terms; k++, q += n) {
-        next = load[k - 2] + (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
-        thud_vec2_put_some(next, q, single);
-        x = v;
-        v = next;
-    }
-    for (; k < terms; k++, q += n) {
-        next = (spring * x * inverse[k - 1] + dashpot * v) * inverse[k];
-        thud_vec2_put_some(next, q, single);
-        x = v;
-        v = next;
-    }
-}
-
-/* notes->load: F_ck times the load factor of order k, by row, with zeros behind up to a whole block. */
-static void scale_forces(const struct thud_model *m, struct thud_segment *seg)
-{
-    const int orders = seg->loaded + 2 < seg->terms ? seg->loaded : seg->terms - 2;
-    double factor[THUD_SEGMENT_TERMS];
-    for (int k = 0; k < orders && seg->rows > 0; k++)
-        factor[k] = load_factor(seg, k);
-    for (int i = 0; i < seg->rows; i++) {
-        const double *force = seg->force + seg->row[i];
-        double *load = seg->notes->load + i * THUD_SEGMENT_TERMS;
-        for (int k = 0; k < orders; k++)
-            load[k] = factor[k] * force[k * m->nrows];
-        for (int k = orders; k < seg->loaded || k % BLOCK != 0; k++)
-            load[k] = 0;
-    }
-}
-
-/* Whether the side's floor is one of a system. */
-static bool is_of(const struct thud_model *m, const struct thud_model_side *side, int system)
-{
-    return side->structure >= 0 && m->structure[side->structure].system == system;
-}
-
-/* Lists the rows whose forces move a system; how many. */
-static int list_rows(const struct thud_model *m, struct thud_segment *seg, int system)
-{
-    int n = 0;
-    for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
-        const struct thud_model_contact *p = &m->contact[seg->row[i]];
-        if (is_of(m, &p->left, system) || is_of(m, &p->right, system))
-            seg->notes->listed[n++] = i;
-    }
-    return n;
-}
-
-static void series_by_modes(const struct thud_model *m, struct thud_segment *seg, const struct slice *of)
-{
-    thud_vec2 load[THUD_SEGMENT_TERMS];
-    scale_forces(m, seg);
-    for (int s = of->system; s < of->system + of->systems; s++) {
-        const struct thud_model_structure *p = &m->structure[m->system[s]];
-        const int first = p->first_mode, end = first + p->modes, rows = list_rows(m, seg, s),
-                  loaded = rows > 0 && seg->loaded > 2 ? seg->loaded : 2;
-        int j = first;
-        for (; j + 2 <= end; j += 2) {
-            sum_loads(m, seg, rows, j, false, load);
-            mode_series(m, seg, j, false, loaded, load);
-        }
-        if (j < end) {
-            sum_loads(m, seg, rows, j, true, load);
-            mode_series(m, seg, j, true, loaded, load);
-        }
-    }
 }
 
 /* Largest |x|. */
@@ -402,9 +278,7 @@ static void series_of(const struct thud_model *m, struct thud_segment *seg, cons
                       const double *qd)
 {
     first_terms(m, seg, of, q, qd);
-    if (!m->couples)
-        series_by_modes(m, seg, of);
-    for (int k = 0; k + 2 < seg->terms && m->couples; k++)
+    for (int k = 0; k + 2 < seg->terms; k++)
         next_order(m, seg, of, k);
 }
 
@@ -562,39 +436,6 @@ static double side_term(const struct thud_model_side *side, const double *modal)
     return thud_dot(side->modes, side->row, modal + side->first_mode);
 }
 
-enum { READ = 4 }; /* orders read at once, of THUD_SEGMENT_TERMS */
-
-struct four_terms {
-    thud_vec2 low, high;
-};
-
-/* The same of four orders, n apart, each in the order of summation of thud_dot: so the start of an indentation has the same
- * bits here and by thud_contact_indentation. Else a contact at rest could be open by one and closed by the other, and
- * would switch without end (test_exact_parts holds the bits). */
-static inline struct four_terms side_terms(const struct thud_model_side *side, const double *modal, int n)
-{
-    const double *q = modal + side->first_mode, *row = side->row;
-    thud_vec2 even[READ] = {0}, odd[READ] = {0};
-    int j = 0;
-    for (; j + 4 <= side->modes; j += 4)
-        for (int i = 0; i < READ; i++) {
-            even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
-            odd[i] += thud_vec2_at(row + j + 2) * thud_vec2_at(q + i * n + j + 2);
-        }
-    for (int i = 0; i < READ && j + 2 <= side->modes; i++)
-        even[i] += thud_vec2_at(row + j) * thud_vec2_at(q + i * n + j);
-    j = side->modes & ~1;
-    for (int i = 0; i < READ; i++)
-        even[i] += odd[i];
-    struct four_terms sum = {thud_vec2_set(even[0][0], even[1][0]) + thud_vec2_set(even[0][1], even[1][1]),
-                             thud_vec2_set(even[2][0], even[3][0]) + thud_vec2_set(even[2][1], even[3][1])};
-    if (j < side->modes) {
-        sum.low += row[j] * thud_vec2_set(q[j], q[n + j]);
-        sum.high += row[j] * thud_vec2_set(q[2 * n + j], q[3 * n + j]);
-    }
-    return sum;
-}
-
 /* Bound of the rounding in a side's term of order k > 0: the parts of its modes may be large and cancel, and so may those
  * of the order below, from which they come. */
 static double side_rounding(const struct thud_segment *seg, const struct thud_model_side *side, int nmodes, int k)
@@ -623,16 +464,6 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
     double size[THUD_SEGMENT_TERMS], largest = 0;
     int suppressed = 0;
-    if (!thud_row_starts_at_zero(state, c)) {
-        for (int k = 0; k < seg->terms; k += READ) {
-            const double *modal = seg->q + k * m->nmodes;
-            struct four_terms left = side_terms(l, modal, m->nmodes), right = side_terms(r, modal, m->nmodes);
-            thud_vec2_put(left.low - right.low, out + k);
-            thud_vec2_put(left.high - right.high, out + k + 2);
-        }
-        out[0] -= thud_state_clearance(state, c);
-        return 0;
-    }
     for (int k = 0; k < seg->terms; k++) {
         double left = side_term(l, seg->q + k * m->nmodes), right = side_term(r, seg->q + k * m->nmodes);
         out[k] = left - right;
@@ -640,6 +471,8 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
         largest = size[k] > largest ? size[k] : largest;
     }
     out[0] -= thud_state_clearance(state, c);
+    if (!thud_row_starts_at_zero(state, c))
+        return 0;
     while (suppressed < seg->terms && is_no_motion(state, seg, l, r, suppressed, out[suppressed],
                                                    term_noise(seg->interpolates, suppressed, size, largest)))
         suppressed++;

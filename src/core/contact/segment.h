@@ -16,14 +16,12 @@ struct thud_motion {
     bool apart;           /* no contact is indented here; false where that is not known */
 };
 
-/* What has been read of a segment, kept beside it, and workspace of its making. */
+/* What has been read of a segment, kept beside it. */
 struct thud_segment_notes {
     double *indentation;     /* (nrows x THUD_SEGMENT_TERMS): where it has been read */
     int *cached;             /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
     double *bound;           /* (nmodes) largest displacement of each mode in it: thud_segment_bounds */
     double *floors, *drifts; /* (nstructures) and so of any floor, and the largest change of any storey's drift */
-    double *load;            /* (nrows x THUD_SEGMENT_TERMS) and */
-    int *listed;             /* (nrows) workspace of segment.c */
 };
 
 /* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays unchanged. */
