@@ -88,7 +88,7 @@ wait $pid
 code=$?
 is "stopped: exit status of the signal" [ "$code" -eq 143 ]
 
-# the README's table: what ratios.sh makes of times, and that the README has its rows
+# the README's table: what ratios.sh makes of times, and that CONTRIBUTING has its rows
 mkdir "$tmp/ratios"
 tools=$(dirname "$0")/../bench
 cat >"$tmp/ratios/minimal.csv" <<END
@@ -122,6 +122,6 @@ is "on a scene of their own" shows '^| OpenSeesPy Newmark (classical Kelvin-Voig
 is "minimal C stays that of the first" shows '^| minimal Newmark | 200 | - | - | - |$'
 labels() { sed -n 's/^| \(minimal [^|]*\) |.*/\1/p' "$1" | sort; }
 sed -n 's/.*split("\(minimal Dormand[^"]*\)", title.*/\1/p' "$tools/ratios.sh" | tr '|' '\n' | grep '^minimal' | sort >"$tmp/labels"
-labels "$tools/../../README.md" | cmp - "$tmp/labels" >"$tmp/out" 2>&1
+labels "$tools/../../.github/CONTRIBUTING.md" | cmp - "$tmp/labels" >"$tmp/out" 2>&1
 code=$?
-is "the README has its rows" [ "$code" -eq 0 ]
+is "CONTRIBUTING has its rows" [ "$code" -eq 0 ]

@@ -1,27 +1,32 @@
 #!/bin/sh
-# The walk of thud-suites(7), word by word: its commands end well, and what it shows appears.  TAP.
+# The walks of thud-suites(7) and thud-tutorial(7), word by word: their commands end well, and what they show appears.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 
-page=$PWD/man/thud-suites.7
-mkdir "$tmp/bin" "$tmp/walk" && ln -s "$THUD" "$tmp/bin/thud" && PATH=$tmp/bin:$PATH
-cd "$tmp/walk" || exit 1
-# what the page displays: the preset; of each command its lines, and those that it shows below them
-sed -n '/^\.Bd -literal/,/^\.Ed/p' "$page" >"$tmp/displays"
-sed -n '/^title:/,/^\.Ed/{/^\.Ed/!p;}' "$tmp/displays" >mine.yaml
-awk -v to="$tmp/step" '/^\$ / { n++; more = 1; sub(/^\$ /, "") } /^\.Ed/ { more = 0 } !n || /^\.(Bd|Ed)/ { next }
-    more { more = /\\e$/; sub(/\\e$/, "\\"); print >(to n ".sh"); next } { sub(/^  /, ""); print >(to n ".shown") }' "$tmp/displays"
-set -- "$tmp"/step*.sh
-is "the page has its commands" [ $# -eq 7 ]
-for n in 1 2 3 4 5 6 7; do
-    code=0
-    sh "$tmp/step$n.sh" >"$tmp/out" 2>"$tmp/err" || code=$?
-    is "step $n ends well: $(head -1 "$tmp/step$n.sh" | cut -c 1-40)" [ "$code" -eq 0 ]
-    is "it shows something" test -s "$tmp/step$n.shown"
-    while IFS= read -r line; do
-        is "it shows: $line" grep -q -F -e "$line" "$tmp/out"
-    done <"$tmp/step$n.shown"
-done
+pages=$PWD/man
+mkdir "$tmp/bin" && ln -s "$THUD" "$tmp/bin/thud" && PATH=$tmp/bin:$PATH
+walk() { # PAGE COMMANDS: what the page displays: the preset; of each command its lines, and those that it shows below them
+    mkdir "$tmp/$1" && cd "$tmp/$1" || exit 1
+    sed -n '/^\.Bd -literal/,/^\.Ed/p' "$pages/$1.7" >displays
+    sed -n '/^title:/,/^\.Ed/{/^\.Ed/!p;}' displays >mine.yaml
+    awk '/^\$ / { n++; more = 1; sub(/^\$ /, "") } /^\.Ed/ { more = 0 } !n || /^\.(Bd|Ed)/ { next }
+        more { more = /\\e$/; sub(/\\e$/, "\\"); print >("step" n ".sh"); next } { sub(/^  /, ""); print >("step" n ".shown") }' displays
+    is "$1 has its commands" [ "$(find . -name 'step*.sh' | wc -l)" -eq "$2" ]
+    n=0
+    while [ $((n += 1)) -le "$2" ]; do
+        code=0
+        sh "step$n.sh" >"$tmp/out" 2>"$tmp/err" || code=$?
+        is "step $n ends well: $(head -1 "step$n.sh" | cut -c 1-40)" [ "$code" -eq 0 ]
+        is "it shows something" test -s "step$n.shown"
+        while IFS= read -r line; do
+            is "it shows: $line" grep -q -F -e "$line" "$tmp/out"
+        done <"step$n.shown"
+    done
+}
+walk thud-tutorial 9
+is "the report has its title block" grep -q '| Checked by | N. N. |' report/report.md
+is "the figures have the line" grep -q 'no contact without bumper from here' figures/means-bumper.gp
+walk thud-suites 7
 # the shares and medians of the second step again, from the runs themselves
 is "the same runs in a folder" gives 0 sweep mine.yaml --records mine.list --signs both --cases none,bumper --quiet -o runs
 again() { # COLUMN STRUCTURE mean|largest: median ratio, and how many are lower
