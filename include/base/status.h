@@ -25,6 +25,12 @@ static inline enum thud_status thud_error_given(int written, enum thud_status st
     return status;
 }
 
+/* The same with a key and with what is allowed; either may be NULL. */
+#define thud_error_refuse(err, status, key, allowed, ...)                                                              \
+    thud_error_given(thud_error_write_whole((err), (status), (key), (allowed), __VA_ARGS__), (status))
+int thud_error_write_whole(struct thud_error *err, enum thud_status status, const char *key, const char *allowed,
+                           const char *fmt, ...) THUD_PRINTF(5, 6);
+
 /* Add a part to an error already set. */
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);
 void thud_error_key(struct thud_error *err, const char *key);

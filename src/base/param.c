@@ -54,9 +54,7 @@ enum thud_status thud_param_check(const struct thud_param *param, double value, 
         return THUD_OK;
     char allowed[200];
     thud_param_allowed(param, allowed, sizeof allowed);
-    thud_error_set(err, THUD_INPUT, "%.80s is too %s", text, low ? "small" : "large");
-    thud_error_allow(err, "%s", allowed);
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, NULL, allowed, "%.80s is too %s", text, low ? "small" : "large");
 }
 
 bool thud_param_unusual(const struct thud_param *param, double value, char *text, unsigned long size)

@@ -11,17 +11,36 @@ static void copy(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from ? from : "");
 }
 
-int thud_error_write(struct thud_error *err, enum thud_status status, const char *fmt, ...)
+static int write_message(struct thud_error *err, enum thud_status status, const char *fmt, va_list args)
 {
     if (err) {
         memset(err, 0, sizeof *err);
         err->status = status;
-        va_list args;
-        va_start(args, fmt);
         vsnprintf(err->what, sizeof err->what, fmt, args);
-        va_end(args);
     }
     return err != NULL;
+}
+
+int thud_error_write(struct thud_error *err, enum thud_status status, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    int written = write_message(err, status, fmt, args);
+    va_end(args);
+    return written;
+}
+
+int thud_error_write_whole(struct thud_error *err, enum thud_status status, const char *key, const char *allowed,
+                           const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    int written = write_message(err, status, fmt, args);
+    va_end(args);
+    thud_error_key(err, key);
+    if (err)
+        copy(err->allowed, sizeof err->allowed, allowed);
+    return written;
 }
 
 void thud_error_place(struct thud_error *err, const char *file, int line, int column)

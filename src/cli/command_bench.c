@@ -71,11 +71,9 @@ static enum thud_status choose_methods(struct thud_bench *bench, const char *lis
         size_t length = strcspn(list, ",");
         snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), list);
         const struct thud_method *method = thud_method_find(name);
-        if (!method || n == THUD_GIVEN_MAX) {
-            thud_error_set(err, THUD_USAGE, "--methods: there is no method \"%s\"", name);
-            thud_error_allow(err, "those of `thud methods`");
-            return THUD_USAGE;
-        }
+        if (!method || n == THUD_GIVEN_MAX)
+            return thud_error_refuse(err, THUD_USAGE, NULL, "those of `thud methods`",
+                                     "--methods: there is no method \"%s\"", name);
         chosen[n++] = method;
         list += length + (list[length] == ',');
     }

@@ -22,11 +22,9 @@ static enum thud_status assign(const struct thud_args *args, struct thud_scene *
         const char *sign = strchr(text, '=');
         char key[KEY], name[64];
         bool of_file = strncmp(text, "unit=", 5) == 0 || strncmp(text, "order=", 6) == 0;
-        if (!sign || (size_t)(sign - text) >= sizeof name) {
-            thud_error_set(err, THUD_USAGE, "\"%.80s\" changes nothing", text);
-            thud_error_allow(err, "mass=\"320 t\", unit=kN/m, order=roof-first");
-            return THUD_USAGE;
-        }
+        if (!sign || (size_t)(sign - text) >= sizeof name)
+            return thud_error_refuse(err, THUD_USAGE, NULL, "mass=\"320 t\", unit=kN/m, order=roof-first",
+                                     "\"%.80s\" changes nothing", text);
         if (of_file != reads)
             continue;
         snprintf(name, sizeof name, "%.*s", (int)(sign - text), text);
@@ -131,11 +129,8 @@ enum thud_status thud_command_building(const struct thud_args *args, struct thud
 {
     struct thud_building_table table = {0};
     struct thud_text text = {0};
-    if (args->noperands != 2 || strcmp(args->operand[0], "import") != 0) {
-        thud_error_set(err, THUD_USAGE, "thud building needs a verb and a file");
-        thud_error_allow(err, "import FILE");
-        return THUD_USAGE;
-    }
+    if (args->noperands != 2 || strcmp(args->operand[0], "import") != 0)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "import FILE", "thud building needs a verb and a file");
     struct thud_scene *scene = calloc(1, sizeof *scene);
     if (!scene)
         return thud_error_set(err, THUD_MEMORY, "out of memory");

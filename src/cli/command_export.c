@@ -60,12 +60,10 @@ static enum thud_status opensees(const struct thud_args *args, struct thud_sessi
 enum thud_status thud_command_export(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_args rest = *args;
-    if (args->noperands == 0 || strcmp(args->operand[0], "opensees") != 0) {
-        thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud export needs a program" : "no export to \"%.40s\"",
-                       args->operand[0]);
-        thud_error_allow(err, "opensees");
-        return THUD_USAGE;
-    }
+    if (args->noperands == 0 || strcmp(args->operand[0], "opensees") != 0)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "opensees",
+                                 args->noperands == 0 ? "thud export needs a program" : "no export to \"%.40s\"",
+                                 args->operand[0]);
     rest.noperands--;
     for (int i = 0; i < rest.noperands; i++)
         rest.operand[i] = args->operand[i + 1];

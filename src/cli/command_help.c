@@ -97,9 +97,7 @@ static enum thud_status words(const char *list, struct thud_text *out, struct th
         if (name)
             snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "", name);
     }
-    thud_error_set(err, THUD_USAGE, "there is no list of \"%.40s\"", list);
-    thud_error_allow(err, "%s", names);
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, NULL, names, "there is no list of \"%.40s\"", list);
 }
 
 enum thud_status thud_command_help(const struct thud_args *args, struct thud_error *err)

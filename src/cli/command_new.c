@@ -104,11 +104,9 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
     struct thud_text text = {0};
     const char *path = args->noperands > 0 ? args->operand[0] : "";
     bool to_output = strcmp(path, "-") == 0;
-    if (args->noperands != 1) {
-        thud_error_set(err, THUD_USAGE, "thud new needs the name of one file");
-        thud_error_allow(err, "such as mine.yaml; - writes to standard output");
-        return THUD_USAGE;
-    }
+    if (args->noperands != 1)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "such as mine.yaml; - writes to standard output",
+                                 "thud new needs the name of one file");
     if (!to_output && access(path, F_OK) == 0) {
         thud_error_set(err, THUD_OUTPUT, "is there already: thud new writes over no file");
         thud_error_place(err, path, 0, 0);

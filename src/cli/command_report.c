@@ -56,11 +56,8 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_text text = {0};
     const char *folder = thud_args_value(args, "o");
     (void)scene;
-    if (!folder) {
-        thud_error_set(err, THUD_USAGE, "thud report needs a folder to write into");
-        thud_error_allow(err, "-o DIR");
-        return THUD_USAGE;
-    }
+    if (!folder)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "-o DIR", "thud report needs a folder to write into");
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_inputs_option_read(args, SAMPLES, &inputs, err);

@@ -203,11 +203,9 @@ static enum thud_status work(const struct thud_args *args, struct thud_session *
 
 enum thud_status thud_command_suite(const struct thud_args *args, struct thud_error *err)
 {
-    if (args->noperands != 1) {
-        thud_error_set(err, THUD_USAGE, "thud suite needs ground motions");
-        thud_error_allow(err, "FOLDER, NAME.list, or FILE,FILE,...");
-        return THUD_USAGE;
-    }
+    if (args->noperands != 1)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "FOLDER, NAME.list, or FILE,FILE,...",
+                                 "thud suite needs ground motions");
     struct thud_session *session = calloc(1, sizeof *session);
     struct thud_suite_study *study = calloc(1, sizeof *study);
     enum thud_status status = THUD_MEMORY;

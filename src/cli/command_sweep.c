@@ -54,12 +54,9 @@ static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err
         for (size_t k = 0; k < sizeof shortcut / sizeof *shortcut; k++)
             if (strcmp(word, shortcut[k].name) == 0)
                 bit = shortcut[k].bit;
-        if (!bit) {
-            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no shortcut", word);
-            thud_error_key(err, "--without");
-            thud_error_allow(err, "free, start, levels, same, all");
-            return THUD_USAGE;
-        }
+        if (!bit)
+            return thud_error_refuse(err, THUD_USAGE, "--without", "free, start, levels, same, all",
+                                     "\"%.40s\" is no shortcut", word);
         s->plan.shortcuts &= ~bit;
     }
     return THUD_OK;
@@ -101,10 +98,7 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
             s->best = i;
     if (!key || s->best >= 0)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "\"%.60s\" is not varied", key);
-    thud_error_key(err, "--best");
-    thud_error_allow(err, "one of the keys of --vary");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, "--best", "one of the keys of --vary", "\"%.60s\" is not varied", key);
 }
 
 /* Fragility from the suite, and its files. That gnuplot failed is told in the end: all else is there. */

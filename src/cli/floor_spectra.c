@@ -58,12 +58,9 @@ static enum thud_status read_ask(const struct thud_args *args, const struct thud
         if (thud_args_has(args, alone[i]))
             return thud_error_set(err, THUD_USAGE, "--floor-spectra and --%s together", alone[i]);
     status = thud_spectrum_options_read(args, "floor-spectra", &choice, err);
-    if (status == THUD_OK && !(choice.damping > 0)) {
-        thud_error_set(err, THUD_USAGE, "oscillators without damping");
-        thud_args_key("floor-spectra", err);
-        thud_error_allow(err, "above 0 and below 1");
-        return THUD_USAGE;
-    }
+    if (status == THUD_OK && !(choice.damping > 0))
+        return thud_error_refuse(err, THUD_USAGE, "--floor-spectra", "above 0 and below 1",
+                                 "oscillators without damping");
     if (status == THUD_OK && choice.from_s < shortest_s) {
         thud_error_set(err, THUD_USAGE, "a period of %g s", choice.from_s);
         thud_args_key("periods", err);

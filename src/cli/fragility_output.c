@@ -32,12 +32,10 @@ enum thud_status thud_fragility_options_read(const struct thud_args *args, const
     for (int a = 0; hazard && a < plan->naxes; a++)
         if (thud_axis_is_intensity(&plan->axis[a]))
             axis = a;
-    if (status == THUD_OK && hazard && axis < 0) {
-        thud_error_set(err, THUD_USAGE, "a hazard curve needs a varied intensity");
-        thud_args_key("hazard", err);
-        thud_error_allow(err, "--vary record.sa=0.1g:2g:0.1g, or record.peak, record.factor");
-        return THUD_USAGE;
-    }
+    if (status == THUD_OK && hazard && axis < 0)
+        return thud_error_refuse(err, THUD_USAGE, "--hazard",
+                                 "--vary record.sa=0.1g:2g:0.1g, or record.peak, record.factor",
+                                 "a hazard curve needs a varied intensity");
     return status == THUD_OK && hazard ? thud_hazard_read(hazard, &plan->axis[axis], &out->hazard, err) : status;
 }
 

@@ -15,10 +15,8 @@ static enum thud_status read_sampling(const struct thud_args *args, enum thud_sa
         }
     if (!word)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "\"%.40s\" is no way of sampling", word);
-    thud_error_key(err, "--sampling");
-    thud_error_allow(err, "latin-hypercube, sobol");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, "--sampling", "latin-hypercube, sobol", "\"%.40s\" is no way of sampling",
+                             word);
 }
 
 enum thud_status thud_inputs_option_read(const struct thud_args *args, int samples, struct thud_inputs_choice *out,

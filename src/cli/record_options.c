@@ -204,10 +204,8 @@ static enum thud_status unknown(const char *key, size_t length, struct thud_erro
     for (size_t i = 0; i < thud_synthesis_param_count && n < sizeof list; i++)
         n += (size_t)snprintf(list + n, sizeof list - n, ", %s", thud_synthesis_params[i].name);
     enum thud_status status = key[length] == '=' ? THUD_INPUT : THUD_USAGE;
-    thud_error_set(err, status, "a surrogate has no value \"%.*s\"", (int)(length < 40 ? length : 40), key);
-    thud_error_key(err, "--set");
-    thud_error_allow(err, "%s", list);
-    return status;
+    return thud_error_refuse(err, status, "--set", list, "a surrogate has no value \"%.*s\"",
+                             (int)(length < 40 ? length : 40), key);
 }
 
 static enum thud_status assign(const char *assignment, struct thud_synthesis *synthesis, const char **event,

@@ -33,12 +33,9 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
     const struct thud_study_choice *study = &session->scene.study;
     const char *text = thud_args_value(args, "records");
     bool both = thud_args_has(args, "signs") || study->both_signs;
-    if (thud_args_has(args, "signs") && strcmp(thud_args_value(args, "signs"), "both") != 0) {
-        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not understood", thud_args_value(args, "signs"));
-        thud_error_key(err, "--signs");
-        thud_error_allow(err, "both; --sign - turns the ground motion round");
-        return THUD_USAGE;
-    }
+    if (thud_args_has(args, "signs") && strcmp(thud_args_value(args, "signs"), "both") != 0)
+        return thud_error_refuse(err, THUD_USAGE, "--signs", "both; --sign - turns the ground motion round",
+                                 "\"%.40s\" is not understood", thud_args_value(args, "signs"));
     if (!text && study->records[0] && !thud_args_value(args, "record"))
         text = study->records;
     enum thud_status status = THUD_OK;

@@ -154,10 +154,8 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
     const char *preset = args->noperands > 0 ? args->operand[0] : has_default ? "towers" : NULL;
     if (!preset || args->noperands > 1) {
         const char *name = thud_command_at(args->command)->name;
-        thud_error_set(err, THUD_USAGE, args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset",
-                       name);
-        thud_error_allow(err, "a name such as towers, or a file");
-        return THUD_USAGE;
+        return thud_error_refuse(err, THUD_USAGE, NULL, "a name such as towers, or a file",
+                                 args->noperands == 0 ? "thud %s needs a preset" : "thud %s takes one preset", name);
     }
     enum thud_status status = (is_bare(args) ? thud_session_open_unfinished : thud_session_open)(session, preset, err);
     if (status == THUD_OK)
@@ -241,10 +239,7 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
             *out = (enum thud_case)i;
             return THUD_OK;
         }
-    thud_error_set(err, THUD_USAGE, "\"%.40s\" is no case", word);
-    thud_error_key(err, "--case");
-    thud_error_allow(err, "none, bumper, cavity, link");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, "--case", "none, bumper, cavity, link", "\"%.40s\" is no case", word);
 }
 
 enum thud_status thud_scene_options_of_case(const struct thud_args *args, const struct thud_session *session,

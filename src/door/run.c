@@ -193,11 +193,9 @@ static enum thud_status read_records(struct sweep *s, struct thud_session *sessi
 static enum thud_status plan_sweep(struct sweep *s, const char *const *vary, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    if (!vary && s->plan.scene.study.nvary == 0 && s->plan.nrecords < 2) {
-        thud_error_set(err, THUD_USAGE, "the scene has no study of its own");
-        thud_error_allow(err, "what is varied, such as gap=5cm:25cm:0.5cm");
-        return THUD_USAGE;
-    }
+    if (!vary && s->plan.scene.study.nvary == 0 && s->plan.nrecords < 2)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "what is varied, such as gap=5cm:25cm:0.5cm",
+                                 "the scene has no study of its own");
     for (int i = 0; vary && vary[i] && status == THUD_OK; i++)
         status = thud_sweep_vary(&s->plan, vary[i], err);
     if (status == THUD_OK)

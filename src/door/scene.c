@@ -95,9 +95,7 @@ static enum thud_status find_number(const struct thud *scene, const char *key, c
     *out = status == THUD_OK ? thud_scene_param(&scene->session.scene, key, &floor) : NULL;
     if (status != THUD_OK || (*out && ((*out)->kind == THUD_PARAM_QUANTITY || (*out)->kind == THUD_PARAM_INTEGER)))
         return status;
-    thud_error_set(err, THUD_INPUT, "its value is a word, not a number");
-    thud_error_key(err, key);
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, key, NULL, "its value is a word, not a number");
 }
 
 static enum thud_status set_number(struct thud *scene, const char *key, double value, struct thud_error *err)

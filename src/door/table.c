@@ -157,9 +157,8 @@ enum thud_status thud_column(const struct thud_results *results, const char *tab
         }
     if (!t)
         return THUD_INPUT;
-    thud_error_set(err, THUD_INPUT, "%s has no column \"%.60s\"", table, column);
-    thud_error_allow(err, "those of thud-output(5)");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, NULL, "those of thud-output(5)", "%s has no column \"%.60s\"", table,
+                             column);
 }
 
 const char *thud_cell(const struct thud_results *results, const char *table, size_t row, size_t column)

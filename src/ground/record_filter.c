@@ -149,11 +149,9 @@ enum thud_status thud_record_filter_apply(const struct thud_record *record, cons
     int sections = isnan(filter->high_hz) ? high_pass(w1, filter->order, section)
                                           : band_pass(w1, tan(THUD_PI * filter->high_hz * dt), filter->order, section);
     double pad = rint(thud_record_filter_pad(filter, dt) / dt), all = 2.0 * pad + (double)record->samples;
-    if (!(all <= samples_most)) {
-        thud_error_set(err, THUD_INPUT, "a corner of %g Hz needs %.3g zeros at each end", filter->low_hz, pad);
-        thud_error_allow(err, "a higher one, or longer steps");
-        return THUD_INPUT;
-    }
+    if (!(all <= samples_most))
+        return thud_error_refuse(err, THUD_INPUT, NULL, "a higher one, or longer steps",
+                                 "a corner of %g Hz needs %.3g zeros at each end", filter->low_hz, pad);
     size_t n = (size_t)all;
     double *x = calloc(n, sizeof *x);
     if (!x)

@@ -74,9 +74,7 @@ void thud_synthesis_describe(const struct thud_synthesis *s, const char *prefix,
 
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what)
 {
-    thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_key(err, key);
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, key, NULL, "%s", what);
 }
 
 static enum thud_status check(const struct thud_synthesis *s, struct thud_error *err)
@@ -190,10 +188,8 @@ enum thud_status thud_synthesis_run(const struct thud_synthesis *s, struct thud_
     }
     if (largest >= s->peak_mps2) {
         free(noise);
-        thud_error_set(err, THUD_INPUT, "the pulse alone reaches %.4g g", largest / THUD_GRAVITY);
-        thud_error_key(err, "peak");
-        thud_error_allow(err, "more than that, or a smaller or longer pulse");
-        return THUD_INPUT;
+        return thud_error_refuse(err, THUD_INPUT, "peak", "more than that, or a smaller or longer pulse",
+                                 "the pulse alone reaches %.4g g", largest / THUD_GRAVITY);
     }
     make_noise(s, noise, samples);
     double scale = noise_scale(noise, pulses, samples, s->peak_mps2);

@@ -31,11 +31,8 @@ enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsign
         unsigned found = strcmp(name[i], "all") ? 0 : THUD_PAPER_ALL | THUD_PAPER_REPORT;
         for (int k = 0; k < THUD_PAPER_FIGURES; k++)
             found |= strcmp(name[i], names[k]) ? 0 : 1u << k;
-        if (!found) {
-            thud_error_set(err, THUD_USAGE, "\"%s\" is no figure", name[i]);
-            thud_error_allow(err, "fig2 to fig10, all");
-            return THUD_USAGE;
-        }
+        if (!found)
+            return thud_error_refuse(err, THUD_USAGE, NULL, "fig2 to fig10, all", "\"%s\" is no figure", name[i]);
         *which |= found;
     }
     return THUD_OK;

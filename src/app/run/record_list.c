@@ -100,23 +100,18 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
 {
     char *value = NULL;
     const char *key = cut_setting(item, &value);
-    if (!*item || strlen(item) >= sizeof scene->record.file) {
-        thud_error_set(err, THUD_USAGE, "a name is empty or too long");
-        thud_error_key(err, "--records");
-        thud_error_allow(err, "FILE,FILE,..., each with its own settings after colons: a.AT2:peak=0.9g");
-        return THUD_USAGE;
-    }
+    if (!*item || strlen(item) >= sizeof scene->record.file)
+        return thud_error_refuse(err, THUD_USAGE, "--records",
+                                 "FILE,FILE,..., each with its own settings after colons: a.AT2:peak=0.9g",
+                                 "a name is empty or too long");
     snprintf(scene->record.file, sizeof scene->record.file, "%s", item);
     enum thud_status status = THUD_OK;
     const char *given[SETTINGS];
     for (int n = 0; key && status == THUD_OK; n++) {
         const char *own = value, *next = cut_setting(value, &value);
         for (int i = 0; i < n; i++)
-            if (given[i] == key) {
-                thud_error_set(err, THUD_USAGE, "%s is given twice for %.200s", key, item);
-                thud_error_key(err, "--records");
-                return THUD_USAGE;
-            }
+            if (given[i] == key)
+                return thud_error_refuse(err, THUD_USAGE, "--records", NULL, "%s is given twice for %.200s", key, item);
         given[n] = key; /* all differ, so that there are never more than SETTINGS */
         status = set(scene, key, own, err);
         key = next;

@@ -56,11 +56,9 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
 {
     const char *sign = strchr(assignment, '=');
     char key[128];
-    if (!sign || sign == assignment || (size_t)(sign - assignment) >= sizeof key) {
-        thud_error_set(err, THUD_USAGE, "\"%.100s\" changes nothing", assignment);
-        thud_error_allow(err, "KEY=VALUE, e.g. gap=12cm");
-        return THUD_USAGE;
-    }
+    if (!sign || sign == assignment || (size_t)(sign - assignment) >= sizeof key)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "KEY=VALUE, e.g. gap=12cm", "\"%.100s\" changes nothing",
+                                 assignment);
     snprintf(key, sizeof key, "%.*s", (int)(sign - assignment), assignment);
     return thud_scene_set(&session->scene, key, sign + 1, err);
 }

@@ -196,11 +196,10 @@ enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, s
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
     size_t most = count_lines(study);
-    if (most == 0) {
-        thud_error_set(err, THUD_USAGE, "no number is varied that a fragility could be against");
-        thud_error_allow(err, "--vary record.sa=0.1g:2g:0.1g, --vary gap=5cm:25cm:0.5cm, or both");
-        return THUD_USAGE;
-    }
+    if (most == 0)
+        return thud_error_refuse(err, THUD_USAGE, NULL,
+                                 "--vary record.sa=0.1g:2g:0.1g, --vary gap=5cm:25cm:0.5cm, or both",
+                                 "no number is varied that a fragility could be against");
     study->line = calloc(most, sizeof *study->line);
     if (!study->line)
         return thud_error_set(err, THUD_MEMORY, "out of memory");

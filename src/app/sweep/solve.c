@@ -30,10 +30,11 @@ enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *o
     if (strlen(text) < sizeof out->text && strchr(event, ':') == strrchr(event, ':') &&
         thud_event_parse(event, &out->event, NULL) == THUD_OK && out->event.kind != THUD_EVENT_WORSE)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "\"%.60s\" is not understood", text);
-    thud_error_allow(err, "force < 10 MN, acceleration < 1 g, drift < 1 %%, drift < 3 cm, ductility < 2, permanent < 1 "
-                          "cm, column < 1, no pounding, no collapse; or > in place of <");
-    return THUD_USAGE;
+    return thud_error_refuse(
+        err, THUD_USAGE, NULL,
+        "force < 10 MN, acceleration < 1 g, drift < 1 %, drift < 3 cm, ductility < 2, permanent < 1 "
+        "cm, column < 1, no pounding, no collapse; or > in place of <",
+        "\"%.60s\" is not understood", text);
 }
 
 static bool holds(const struct thud_solve *solve, const struct thud_solve_try *tried)
@@ -143,9 +144,8 @@ static enum thud_status read_by(const struct thud_scene *scene, const char *by, 
     range[1] = high.value;
     if (number && high.value > low.value)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "\"%.80s\" is no range of a quantity", by);
-    thud_error_allow(err, "KEY=FROM:TO, rising, e.g. gap=2cm:20cm");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, NULL, "KEY=FROM:TO, rising, e.g. gap=2cm:20cm",
+                             "\"%.80s\" is no range of a quantity", by);
 }
 
 enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thud_record_list *records, const char *by,

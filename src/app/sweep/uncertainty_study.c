@@ -52,13 +52,10 @@ static enum thud_status draw(const struct thud_uncertainty_study *study, double 
         enum thud_status status = thud_latin_hypercube(&random, n, d, a, err);
         return status == THUD_OK && study->indices ? thud_latin_hypercube(&random, n, d, b, err) : status;
     }
-    if (both > THUD_SOBOL_DIMENSIONS) {
-        thud_error_set(err, THUD_USAGE, "Sobol's sequence has %d dimensions, %zu are needed", THUD_SOBOL_DIMENSIONS,
-                       both);
-        thud_error_key(err, "--sampling");
-        thud_error_allow(err, "latin-hypercube, or fewer inputs: --uncertain damping=0");
-        return THUD_USAGE;
-    }
+    if (both > THUD_SOBOL_DIMENSIONS)
+        return thud_error_refuse(err, THUD_USAGE, "--sampling",
+                                 "latin-hypercube, or fewer inputs: --uncertain damping=0",
+                                 "Sobol's sequence has %d dimensions, %zu are needed", THUD_SOBOL_DIMENSIONS, both);
     double *u = malloc(n * both * sizeof *u);
     if (!u)
         return thud_error_set(err, THUD_MEMORY, "out of memory for the samples");

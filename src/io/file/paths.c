@@ -203,9 +203,9 @@ enum thud_status thud_paths_beside(const char *preset_path, const char *name, ch
     thud_paths_find(&paths);
     if (name[0] != '/' && fits(snprintf(path, size, "%s/%s", paths.presets, name), size) && is_there(path))
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "there is no file \"%.200s\"", name);
-    thud_error_allow(err, "a path from the working folder, beside the preset, or in the presets folder");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, NULL,
+                             "a path from the working folder, beside the preset, or in the presets folder",
+                             "there is no file \"%.200s\"", name);
 }
 
 enum thud_status thud_paths_record(const struct thud_paths *paths, const char *preset_path, const char *name,

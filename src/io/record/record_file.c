@@ -76,12 +76,9 @@ static enum thud_status decide(const struct record_source *source, const struct 
                                struct record_raw *raw, struct thud_error *err)
 {
     double unit = choice->unit[0] ? record_unit(choice->unit) : NAN;
-    if (unit == 0) {
-        thud_error_set(err, THUD_INPUT, "\"%s\" is not a unit of acceleration", choice->unit);
-        thud_error_key(err, "unit");
-        thud_error_allow(err, "%s", record_unit_allowed);
-        return THUD_INPUT;
-    }
+    if (unit == 0)
+        return thud_error_refuse(err, THUD_INPUT, "unit", record_unit_allowed, "\"%s\" is not a unit of acceleration",
+                                 choice->unit);
     if (!isnan(unit) && !isnan(raw->factor) && !raw->factor_from_prose && !same(unit, raw->factor))
         return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s",
                              choice->unit);

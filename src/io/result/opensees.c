@@ -25,10 +25,7 @@ static const double steps_per_contact = 500, steps_per_period = 200;
 
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *instead)
 {
-    thud_error_set(err, THUD_INPUT, "OpenSees %s", what);
-    thud_error_key(err, key);
-    thud_error_allow(err, "%s", instead);
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, key, instead, "OpenSees %s", what);
 }
 
 static bool is_law(const struct thud_model_contact *c, const char *name)

@@ -28,10 +28,8 @@ enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shar
     if (thud_scan_count(&at, &out->index) && thud_scan_word(&at, "/") && thud_scan_count(&at, &out->count) && !*at &&
         out->index >= 1 && out->index <= out->count)
         return THUD_OK;
-    thud_error_set(err, THUD_USAGE, "\"%.40s\" is no part of a study", text);
-    thud_error_key(err, "shard");
-    thud_error_allow(err, "K/N, K from 1 to N, e.g. 2/3");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, "shard", "K/N, K from 1 to N, e.g. 2/3",
+                             "\"%.40s\" is no part of a study", text);
 }
 
 long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard)

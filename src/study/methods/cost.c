@@ -57,9 +57,8 @@ enum thud_status thud_cost_axis_find(const char *name, enum thud_cost_axis *out,
             *out = (enum thud_cost_axis)i;
             return THUD_OK;
         }
-    thud_error_set(err, THUD_USAGE, "--cost: there is no \"%.40s\"", name);
-    thud_error_allow(err, "storeys, buildings, duration or impacts");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, NULL, "storeys, buildings, duration or impacts",
+                             "--cost: there is no \"%.40s\"", name);
 }
 
 /* The first two structures with storeys stand at the front. */

@@ -61,27 +61,18 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *at = &scene->interface[i];
         bumpers += at->has_bumper;
-        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(thud_interface_max_strain(at))) {
-            thud_error_set(
-                err, THUD_INPUT,
+        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(thud_interface_max_strain(at)))
+            return thud_error_refuse(
+                err, THUD_INPUT, "case", NULL,
                 "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
                 at->bumper.law ? at->bumper.law->name : "");
-            thud_error_key(err, "case");
-            return THUD_INPUT;
-        }
     }
-    if (bumpers == 0 && (which == THUD_CASE_BUMPER || which == THUD_CASE_CAVITY)) {
-        thud_error_set(err, THUD_INPUT, "the scene has no bumper for the case \"%s\"", thud_case_name(which));
-        thud_error_key(err, "case");
-        thud_error_allow(err, "none, or add one, e.g. bumper.law=rubber");
-        return THUD_INPUT;
-    }
-    if (scene->nlinks == 0 && which == THUD_CASE_LINK) {
-        thud_error_set(err, THUD_INPUT, "the scene has no link for the case \"%s\"", thud_case_name(which));
-        thud_error_key(err, "case");
-        thud_error_allow(err, "none, or add one, e.g. links.1.law=dashpot");
-        return THUD_INPUT;
-    }
+    if (bumpers == 0 && (which == THUD_CASE_BUMPER || which == THUD_CASE_CAVITY))
+        return thud_error_refuse(err, THUD_INPUT, "case", "none, or add one, e.g. bumper.law=rubber",
+                                 "the scene has no bumper for the case \"%s\"", thud_case_name(which));
+    if (scene->nlinks == 0 && which == THUD_CASE_LINK)
+        return thud_error_refuse(err, THUD_INPUT, "case", "none, or add one, e.g. links.1.law=dashpot",
+                                 "the scene has no link for the case \"%s\"", thud_case_name(which));
     if (out != scene)
         thud_scene_copy(out, scene);
     if (which != THUD_CASE_AS_WRITTEN && which != THUD_CASE_LINK) {

@@ -81,10 +81,10 @@ static void fill(struct thud_slot *slot, enum thud_group group, int index, size_
 
 static enum thud_status wrong_depth(struct thud_error *err)
 {
-    thud_error_set(err, THUD_INPUT, "the key has too many or too few parts");
-    thud_error_allow(
-        err, "e.g. gap, contact.restitution, structures.1.mass, structures.1.mass.2, interfaces.1.gap, record.peak");
-    return THUD_INPUT;
+    return thud_error_refuse(
+        err, THUD_INPUT, NULL,
+        "e.g. gap, contact.restitution, structures.1.mass, structures.1.mass.2, interfaces.1.gap, record.peak",
+        "the key has too many or too few parts");
 }
 
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
@@ -100,11 +100,9 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         return THUD_INPUT;
     }
     enum thud_group group = column ? THUD_GROUP_COLUMN : isolator ? THUD_GROUP_ISOLATOR : THUD_GROUP_STRUCTURE;
-    if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED) {
-        thud_error_set(err, THUD_INPUT, "%.40s stands on no isolators", scene->structure[s - 1].name);
-        thud_error_allow(err, "kind: isolated");
-        return THUD_INPUT;
-    }
+    if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "kind: isolated", "%.40s stands on no isolators",
+                                 scene->structure[s - 1].name);
     int keys = column || isolator ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
     int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
     if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
@@ -149,11 +147,9 @@ static enum thud_status find_law_key(const struct thud_scene *scene, int interfa
     out->bumper = bumper;
     out->choice = base + (bumper ? offsetof(struct thud_interface, bumper) : offsetof(struct thud_interface, contact));
     int i = find_in_group(group, key, 0);
-    if (bumper && !law && i != 0) {
-        thud_error_set(err, THUD_INPUT, "interface %d has no bumper", interface + 1);
-        thud_error_allow(err, "set bumper.law first, e.g. rubber");
-        return THUD_INPUT;
-    }
+    if (bumper && !law && i != 0)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "set bumper.law first, e.g. rubber",
+                                 "interface %d has no bumper", interface + 1);
     if (i >= 0) {
         fill(out, group, i, base);
         return THUD_OK;

@@ -75,11 +75,8 @@ static enum thud_status read_bound(const struct thud_scene *scene, const char *k
     status = thud_quantity_parse(text, slot.param->dimension, NULL, &q, err);
     if (status != THUD_OK)
         return status;
-    if (!(q.value > 0)) {
-        thud_error_set(err, THUD_INPUT, "%.80s is too small", text);
-        thud_error_allow(err, "> 0");
-        return THUD_INPUT;
-    }
+    if (!(q.value > 0))
+        return thud_error_refuse(err, THUD_INPUT, NULL, "> 0", "%.80s is too small", text);
     *out = q.value;
     return THUD_OK;
 }
@@ -97,9 +94,7 @@ static enum thud_status check_count(const struct thud_study_choice *study, int n
 
 static enum thud_status refuse_both(struct thud_error *err)
 {
-    thud_error_set(err, THUD_INPUT, "there are values and a range");
-    thud_error_allow(err, "values, or from, to and step");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, NULL, "values, or from, to and step", "there are values and a range");
 }
 
 static enum thud_status add_value(struct thud_vary *vary, const char *value, struct thud_error *err)

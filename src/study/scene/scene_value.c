@@ -22,11 +22,8 @@ static enum thud_status read_count(const struct thud_param *param, const char *t
         *out = -1 - word;
         return THUD_OK;
     }
-    if (thud_number_parse(text, &end, &value) != 0 || *end || value != floor(value) || fabs(value) > 1e9) {
-        thud_error_set(err, THUD_INPUT, "\"%.80s\" is not a whole number", text);
-        thud_error_allow(err, "%s", allowed);
-        return THUD_INPUT;
-    }
+    if (thud_number_parse(text, &end, &value) != 0 || *end || value != floor(value) || fabs(value) > 1e9)
+        return thud_error_refuse(err, THUD_INPUT, NULL, allowed, "\"%.80s\" is not a whole number", text);
     enum thud_status status = thud_param_check(param, value, text, err);
     if (status == THUD_OK)
         *out = (int)value;

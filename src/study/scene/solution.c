@@ -19,10 +19,8 @@ enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_
     out->method = thud_method_find(a->method);
     if (out->method)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "no method is called \"%s\"", a->method);
-    thud_error_key(err, "method");
-    thud_error_allow(err, "auto, or one of `thud methods`");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, "method", "auto, or one of `thud methods`", "no method is called \"%s\"",
+                             a->method);
 }
 
 enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
@@ -100,11 +98,9 @@ enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, stru
         return status;
     double period = mean_period(model, &shortest, &longest);
     thud_model_free(model);
-    if (!(period > 0)) {
-        thud_error_set(err, THUD_INPUT, "no building has a period to take the spectral acceleration at");
-        thud_error_key(err, sa ? "record.period" : "record.target");
-        return THUD_INPUT;
-    }
+    if (!(period > 0))
+        return thud_error_refuse(err, THUD_INPUT, sa ? "record.period" : "record.target", NULL,
+                                 "no building has a period to take the spectral acceleration at");
     if (sa)
         choice->period_s = period;
     if (target) {
@@ -122,10 +118,9 @@ enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const s
         moves = moves || scene->structure[s].velocity_mps != 0;
     if (moves)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "nothing moves: %s, and no body has a velocity",
-                   record ? "the ground motion is 0 throughout" : "there is no ground motion");
-    thud_error_key(err, "record.file");
-    thud_error_allow(err,
-                     "--record FILE, or `record: {file: ...}` in the preset; `thud record list` shows those at hand");
-    return THUD_INPUT;
+    return thud_error_refuse(
+        err, THUD_INPUT, "record.file",
+        "--record FILE, or `record: {file: ...}` in the preset; `thud record list` shows those at hand",
+        "nothing moves: %s, and no body has a velocity",
+        record ? "the ground motion is 0 throughout" : "there is no ground motion");
 }

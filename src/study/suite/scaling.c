@@ -41,12 +41,10 @@ static enum thud_status set_range(const struct thud_record *const *record, int n
         from = fmax(from, target->period_s[0]);
         to = fmin(to, target->period_s[target->n - 1]);
     }
-    if (!(from > 0) || !(to > from)) {
-        thud_error_set(err, THUD_INPUT, "no period from %.4g to %.4g s is resolved by the motions and in the target",
-                       s->from_s, s->to_s);
-        thud_error_allow(err, "a range that begins at four samples or more, from < to");
-        return THUD_INPUT;
-    }
+    if (!(from > 0) || !(to > from))
+        return thud_error_refuse(err, THUD_INPUT, NULL, "a range that begins at four samples or more, from < to",
+                                 "no period from %.4g to %.4g s is resolved by the motions and in the target",
+                                 s->from_s, s->to_s);
     suite->narrowed = from > s->from_s || to < s->to_s;
     thud_target_periods(from, to, THUD_SCALING_PERIODS, suite->period_s);
     return THUD_OK;

@@ -35,10 +35,7 @@ void thud_sweep_plan_clear(struct thud_sweep_plan *plan)
 
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what, const char *allowed)
 {
-    thud_error_set(err, THUD_USAGE, "%s", what);
-    thud_error_key(err, key);
-    thud_error_allow(err, "%s", allowed);
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, key, allowed, "%s", what);
 }
 
 static const char how[] = "KEY=FROM:TO:STEP or KEY=V1,V2,..., e.g. gap=5 cm:25 cm:0.5 cm";

@@ -87,14 +87,13 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
             break;
         return put_size(inputs, (enum thud_input)i, of, n, q.value, err);
     }
-    thud_error_set(err, THUD_USAGE, "\"%.60s\" is no input with its size", text);
-    thud_error_key(err, "--uncertain");
-    thud_error_allow(
-        err, "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %%, up to "
-             "90 %%; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
-             "elevation: 5 cm, up to 10 m; of one building stiffness.A=5 %%, of all of them besides "
-             "stiffness.common=10 %%");
-    return THUD_USAGE;
+    return thud_error_refuse(
+        err, THUD_USAGE, "--uncertain",
+        "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %, up to "
+        "90 %; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
+        "elevation: 5 cm, up to 10 m; of one building stiffness.A=5 %, of all of them besides "
+        "stiffness.common=10 %",
+        "\"%.60s\" is no input with its size", text);
 }
 
 /* A parameter of a law; NULL where the law has none of the name, or it is not given. */
@@ -373,13 +372,11 @@ static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thu
     if (u->nsuite > 1)
         add_input(u, THUD_INPUT_RECORD, -1, u->nsuite, "");
     for (int i = 0; i < inputs->nown; i++)
-        if (!used[i]) {
-            thud_error_set(err, THUD_INPUT, "\"%s.%s\" is nothing that this scene has",
-                           infos[inputs->own[i].input].name, inputs->own[i].of);
-            thud_error_key(err, "--uncertain");
-            thud_error_allow(err, "the name or number of a building that has such a thing, the number of an interface");
-            return THUD_INPUT;
-        }
+        if (!used[i])
+            return thud_error_refuse(
+                err, THUD_INPUT, "--uncertain",
+                "the name or number of a building that has such a thing, the number of an interface",
+                "\"%s.%s\" is nothing that this scene has", infos[inputs->own[i].input].name, inputs->own[i].of);
     return u->ninputs > 0 ? THUD_OK : thud_error_set(err, THUD_INPUT, "no input is uncertain");
 }
 
