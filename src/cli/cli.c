@@ -7,14 +7,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "app/run/exit_status.h"
+#include "app/run/command.h"
 #include "base/nearest.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/interrupt.h"
+#include "cli/options.h"
 #include "cli/rows.h"
-#include "cli/scene_options.h"
 
 typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
 

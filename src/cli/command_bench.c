@@ -7,12 +7,9 @@
 #include "app/run/figure_files.h"
 #include "base/quantity.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "cli/rows.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
 #include "io/file/file.h"
 
 static void show_progress(void *context, const char *what, int done, int count)

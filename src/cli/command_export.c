@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "io/file/file.h"
 #include "io/result/opensees.h"
 

@@ -1,12 +1,9 @@
 /* thud figures: the paper's figures, and with `all` the report. */
 #include <stdio.h>
 
-#include "app/paper/paper_figures.h"
-#include "app/paper/paper_study.h"
+#include "app/paper/paper_report.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
+#include "cli/options.h"
 
 static enum thud_status make_study(const struct thud_args *args, bool report, struct thud_paper_work **work,
                                    struct thud_paper_study *study, struct thud_error *err)

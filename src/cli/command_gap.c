@@ -2,11 +2,8 @@
 #include "app/run/figure_files.h"
 #include "app/sweep/gap_report.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/records_option.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_gap.h"
 

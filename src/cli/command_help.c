@@ -5,7 +5,6 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/manual.h"
 #include "core/methods/method.h"
 #include "io/file/paths.h"
 #include "study/methods/cost.h"

@@ -4,13 +4,8 @@
 
 #include "app/report/site_report.h"
 #include "cli/commands.h"
-#include "cli/inputs_option.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
-#include "cli/records_option.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
+#include "cli/options.h"
+#include "cli/output.h"
 
 /* Samples of the uncertain inputs: a share of them is known to about 5 %. */
 enum { SAMPLES = 100 };

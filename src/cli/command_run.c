@@ -4,18 +4,13 @@
 #include <string.h>
 
 #include "app/run/event_list.h"
+#include "app/run/figure_files.h"
 #include "app/run/result_table.h"
 #include "app/run/run_cases.h"
-#include "app/run/run_figures.h"
 #include "cli/commands.h"
-#include "cli/floor_spectra.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
-#include "cli/records_option.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "cli/rows.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
 #include "io/file/file.h"
 #include "study/sweep/remark.h"
 

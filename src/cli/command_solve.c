@@ -4,9 +4,7 @@
 
 #include "app/sweep/solve.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/records_option.h"
-#include "cli/scene_options.h"
+#include "cli/options.h"
 
 static enum thud_status refuse(const char *option, const char *why, const char *allowed, struct thud_error *err)
 {

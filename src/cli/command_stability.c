@@ -6,12 +6,9 @@
 #include "app/bench/stability_report.h"
 #include "app/run/figure_files.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "cli/rows.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
 #include "io/file/file.h"
 
 static enum thud_status save(const struct thud_stability *stability, const char *folder,

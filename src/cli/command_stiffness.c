@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/scene_options.h"
+#include "cli/options.h"
 #include "study/scene/stiffness.h"
 
 enum { PARTS_MAX = 3 };

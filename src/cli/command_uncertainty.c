@@ -8,13 +8,8 @@
 #include "app/sweep/uncertainty_study.h"
 #include "base/statistics.h"
 #include "cli/commands.h"
-#include "cli/inputs_option.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/progress.h"
-#include "cli/records_option.h"
-#include "cli/scene_options.h"
-#include "cli/study_file.h"
+#include "cli/options.h"
+#include "cli/output.h"
 #include "io/file/file.h"
 
 enum { SAMPLES = 200 };

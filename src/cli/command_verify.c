@@ -1,11 +1,9 @@
 /* thud verify: presets against their stored expectations, or what others published against what is computed. */
 #include <stdio.h>
 
-#include "app/bench/published_report.h"
 #include "app/bench/verify_preset.h"
 #include "cli/commands.h"
-#include "cli/progress.h"
-#include "cli/record_options.h"
+#include "cli/options.h"
 #include "io/file/paths.h"
 
 /* Over all presets. */

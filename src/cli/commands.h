@@ -3,6 +3,10 @@
 #ifndef THUD_CLI_COMMANDS_H
 #define THUD_CLI_COMMANDS_H
 
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "base/status.h"
 #include "base/text.h"
 #include "cli/args.h"
 
@@ -25,5 +29,32 @@ void thud_cli_complain(const struct thud_error *err);
 
 /* The works that a law or method is from, parted by "; ": a line each. */
 void thud_cli_references(const char *reference, struct thud_text *out);
+
+/* ---- Ctrl-C while something long runs ---- */
+
+/* For the beginning of the program: INT, TERM and HUP end it without leaving a file in the making, and a file that
+ * grows beyond `ulimit -f` is an error of writing. A signal that is ignored stays so. */
+void thud_interrupt_start(void);
+/* From now on INT, TERM and HUP set the flag to their number instead of ending the program; a second one ends it. A HUP
+ * that is ignored (nohup) stays so. */
+const atomic_int *thud_interrupt_watch(void);
+/* The signal that came; 0: none. */
+int thud_interrupt_signal(void);
+
+/* How far a long work is, on standard error: a line that renews itself on a terminal, one every few seconds elsewhere,
+ * none with --quiet. One work at a time. */
+
+/* Whether anything will be shown. */
+bool thud_progress_start(const struct thud_args *args);
+void thud_progress_show(const char *fmt, ...) THUD_PRINTF(1, 2);
+/* Wipes out the line of a terminal, before something else is written there; `end`: nothing more will be shown. */
+void thud_progress_wipe(void);
+void thud_progress_end(void);
+/* What is being done; for struct thud_site_report_options and its like. */
+void thud_progress_what(void *context, const char *what);
+/* Of the points of a study, with the time that is left; for struct thud_sweep_study and its like. */
+/* Of the figures that are drawn one after another. */
+void thud_progress_drawing(void *context, const char *figure);
+void thud_progress_points(void *context, long done, long count, double elapsed_s);
 
 #endif

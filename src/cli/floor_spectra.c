@@ -1,4 +1,4 @@
-#include "cli/floor_spectra.h"
+#include "cli/output.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -6,10 +6,7 @@
 #include "app/run/figure_files.h"
 #include "app/run/floor_table.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/picture_options.h"
-#include "cli/record_options.h"
-#include "cli/study_file.h"
+#include "cli/options.h"
 #include "io/file/file.h"
 #include "io/result/floor_spectra_file.h"
 #include "plot/figures/figures_floor.h"

@@ -1,4 +1,4 @@
-#include "cli/fragility_output.h"
+#include "cli/output.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,6 +2,8 @@
 #ifndef THUD_CLI_HELP_H
 #define THUD_CLI_HELP_H
 
+#include <stdbool.h>
+
 #include "app/run/command.h"
 #include "base/text.h"
 
@@ -12,5 +14,14 @@ void thud_help_command(struct thud_text *out, enum thud_command_id id);
 /* A completion script; false when the shell is none of bash, zsh, fish. The scripts ask `thud help --words LIST` for
  * words that change. */
 bool thud_completion(struct thud_text *out, const char *shell);
+
+/* ---- The parts of thud-preset(5) that come from the program's own tables, as mdoc ---- */
+
+/* One part: "units", "keys", "laws". It stands in man/thud-preset.5 between the comments `begin NAME` and `end NAME`,
+ * where tests/tools/manual.sh puts it and the tests compare it. false: there is no such part. */
+bool thud_manual_part(struct thud_text *out, const char *name);
+
+/* The names of the parts, by index from 0; NULL after the last. */
+const char *thud_manual_part_name(int index);
 
 #endif

@@ -1,4 +1,4 @@
-#include "cli/inputs_option.h"
+#include "cli/options.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "cli/interrupt.h"
+#include "cli/commands.h"
 
 #include <signal.h>
 #include <stdbool.h>

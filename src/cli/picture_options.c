@@ -1,9 +1,9 @@
-#include "cli/picture_options.h"
+#include "cli/options.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/progress.h"
+#include "cli/commands.h"
 #include "ground/identity.h"
 
 enum thud_status thud_picture_options_read(const struct thud_args *args, struct thud_picture_choice *choice,

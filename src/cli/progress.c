@@ -1,4 +1,4 @@
-#include "cli/progress.h"
+#include "cli/commands.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "cli/record_options.h"
+#include "cli/options.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "cli/records_option.h"
+#include "cli/options.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "cli/scene_options.h"
+#include "cli/options.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-#include "cli/study_file.h"
+#include "cli/output.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "cli/sweep_output.h"
+#include "cli/output.h"
 
 #include "app/sweep/fragility_report.h"
 #include "cli/commands.h"

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/interrupt.h"
+#include "cli/commands.h"
 #include "io/file/file.h"
 #include "io/file/output.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "app/run/command.h"
-#include "cli/manual.h"
+#include "cli/help.h"
 #include "tui/tui.h"
 
 static char page[256 * 1024];

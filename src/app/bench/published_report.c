@@ -1,4 +1,4 @@
-#include "app/bench/published_report.h"
+#include "app/bench/verify_preset.h"
 
 #include <math.h>
 #include <stdio.h>

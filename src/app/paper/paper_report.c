@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "app/paper/paper_report.h"
-#include "app/paper/paper_statements.h"
 #include "base/version.h"
 #include "io/file/json.h"
 #include "io/result/scene_json.h"

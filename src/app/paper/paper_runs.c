@@ -1,4 +1,4 @@
-#include "app/paper/paper_runs.h"
+#include "app/paper/paper_report.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "app/paper/paper_study.h"
+#include "app/paper/paper_report.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
-#include "app/run/run_figures.h"
+#include "app/run/figure_files.h"
 #include "app/run/summary_line.h"
 #include "base/version.h"
 #include "ground/identity.h"

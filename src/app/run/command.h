@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "base/status.h"
+
 enum thud_command_id {
     THUD_COMMAND_SCREEN, /* no word: the terminal interface */
     THUD_COMMAND_RUN,
@@ -94,5 +96,11 @@ const char *thud_option_choice(const struct thud_option *option, int i);
 
 /* The word of a kind as it stands in `thud help --words`: "presets", "keys", ...; NULL for those with no list. */
 const char *thud_word_list_name(enum thud_word word);
+
+/* ---- What the shell is told ---- */
+
+/* 0 done, 1 a check did not hold, 2 wrong usage, 3 bad input, 4 the integration failed, 5 gnuplot, 6 output or memory,
+ * 130 cancelled. */
+int thud_exit_status(enum thud_status status);
 
 #endif

@@ -1,4 +1,4 @@
-#include "app/run/exit_status.h"
+#include "app/run/command.h"
 
 int thud_exit_status(enum thud_status status)
 {

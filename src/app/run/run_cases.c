@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/run/run_figures.h"
+#include "app/run/figure_files.h"
 #include "core/run/baseline.h"
 #include "ground/identity.h"
 #include "study/scene/level.h"

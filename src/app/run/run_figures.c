@@ -1,4 +1,3 @@
-#include "app/run/run_figures.h"
 #include "app/run/figure_files.h"
 #include "plot/figures/figures_sweep.h"
 

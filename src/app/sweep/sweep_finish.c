@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/run/run_figures.h"
+#include "app/run/figure_files.h"
 #include "app/sweep/sweep_study_private.h"
 #include "io/file/output.h"
 #include "io/result/sweep_csv.h"

@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/preset/preset_diff.h"
-#include "io/preset/preset_emit.h"
+#include "io/preset/preset_private.h"
 
 enum { PATH_BYTES = 160 };
 

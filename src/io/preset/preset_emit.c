@@ -1,4 +1,4 @@
-#include "io/preset/preset_emit.h"
+#include "io/preset/preset_private.h"
 
 #include <stdio.h>
 #include <stdlib.h>

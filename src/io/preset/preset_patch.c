@@ -1,4 +1,4 @@
-#include "io/preset/preset_patch.h"
+#include "io/preset/preset_private.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/preset/preset_diff.h"
-#include "io/preset/preset_emit.h"
+#include "io/preset/preset_private.h"
 
 /* Without what no preset says: bumpers that are off, and what lies past the last structure. */
 static void strip(const struct thud_scene *scene, struct thud_scene *out)

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "io/record/record_formats.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_source.h"
+#include "io/record/record_table.h"
 
 enum { HEADER_MAX = 12 };
 

@@ -1,4 +1,4 @@
-#include "io/record/record_channels.h"
+#include "io/record/record_source.h"
 
 #include <math.h>
 #include <stdio.h>

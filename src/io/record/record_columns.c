@@ -2,7 +2,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "io/record/record_formats.h"
+#include "io/record/record_source.h"
 #include "io/record/record_table.h"
 
 static bool recognize(const struct record_source *source)

@@ -6,9 +6,8 @@
 #include <string.h>
 
 #include "base/ascii.h"
-#include "io/record/record_channels.h"
-#include "io/record/record_formats.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_source.h"
+#include "io/record/record_table.h"
 
 enum { REAL_INTERVAL = 61 };
 

@@ -3,9 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "io/record/record_channels.h"
-#include "io/record/record_formats.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_source.h"
+#include "io/record/record_table.h"
 
 static bool begins_block(const struct record_line *line)
 {

@@ -4,7 +4,7 @@
 
 #include "base/ascii.h"
 #include "io/record/csv_lines.h"
-#include "io/record/record_formats.h"
+#include "io/record/record_source.h"
 #include "io/record/record_table.h"
 
 static char separator(const struct record_source *source)

@@ -3,9 +3,8 @@
 #include <string.h>
 
 #include "base/ascii.h"
-#include "io/record/record_channels.h"
-#include "io/record/record_formats.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_source.h"
+#include "io/record/record_table.h"
 
 /* A key is capitals, digits, `_`, `/` and `^` up to a colon. */
 static const char *colon(const struct record_line *line)

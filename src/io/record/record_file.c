@@ -10,9 +10,8 @@
 #include "ground/record_edit.h"
 #include "ground/spectrum.h"
 #include "io/file/file.h"
-#include "io/record/record_formats.h"
-#include "io/record/record_gzip.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_source.h"
+#include "io/record/record_table.h"
 #include "io/record/target_file.h"
 
 #define ENTRY(name) &record_format_##name,

@@ -1,5 +1,5 @@
 /* gzip files (RFC 1952) by zlib, which checks sums and lengths. */
-#include "io/record/record_gzip.h"
+#include "io/record/record_source.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -3,8 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "io/record/record_channels.h"
-#include "io/record/record_formats.h"
+#include "io/record/record_source.h"
 
 /* The value of `Dir.`: words at K-NET, a number of the sensor at KiK-net. */
 static bool recognize_either(const struct record_source *source, bool *number)

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/record/record_channels.h"
-#include "io/record/record_formats.h"
+#include "io/record/record_source.h"
 
 enum { TEXT_LINES = 11, INTEGERS = 48, REALS = 50, INTEGER_LINES = 6, REAL_LINES = 10 };
 static const double unknown_integer = -32768, unknown_real = 1.7e38;

@@ -96,4 +96,57 @@ enum thud_status record_add_block(struct record_raw *raw, struct record_cursor *
 enum thud_status record_count(const struct record_source *source, const struct record_line *line, double value,
                               size_t *count, struct thud_error *err);
 
+/* ---- The formats of record files: one table each, in its own file ---- */
+
+/* `recognize` looks at content only. `read` fills `raw` (empty, with dt and factor NaN); it may leave dt and factor for
+ * the user to give. */
+struct record_format {
+    const char *name;
+    bool plain; /* says nothing of itself: also what is left after --skip is read so */
+    bool (*recognize)(const struct record_source *source);
+    enum thud_status (*read)(const struct record_source *source, const struct thud_record_choice *choice,
+                             struct record_raw *raw, struct thud_error *err);
+};
+
+/* The first that recognizes a file reads it. */
+/* clang-format off */
+#define RECORD_FORMATS(X) \
+    X(at2) X(knet) X(kiknet) X(esm) X(cosmos) X(smc) X(csmip) X(geonet) X(at2_bare) X(csv) X(columns)
+/* clang-format on */
+#define RECORD_DECLARE(name) extern const struct record_format record_format_##name;
+RECORD_FORMATS(RECORD_DECLARE)
+#undef RECORD_DECLARE
+
+/* ---- Files with several channels: each by its number in the file and by what the file calls it ---- */
+
+enum { RECORD_CHANNELS_MAX = 64 };
+
+struct record_channel {
+    char name[64];
+    char number[16];             /* the file's own number; may be empty */
+    struct record_cursor cursor; /* at its first line of samples */
+    size_t count, width;
+    double dt_s;   /* NaN: not said */
+    double factor; /* to m/s2; NaN: not said */
+    int line;
+};
+
+struct record_channels {
+    struct record_channel of[RECORD_CHANNELS_MAX];
+    int count;
+};
+
+/* A new channel, or NULL when there are too many. */
+struct record_channel *record_channel_add(struct record_channels *channels);
+
+/* Reads the chosen channel, or the only one, into `raw`. Errors: THUD_INPUT asking for --channel with the names. */
+enum thud_status record_channels_read(const struct record_source *source, const struct record_channels *channels,
+                                      const struct thud_record_choice *choice, struct record_raw *raw,
+                                      struct thud_error *err);
+
+/* Unpacks what gzip(1) made, all its members, into *out with a NUL after it (free with free()). Errors: THUD_INPUT (cut
+ * off, damaged, more than `most` bytes), THUD_MEMORY. */
+enum thud_status record_gunzip(const char *packed, size_t size, size_t most, char **out, size_t *length,
+                               struct thud_error *err);
+
 #endif

@@ -1,4 +1,4 @@
-#include "io/record/record_unit.h"
+#include "io/record/record_table.h"
 
 #include <math.h>
 #include <stdio.h>

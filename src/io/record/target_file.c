@@ -8,7 +8,7 @@
 #include "base/quantity.h"
 #include "io/file/file.h"
 #include "io/record/csv_lines.h"
-#include "io/record/record_unit.h"
+#include "io/record/record_table.h"
 
 static const char allowed[] = "a header such as period_s,sa_g and rows of two numbers";
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "io/file/json.h"
-#include "io/preset/preset_emit.h"
+#include "io/preset/preset_private.h"
 
 struct writer {
     const struct thud_scene *scene;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "app/run/command.h"
-#include "app/run/run_figures.h"
+#include "app/run/figure_files.h"
 #include "tui/loop/loop.h"
 
 enum { RUN = THUD_SCREEN_PLOTS, LEAST_BESIDE = 64 };
