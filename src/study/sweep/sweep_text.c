@@ -30,84 +30,6 @@ static void put(struct thud_text *out, double value)
     }
 }
 
-/* At the start of a line with a spread. */
-static const char spread_mark[] = "spread ";
-
-static void put_effort(struct thud_text *out, enum thud_case which, const struct thud_sweep_effort *e)
-{
-    thud_text_append(out, "%d %d %d %d %d %ld %ld ", which, e->status, e->reused ? 2 : e->made, e->reference,
-                     e->left_out, e->steps, e->events);
-    put(out, e->shared_s);
-    put(out, e->end_s);
-}
-
-static void put_floors(struct thud_text *out, const struct thud_sweep_floor *floor, int n)
-{
-    for (int i = 0; i < n; i++) {
-        put(out, floor[i].acceleration_mps2);
-        put(out, floor[i].drift_m);
-        put(out, floor[i].displacement_m);
-        put(out, floor[i].ductility);
-        put(out, floor[i].permanent_m);
-        put(out, floor[i].excursions);
-        put(out, floor[i].hysteretic_j);
-    }
-}
-
-static void put_contacts(struct thud_text *out, const struct thud_sweep_contact *contact, int n)
-{
-    for (int i = 0; i < n; i++) {
-        const struct thud_sweep_contact *c = &contact[i];
-        const double x[] = {c->force_n,        c->indentation_m,   c->impulse_ns,     c->contact_time_s,
-                            c->residual_m,     c->residual_gap_m,  c->shear_lower_n,  c->shear_upper_n,
-                            c->capacity_ratio, c->moment_lower_nm, c->moment_upper_nm};
-        thud_text_append(out, "%d ", c->impacts);
-        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            put(out, x[j]);
-    }
-}
-
-/* Peaks of the changed runs, after everything else. */
-static void put_variants(struct thud_text *out, const struct thud_sweep_point *point)
-{
-    int floors = (point->ncases + 1) * point->nfloors, contacts = point->ncases * point->ncontacts;
-    const struct thud_sweep_changed *c = &point->changed;
-    if (point->nvariants <= 1)
-        return;
-    thud_text_append(out, "%d %d %d %ld %ld ", c->made, c->free, c->failed, c->steps, c->events);
-    put_floors(out, point->floor + floors, (point->nvariants - 1) * floors);
-    put_contacts(out, point->contact + contacts, (point->nvariants - 1) * contacts);
-}
-
-void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
-{
-    size_t start = out->size;
-    thud_text_append(out, "%s%ld %d %d %d %d ", point->nvariants > 1 ? spread_mark : "", point->index, point->ncases,
-                     point->nstructures, point->nfloors, point->ncontacts);
-    put(out, point->gap_m);
-    for (int s = 0; s < point->nstructures; s++)
-        thud_text_append(out, "%d ", point->floors[s]);
-    for (int k = 0; k < point->ncases; k++)
-        put_effort(out, point->which[k], &point->effort[k]);
-    put_floors(out, point->floor, (point->ncases + 1) * point->nfloors);
-    put_contacts(out, point->contact, point->ncases * point->ncontacts);
-    for (int i = 0; i < point->ncontacts; i++) {
-        const struct thud_gap_level *l = &point->level[i];
-        const double x[] = {l->left_m, l->right_m, l->relative_displacement_m, l->correlation};
-        thud_text_append(out, "%d %d %d %d ", l->interface, l->left_floor, l->right_floor, l->struck + 1);
-        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            put(out, x[j]);
-    }
-    put_variants(out, point);
-    if (!out->failed)
-        thud_text_append(out, "%016llx", thud_hash(THUD_HASH_START, out->data + start, out->size - start));
-}
-
-struct reader {
-    const char *at;
-    bool failed;
-};
-
 /* 16 hexadecimal digits; false where they are not. */
 static bool get_bits(const char *text, double *value)
 {
@@ -123,129 +45,181 @@ static bool get_bits(const char *text, double *value)
     return isfinite(*value);
 }
 
+/* A line that is written, or one that is read: one walk over the numbers of a point serves both. */
+struct line {
+    struct thud_text *out; /* NULL: it is read */
+    const char *at;
+    bool failed;
+};
+
 /* Takes the blank after a number. */
-static double past(struct reader *r, const char *end, double value)
+static double past(struct line *l, const char *end, double value)
 {
-    r->failed |= *end != ' ';
-    r->at = r->failed ? r->at : end + 1;
+    l->failed |= *end != ' ';
+    l->at = l->failed ? l->at : end + 1;
     return value;
 }
 
-static double get(struct reader *r)
+static double get(struct line *l)
 {
     double value = NAN;
-    if (r->failed)
+    if (l->failed)
         return NAN;
-    if (strncmp(r->at, "- ", 2) == 0)
-        return past(r, r->at + 1, NAN);
-    if (strncmp(r->at, "inf ", 4) == 0)
-        return past(r, r->at + 3, INFINITY);
-    if (*r->at != 'x' || !get_bits(r->at + 1, &value)) {
-        r->failed = true;
+    if (strncmp(l->at, "- ", 2) == 0)
+        return past(l, l->at + 1, NAN);
+    if (strncmp(l->at, "inf ", 4) == 0)
+        return past(l, l->at + 3, INFINITY);
+    if (*l->at != 'x' || !get_bits(l->at + 1, &value)) {
+        l->failed = true;
         return NAN;
     }
-    return past(r, r->at + 1 + NIBBLES, value);
+    return past(l, l->at + 1 + NIBBLES, value);
 }
 
-static long get_whole(struct reader *r, long least, long most)
+static void number(struct line *l, double *x)
 {
-    const char *end = r->at;
-    double value = NAN;
-    if (!r->failed && thud_number_parse(r->at, &end, &value) != 0)
-        r->failed = true;
-    else if (!r->failed)
-        past(r, end, value);
-    if (!(value >= (double)least && value <= (double)most && value == floor(value)))
-        r->failed = true;
-    return r->failed ? least : (long)value;
+    if (l->out)
+        put(l->out, *x);
+    else
+        *x = get(l);
 }
 
-static int get_int(struct reader *r, int least, int most)
+/* The value in the line: `value` where it is written. */
+static long whole(struct line *l, long value, long least, long most)
 {
-    return (int)get_whole(r, least, most);
+    const char *end = l->at;
+    double read = NAN;
+    if (l->out) {
+        thud_text_append(l->out, "%ld ", value);
+        return value;
+    }
+    if (!l->failed && thud_number_parse(l->at, &end, &read) != 0)
+        l->failed = true;
+    else if (!l->failed)
+        past(l, end, read);
+    if (!(read >= (double)least && read <= (double)most && read == floor(read)))
+        l->failed = true;
+    return l->failed ? least : (long)read;
 }
 
-static void get_effort(struct reader *r, enum thud_case *which, struct thud_sweep_effort *e)
+static void count(struct line *l, int *x, int least, int most)
 {
-    *which = (enum thud_case)get_int(r, THUD_CASE_AS_WRITTEN, THUD_CASES - 1);
-    e->status = (enum thud_status)get_int(r, 0, THUD_CANCELLED);
-    int made = get_int(r, 0, 2);
+    int value = (int)whole(l, *x, least, most);
+    if (!l->out)
+        *x = value;
+}
+
+static void effort(struct line *l, enum thud_case *which, struct thud_sweep_effort *e)
+{
+    *which = (enum thud_case)whole(l, *which, THUD_CASE_AS_WRITTEN, THUD_CASES - 1);
+    e->status = (enum thud_status)whole(l, e->status, 0, THUD_CANCELLED);
+    long made = whole(l, e->reused ? 2 : e->made, 0, 2);
     e->made = made == 1;
     e->reused = made == 2;
-    e->reference = get_int(r, 0, 1);
-    e->left_out = get_int(r, 0, INT_MAX);
-    e->steps = get_whole(r, 0, 1L << 53);
-    e->events = get_whole(r, 0, 1L << 53);
-    e->shared_s = get(r);
-    e->end_s = get(r);
+    e->reference = whole(l, e->reference, 0, 1) != 0;
+    count(l, &e->left_out, 0, INT_MAX);
+    e->steps = whole(l, e->steps, 0, 1L << 53);
+    e->events = whole(l, e->events, 0, 1L << 53);
+    number(l, &e->shared_s);
+    number(l, &e->end_s);
 }
 
-static void get_floors(struct reader *r, struct thud_sweep_floor *floor, int n)
+static void floors(struct line *l, struct thud_sweep_floor *floor, int n)
 {
-    for (int i = 0; i < n; i++) {
-        floor[i].acceleration_mps2 = get(r);
-        floor[i].drift_m = get(r);
-        floor[i].displacement_m = get(r);
-        floor[i].ductility = get(r);
-        floor[i].permanent_m = get(r);
-        floor[i].excursions = get(r);
-        floor[i].hysteretic_j = get(r);
+    for (struct thud_sweep_floor *f = floor; f < floor + n; f++) {
+        double *const x[] = {&f->acceleration_mps2, &f->drift_m,    &f->displacement_m, &f->ductility,
+                             &f->permanent_m,       &f->excursions, &f->hysteretic_j};
+        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
+            number(l, x[j]);
     }
 }
 
-static void get_contacts(struct reader *r, struct thud_sweep_contact *contact, int n)
+static void contacts(struct line *l, struct thud_sweep_contact *contact, int n)
 {
-    for (int i = 0; i < n; i++) {
-        struct thud_sweep_contact *c = &contact[i];
+    for (struct thud_sweep_contact *c = contact; c < contact + n; c++) {
         double *const x[] = {&c->force_n,        &c->indentation_m,   &c->impulse_ns,     &c->contact_time_s,
                              &c->residual_m,     &c->residual_gap_m,  &c->shear_lower_n,  &c->shear_upper_n,
                              &c->capacity_ratio, &c->moment_lower_nm, &c->moment_upper_nm};
-        c->impacts = get_int(r, 0, INT_MAX);
+        count(l, &c->impacts, 0, INT_MAX);
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            *x[j] = get(r);
+            number(l, x[j]);
     }
 }
 
-static void get_variants(struct reader *r, struct thud_sweep_point *p)
+static void level(struct line *l, struct thud_gap_level *level)
 {
-    int floors = (p->ncases + 1) * p->nfloors, contacts = p->ncases * p->ncontacts;
+    double *const x[] = {&level->left_m, &level->right_m, &level->relative_displacement_m, &level->correlation};
+    int struck = level->struck + 1;
+    count(l, &level->interface, 1, THUD_STRUCTURES_MAX);
+    count(l, &level->left_floor, 0, THUD_STOREYS_MAX + 1);
+    count(l, &level->right_floor, 0, THUD_STOREYS_MAX + 1);
+    count(l, &struck, 0, 2);
+    if (!l->out)
+        level->struck = struck - 1;
+    for (size_t j = 0; j < sizeof x / sizeof *x; j++)
+        number(l, x[j]);
+}
+
+/* Peaks of the changed runs, after everything else. */
+static void variants(struct line *l, struct thud_sweep_point *p)
+{
+    int nfloors = (p->ncases + 1) * p->nfloors, ncontacts = p->ncases * p->ncontacts;
+    struct thud_sweep_changed *c = &p->changed;
     if (p->nvariants <= 1)
         return;
-    p->changed.made = get_int(r, 0, INT_MAX);
-    p->changed.free = get_int(r, 0, INT_MAX);
-    p->changed.failed = get_int(r, 0, INT_MAX);
-    p->changed.steps = get_whole(r, 0, 1L << 53);
-    p->changed.events = get_whole(r, 0, 1L << 53);
-    get_floors(r, p->floor + floors, (p->nvariants - 1) * floors);
-    get_contacts(r, p->contact + contacts, (p->nvariants - 1) * contacts);
+    count(l, &c->made, 0, INT_MAX);
+    count(l, &c->free, 0, INT_MAX);
+    count(l, &c->failed, 0, INT_MAX);
+    c->steps = whole(l, c->steps, 0, 1L << 53);
+    c->events = whole(l, c->events, 0, 1L << 53);
+    floors(l, p->floor + nfloors, (p->nvariants - 1) * nfloors);
+    contacts(l, p->contact + ncontacts, (p->nvariants - 1) * ncontacts);
 }
 
-static void get_rest(struct reader *r, struct thud_sweep_point *p)
+/* What says how large a point is. */
+static void sizes(struct line *l, struct thud_sweep_point *p)
 {
-    p->gap_m = get(r);
+    enum { FLOORS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) };
+    p->index = whole(l, p->index, 0, LONG_MAX / 2);
+    count(l, &p->ncases, 1, THUD_SWEEP_CASES_MAX + 1);
+    count(l, &p->nstructures, 1, THUD_STRUCTURES_MAX);
+    count(l, &p->nfloors, 0, FLOORS);
+    count(l, &p->ncontacts, 0, FLOORS);
+}
+
+static void rest(struct line *l, struct thud_sweep_point *p)
+{
+    number(l, &p->gap_m);
     for (int s = 0; s < p->nstructures; s++)
-        p->floors[s] = get_int(r, 0, THUD_STOREYS_MAX + 1);
+        count(l, &p->floors[s], 0, THUD_STOREYS_MAX + 1);
     for (int k = 0; k < p->ncases; k++)
-        get_effort(r, &p->which[k], &p->effort[k]);
-    get_floors(r, p->floor, (p->ncases + 1) * p->nfloors);
-    get_contacts(r, p->contact, p->ncases * p->ncontacts);
-    for (int i = 0; i < p->ncontacts; i++) {
-        struct thud_gap_level *l = &p->level[i];
-        double *const x[] = {&l->left_m, &l->right_m, &l->relative_displacement_m, &l->correlation};
-        l->interface = get_int(r, 1, THUD_STRUCTURES_MAX);
-        l->left_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
-        l->right_floor = get_int(r, 0, THUD_STOREYS_MAX + 1);
-        l->struck = get_int(r, 0, 2) - 1;
-        for (size_t j = 0; j < sizeof x / sizeof *x; j++)
-            *x[j] = get(r);
-    }
-    get_variants(r, p);
+        effort(l, &p->which[k], &p->effort[k]);
+    floors(l, p->floor, (p->ncases + 1) * p->nfloors);
+    contacts(l, p->contact, p->ncases * p->ncontacts);
+    for (int i = 0; i < p->ncontacts; i++)
+        level(l, &p->level[i]);
+    variants(l, p);
+}
+
+/* At the start of a line with a spread. */
+static const char spread_mark[] = "spread ";
+
+void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
+{
+    size_t start = out->size;
+    struct line l = {.out = out};
+    struct thud_sweep_point same = *point; /* the walk changes nothing that is written */
+    thud_text_append(out, "%s", point->nvariants > 1 ? spread_mark : "");
+    sizes(&l, &same);
+    rest(&l, &same);
+    if (!out->failed)
+        thud_text_append(out, "%016llx", thud_hash(THUD_HASH_START, out->data + start, out->size - start));
 }
 
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err)
 {
-    enum { FLOORS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) };
-    struct reader r = {line, false};
+    struct line l = {.at = line};
+    struct thud_sweep_point head = {0};
     const char *last = strrchr(line, ' ');
     char sum[20] = "";
     *out = NULL;
@@ -254,22 +228,21 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     if (!last || strcmp(last + 1, sum) != 0)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     bool spread = strncmp(line, spread_mark, strlen(spread_mark)) == 0;
-    r.at += spread ? strlen(spread_mark) : 0;
-    long index = get_whole(&r, 0, LONG_MAX / 2);
-    int ncases = get_int(&r, 1, THUD_SWEEP_CASES_MAX + 1), nstructures = get_int(&r, 1, THUD_STRUCTURES_MAX);
-    int nfloors = get_int(&r, 0, FLOORS), ncontacts = get_int(&r, 0, FLOORS);
+    l.at += spread ? strlen(spread_mark) : 0;
+    sizes(&l, &head);
     struct thud_sweep_point *point =
-        r.failed ? NULL : thud_sweep_point_create(ncases, nfloors, ncontacts, spread ? THUD_SWEEP_VARIANTS : 1);
+        l.failed ? NULL
+                 : thud_sweep_point_create(head.ncases, head.nfloors, head.ncontacts, spread ? THUD_SWEEP_VARIANTS : 1);
     if (!point)
-        return thud_error_set(err, r.failed ? THUD_INPUT : THUD_MEMORY,
-                              r.failed ? "a line is damaged" : "out of memory");
-    point->index = index;
-    point->nstructures = nstructures;
-    get_rest(&r, point);
-    int floors = 0;
-    for (int s = 0; s < nstructures; s++)
-        floors += point->floors[s];
-    if (r.failed || r.at != last + 1 || floors != nfloors) {
+        return thud_error_set(err, l.failed ? THUD_INPUT : THUD_MEMORY,
+                              l.failed ? "a line is damaged" : "out of memory");
+    point->index = head.index;
+    point->nstructures = head.nstructures;
+    rest(&l, point);
+    int nfloors = 0;
+    for (int s = 0; s < point->nstructures; s++)
+        nfloors += point->floors[s];
+    if (l.failed || l.at != last + 1 || nfloors != point->nfloors) {
         free(point);
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     }
