@@ -1,5 +1,4 @@
 /* thud building import: what a file of a building's stiffness, or of its periods and shapes, says. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

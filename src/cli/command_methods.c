@@ -1,5 +1,4 @@
 /* thud methods: the time-stepping methods with their order and limits. */
-#include <math.h>
 
 #include "cli/commands.h"
 #include "core/methods/method.h"

@@ -1,5 +1,4 @@
 /* thud record: info, spectrum, convert (or import), list, synthesize. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,4 @@
 /* thud report: a document about one's own buildings. */
-#include <stdio.h>
 #include <string.h>
 
 #include "app/report/site_report.h"

@@ -1,5 +1,4 @@
 /* thud solve: which value makes something hold. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "app/sweep/solve.h"

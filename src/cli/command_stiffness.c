@@ -86,10 +86,9 @@ static enum thud_status add_pad(const struct thud_args *args, struct thud_text *
     for (int i = 0; i < 3; i++) {
         double k = thud_stiffness_rubber(alpha[i], v[0], v[1], v[2], exponent);
         double shown = k / kn_per_mm * pow(1e-3, exponent - 1);
-        thud_text_append(out,
-                         "bumper            alpha A K_r/d^n = %.4g x %.4g m2 x %.4g MPa / (%.4g mm)^2.65 = %.4g "
-                         "kN/mm^2.65\n",
-                         alpha[i], v[0], 1e-6 * v[1], 1e3 * v[2], shown);
+        thud_text_append(
+            out, "bumper            alpha A K_r/d^n = %.4g x %.4g m2 x %.4g MPa / (%.4g mm)^2.65 = %.4g kN/mm^2.65\n",
+            alpha[i], v[0], 1e-6 * v[1], 1e3 * v[2], shown);
     }
     return THUD_OK;
 }

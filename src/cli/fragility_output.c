@@ -1,8 +1,6 @@
 #include "cli/output.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "app/run/figure_files.h"
 #include "io/file/file.h"

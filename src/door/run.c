@@ -1,5 +1,4 @@
 /* Runs and sweeps of a scene of the library. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

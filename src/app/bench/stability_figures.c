@@ -183,8 +183,7 @@ struct thud_figure *thud_stability_energies(const struct thud_stability *s)
         last = method;
         i = add_way(s, i, panel);
     }
-    thud_figure_note(figure,
-                     "Curves: the largest energy within 50 s, at the worst of several starts; shaded down to the "
-                     "least that is left at the end. At the upper rim: 10,000 times or more, or blown up.");
+    thud_figure_note(figure, "Curves: the largest energy within 50 s, at the worst of several starts; shaded down to "
+                             "the least that is left at the end. At the upper rim: 10,000 times or more, or blown up.");
     return figure;
 }

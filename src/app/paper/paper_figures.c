@@ -55,10 +55,9 @@ static enum thud_status make_of_study(int index, const struct thud_paper_study *
             "Mean peak response over the floors with a 5 cm bumper, over that without, at the same gap");
         break;
     default:
-        *out = thud_figure_of_means(
-            study->table, THUD_CASE_CAVITY, names[index],
-            "Mean peak response over the floors with a 5 cm bumper in a 1 cm cavity, over that without, at "
-            "the same gap");
+        *out = thud_figure_of_means(study->table, THUD_CASE_CAVITY, names[index],
+                                    "Mean peak response over the floors with a 5 cm bumper in a 1 cm cavity, over that "
+                                    "without, at the same gap");
     }
     return thud_figure_check(*out, err);
 }

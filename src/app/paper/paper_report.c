@@ -59,8 +59,8 @@ static void parameters(const struct thud_paper_study *study, struct thud_text *o
     }
     thud_text_append(out, "\n![Fig. 6](fig6.%s)\n\n![Fig. 2](fig2.%s)\n\n![Fig. 9](fig9.%s)\n", study->suffix,
                      study->suffix, study->suffix);
-    thud_text_append(out, "\n| ground motion | file | peak in the file (g) | times | peak "
-                          "(g) | step (s) | samples | |\n|---|---|---|---|---|---|---|---|\n");
+    thud_text_append(out, "\n| ground motion | file | peak in the file (g) | times | peak (g) | step (s) | samples | "
+                          "|\n|---|---|---|---|---|---|---|---|\n");
     for (int r = 0; r < study->table->nrecords; r++) {
         const struct thud_paper_record *record = &study->record[r];
         thud_text_append(out, "| %s | `%s` | %.4g | %.5g | %.4g | %.6g | %zu | %s%s |\n", record->name, record->file,
@@ -75,10 +75,9 @@ static void parameters(const struct thud_paper_study *study, struct thud_text *o
 
 static void pairs(const struct thud_paper_study *study, struct thud_text *out)
 {
-    thud_text_append(
-        out, "\n## Two rigid bodies of 320 t\n\n"
-             "| case | closing (m/s) | largest force (kN) | indentation (mm) | contact (ms) | restitution asked for | "
-             "restitution obtained | residual (mm) |\n|---|---|---|---|---|---|---|---|\n");
+    thud_text_append(out, "\n## Two rigid bodies of 320 t\n\n"
+                          "| case | closing (m/s) | largest force (kN) | indentation (mm) | contact (ms) | restitution "
+                          "asked for | restitution obtained | residual (mm) |\n|---|---|---|---|---|---|---|---|\n");
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
         const struct thud_paper_pair *p = &study->pair[i];
         thud_text_append(out, "| %s | %.1f | %.1f | %.4f | %.3f | %.1f | %.5f | %.4f |\n", p->name, p->approach_mps,
@@ -134,13 +133,12 @@ static void extremes_row(struct thud_text *out, const struct extremes *e)
 static void by_floor(const struct thud_paper_study *study, struct thud_text *out)
 {
     const struct thud_sweep_table *table = study->table;
-    thud_text_append(
-        out,
-        "\n## %s, floor by floor (Fig. 7)\n\nRatio with the bumper over without it at the same gap; below 1 the "
-        "bumper helps. Gaps are counted where it does so by more than 0.1 %%.\n\n| building | floor | least "
-        "acceleration ratio | largest | gaps below 1 | least "
-        "deflection ratio | largest | gaps below 1 |\n|---|---|---|---|---|---|---|---|\n",
-        table->record[0]);
+    thud_text_append(out,
+                     "\n## %s, floor by floor (Fig. 7)\n\nRatio with the bumper over without it at the same gap; below "
+                     "1 the bumper helps. Gaps are counted where it does so by more than 0.1 %%.\n\n| building | floor "
+                     "| least acceleration ratio | largest | gaps below 1 | least deflection ratio | largest | gaps "
+                     "below 1 |\n|---|---|---|---|---|---|---|---|\n",
+                     table->record[0]);
     for (int s = 0; s < table->nstructures && s < study->scene->nstructures; s++) {
         for (int f = study->scene->structure[s].storeys; f >= 1; f--) {
             thud_text_append(out, "| %s | %d |", table->structure[s], f);
@@ -158,11 +156,10 @@ static void means(const struct thud_paper_study *study, enum thud_case which, co
                   struct thud_text *out)
 {
     const struct thud_sweep_table *table = study->table;
-    thud_text_append(
-        out,
-        "\n## %s (Fig. %d)\n\n| building | ground motion | least acceleration ratio | largest | gaps below 1 | "
-        "least deflection ratio | largest | gaps below 1 |\n|---|---|---|---|---|---|---|---|\n",
-        title, figure);
+    thud_text_append(out,
+                     "\n## %s (Fig. %d)\n\n| building | ground motion | least acceleration ratio | largest | gaps "
+                     "below 1 | least deflection ratio | largest | gaps below 1 |\n|---|---|---|---|---|---|---|---|\n",
+                     title, figure);
     for (int s = 0; s < table->nstructures; s++) {
         for (int r = 0; r < table->nrecords; r++) {
             thud_text_append(out, "| %s | %s |", table->structure[s], table->record[r]);
@@ -188,8 +185,7 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
     thud_text_append(
         out,
         "\n## The gap at which there is no contact\n\nLargest relative displacement of two floors that move without "
-        "contact under each "
-        "other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
+        "contact under each other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
         "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
     for (int r = 0; r < table->nrecords; r++) {
         const struct thud_sweep_need_row *most = &table->need[r];
@@ -220,8 +216,7 @@ static void record_difference(const struct thud_paper_study *study, struct thud_
             surrogates, study->table->nrecords);
     else
         thud_text_append(out, "- **Ground motions.** The files above, with the peaks above. Other processings of the "
-                              "same records differ, "
-                              "and impacts amplify small differences.\n");
+                              "same records differ, and impacts amplify small differences.\n");
 }
 
 void thud_paper_report(const struct thud_paper_study *study, struct thud_text *out)
@@ -237,11 +232,10 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
     thud_text_append(out, "%s", differences);
     record_difference(study, out);
     if (study->unanswered > 0)
-        thud_text_append(
-            out,
-            "- **Runs without a result.** In %d of the runs the integration failed; the curves have gaps there, and "
-            "the tables leave these gaps out.\n",
-            study->unanswered);
+        thud_text_append(out,
+                         "- **Runs without a result.** In %d of the runs the integration failed; the curves have gaps "
+                         "there, and the tables leave these gaps out.\n",
+                         study->unanswered);
 }
 
 void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out)

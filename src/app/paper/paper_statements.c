@@ -195,12 +195,11 @@ static enum verdict spikes(const struct view *v, char *text)
     const struct thud_paper_spike *x = v->runs->spike;
     double least = fmin(fmin(x[0].acceleration_mps2, x[1].acceleration_mps2), x[2].acceleration_mps2);
     double most = fmax(fmax(x[0].acceleration_mps2, x[1].acceleration_mps2), x[2].acceleration_mps2);
-    snprintf(
-        text, TEXT,
-        "%.0f, %.0f and %.0f m/s2 with 625, 2500 and 10000 kN/mm, %.0f without pounding; the strongest impact lasts "
-        "%.0f, %.0f and %.0f ms",
-        x[0].acceleration_mps2, x[1].acceleration_mps2, x[2].acceleration_mps2, x[1].free_mps2, 1e3 * x[0].duration_s,
-        1e3 * x[1].duration_s, 1e3 * x[2].duration_s);
+    snprintf(text, TEXT,
+             "%.0f, %.0f and %.0f m/s2 with 625, 2500 and 10000 kN/mm, %.0f without pounding; the strongest impact "
+             "lasts %.0f, %.0f and %.0f ms",
+             x[0].acceleration_mps2, x[1].acceleration_mps2, x[2].acceleration_mps2, x[1].free_mps2,
+             1e3 * x[0].duration_s, 1e3 * x[1].duration_s, 1e3 * x[2].duration_s);
     bool high = least > 2 * x[1].free_mps2, affected = most > 1.1 * least;
     return judge(high && affected, high || affected);
 }
@@ -532,15 +531,13 @@ static const struct statement {
     {"Section 1: at the pounding floors impulses of short period and high amplitude, which depends on the impact "
      "stiffness",
      "at the preset's gap, concrete: above twice that without pounding, for less than a tenth of a period, and changed "
-     "by "
-     "more than 10 % from a quarter to four times the stiffness; partly: high or brief",
+     "by more than 10 % from a quarter to four times the stiffness; partly: high or brief",
      true, spikes},
     {"Section 2.1: a small plastic deformation increases the clearance",
      "a plastic indentation stays in every contact with impacts, at the preset's gap without bumper", true, widened},
     {"Section 2.2: bumpers may reduce the response due to pounding, which remains above that without pounding ([6])",
      "no mean over the floors is below that without pounding where the bumper is struck, and some are below that of "
-     "bare "
-     "pounding; partly: more than half are not below",
+     "bare pounding; partly: more than half are not below",
      true, bumper_above_free},
     {"Section 2.2: a linear law is not the most suitable for rubber",
      "a linear spring with the rubber's largest force at 0.5 m/s misses it by more than 10 % at 0.25 and 1.0 m/s",
@@ -577,8 +574,7 @@ static const struct statement {
      true, ratio_of_means},
     {"Fig. 8: the character of the earthquake affects the effectiveness, with the size of the clearance",
      "mean accelerations of a building rise under one motion and fall under another at more than half of the gaps; "
-     "partly: "
-     "at some, or differ by more than 0.1",
+     "partly: at some, or differ by more than 0.1",
      true, character},
     {"Fig. 8: the bumper amplifies the response in most of the times", "more than half of the means that it changes",
      true, mostly_amplified},
@@ -592,8 +588,7 @@ static const struct statement {
      "their mean by more than 0.05, and more than half of them; partly: their mean", true, cavity},
     {"Section 5: the effectiveness depends on the structures, such as the number of storeys",
      "beside 5 to 8 storeys, the 4-storey building's mean acceleration rises with one and falls with another at more "
-     "than "
-     "half of the gaps; partly: at some, or differs by more than 0.1",
+     "than half of the gaps; partly: at some, or differs by more than 0.1",
      true, storeys},
 };
 
@@ -629,11 +624,10 @@ static void put_forces(const struct view *v, const char *what, struct thud_text 
         harder += with->force_n > none->force_n;
         past += with->force_n > none->force_n && with->indentation_m > v->strained_m;
     }
-    thud_text_append(
-        out,
-        "- Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with pounding; at "
-        "%d of those it is pressed past its largest strain, where concrete acts.\n",
-        what, harder, n, past);
+    thud_text_append(out,
+                     "- Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with "
+                     "pounding; at %d of those it is pressed past its largest strain, where concrete acts.\n",
+                     what, harder, n, past);
 }
 
 void thud_paper_statements(const struct thud_paper_study *study, struct thud_text *out)
@@ -646,13 +640,13 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
     double strained_m = thud_interface_max_strain(at) * at->bumper_thickness_m;
     const struct view view[2] = {{study, table, &study->runs[0], strained_m},
                                  {study, study->turned, &study->runs[1], strained_m}};
-    thud_text_append(
-        out, "\n## What the paper says, and what was found\n\n"
-             "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, but "
-             "where no pounding is said; those within 0.1 %% of 1 are no change. Motions as given and turned "
-             "round are judged apart: where they differ, the statement is borne out partly.\n\n"
-             "| the paper | criterion | motions as given | motions reversed | borne out |\n"
-             "|---|---|---|---|---|\n");
+    thud_text_append(out,
+                     "\n## What the paper says, and what was found\n\n"
+                     "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, "
+                     "but where no pounding is said; those within 0.1 %% of 1 are no change. Motions as given and "
+                     "turned round are judged apart: where they differ, the statement is borne out partly.\n\n"
+                     "| the paper | criterion | motions as given | motions reversed | borne out |\n"
+                     "|---|---|---|---|---|\n");
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         put(&statements[i], view, out);
     thud_text_append(out, "\n### Found besides\n\n");
@@ -660,10 +654,10 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
     if (!study->turned)
         return;
     put_forces(&view[1], "reversed", out);
-    thud_text_append(out,
-                     "- The sign of a motion, which the paper does not give, changes these counts: under %s with "
-                     "reversed polarity the "
-                     "4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.\n",
-                     table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
-                     of_floor(&view[0], 0, 4, NULL).above);
+    thud_text_append(
+        out,
+        "- The sign of a motion, which the paper does not give, changes these counts: under %s with reversed polarity "
+        "the 4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.\n",
+        table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
+        of_floor(&view[0], 0, 4, NULL).above);
 }

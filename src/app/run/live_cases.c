@@ -2,11 +2,9 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "app/run/live_work.h"
 #include "base/largest.h"
-#include "base/statistics.h"
 #include "plot/figure/figure.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"

@@ -1,6 +1,5 @@
 /* Measures, spectra and lists of ground motions as text, JSON and CSV. */
 #include <dirent.h>
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,13 +1,10 @@
 #include "app/run/result_table.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "app/run/sensitivity_table.h"
 #include "app/run/summary_line.h"
 #include "base/largest.h"
-#include "base/statistics.h"
 #include "ground/identity.h"
 #include "io/result/result_rows.h"
 #include "study/sweep/remark.h"

@@ -1,6 +1,5 @@
 #include "app/run/session.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* From the journals of a study to its files. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "app/run/figure_files.h"
 #include "app/sweep/sweep_study_private.h"

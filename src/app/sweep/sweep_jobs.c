@@ -1,7 +1,6 @@
 #include "app/sweep/sweep_jobs.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "app/run/threads.h"
 #include "app/run/timing.h"

@@ -1,6 +1,5 @@
 #include "app/sweep/sweep_study.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/scan.h"
 #include "base/text.h"
 #include "io/file/data_package.h"
 #include "io/file/file.h"

@@ -1,7 +1,6 @@
 #include "io/file/schema.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/version.h"

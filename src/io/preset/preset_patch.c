@@ -1,7 +1,6 @@
 #include "io/preset/preset_private.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 void thud_patch_add(struct thud_patches *patches, size_t start, size_t end, struct thud_text *text)
 {

@@ -1,5 +1,4 @@
 /* Plain columns: numbers apart by blanks, tabs or signs; header and comment lines. */
-#include <ctype.h>
 #include <string.h>
 
 #include "io/record/record_source.h"

@@ -1,5 +1,4 @@
 /* CSV: comma or semicolon, header and comment lines. */
-#include <math.h>
 #include <string.h>
 
 #include "base/ascii.h"

@@ -2,7 +2,6 @@
  * cm/s2. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "io/record/record_source.h"
 

@@ -1,6 +1,5 @@
 #include "io/record/record_write.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -80,22 +80,20 @@ static enum thud_status check_contact(const struct thud_scene *scene, const stru
     bool bumper = is_law(c, "rubber");
     if (c->struck != 0) {
         snprintf(key, sizeof key, "interfaces.%d", c->interface);
-        return refuse(
-            err, key,
-            "has springs between two nodes, and a slab that strikes columns pushes the floors above and below "
-            "by shares",
-            "floors at the same elevations (heights, base), or levels: aligned");
+        return refuse(err, key,
+                      "has springs between two nodes, and a slab that strikes columns pushes the floors above and "
+                      "below by shares",
+                      "floors at the same elevations (heights, base), or levels: aligned");
     }
     if (is_known(c->law->name))
         return THUD_OK;
     snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
     refuse(err, key,
            bumper ? "has no material whose curves of approach and restitution differ as the rubber's do"
-           : c->law->flags & THUD_LAW_IMPULSIVE ? "knows no impulse: its time steps need a force"
-           : is_law(c, "kelvin-voigt-no-tension")
-               ? "has no linear dashpot that lets go when the force reaches 0 (its ViscoelasticGap pulls on, which is "
-                 "kelvin-voigt)"
-               : "has no such law",
+           : c->law->flags & THUD_LAW_IMPULSIVE   ? "knows no impulse: its time steps need a force"
+           : is_law(c, "kelvin-voigt-no-tension") ? "has no linear dashpot that lets go when the force reaches 0 (its "
+                                                    "ViscoelasticGap pulls on, which is kelvin-voigt)"
+                                                  : "has no such law",
            "");
     add_options(err, scene);
     return THUD_INPUT;

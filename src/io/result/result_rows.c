@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
@@ -31,18 +30,17 @@ static const struct thud_column floors[] = {
     {FLOOR(peak.drift.value, "drift_m", "Relative to the floor below, m."),
      .shown = {"drift", "mm", 1e3, 10, 4, THUD_DIGITS_PLACES}},
     {FLOOR(peak.drift.time_s, "drift_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
-    {FLOOR(
-        peak.shear.value, "storey_shear_n",
-        "Of the storey below the floor, N: of a building by its matrix or modes the sum of K u from it up; no value of "
-        "a rigid body.")},
+    {FLOOR(peak.shear.value, "storey_shear_n",
+           "Of the storey below the floor, N: of a building by its matrix or modes the sum of K u from it up; no value "
+           "of a rigid body.")},
     {FLOOR(peak.shear.time_s, "storey_shear_time_s", "Its time, s.")},
     {FLOOR(stability, "stability_coefficient",
            "Theta = W d/(V h) of the storey below the floor, see thud-model(7); no value where there is none.")},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_floor_schema = THUD_SCHEMA(
     "run --csv",
-    "A row for each floor, with its peaks over the continuous history and their\ntimes; where storeys of the "
-    "scene yield, with the columns of\n.Sx storey .\nIn JSON a list of each structure, without its name.\n",
+    "A row for each floor, with its peaks over the continuous history and their\ntimes; where storeys of the scene "
+    "yield, with the columns of\n.Sx storey .\nIn JSON a list of each structure, without its name.\n",
     floors);
 
 static const struct thud_column storeys[] = {
@@ -65,11 +63,11 @@ static const struct thud_column storeys[] = {
     {FLOOR(storey.shear.value, "shear_n", "Its largest shear, N."),
      .shown = {"shear", "MN", 1e-6, 12, 5, THUD_DIGITS_PLACES}},
     {FLOOR(storey.shear.time_s, "shear_time_s", "Time of that, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
-const struct thud_schema thud_storey_schema = THUD_SCHEMA(
-    "storey",
-    "Where storeys of the scene yield: in CSV behind the columns of each floor, in\nJSON an object of each floor "
-    "whose storey yields.\n",
-    storeys);
+const struct thud_schema thud_storey_schema =
+    THUD_SCHEMA("storey",
+                "Where storeys of the scene yield: in CSV behind the columns of each floor, in\nJSON an object of each "
+                "floor whose storey yields.\n",
+                storeys);
 
 static void make_floor(const void *of, int i, void *out)
 {
@@ -144,9 +142,9 @@ static const struct thud_column contacts[] = {
     {CONTACT(peak.right_floor, "right_floor", "Floor on its right.")},
     {CONTACT(peak.impacts, "impacts", "How many."), .shown = {"impacts", NULL, 0, 8, 0, THUD_DIGITS_WORD}},
     {CONTACT(idle, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
-    {CONTACT(columns, "struck_columns",
-             "Where a slab strikes columns, whose they are, left or right: the floor on that side is the one above "
-             "them."),
+    {CONTACT(
+         columns, "struck_columns",
+         "Where a slab strikes columns, whose they are, left or right: the floor on that side is the one above them."),
      .only = THUD_ROW_COLUMNS},
     {CONTACT(peak.eta, "eta", "Height of the struck place in its storey over that of the storey."),
      .only = THUD_ROW_COLUMNS},
@@ -492,9 +490,8 @@ static const struct thud_column record_fields[] = {
     RECORD(file, "Where it was read."),
     RECORD(peak_mps2, "Largest acceleration as it was used, m/s2."),
     RECORD(scale, "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
-    RECORD(synthetic,
-           "Whether it is computed, not recorded: a comment line of its file says so in these words, as in what record "
-           "synthesize writes and what is made of that."),
+    RECORD(synthetic, "Whether it is computed, not recorded: a comment line of its file says so in these words, as in "
+                      "what record synthesize writes and what is made of that."),
     RECORD(dt_s, "Its step, s."),
     RECORD(samples, "How many."),
     RECORD(event, "As its file says."),

@@ -20,11 +20,10 @@ static const struct thud_column rules[] = {
     RULE(pounding, "Ground motions in which the floors collide at that gap without bumper."),
     RULE(motions, "Of how many."),
     RULE(force_n, "Largest force of those runs, N.")};
-const struct thud_schema thud_gap_rule_schema =
-    THUD_SCHEMA("gap-rules.csv",
-                "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed "
-                "first.\n",
-                rules);
+const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
+    "gap-rules.csv",
+    "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed first.\n",
+    rules);
 
 #define MOTION(member, text, ...)                                                                                      \
     {                                                                                                                  \
@@ -48,12 +47,12 @@ static const struct thud_column motions[] = {
     THUD_STANDS_FOR("period_N_s", "At this period, s."),
     MOTION(chosen, "Whether it is.", NULL),
     MOTION(why, "Why not.", NULL)};
-const struct thud_schema thud_motion_schema = THUD_SCHEMA(
-    "motions.csv",
-    "Of\n.Cm thud suite :\na row for each ground motion.\nWith\n.Fl -json\nthe same, the marked periods as the "
-    "list\n.Va sa ,\nwith the target, the common factor, the range of periods, the least ratio of\nmean and "
-    "target with its period, the mean peak, and the target at T = 0.\n",
-    motions);
+const struct thud_schema thud_motion_schema =
+    THUD_SCHEMA("motions.csv",
+                "Of\n.Cm thud suite :\na row for each ground motion.\nWith\n.Fl -json\nthe same, the marked periods as "
+                "the list\n.Va sa ,\nwith the target, the common factor, the range of periods, the least ratio "
+                "of\nmean and target with its period, the mean peak, and the target at T = 0.\n",
+                motions);
 
 #define KEY(member, name, text)                                                                                        \
     {                                                                                                                  \
@@ -79,9 +78,8 @@ static const struct thud_column stripes[] = {
     STRIPE(motions, "Ground motions with a result."),
     STRIPE(count, "Of those, how many show the event."),
     STRIPE(share, "Share that they are."),
-    STRIPE(share_low,
-           "Lower end of its 90 % band (Wilson; both signs of a motion count as one); empty: fewer than three "
-           "independent motions."),
+    STRIPE(share_low, "Lower end of its 90 % band (Wilson; both signs of a motion count as one); empty: fewer than "
+                      "three independent motions."),
     STRIPE(share_high, "Its upper end."),
     STRIPE(fitted, "Probability by the fitted curve; empty: none is told."),
     STRIPE(fitted_low,

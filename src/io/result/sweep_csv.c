@@ -102,11 +102,10 @@ const struct thud_schema thud_sweep_floor_schema =
                 floors);
 
 static const struct thud_column storeys[] = {
-    {FLOOR(
-        own.ductility, "ductility",
-        "Peak drift of the storey below the floor over that at which it yields; this and the following are empty for "
-        "an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the same "
-        "storey is that of the drifts.")},
+    {FLOOR(own.ductility, "ductility",
+           "Peak drift of the storey below the floor over that at which it yields; this and the following are empty "
+           "for an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the "
+           "same storey is that of the drifts.")},
     {FLOOR(own.permanent_m, "permanent_m",
            "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes.")},
     {FLOOR(own.excursions, "excursions", "How many times it yielded.")},
@@ -192,12 +191,12 @@ static const struct thud_column needs[] = {
     {RULE(THUD_GAP_GB50011, "gb50011_m", "GB 50011 6.1.4, m; likewise; no value without its intensity."),
      .only = THUD_NEED_CODES},
     {RULE(THUD_GAP_E030, "e030_m", "E.030, m; likewise."), .only = THUD_NEED_CODES}};
-const struct thud_schema thud_need_schema = THUD_SCHEMA(
-    "needed-gaps.csv",
-    "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe gap at which two "
-    "floors just do not touch, and what rules of combination\nmake of it: a row for each ground motion and "
-    "pair of floors.\nOf a sweep varied keys that change the motion without pounding follow.\n",
-    needs);
+const struct thud_schema thud_need_schema =
+    THUD_SCHEMA("needed-gaps.csv",
+                "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe gap at which "
+                "two floors just do not touch, and what rules of combination\nmake of it: a row for each ground motion "
+                "and pair of floors.\nOf a sweep varied keys that change the motion without pounding follow.\n",
+                needs);
 
 /* ---- of a plan ---- */
 

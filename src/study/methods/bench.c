@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "study/methods/bench_private.h"
 #include "study/methods/stability.h"

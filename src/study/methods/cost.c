@@ -30,8 +30,7 @@ static const struct thud_cost_axis_info axes[THUD_COST_AXES] = {
      "first power where impacts grow rare (residual: keep, where concrete gives way for good)"},
     {"impacts", "Impacts", "", "impacts",
      "contact-free response costs the same whatever the gap, and every impact adds its own solution and the search for "
-     "its "
-     "ends"}};
+     "its ends"}};
 
 struct thud_cost {
     enum thud_cost_axis axis;

@@ -2,7 +2,6 @@
 #include "base/quantity.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/laws/law_closed_form.h"
 #include "ground/spectrum.h"

@@ -1,5 +1,4 @@
 /* Test case of a storey that yields: where it unloads lies within a step. */
-#include <math.h>
 
 #include "study/methods/stability_private.h"
 

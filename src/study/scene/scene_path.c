@@ -1,5 +1,4 @@
 /* From a path to the place of its value. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

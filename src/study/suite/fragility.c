@@ -246,11 +246,10 @@ static void median_bounds(const struct thud_stripe *stripe, size_t n, bool falli
 
 static enum thud_status refuse_event(const char *text, struct thud_error *err)
 {
-    return thud_error_refuse(
-        err, THUD_USAGE, "--event",
-        "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%, ductility:2, permanent:1cm, "
-        "column:1, isolator:30cm, collapse",
-        "\"%.60s\" is no event", text);
+    return thud_error_refuse(err, THUD_USAGE, "--event",
+                             "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%, ductility:2, "
+                             "permanent:1cm, column:1, isolator:30cm, collapse",
+                             "\"%.60s\" is no event", text);
 }
 
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err)

@@ -353,8 +353,7 @@ bool thud_scene_change_remark(const struct thud_scene *before, const struct thud
         stiffness_text(scene, i, text, sizeof text);
         snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", i + 1);
         thud_error_set(out, THUD_OK,
-                       "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g "
-                       "times that",
+                       "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g times that",
                        100 * is->bumper_thickness_m, 100 * was->bumper_thickness_m, text,
                        pow(was->bumper_thickness_m / is->bumper_thickness_m, exponent));
         thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
@@ -393,14 +392,13 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
         char text[96];
         stiffness_text(&plan->scene, i, text, sizeof text);
         if (thickness)
-            thud_error_set(out, THUD_OK,
-                           "the stiffness is %s at every thickness; by eq. (6) it falls with the power of "
-                           "the thickness",
-                           text);
+            thud_error_set(
+                out, THUD_OK,
+                "the stiffness is %s at every thickness; by eq. (6) it falls with the power of the thickness", text);
         else
             thud_error_set(out, THUD_OK,
-                           "the stiffness keeps the number of %s at every exponent, so that the force at the "
-                           "largest strain changes with it",
+                           "the stiffness keeps the number of %s at every exponent, so that the force at the largest "
+                           "strain changes with it",
                            text);
         thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
         thud_error_key(out, key);
@@ -533,10 +531,10 @@ bool thud_sweep_watch_remark(const struct thud_sweep_watch *w, const struct thud
         where_text(plan, w->press.point, w->press.which, where, sizeof where);
         if (w->beyond > 0)
             snprintf(beyond, sizeof beyond, ", in %ld by more than there is of it", w->beyond);
-        thud_error_set(out, THUD_OK,
-                       "a bumper is pressed past its largest strain in %ld of %ld runs with one%s: one of %.4g mm by "
-                       "%.4g mm (%s)",
-                       w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
+        thud_error_set(
+            out, THUD_OK,
+            "a bumper is pressed past its largest strain in %ld of %ld runs with one%s: one of %.4g mm by %.4g mm (%s)",
+            w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
         return true;
     }
     if (w->drifting > 0 && n-- == 0) {

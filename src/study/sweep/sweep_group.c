@@ -1,5 +1,4 @@
 /* The motion without pounding that a set of points shares. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* Rows of a point: ratios per floor and of the means, contacts, needed gaps. */
 #include <math.h>
-#include <string.h>
 
 #include "study/sweep/sweep_private.h"
 

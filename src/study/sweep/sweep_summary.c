@@ -1,6 +1,5 @@
 /* What a study keeps of a point for its figures and tables. */
 #include "base/largest.h"
-#include "base/statistics.h"
 #include "study/sweep/sweep_table.h"
 
 #include <math.h>

@@ -7,7 +7,6 @@
 
 #include "base/largest.h"
 #include "base/quantity.h"
-#include "base/statistics.h"
 #include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
@@ -89,10 +88,9 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
     }
     return thud_error_refuse(
         err, THUD_USAGE, "--uncertain",
-        "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %, up to "
-        "90 %; contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; "
-        "elevation: 5 cm, up to 10 m; of one building stiffness.A=5 %, of all of them besides "
-        "stiffness.common=10 %",
+        "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %, up to 90 %; "
+        "contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; elevation: 5 cm, "
+        "up to 10 m; of one building stiffness.A=5 %, of all of them besides stiffness.common=10 %",
         "\"%.60s\" is no input with its size", text);
 }
 
