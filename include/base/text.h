@@ -31,6 +31,7 @@ void thud_text_clear(struct thud_text *text);
 /* FNV-1a, 64 bits, of `size` bytes after what `h` is of; of nothing it is THUD_HASH_START. */
 #define THUD_HASH_START 0xcbf29ce484222325ULL
 unsigned long long thud_hash(unsigned long long h, const void *bytes, size_t size);
+unsigned long long thud_hash_text(unsigned long long h, const char *text); /* with its NUL */
 
 /* The part of a path after its last slash; all of it where nothing follows one. */
 const char *thud_path_name(const char *path);

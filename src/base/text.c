@@ -165,3 +165,8 @@ unsigned long long thud_hash(unsigned long long h, const void *bytes, size_t siz
         h = (h ^ p[i]) * 0x100000001b3ULL;
     return h;
 }
+
+unsigned long long thud_hash_text(unsigned long long h, const char *text)
+{
+    return thud_hash(h, text, strlen(text) + 1);
+}

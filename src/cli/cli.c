@@ -51,6 +51,18 @@ enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *
     return status;
 }
 
+enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,
+                                   struct thud_error *err)
+{
+    bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
+    if (before != THUD_OK && before != THUD_GNUPLOT) {
+        thud_text_clear(text);
+        return before;
+    }
+    enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(text, before == THUD_OK ? err : NULL);
+    return before == THUD_OK ? printed : before;
+}
+
 enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err)
 {
     struct thud_text out = {0};
@@ -147,6 +159,12 @@ void thud_cli_complain(const struct thud_error *err)
 {
     char text[1600];
     fprintf(stderr, "%s%s\n", err->file[0] ? "" : "thud: ", thud_error_text(err, text, sizeof text));
+}
+
+void thud_cli_warn(const struct thud_error *what)
+{
+    char line[1400];
+    fprintf(stderr, "thud: warning: %s\n", thud_error_text(what, line, sizeof line));
 }
 
 int thud_cli_main(int argc, char **argv, thud_screen_function *screen)

@@ -53,13 +53,10 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
         status = thud_gap_code_set(&code, said, err);
     if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
-    if (status == THUD_OK && thud_args_has(args, "o")) {
-        static const char *const asked[] = {"records", "signs", "code", NULL};
+    static const char *const asked[] = {"records", "signs", "code", NULL};
+    if (status == THUD_OK)
         status = thud_made_by_scene(args, "study", scene, (const struct thud_record *const *)records.record, records.n,
                                     asked, &by, err);
-        if (status == THUD_OK)
-            status = thud_made_by_check(&by, err);
-    }
     if (status == THUD_OK)
         status = thud_gap_study_run(scene, &records, &code, thud_interrupt_watch(), &study, err);
     if (status == THUD_OK && !(thud_args_has(args, "csv") && !thud_args_has(args, "o")))
@@ -72,11 +69,7 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
         status = thud_gap_report(&study, scene, &text, err);
     if (status == THUD_OK && thud_args_has(args, "o"))
         status = save(args, &study, scene, &records, &picture, &by, err);
-    if (status == THUD_OK || status == THUD_GNUPLOT) {
-        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
-        status = status == THUD_OK ? printed : status;
-    }
-    thud_text_clear(&text);
+    status = thud_cli_print_as(args, &text, status, err);
     thud_gap_study_clear(&study);
     thud_record_list_clear(&records);
     return status;

@@ -63,8 +63,6 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_made_by by;
     status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
                                 records.n, asked, &by, err);
-    if (status == THUD_OK)
-        status = thud_made_by_check(&by, err);
     if (status != THUD_OK) {
         thud_record_list_clear(&records);
         return status;

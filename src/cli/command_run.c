@@ -51,8 +51,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         thud_result_csv(report, &text);
     else
         thud_result_table(report, &text);
-    bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
-    return data ? thud_cli_print_data(&text, err) : thud_cli_print(&text, err);
+    return thud_cli_print_as(args, &text, THUD_OK, err);
 }
 
 /* The bumper of a scene, for titles. */
@@ -104,12 +103,6 @@ static bool of_preset(const struct thud_session *session, const struct thud_erro
     return false;
 }
 
-static void say(const struct thud_error *what)
-{
-    char line[1400];
-    fprintf(stderr, "thud: warning: %s\n", thud_error_text(what, line, sizeof line));
-}
-
 /* What is allowed but unusual, or without effect, one line each; and what the result shows that no building bears. */
 static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
                          const struct thud_scene *scene, const struct thud_run *run)
@@ -126,15 +119,15 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
             thud_error_place(&unusual, session->preset_path, 0, 0);
         else
             thud_scene_options_name(args, THUD_OK, &unusual);
-        say(&unusual);
+        thud_cli_warn(&unusual);
     }
     for (int i = 0; thud_scene_change_remark(thud_preset_scene(session->preset), scene, i, &unusual); i++)
-        say(&unusual);
+        thud_cli_warn(&unusual);
     struct thud_error fall = {0}; /* which ends the run, and is said at the end */
     thud_collapse_remark(scene, thud_run_result(run), &fall);
     for (int i = 0; thud_result_remark(scene, thud_run_result(run), impact, nimpacts, i, &unusual); i++)
         if (strcmp(unusual.what, fall.what) != 0)
-            say(&unusual);
+            thud_cli_warn(&unusual);
     if (thud_args_has(args, "step") && method && !(method->flags & THUD_METHOD_FIXED_STEP))
         fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
 }
@@ -174,7 +167,7 @@ static void say_effort(const struct thud_args *args, struct thud_session *sessio
     struct thud_error effort;
     if (!thud_args_has(args, "quiet") && thud_session_read_record(session, NULL) == THUD_OK &&
         thud_scene_effort_remark(&session->scene, session->record, &effort))
-        say(&effort);
+        thud_cli_warn(&effort);
 }
 
 /* A run that failed shows no peaks: as JSON its status, when and why, else the message alone. */
@@ -234,8 +227,6 @@ static enum thud_status begin(const struct thud_args *args, struct thud_session 
         if (status == THUD_OK)
             status = thud_made_by_scene(args, "run", &session->scene,
                                         (const struct thud_record *const *)&session->record, 1, asked, by, err);
-        if (status == THUD_OK)
-            status = thud_made_by_check(by, err);
     }
     if (status != THUD_OK)
         return status;
@@ -298,8 +289,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
             shown = &cases->item[i];
     warn_unusual(args, session, &shown->scene, shown->solution.run);
     put_cases(args, session, cases, &text);
-    status = thud_args_has(args, "json") || thud_args_has(args, "csv") ? thud_cli_print_data(&text, err)
-                                                                       : thud_cli_print(&text, err);
+    status = thud_cli_print_as(args, &text, THUD_OK, err);
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++)

@@ -49,14 +49,9 @@ static enum thud_status solve(const struct thud_args *args, struct thud_session 
         if (status == THUD_USAGE)
             thud_args_key("by", err);
     }
-    if (status == THUD_OK && thud_args_has(args, "json")) {
-        thud_solve_json(found, &text);
-        status = thud_cli_print_data(&text, err);
-    } else if (status == THUD_OK) {
-        thud_solve_report(found, &text);
-        status = thud_cli_print(&text, err);
-    }
-    thud_text_clear(&text);
+    if (status == THUD_OK)
+        (thud_args_has(args, "json") ? thud_solve_json : thud_solve_report)(found, &text);
+    status = thud_cli_print_as(args, &text, status, err);
     thud_record_list_clear(&records);
     free(found);
     return status;

@@ -181,19 +181,13 @@ static enum thud_status work(const struct thud_args *args, struct thud_session *
     study->records = &records;
     if (status == THUD_OK)
         status = thud_suite_study_run(study, err);
-    if (status == THUD_OK && thud_args_has(args, "json"))
-        thud_suite_motions_json(study, &text);
-    else if (status == THUD_OK && thud_args_has(args, "csv"))
-        thud_suite_motions_csv(study, &text);
-    else if (status == THUD_OK)
-        thud_suite_motions_table(study, &text);
+    if (status == THUD_OK)
+        (thud_args_has(args, "json")  ? thud_suite_motions_json
+         : thud_args_has(args, "csv") ? thud_suite_motions_csv
+                                      : thud_suite_motions_table)(study, &text);
     if (status == THUD_OK && thud_args_has(args, "o"))
         status = save(study, thud_args_value(args, "o"), &picture, err);
-    if (status == THUD_OK || status == THUD_GNUPLOT) {
-        enum thud_status printed = thud_cli_print(&text, status == THUD_OK ? err : NULL);
-        status = status == THUD_OK ? printed : status;
-    }
-    thud_text_clear(&text);
+    status = thud_cli_print_as(args, &text, status, err);
     thud_suite_study_clear(study);
     thud_record_list_clear(&records);
     return status;

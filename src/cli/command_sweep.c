@@ -194,10 +194,9 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
 static void warn_watched(const struct sweep *s)
 {
     struct thud_error what;
-    char line[1400];
     for (int i = 0; !thud_args_has(s->args, "quiet") && thud_sweep_watch_remark(&s->outcome.watch, &s->plan, i, &what);
          i++)
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+        thud_cli_warn(&what);
 }
 
 /* What is said at the end: the table on standard output, or only the work on standard error where rows are there. */
@@ -295,15 +294,14 @@ static enum thud_status journal_preset(struct sweep *s, struct thud_error *err)
 static void remark(const struct sweep *s)
 {
     struct thud_error what;
-    char line[1400];
     if (thud_args_has(s->args, "quiet"))
         return;
     if (thud_scene_effort_remark(&s->plan.scene, s->plan.nrecords > 0 ? s->plan.record[0] : NULL, &what))
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+        thud_cli_warn(&what);
     for (int i = 0; thud_sweep_remark(&s->plan, i, &what); i++)
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+        thud_cli_warn(&what);
     for (int i = 0; thud_scene_change_remark(thud_preset_scene(s->session.preset), &s->plan.scene, i, &what); i++)
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+        thud_cli_warn(&what);
 }
 
 static enum thud_status make(struct sweep *s, struct thud_error *err)

@@ -227,21 +227,6 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_u
     return status;
 }
 
-static enum thud_status print(const struct thud_args *args, const struct thud_uncertainty_study *study,
-                              struct thud_error *err)
-{
-    struct thud_text text = {0};
-    if (thud_args_has(args, "json"))
-        thud_uncertainty_json(study, &text);
-    else if (thud_args_has(args, "csv"))
-        thud_uncertainty_csv(study, &text);
-    else
-        thud_uncertainty_table(study, &text);
-    enum thud_status status = thud_cli_print(&text, err);
-    thud_text_clear(&text);
-    return status;
-}
-
 static enum thud_status uncertainty(const struct thud_args *args, struct thud_session *session,
                                     struct thud_scene *scene, struct thud_error *err)
 {
@@ -250,6 +235,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     struct thud_picture_choice picture;
     struct thud_inputs inputs;
     struct thud_made_by by;
+    struct thud_text text = {0};
     enum thud_case which;
     *scene = session->scene;
     enum thud_status status = thud_picture_options_read(args, &picture, err);
@@ -264,16 +250,12 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
         status = thud_session_read_record(session, err);
     if (status == THUD_OK && several)
         status = thud_records_option_read(args, session, &records, err);
-    if (status == THUD_OK && thud_args_has(args, "o")) {
-        static const char *const asked[] = {"case", "uncertain", "sampling", "seed", NULL};
-        bool suite = records.n > 0;
-        status = thud_made_by_scene(args, "uncertainty", scene,
-                                    suite ? (const struct thud_record *const *)records.record
-                                          : (const struct thud_record *const *)&session->record,
-                                    suite ? records.n : 1, asked, &by, err);
-        if (status == THUD_OK)
-            status = thud_made_by_check(&by, err);
-    }
+    static const char *const asked[] = {"case", "uncertain", "sampling", "seed", NULL};
+    bool suite = records.n > 0;
+    const struct thud_record *const *motions =
+        (const struct thud_record *const *)(suite ? records.record : &session->record);
+    if (status == THUD_OK)
+        status = thud_made_by_scene(args, "uncertainty", scene, motions, suite ? records.n : 1, asked, &by, err);
     if (status == THUD_OK)
         status = thud_uncertainty_create(scene, session->record, (const struct thud_record *const *)records.record,
                                          records.n, which, &inputs, &u, err);
@@ -281,20 +263,19 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);
     thud_progress_end();
-    enum thud_status drawn = THUD_OK;
+    if (status == THUD_OK)
+        (thud_args_has(args, "json")  ? thud_uncertainty_json
+         : thud_args_has(args, "csv") ? thud_uncertainty_csv
+                                      : thud_uncertainty_table)(&study, &text);
     if (status == THUD_OK && thud_args_has(args, "o")) {
-        bool suite = records.n > 0;
-        thud_picture_options_motions(&picture,
-                                     (const struct thud_record *const *)(suite ? records.record : &session->record),
-                                     suite ? records.n : 1);
-        drawn = save(args, &study, &picture, &by, err);
+        thud_picture_options_motions(&picture, motions, suite ? records.n : 1);
+        status = save(args, &study, &picture, &by, err);
     }
-    if (status == THUD_OK && (drawn == THUD_OK || drawn == THUD_GNUPLOT))
-        status = print(args, &study, drawn == THUD_OK ? err : NULL);
+    status = thud_cli_print_as(args, &text, status, err);
     thud_uncertainty_study_clear(&study);
     thud_uncertainty_free(u);
     thud_record_list_clear(&records);
-    return status == THUD_OK ? drawn : status;
+    return status;
 }
 
 enum thud_status thud_command_uncertainty(const struct thud_args *args, struct thud_error *err)

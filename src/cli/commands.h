@@ -21,11 +21,17 @@ enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err);
 /* Rows and objects for another program: byte for byte, but on a terminal as above. */
 enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err);
 
+/* As data with --json or --csv, else for people. `before`: what files came to, which is given back; nothing is printed
+ * after a failure but that of gnuplot, whose message stands. */
+enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,
+                                   struct thud_error *err);
+
 /* The names of files that were written, one a line; with --json an object with a list. Clears the text. */
 enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err);
 
-/* Writes the message to standard error. */
+/* Write the message to standard error; the second as a warning. */
 void thud_cli_complain(const struct thud_error *err);
+void thud_cli_warn(const struct thud_error *what);
 
 /* The works that a law or method is from, parted by "; ": a line each. */
 void thud_cli_references(const char *reference, struct thud_text *out);

@@ -95,14 +95,10 @@ static enum thud_status print(const struct thud_args *args, const struct thud_sc
                               const struct thud_floor_spectra *spectra, struct thud_error *err)
 {
     struct thud_text text = {0};
-    if (thud_args_has(args, "json"))
-        thud_floor_spectra_json(scene, spectra, &text);
-    else if (thud_args_has(args, "csv"))
-        thud_floor_spectra_csv(scene, spectra, &text);
-    else
-        thud_floor_table(scene, spectra, &text);
-    bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
-    return data ? thud_cli_print_data(&text, err) : thud_cli_print(&text, err);
+    (thud_args_has(args, "json")  ? thud_floor_spectra_json
+     : thud_args_has(args, "csv") ? thud_floor_spectra_csv
+                                  : thud_floor_table)(scene, spectra, &text);
+    return thud_cli_print_as(args, &text, THUD_OK, err);
 }
 
 enum thud_status thud_cli_floor_spectra(const struct thud_args *args, struct thud_session *session,
@@ -119,12 +115,9 @@ enum thud_status thud_cli_floor_spectra(const struct thud_args *args, struct thu
         status = read_ask(args, &session->scene, &ask, place, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
-    if (status == THUD_OK && thud_args_has(args, "o")) {
+    if (status == THUD_OK)
         status = thud_made_by_scene(args, "floors", &session->scene,
                                     (const struct thud_record *const *)&session->record, 1, asked, &by, err);
-        if (status == THUD_OK)
-            status = thud_made_by_check(&by, err);
-    }
     if (status == THUD_OK)
         status = thud_scene_check(&session->scene, err);
     if (status == THUD_OK)

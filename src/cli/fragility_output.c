@@ -77,11 +77,8 @@ enum thud_status thud_fragility_deliver(const struct thud_args *args, struct thu
         status = write_files(study, folder, err);
     if (status != THUD_OK)
         return status;
-    if (thud_args_has(args, "json"))
-        thud_fragility_json(study, out);
-    else if (thud_args_has(args, "csv"))
-        thud_fragility_csv(study, out);
-    else
-        thud_fragility_table(study, out);
+    (thud_args_has(args, "json")  ? thud_fragility_json
+     : thud_args_has(args, "csv") ? thud_fragility_csv
+                                  : thud_fragility_table)(study, out);
     return folder ? draw(study, folder, pictures, err) : THUD_OK;
 }

@@ -2,8 +2,9 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "app/run/timing.h"
 
 static const double every_s = 5;
 
@@ -12,27 +13,20 @@ static struct {
     double last_s;
 } progress;
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 bool thud_progress_start(const struct thud_args *args)
 {
     progress.shown = !thud_args_has(args, "quiet");
     progress.terminal = isatty(STDERR_FILENO) != 0;
-    progress.last_s = now();
+    progress.last_s = thud_timing_now_s();
     return progress.shown;
 }
 
 void thud_progress_show(const char *fmt, ...)
 {
     va_list list;
-    if (!progress.shown || (!progress.terminal && now() - progress.last_s < every_s))
+    if (!progress.shown || (!progress.terminal && thud_timing_now_s() - progress.last_s < every_s))
         return;
-    progress.last_s = now();
+    progress.last_s = thud_timing_now_s();
     if (progress.terminal)
         fputs("\r\033[K", stderr);
     va_start(list, fmt);

@@ -1,8 +1,8 @@
 #include "cli/options.h"
 
-#include <stdio.h>
 #include <string.h>
 
+#include "cli/commands.h"
 #include "study/suite/scaling.h"
 
 enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
@@ -21,10 +21,9 @@ enum thud_status thud_records_named(const struct thud_args *args, const struct t
 void thud_records_warn(const struct thud_args *args, const struct thud_record *const *record, int n)
 {
     struct thud_error what;
-    char line[1400];
     int from = 0;
     while (!thud_args_has(args, "quiet") && thud_suite_remark(record, NULL, n, &from, &what))
-        fprintf(stderr, "thud: warning: %s\n", thud_error_text(&what, line, sizeof line));
+        thud_cli_warn(&what);
 }
 
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,

@@ -97,18 +97,13 @@ void thud_study_file_json(const struct thud_args *args, const struct thud_sessio
 
 /* ---- made-by.txt ---- */
 
-static unsigned long long hash_text(unsigned long long h, const char *text)
-{
-    return thud_hash(h, text, strlen(text) + 1);
-}
-
 static unsigned long long hash_options(unsigned long long h, const struct thud_args *args, const char *const *asked)
 {
     const char *value;
     for (; *asked; asked++) {
-        h = hash_text(h, thud_args_has(args, *asked) ? *asked : "");
+        h = thud_hash_text(h, thud_args_has(args, *asked) ? *asked : "");
         for (int i = 0; (value = thud_args_repeated(args, *asked, i)) != NULL; i++)
-            h = hash_text(h, value);
+            h = thud_hash_text(h, value);
     }
     return h;
 }
@@ -161,8 +156,10 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
                                     const struct thud_record *const *records, int nrecords, const char *const *asked,
                                     struct thud_made_by *out, struct thud_error *err)
 {
-    enum thud_status status = begin(args, group, scene, out, err);
     const char *value;
+    if (!thud_args_has(args, "o"))
+        return THUD_OK;
+    enum thud_status status = begin(args, group, scene, out, err);
     out->asked = hash_options(out->asked, args, asked);
     if (scene->nstructures > 1)
         add_word(out, ", gap %.6g cm", 100 * scene->interface[0].gap_m);
@@ -171,7 +168,7 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
             add_word(out, ", %s %.60s", *asked, value);
     for (int i = 0; i < nrecords; i++)
         if (records[i]) {
-            out->asked = hash_text(out->asked, records[i]->file);
+            out->asked = thud_hash_text(out->asked, records[i]->file);
             out->asked = thud_hash(out->asked, records[i]->a_mps2, records[i]->samples * sizeof *records[i]->a_mps2);
         }
     if (nrecords > 1)
@@ -179,7 +176,7 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
     else if (nrecords == 1 && records[0])
         add_word(out, ", %.60s %.4g g", thud_path_name(records[0]->file), thud_record_peak(records[0]) / THUD_GRAVITY);
     end(args, out);
-    return status;
+    return status == THUD_OK ? thud_made_by_check(out, err) : status;
 }
 
 enum thud_status thud_made_by_study(const struct thud_args *args, const struct thud_sweep_plan *plan,
@@ -190,9 +187,9 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
     unsigned long long whole = thud_sweep_fingerprint(plan);
     out->asked = thud_hash(out->asked, &whole, sizeof whole);
     if (args->command == THUD_COMMAND_FRAGILITY)
-        out->asked = hash_options(hash_text(out->asked, "fragility"), args, fragility);
+        out->asked = hash_options(thud_hash_text(out->asked, "fragility"), args, fragility);
     if (args->command == THUD_COMMAND_FRAGILITY && plan->scene.study.events[0])
-        out->asked = hash_text(out->asked, plan->scene.study.events);
+        out->asked = thud_hash_text(out->asked, plan->scene.study.events);
     for (int i = 0; i < plan->naxes; i++) {
         const struct thud_sweep_axis *axis = &plan->axis[i];
         if (axis->n > 2)

@@ -1,7 +1,8 @@
 #include "app/run/timing.h"
 
-#include <stdlib.h>
 #include <time.h>
+
+#include "base/statistics.h"
 
 enum { SLICE = 2000 };
 
@@ -33,15 +34,9 @@ enum thud_status thud_timing_advance(struct thud_run *run, const atomic_int *can
     return status;
 }
 
-static int rising(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double thud_timing_median(double *seconds, int n, double *spread)
 {
-    qsort(seconds, (size_t)n, sizeof *seconds, rising);
+    thud_sort_numbers(seconds, (size_t)n);
     *spread = 0.5 * (seconds[(3 * n) / 4 < n ? (3 * n) / 4 : n - 1] - seconds[n / 4]);
     return n % 2 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
 }

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "app/run/threads.h"
+#include "app/run/timing.h"
 #include "base/statistics.h"
 #include "study/uncertainty/sobol.h"
 
@@ -120,25 +121,18 @@ static void *worker(void *context)
     }
 }
 
-static double now_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* Until all rows are done, the work stops or it is cancelled. */
 static void watch(struct work *w)
 {
     const struct thud_uncertainty_study *study = w->study;
-    double start = now_s();
+    double start = thud_timing_now_s();
     for (bool over = false; !over;) {
         pthread_mutex_lock(&w->lock);
         size_t done = w->done;
         over = w->stop || done == study->rows || (study->cancel && *study->cancel);
         pthread_mutex_unlock(&w->lock);
         if (study->progress)
-            study->progress(study->context, (long)done, (long)study->rows, now_s() - start);
+            study->progress(study->context, (long)done, (long)study->rows, thud_timing_now_s() - start);
         if (!over)
             nanosleep(&(struct timespec){0, done == 0 ? 1000000 : SHOW_MS * 100000L}, NULL);
     }

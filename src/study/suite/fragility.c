@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "base/random.h"
+#include "base/statistics.h"
 
 /* ---- the lognormal curve ---- */
 
@@ -458,12 +459,6 @@ static double threshold(const struct thud_suite *suite, const struct thud_fragil
     return NAN;
 }
 
-static int by_number(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static enum thud_status find_exact(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                    struct thud_fragility *f, struct thud_error *err)
 {
@@ -491,12 +486,12 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
             for (int r = suite->first[g]; r < suite->first[g + 1] && m < n; r++)
                 drawn[m++] = own[r];
         }
-        qsort(drawn, m, sizeof *drawn, by_number);
+        thud_sort_numbers(drawn, m);
         median[b] = thud_enough(drawn, m, 0.5, &count);
     }
     if (samples > 0)
         band(median, samples, &f->exact_low, &f->exact_high);
-    qsort(own, n, sizeof *own, by_number);
+    thud_sort_numbers(own, n);
     f->exact = own;
     f->nexact = suite->nrecords;
     f->exact50 = thud_enough(own, n, 0.5, &count);

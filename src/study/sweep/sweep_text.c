@@ -260,14 +260,9 @@ static unsigned long long hash_numbers(unsigned long long h, const double *x, si
     return h;
 }
 
-static unsigned long long hash_text(unsigned long long h, const char *text)
-{
-    return thud_hash(h, text, strlen(text) + 1);
-}
-
 static unsigned long long hash_choice(unsigned long long h, const struct thud_law_choice *choice)
 {
-    h = hash_text(h, choice->law ? choice->law->name : "");
+    h = thud_hash_text(h, choice->law ? choice->law->name : "");
     return choice->law ? thud_hash(h, choice->value, (size_t)choice->law->nparams * sizeof(double)) : h;
 }
 
@@ -286,7 +281,7 @@ static unsigned long long hash_interface(unsigned long long h, const struct thud
 static unsigned long long hash_analysis(unsigned long long h, const struct thud_analysis *a)
 {
     const double x[] = {a->tolerance, a->step_s, a->tail_s, a->locate};
-    h = hash_numbers(hash_text(h, a->method), x, sizeof x / sizeof *x);
+    h = hash_numbers(thud_hash_text(h, a->method), x, sizeof x / sizeof *x);
     return a->modes > 0 ? thud_hash(h, &a->modes, sizeof a->modes) : h;
 }
 
@@ -311,13 +306,13 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
     for (int i = 0; i < plan->naxes; i++) {
-        h = hash_text(h, plan->axis[i].key);
+        h = thud_hash_text(h, plan->axis[i].key);
         for (int v = 0; v < plan->axis[i].n; v++)
-            h = hash_text(h, plan->axis[i].text[v]);
+            h = thud_hash_text(h, plan->axis[i].text[v]);
     }
     for (int i = 0; i < plan->nrecords; i++) {
         const struct thud_record *r = plan->record[i];
-        h = hash_text(h, r ? r->file : "");
+        h = thud_hash_text(h, r ? r->file : "");
         if (r) {
             h = thud_hash(h, &r->dt_s, sizeof r->dt_s);
             h = thud_hash(h, r->a_mps2, r->samples * sizeof *r->a_mps2);
