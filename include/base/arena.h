@@ -1,7 +1,6 @@
 /* Pieces of one block. Built with the address sanitizer, the space behind each piece is poisoned: an index past the end
  * of an array is then seen though it stays inside the block. */
-#ifndef THUD_BASE_ARENA_H
-#define THUD_BASE_ARENA_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,5 +15,3 @@ size_t thud_arena_room(size_t count, size_t size);
 bool thud_arena_open(struct thud_arena *arena, size_t bytes);
 /* The next piece, aligned to 16 bytes. */
 void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size);
-
-#endif

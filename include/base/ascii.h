@@ -1,7 +1,6 @@
 /* Characters and keywords by ASCII alone, whatever the locale: in a Turkish one the library's tolower('I') is no `i`.
  * A byte of another character (0x80 and above) is none of these. */
-#ifndef THUD_BASE_ASCII_H
-#define THUD_BASE_ASCII_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,5 +16,3 @@ char thud_ascii_upper(char c);
 bool thud_ascii_same(const char *a, const char *b);
 /* `text`, of which `size` bytes may be read, begins with `word`, large or small. */
 bool thud_ascii_begins(const char *text, size_t size, const char *word);
-
-#endif

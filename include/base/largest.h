@@ -1,6 +1,5 @@
 /* The larger and the smaller of two numbers; NaN where one of them is, so that it is not lost on the way. */
-#ifndef THUD_CORE_LARGEST_H
-#define THUD_CORE_LARGEST_H
+#pragma once
 
 #include <math.h>
 
@@ -43,5 +42,3 @@ static inline double thud_largest_size(const double *x, int n)
     double a = most[0] > most[1] ? most[0] : most[1], b = most[2] > most[3] ? most[2] : most[3];
     return a > b ? a : b;
 }
-
-#endif

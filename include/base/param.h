@@ -1,6 +1,5 @@
 /* Described parameters: one table feeds presets, command line, forms, help and manual pages. */
-#ifndef THUD_BASE_PARAM_H
-#define THUD_BASE_PARAM_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -33,5 +32,3 @@ enum thud_status thud_param_check(const struct thud_param *param, double value, 
 bool thud_param_unusual(const struct thud_param *param, double value, char *text, unsigned long size);
 /* Index of a choice by its word, -1 when there is none. */
 int thud_param_choice(const struct thud_param *param, const char *word);
-
-#endif

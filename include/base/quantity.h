@@ -1,6 +1,5 @@
 /* Numbers with units, as people type them, to and from SI. */
-#ifndef THUD_BASE_QUANTITY_H
-#define THUD_BASE_QUANTITY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -58,5 +57,3 @@ double thud_shown(double value, int places);
 
 #define THUD_GRAVITY 9.80665 /* m/s2, standard gravity */
 #define THUD_PI      3.14159265358979323846
-
-#endif

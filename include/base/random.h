@@ -1,6 +1,5 @@
 /* A seeded generator of random numbers, and the normal distribution. */
-#ifndef THUD_STUDY_RANDOM_H
-#define THUD_STUDY_RANDOM_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ double thud_normal_cdf(double x);
 double thud_normal_quantile(double p);
 /* Probability that chi-square of so many degrees of freedom (> 0) is larger. */
 double thud_chi_square_tail(double x, int free);
-
-#endif

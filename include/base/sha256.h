@@ -1,11 +1,8 @@
 /* SHA-256 (FIPS 180-4), by which a file is told from any other. */
-#ifndef THUD_BASE_SHA256_H
-#define THUD_BASE_SHA256_H
+#pragma once
 
 #include <stddef.h>
 
 enum { THUD_SHA256_TEXT = 65 };
 /* The digest of `size` bytes in hexadecimal. */
 void thud_sha256(const void *bytes, size_t size, char text[THUD_SHA256_TEXT]);
-
-#endif

@@ -1,6 +1,5 @@
 /* Order statistics of a sample. */
-#ifndef THUD_STUDY_STATISTICS_H
-#define THUD_STUDY_STATISTICS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,5 +30,3 @@ void thud_share_band(size_t count, size_t n, double independent, double *low, do
 /* Order statistics of n sorted values: the smallest that is enough for at least a share p of them, and for how many it
  * is, equal ones among them. NaN and 0 for n = 0. */
 double thud_enough(const double *sorted, size_t n, double p, size_t *count);
-
-#endif

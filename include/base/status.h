@@ -1,6 +1,5 @@
 /* What every fallible function returns, and the message that goes with it. */
-#ifndef THUD_BASE_STATUS_H
-#define THUD_BASE_STATUS_H
+#pragma once
 
 #ifdef __FAST_MATH__
 #error "thud is not to be compiled with -ffast-math: NaN and infinity carry meaning, and sums keep their order"
@@ -35,5 +34,3 @@ int thud_error_write_whole(struct thud_error *err, enum thud_status status, cons
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);
 void thud_error_key(struct thud_error *err, const char *key);
 void thud_error_allow(struct thud_error *err, const char *fmt, ...) THUD_PRINTF(2, 3);
-
-#endif

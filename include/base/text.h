@@ -1,6 +1,5 @@
 /* A growing text, for what is put together in memory and written in one go. */
-#ifndef THUD_BASE_TEXT_H
-#define THUD_BASE_TEXT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -35,5 +34,3 @@ unsigned long long thud_hash_text(unsigned long long h, const char *text); /* wi
 
 /* The part of a path after its last slash; all of it where nothing follows one. */
 const char *thud_path_name(const char *path);
-
-#endif

@@ -1,6 +1,5 @@
 /* Texts in UTF-8 (RFC 3629: no longer form than needed, no surrogates, nothing beyond U+10FFFF). */
-#ifndef THUD_BASE_UTF8_H
-#define THUD_BASE_UTF8_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -22,5 +21,3 @@ bool thud_utf8_is_control(uint32_t code);
 int thud_utf8_columns(const char *text);
 /* The text in at most `columns` columns, cut where it is longer, with `…` at the end. Returns `out`. */
 char *thud_utf8_fit(const char *text, int columns, char *out, unsigned long size);
-
-#endif

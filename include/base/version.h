@@ -1,6 +1,5 @@
 /* The version, in one place. */
-#ifndef THUD_BASE_VERSION_H
-#define THUD_BASE_VERSION_H
+#pragma once
 
 #include "base/text.h"
 
@@ -8,5 +7,3 @@
 
 /* "thud 0.1.0", and how it was built. */
 void thud_version_text(struct thud_text *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a ground motion's own words say of it: its direction, and whether two motions are of one event or station. */
-#ifndef THUD_GROUND_IDENTITY_H
-#define THUD_GROUND_IDENTITY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -24,5 +23,3 @@ bool thud_record_same_station(const struct thud_record *a, const struct thud_rec
 /* The same motion but for a factor: equal steps after resampling, and samples that differ by less than 1 % of the peak
  * once both have a peak of 1. */
 bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b);
-
-#endif

@@ -1,6 +1,5 @@
 /* What engineers measure a ground motion by. */
-#ifndef THUD_CORE_INTENSITY_H
-#define THUD_CORE_INTENSITY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -32,5 +31,3 @@ struct thud_intensity thud_intensity_of(const struct thud_record *record);
 /* Velocity and displacement at the samples (each `samples` long, either may be NULL), of the acceleration less its
  * mean, from rest. */
 void thud_record_integrate(const struct thud_record *record, double *velocity_mps, double *displacement_m);
-
-#endif

@@ -1,7 +1,6 @@
 /* A ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last.
  */
-#ifndef THUD_CORE_RECORD_H
-#define THUD_CORE_RECORD_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -37,5 +36,3 @@ double thud_record_peak(const struct thud_record *record); /* largest |a|, m/s2 
  * sign between two samples. 0 for NULL. */
 double thud_record_speed(const struct thud_record *record);
 void thud_record_scale(struct thud_record *record, double factor);
-
-#endif

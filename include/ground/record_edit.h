@@ -1,6 +1,5 @@
 /* What may be done to a ground motion on request; nothing of it ever happens unasked. */
-#ifndef THUD_CORE_RECORD_EDIT_H
-#define THUD_CORE_RECORD_EDIT_H
+#pragma once
 
 #include "ground/record.h"
 
@@ -26,5 +25,3 @@ enum thud_status thud_record_like(const struct thud_record *record, const double
  * is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */
 enum thud_status thud_record_resample(const struct thud_record *record, double dt_s, struct thud_record **out,
                                       struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Frequencies taken out of a ground motion on request: Butterworth filters in two passes, forwards and backwards, which
  * shift no phase. */
-#ifndef THUD_CORE_RECORD_FILTER_H
-#define THUD_CORE_RECORD_FILTER_H
+#pragma once
 
 #include "ground/record.h"
 
@@ -21,5 +20,3 @@ double thud_record_filter_pad(const struct thud_record_filter *filter, double dt
  * between 0 and half the rate of samples, an order that is not 1 to THUD_FILTER_ORDER_MAX), THUD_MEMORY. */
 enum thud_status thud_record_filter_apply(const struct thud_record *record, const struct thud_record_filter *filter,
                                           struct thud_record **out, struct thud_error *err);
-
-#endif

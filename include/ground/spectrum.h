@@ -1,7 +1,6 @@
 /* Response spectra: the largest response of damped oscillators to a ground motion, free vibration afterwards included.
  */
-#ifndef THUD_CORE_SPECTRUM_H
-#define THUD_CORE_SPECTRUM_H
+#pragma once
 
 #include <stddef.h>
 
@@ -24,5 +23,3 @@ double thud_record_sa(const struct thud_record *record, double period_s);
 /* `count` points, periods in geometric steps from `from_s` to `to_s` (count > 1, 0 < from_s < to_s, asserted). */
 void thud_spectrum_fill(const struct thud_record *record, double damping, double from_s, double to_s, size_t count,
                         struct thud_spectrum_point *point);
-
-#endif

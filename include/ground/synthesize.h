@@ -1,7 +1,6 @@
 /* Near-fault surrogates: a velocity pulse (Mavroeidis and Papageorgiou 2003) plus filtered noise (Kanai-Tajimi ground,
  * Clough-Penzien high pass) under an envelope. */
-#ifndef THUD_CORE_SYNTHESIZE_H
-#define THUD_CORE_SYNTHESIZE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -42,5 +41,3 @@ enum thud_status thud_synthesis_run(const struct thud_synthesis *synthesis, stru
 
 /* Every parameter as `name: value unit` lines, each after `prefix`. */
 void thud_synthesis_describe(const struct thud_synthesis *synthesis, const char *prefix, struct thud_text *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* Design spectra that ground motions are held against and scaled to: pseudo spectral acceleration against period. */
-#ifndef THUD_GROUND_TARGET_H
-#define THUD_GROUND_TARGET_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -42,5 +41,3 @@ void thud_target_motion(const struct thud_record *record, double damping, const 
 /* The factor that brings a motion's Sa nearest to the target's, by least squares of the logarithms over the periods; and
  * what then remains of them, root mean square, in *misfit. */
 double thud_target_factor(const double *target_mps2, const double *sa_mps2, size_t count, double *misfit);
-
-#endif

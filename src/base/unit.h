@@ -1,6 +1,5 @@
 /* A unit taken apart: one unit is factor * 10^shift in SI. */
-#ifndef THUD_BASE_UNIT_H
-#define THUD_BASE_UNIT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@ struct thud_unit {
 
 /* false when there is no such unit. The empty unit is a plain number. */
 bool thud_unit_find(const char *text, struct thud_unit *unit);
-
-#endif

@@ -1,6 +1,5 @@
 /* The words after `thud`, sorted by the table of options. */
-#ifndef THUD_CLI_ARGS_H
-#define THUD_CLI_ARGS_H
+#pragma once
 
 #include "app/run/command.h"
 #include "base/status.h"
@@ -32,5 +31,3 @@ void thud_args_key(const char *option, struct thud_error *err);
 /* A whole number in an option. Errors: THUD_USAGE. */
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* The command line. */
-#ifndef THUD_CLI_CLI_H
-#define THUD_CLI_CLI_H
+#pragma once
 
 #include "app/run/session.h"
 #include "cli/args.h"
@@ -12,5 +11,3 @@ typedef enum thud_status thud_screen_function(const struct thud_args *args, cons
 
 /* Runs what the words ask for; returns the exit status. */
 int thud_cli_main(int argc, char **argv, thud_screen_function *screen);
-
-#endif

@@ -1,7 +1,6 @@
 /* The commands. Each is one file command_NAME.c and one line in command_words.h; its error is printed by cli.c, which
  * makes the exit status of it. */
-#ifndef THUD_CLI_COMMANDS_H
-#define THUD_CLI_COMMANDS_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -62,5 +61,3 @@ void thud_progress_what(void *context, const char *what);
 /* Of the figures that are drawn one after another. */
 void thud_progress_drawing(void *context, const char *figure);
 void thud_progress_points(void *context, long done, long count, double elapsed_s);
-
-#endif

@@ -1,6 +1,5 @@
 /* Help and completions as text, from the table of commands and options. */
-#ifndef THUD_CLI_HELP_H
-#define THUD_CLI_HELP_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -23,5 +22,3 @@ bool thud_manual_part(struct thud_text *out, const char *name);
 
 /* The names of the parts, by index from 0; NULL after the last. */
 const char *thud_manual_part_name(int index);
-
-#endif

@@ -1,6 +1,5 @@
 /* What options say: of the scene, ground motions, uncertain inputs and pictures. */
-#ifndef THUD_CLI_OPTIONS_H
-#define THUD_CLI_OPTIONS_H
+#pragma once
 
 #include "app/run/record_list.h"
 #include "app/run/record_verbs.h"
@@ -100,5 +99,3 @@ enum thud_status thud_picture_options_read(const struct thud_args *args, struct 
                                            struct thud_error *err);
 /* Every title says how many of the ground motions drawn from are synthetic. */
 void thud_picture_options_motions(struct thud_picture_choice *choice, const struct thud_record *const *record, int n);
-
-#endif

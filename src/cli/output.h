@@ -1,6 +1,5 @@
 /* What commands write beside their tables. */
-#ifndef THUD_CLI_OUTPUT_H
-#define THUD_CLI_OUTPUT_H
+#pragma once
 
 #include "app/run/session.h"
 #include "app/sweep/fragility_report.h"
@@ -65,5 +64,3 @@ enum thud_status thud_cli_floor_spectra(const struct thud_args *args, struct thu
                                         struct thud_error *err);
 /* Errors: THUD_USAGE where an option of floor spectra stands without them. */
 enum thud_status thud_cli_no_floor_spectra(const struct thud_args *args, struct thud_error *err);
-
-#endif

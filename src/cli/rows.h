@@ -1,6 +1,5 @@
 /* Rows of CSV as JSON, for results that are tables. */
-#ifndef THUD_CLI_ROWS_H
-#define THUD_CLI_ROWS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@ void thud_rows_end(struct thud_text *out);
 void thud_rows_under(const char *name, const char *value, bool header, struct thud_text *csv, struct thud_text *out);
 /* , "files": [ "..." ]: the lines of a list. */
 void thud_rows_files(const char *lines, struct thud_text *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* What the files of the library's interface share. A scene is a session with the laws that callers gave it; results are
  * tables read back from the texts that the program writes, so that both tell the same. */
-#ifndef THUD_DOOR_H
-#define THUD_DOOR_H
+#pragma once
 
 #include "app/run/session.h"
 #include "base/text.h"
@@ -42,5 +41,3 @@ enum thud_status thud_door_csv(struct thud_results *results, const char *name, s
  * (rows x columns - 1). Errors: THUD_MEMORY. */
 enum thud_status thud_door_matrix(struct thud_results *results, const char *name, struct thud_text *header,
                                   const double *first, const double *value, size_t rows, struct thud_error *err);
-
-#endif

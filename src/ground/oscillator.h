@@ -1,7 +1,6 @@
 /* A damped oscillator under an acceleration that is linear within each step: the exact recurrence (Nigam and Jennings
  * 1969). */
-#ifndef THUD_CORE_OSCILLATOR_H
-#define THUD_CORE_OSCILLATOR_H
+#pragma once
 
 /* x'' + 2 damping omega x' + omega^2 x = -a(t). Coefficients for one step, damping in [0, 1). */
 struct thud_oscillator {
@@ -17,5 +16,3 @@ void thud_oscillator_step(const struct thud_oscillator *oscillator, double a0_mp
                           double *v_mps);
 /* Relative acceleration x'' that goes with a state. */
 double thud_oscillator_acceleration(const struct thud_oscillator *oscillator, double a_mps2, double x_m, double v_mps);
-
-#endif

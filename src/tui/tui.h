@@ -1,6 +1,5 @@
 /* The terminal interface. */
-#ifndef THUD_TUI_TUI_H
-#define THUD_TUI_TUI_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -34,5 +33,3 @@ enum thud_status thud_tui_main(const struct thud_tui_options *options, struct th
 void thud_tui_keys_text(struct thud_text *out);
 
 struct thud_tui;
-
-#endif

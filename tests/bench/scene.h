@@ -1,7 +1,6 @@
 /* A scene as thud makes it, for programs that measure: one place for its numbers, its confirmed result and the exact
  * method's times. */
-#ifndef THUD_BENCH_SCENE_H
-#define THUD_BENCH_SCENE_H
+#pragma once
 
 #include "app/run/session.h"
 
@@ -40,5 +39,3 @@ double bench_scene_reference(const struct bench_scene *scene, struct bench_solut
 double bench_scene_error(const struct bench_scene *scene, const double *acceleration_mps2,
                          const struct bench_solution *reference);
 double bench_processor_s(void);
-
-#endif

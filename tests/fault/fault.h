@@ -1,7 +1,6 @@
 /* Failing memory and files: the n-th call of a kind fails. The linker puts the functions of fault.c in place of the C
  * library's (--wrap), for thud's own calls and not for those inside other libraries. */
-#ifndef THUD_TESTS_FAULT_H
-#define THUD_TESTS_FAULT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -20,5 +19,3 @@ void thud_fault_arm(enum thud_fault kind, long n);
 bool thud_fault_end(void);
 /* Blocks allocated through the shim and not freed. */
 long thud_fault_live(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* One collision of two free bodies, integrated from the printed equations (Runge-Kutta of order 4, events by
  * bisection): the independent side of the tests of the laws. Nothing of thud computes a force in this file. */
-#ifndef THUD_TESTS_COLLISION_H
-#define THUD_TESTS_COLLISION_H
+#pragma once
 
 #include <check.h>
 #include <math.h>
@@ -185,5 +184,3 @@ static void check_figure(const struct outcome *out, const struct figure *f)
     ck_assert_double_eq_tol(out->e, f->e, 5.1e-6);
     ck_assert_double_eq_tol(out->residual * 1e3, f->residual, 5.1e-5);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* A program that includes this has the laws of the list and the examples: each is one file beside this one, and one
  * word here. */
-#ifndef THUD_TESTS_LAW_EXAMPLES_H
-#define THUD_TESTS_LAW_EXAMPLES_H
+#pragma once
 
 #include "core/laws/law.h"
 
@@ -18,5 +17,3 @@ const struct thud_law *const thud_laws[] = {
     THUD_LAW_EXAMPLES
 #undef THUD_LAW
         NULL};
-
-#endif

@@ -1,6 +1,5 @@
 /* Small models and whole runs of them, for the tests of the methods. */
-#ifndef THUD_TESTS_MARCH_H
-#define THUD_TESTS_MARCH_H
+#pragma once
 
 #include "core/run/run.h"
 
@@ -48,5 +47,3 @@ double march_velocity(const struct march *m, int dof);
 /* Largest relative difference of the peaks of accelerations, drifts, displacements, forces; each quantity's scale is
  * its own peak, but no less than `least` of the largest one of its kind. */
 double march_peaks_apart(const struct thud_result *a, const struct thud_result *b, double least);
-
-#endif

@@ -1,7 +1,6 @@
 /* An observer as one writes it who needs another quantity: the gap of the first contact in time, whose clearance grows
  * by what impacts leave. It asks for segments and for contacts that have switched, and for nothing else. */
-#ifndef THUD_TESTS_OBSERVE_GAP_H
-#define THUD_TESTS_OBSERVE_GAP_H
+#pragma once
 
 #include <math.h>
 
@@ -43,5 +42,3 @@ static void observe_gap_switched(void *own, const struct thud_state *state, int 
 }
 
 static const struct thud_observer observe_gap = {.segment = observe_gap_segment, .switched = observe_gap_switched};
-
-#endif

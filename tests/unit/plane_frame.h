@@ -1,6 +1,5 @@
 /* A plane frame whose members do not stretch: sways, one a floor, and rotations, one a joint; the rotations condensed. */
-#ifndef THUD_TESTS_PLANE_FRAME_H
-#define THUD_TESTS_PLANE_FRAME_H
+#pragma once
 
 /* `lines` columns side by side, clamped in the ground, beams between them; one line: a wall. */
 struct plane_frame {
@@ -12,5 +11,3 @@ struct plane_frame {
 void plane_frame_stiffness(const struct plane_frame *frame, double *k);
 /* That of the shipped frame-beside-wall: the frames of the one building together, and the walls of the other. */
 extern const struct plane_frame plane_frame_shipped, plane_wall_shipped;
-
-#endif

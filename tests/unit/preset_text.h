@@ -1,6 +1,5 @@
 /* A preset for the tests: every kind of value, comments, a block list and a flow one. */
-#ifndef PRESET_TEXT_H
-#define PRESET_TEXT_H
+#pragma once
 
 static const char preset_text[] = "# head\n"                                                /* 1 */
                                   "title: \"Towers: # two\"   # a title\n"                  /* 2 */
@@ -46,5 +45,3 @@ static const char preset_text[] = "# head\n"                                    
                                   "  to: 25 cm\n"                                           /* 42 */
                                   "  step: 0.5 cm\n"                                        /* 43 */
                                   "  cases: [none, bumper]  # two\n";                       /* 44 */
-
-#endif

@@ -1,6 +1,5 @@
 /* What the tests of record readers share: parse a text, hold it against samples or against a refusal. */
-#ifndef THUD_TESTS_RECORD_TEXT_H
-#define THUD_TESTS_RECORD_TEXT_H
+#pragma once
 
 #include <check.h>
 #include <math.h>
@@ -61,5 +60,3 @@ static void refuses(const char *text, int line, const char *key, const char *par
 static const char esm[] =
     "EVENT_NAME: X\nSTATION_CODE: ARS1\nSAMPLING_INTERVAL_S: 0.01\nNDATA: 3\nSTREAM: HNE\nUNITS: cm/s^2\n"
     "DATA_TYPE: ACCELERATION\nUSER5: \n10.0\n-20\n+30.\n";
-
-#endif

@@ -1,6 +1,5 @@
 /* Random scenes, and ways to run one that must not change its result. A seed gives the same scene everywhere. */
-#ifndef THUD_TESTS_SCENES_H
-#define THUD_TESTS_SCENES_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -109,5 +108,3 @@ double scenes_apart(const struct scenes_solution *a, const struct scenes_solutio
                     const double *amplify, double eps, int *where);
 /* The result of a mirrored scene in the order of the scene itself. */
 void scenes_unmirror(const struct scenes_one *one, struct scenes_solution *solution);
-
-#endif

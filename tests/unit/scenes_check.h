@@ -1,6 +1,5 @@
 /* One random scene, answered in every way that must give the same result. */
-#ifndef THUD_TESTS_SCENES_CHECK_H
-#define THUD_TESTS_SCENES_CHECK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -24,5 +23,3 @@ void scenes_check(unsigned long long seed, struct scenes_tally *tally);
 /* scenes_sweep.c: whether a study of the scene gives the same with and without its shortcuts; else what is wrong. */
 bool scenes_sweep_agrees(const struct scenes_one *one, char *what, size_t size);
 void scenes_tally_print(const struct scenes_tally *tally, FILE *out);
-
-#endif

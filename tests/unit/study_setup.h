@@ -1,6 +1,5 @@
 /* A study of the towers on a short motion, for the tests of its parts. */
-#ifndef THUD_TESTS_STUDY_SETUP_H
-#define THUD_TESTS_STUDY_SETUP_H
+#pragma once
 
 #include "study/sweep/sweep.h"
 #include "towers.h"
@@ -16,5 +15,3 @@ void study_set_up(double factor);
 void study_tear_down(void);
 /* A key that must be one that can be varied. */
 void vary(const char *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* What main.c of the tests offers to every test file. */
-#ifndef THUD_TESTS_SUITE_H
-#define THUD_TESTS_SUITE_H
+#pragma once
 
 #include <check.h>
 #include <stdbool.h>
@@ -14,5 +13,3 @@ void thud_suite_skips(const char *tests, const char *why);
 /* The path of a file of the folder with real ground motions and their reference results, which is not part of the
  * sources: THUD_SHARED, or `shared` beside the checkout or its parent. False where there is none. */
 bool thud_suite_shared(const char *name, char *path, size_t size);
-
-#endif

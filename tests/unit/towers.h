@@ -1,6 +1,5 @@
 /* The paper's towers and a short motion for them, made without files. */
-#ifndef THUD_TESTS_TOWERS_H
-#define THUD_TESTS_TOWERS_H
+#pragma once
 
 #include "ground/record.h"
 #include "study/scene/scene.h"
@@ -11,5 +10,3 @@ void thud_test_law(struct thud_law_choice *choice, const char *law, ...);
 void thud_test_towers(struct thud_scene *scene);
 /* Two bursts in 16 s; `factor` 1: both buildings sway by about 10 cm. */
 struct thud_record *thud_test_motion(double factor);
-
-#endif

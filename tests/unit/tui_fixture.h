@@ -1,6 +1,5 @@
 /* A terminal interface without a terminal: keys from a script, the screen as text. */
-#ifndef TUI_FIXTURE_H
-#define TUI_FIXTURE_H
+#pragma once
 
 #include "tui/loop/loop.h"
 
@@ -32,5 +31,3 @@ void fixture_write_pulse(struct fixture *f); /* pulse.csv */
 /* The record is gone from the disk, and looked for again. */
 void fixture_take_record(struct fixture *f);
 void fixture_write(struct fixture *f, const char *name, const char *text);
-
-#endif

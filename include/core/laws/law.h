@@ -29,8 +29,7 @@
  *     K d^p (1 + s v)                   as D = s K, r = p
  *     f0 + k d + K d^p                  f0, k, K not negative
  *     ... + c v + D d^r v               the same with dashpots, in approach and not negative */
-#ifndef THUD_CORE_LAW_H
-#define THUD_CORE_LAW_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -159,5 +158,3 @@ double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *
                        const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
 double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup);
 double thud_law_restitution(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps);
-
-#endif

@@ -1,8 +1,7 @@
 /* Closed forms of the impact laws: what two free bodies do in one collision. `xi` damping ratio, `e` restitution, v
  * approach velocity at contact onset, m effective mass m1 m2/(m1 + m2). No function here fails; arguments outside the
  * stated range are a programmer's mistake. */
-#ifndef THUD_CORE_LAW_CLOSED_FORM_H
-#define THUD_CORE_LAW_CLOSED_FORM_H
+#pragma once
 
 /* Kelvin-Voigt, F = k d + c v with c = 2 xi sqrt(k m). */
 
@@ -60,5 +59,3 @@ double thud_rubber_curve_force(const struct thud_rubber_curve *curve, double d_m
 double thud_rubber_curve_energy(const struct thud_rubber_curve *curve, double d_m);
 /* Indentation at which the curve holds the energy: the largest one of a collision with m v^2/2 = energy. */
 double thud_rubber_curve_indentation(const struct thud_rubber_curve *curve, double energy_j);
-
-#endif

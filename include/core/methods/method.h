@@ -1,7 +1,6 @@
 /* Time-stepping methods. A method is one const table in its own file, registered by one word in src/core/method_list.h.
  */
-#ifndef THUD_CORE_METHOD_H
-#define THUD_CORE_METHOD_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -41,5 +40,3 @@ struct thud_method {
 int thud_method_count(void);
 const struct thud_method *thud_method_at(int index);
 const struct thud_method *thud_method_find(const char *name); /* NULL when unknown */
-
-#endif

@@ -1,7 +1,6 @@
 /* Floor spectra: what oscillators (equipment, ceilings, pipes) on a building's floors feel, driven by the floors' total
  * acceleration as the run computes it, impacts and impulses included. */
-#ifndef THUD_CORE_FLOOR_SPECTRA_H
-#define THUD_CORE_FLOOR_SPECTRA_H
+#pragma once
 
 struct thud_floor_spectra_choice {
     int nfloors, nperiods;
@@ -9,5 +8,3 @@ struct thud_floor_spectra_choice {
     const double *period_s; /* (nperiods) above 0, ascending */
     double damping;         /* ratio of every oscillator, above 0 and below 1 */
 };
-
-#endif

@@ -6,8 +6,7 @@
  *
  * What the shapes leave out gets the one frequency omega_x, ten times the largest given. Shapes are scaled, and made
  * orthogonal as evenly as can be: W (W^T W)^(-1/2) with W = M^(1/2) Phi (Loewdin 1950, J. Chem. Phys. 18:365). */
-#ifndef THUD_CORE_LATERAL_H
-#define THUD_CORE_LATERAL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -34,5 +33,3 @@ enum thud_status thud_lateral_from_modes(int n, int modes, const double *mass_kg
  * THUD_MEMORY. */
 enum thud_status thud_lateral_modes(int n, const double *mass_kg, const double *k, double *period_s,
                                     double *participating_kg, struct thud_error *err);
-
-#endif

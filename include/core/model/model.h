@@ -33,8 +33,7 @@
  *         = sum_l T_il d_l,   T_il = sum_(k >= i) sum_(p >= l) K_kp
  *
  * T of a shear building is diagonal: the stiffnesses of its storeys. */
-#ifndef THUD_CORE_MODEL_H
-#define THUD_CORE_MODEL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -234,5 +233,3 @@ double thud_model_link(const struct thud_model *model, int link, const double *m
 /* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
  * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
 double thud_model_contact_period(const struct thud_model_contact *contact);
-
-#endif

@@ -1,7 +1,6 @@
 /* The result of a run. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI
  * units. */
-#ifndef THUD_CORE_RESULT_H
-#define THUD_CORE_RESULT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -177,5 +176,3 @@ int thud_history_storey_shear(const struct thud_history *h, int storey);
 int thud_history_storey_plastic(const struct thud_history *h, int storey);
 int thud_history_link_force(const struct thud_history *h, int link);
 int thud_history_link_stroke(const struct thud_history *h, int link);
-
-#endif

@@ -1,8 +1,7 @@
 /* The motion without contact of a model, made once and kept: the result for every clearance wide enough, and the
  * beginning of every run that comes to a contact only later. Read-only once made, so any number of runs may start from
  * it at once. */
-#ifndef THUD_CORE_BASELINE_H
-#define THUD_CORE_BASELINE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -40,5 +39,3 @@ bool thud_baseline_shares(const struct thud_baseline_motion *baseline);
 enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
                                    const struct thud_record *record, const struct thud_run_options *options,
                                    struct thud_run **out, double *shared_s, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* One run: a model, a ground motion, a method; advanced in slices, so that it can be cancelled, shown and shared. */
-#ifndef THUD_CORE_RUN_H
-#define THUD_CORE_RUN_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -54,5 +53,3 @@ const struct thud_history *thud_run_history(const struct thud_run *run);
 /* Pseudo-acceleration so far, m/s2, by index of the floor and of the period in options.floor_spectra, which there was. */
 double thud_run_floor_spectrum(const struct thud_run *run, int floor, int period);
 void thud_run_free(struct thud_run *run);
-
-#endif

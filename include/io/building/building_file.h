@@ -1,7 +1,6 @@
 /* Lateral stiffness, flexibility, or periods and shapes of a building, as ETABS and SAP2000 export tables: CSV, a row a
  * floor or a mode, the unit in the header or said beside it. */
-#ifndef THUD_IO_BUILDING_FILE_H
-#define THUD_IO_BUILDING_FILE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -37,5 +36,3 @@ void thud_building_table_clear(struct thud_building_table *table);
 /* Reads what the structures of a scene name and have not yet: looked for from the working folder and beside the preset
  * (path; NULL: none). Errors: also the key. */
 enum thud_status thud_building_files_read(struct thud_scene *scene, const char *preset, struct thud_error *err);
-
-#endif

@@ -1,9 +1,6 @@
 /* Fields of CSV that the program itself has written. */
-#ifndef THUD_IO_CSV_FIELD_H
-#define THUD_IO_CSV_FIELD_H
+#pragma once
 
 /* Ends the field at *at by a NUL, quotes taken off in place, and goes on to what comes after it. Returns what ended it:
  * a comma, a newline, or NUL. */
 char thud_csv_field(char **at, const char **field);
-
-#endif

@@ -1,6 +1,5 @@
 /* Whole files, read and written so that nothing is ever half there. */
-#ifndef THUD_IO_FILE_H
-#define THUD_IO_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -70,5 +69,3 @@ void thud_folder_unlock(struct thud_folder_lock *lock);
 
 /* Removes everything that is in the making: for the handler of a signal after which the program does not go on. */
 void thud_file_drop_all(void);
-
-#endif

@@ -1,6 +1,5 @@
 /* Pieces of JSON text. */
-#ifndef THUD_IO_JSON_H
-#define THUD_IO_JSON_H
+#pragma once
 
 #include "base/text.h"
 
@@ -10,5 +9,3 @@ void thud_json_string(struct thud_text *out, const char *text);
 void thud_json_number(struct thud_text *out, double value);
 /* "key": value */
 void thud_json_field(struct thud_text *out, const char *key, double value);
-
-#endif

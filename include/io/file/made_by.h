@@ -1,7 +1,6 @@
 /* made-by.txt: what wrote the results in a folder, and which files they are, so that results of another scene do not
  * take their place, or stay beside its own, without a word. */
-#ifndef THUD_IO_MADE_BY_H
-#define THUD_IO_MADE_BY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -36,5 +35,3 @@ enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_er
 /* thud_made_by_keep where the results are there: `before` is THUD_OK, or THUD_GNUPLOT, whose message stands. What else it
  * is comes back. */
 enum thud_status thud_made_by_end(const struct thud_made_by *by, enum thud_status before, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* A file written in pieces, whole or not at all. */
-#ifndef THUD_IO_OUTPUT_H
-#define THUD_IO_OUTPUT_H
+#pragma once
 
 #include "base/text.h"
 
@@ -19,5 +18,3 @@ enum thud_status thud_output_drain(struct thud_output *out, struct thud_text *te
 enum thud_status thud_output_commit(struct thud_output *out, struct thud_error *err);
 /* Nothing is left; does nothing after a commit. */
 void thud_output_abandon(struct thud_output *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* Where presets and records are found: the checkout beside the program when run from it, else the install prefix. */
-#ifndef THUD_IO_PATHS_H
-#define THUD_IO_PATHS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -42,5 +41,3 @@ enum thud_status thud_paths_beside(const char *preset_path, const char *name, ch
 enum thud_status thud_folder_names(const char *folder, char ***names, size_t *count, struct thud_error *err);
 void thud_folder_names_free(char **names, size_t count);
 bool thud_path_is_folder(const char *path);
-
-#endif

@@ -1,8 +1,7 @@
 /* What a kind of row is made of: a table of its fields, from which CSV, JSON, the tables of a terminal, thud-output(5)
  * and the description of a set of tables (datapackage.json) are written. A new quantity of a result is the place that
  * computes it and one line of such a table. */
-#ifndef THUD_IO_SCHEMA_H
-#define THUD_IO_SCHEMA_H
+#pragma once
 
 #include <limits.h>
 #include <stddef.h>
@@ -113,5 +112,3 @@ void thud_rows_table(const struct thud_rows *rows, struct thud_text *out); /* as
 
 /* The end of a name by its unit: "_m", "_mps2", ""; of what is varied or sampled. */
 const char *thud_si_suffix(const struct thud_param *param);
-
-#endif

@@ -1,6 +1,5 @@
 /* Presets: YAML read with libyaml, strict; saving replaces only the spans of values that changed. */
-#ifndef THUD_IO_PRESET_H
-#define THUD_IO_PRESET_H
+#pragma once
 
 #include "base/status.h"
 #include "study/scene/scene.h"
@@ -34,5 +33,3 @@ enum thud_status thud_preset_save(const struct thud_preset *preset, const struct
 /* Completes an error with the place of a key in the file, or of the nearest thing around it. */
 void thud_preset_place(const struct thud_preset *preset, const char *key, struct thud_error *err);
 void thud_preset_free(struct thud_preset *preset);
-
-#endif

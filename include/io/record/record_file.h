@@ -1,6 +1,5 @@
 /* Ground motions from files, format found by content. */
-#ifndef THUD_IO_RECORD_FILE_H
-#define THUD_IO_RECORD_FILE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -30,5 +29,3 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
  * cannot be scaled to a peak, or the result is not finite). */
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err);
-
-#endif

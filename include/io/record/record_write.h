@@ -1,6 +1,5 @@
 /* Ground motions as CSV that reads back the same bits without an option. */
-#ifndef THUD_IO_RECORD_WRITE_H
-#define THUD_IO_RECORD_WRITE_H
+#pragma once
 
 #include "base/text.h"
 #include "ground/record.h"
@@ -14,5 +13,3 @@ void thud_record_csv(const struct thud_record *record, const char *comment, stru
  * those of thud_synthesis_run. */
 enum thud_status thud_surrogate_csv(const struct thud_synthesis *synthesis, const char *title, struct thud_text *text,
                                     struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Expectations of a preset, beside it: NAME.expected.csv beside NAME.yaml. Rows `case,quantity,value,tolerance` in SI
  * units; lines that begin with `#` are comments; the header may be missing. */
-#ifndef THUD_IO_EXPECTATION_FILE_H
-#define THUD_IO_EXPECTATION_FILE_H
+#pragma once
 
 #include "base/text.h"
 #include "study/methods/verify.h"
@@ -23,5 +22,3 @@ struct thud_expectation_origin {
 };
 void thud_expectation_text(const struct thud_expectation_origin *origin, const struct thud_expectations *agreed,
                            const struct thud_expectations *disputed, struct thud_text *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* Floor spectra as CSV and JSON, base SI units. */
-#ifndef THUD_IO_FLOOR_SPECTRA_FILE_H
-#define THUD_IO_FLOOR_SPECTRA_FILE_H
+#pragma once
 
 #include "base/text.h"
 #include "study/sweep/floor_spectra.h"
@@ -10,5 +9,3 @@ void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_fl
                             struct thud_text *out);
 void thud_floor_spectra_json(const struct thud_scene *scene, const struct thud_floor_spectra *spectra,
                              struct thud_text *out);
-
-#endif

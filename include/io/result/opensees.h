@@ -1,8 +1,7 @@
 /* A scene as a script for OpenSeesPy, where its laws exist there: springs between floors, modal damping, a zero-length
  * element for each contact, Newmark's average acceleration. The script holds everything it needs, runs on its own and
  * compares its peaks with those of the run given. */
-#ifndef THUD_IO_OPENSEES_H
-#define THUD_IO_OPENSEES_H
+#pragma once
 
 #include "base/text.h"
 #include "core/model/model.h"
@@ -17,5 +16,3 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
 /* The script of a scene that passed the check. `record` NULL: no ground motion; `result`: of the exact method. */
 void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
                           const struct thud_record *record, const struct thud_result *result, struct thud_text *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* Results as JSON and CSV, base SI units, numbers that read back the same. */
-#ifndef THUD_IO_RESULT_FILE_H
-#define THUD_IO_RESULT_FILE_H
+#pragma once
 
 #include "base/text.h"
 #include "core/model/result.h"
@@ -38,5 +37,3 @@ void thud_result_csv(const struct thud_report *report, struct thud_text *out);
 void thud_history_csv(const struct thud_report *report, struct thud_text *out);
 /* impacts.csv: one row per impact. */
 void thud_impacts_csv(const struct thud_report *report, struct thud_text *out);
-
-#endif

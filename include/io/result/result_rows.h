@@ -1,6 +1,5 @@
 /* What a run gives, as rows: the tables of their fields, and what fills them from a report. */
-#ifndef THUD_IO_RESULT_ROWS_H
-#define THUD_IO_RESULT_ROWS_H
+#pragma once
 
 #include "io/file/schema.h"
 #include "io/result/result_file.h"
@@ -45,5 +44,3 @@ struct thud_rows thud_event_rows(const struct thud_report *report);
 void thud_method_json(const struct thud_report *report, struct thud_text *out);
 /* Marks of the i-th event. */
 unsigned thud_event_marks(const struct thud_report *report, int i);
-
-#endif

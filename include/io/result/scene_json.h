@@ -1,6 +1,5 @@
 /* A scene with all its parameters as JSON that is a preset, too: YAML reads it. */
-#ifndef THUD_IO_SCENE_JSON_H
-#define THUD_IO_SCENE_JSON_H
+#pragma once
 
 #include "base/text.h"
 #include "study/scene/scene.h"
@@ -9,5 +8,3 @@
  * the lines after the first are indented by `indent`. `file`: the ground motion as it was found; NULL: as the scene
  * names it. */
 void thud_scene_json(const struct thud_scene *scene, const char *file, int indent, struct thud_text *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* What studies give, as rows: gap rules, ground motions of a suite, fragilities. */
-#ifndef THUD_IO_STUDY_ROWS_H
-#define THUD_IO_STUDY_ROWS_H
+#pragma once
 
 #include "io/file/schema.h"
 
@@ -45,5 +44,3 @@ struct thud_best_row {
     double ratio, drift_ratio, worst_ratio;
     const char *remark;
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* Rows of a study, as CSV (RFC 4180, lines end with a newline) and as JSON. SI units, a point as decimal mark, all digits;
  * no number is an empty field, or null. */
-#ifndef THUD_IO_SWEEP_CSV_H
-#define THUD_IO_SWEEP_CSV_H
+#pragma once
 
 #include "io/file/schema.h"
 #include "study/scene/gap_rule.h"
@@ -48,5 +47,3 @@ enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum th
 /* The floors of one point as objects; *any: one was written before, and is set. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                       bool *any, struct thud_text *out, struct thud_error *err);
-
-#endif

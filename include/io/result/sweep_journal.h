@@ -2,8 +2,7 @@
  * on and the parts of several machines can be joined. A point is added in one write; a torn last line is dropped when
  * the journal is opened again. The head carries preset, varied keys, cases and records' names: enough to make every
  * file of the study. */
-#ifndef THUD_IO_SWEEP_JOURNAL_H
-#define THUD_IO_SWEEP_JOURNAL_H
+#pragma once
 
 #include "study/sweep/sweep.h"
 
@@ -58,5 +57,3 @@ struct thud_sweep_head {
 enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_journal **out,
                                          struct thud_sweep_head *head, struct thud_error *err);
 void thud_sweep_head_clear(struct thud_sweep_head *head);
-
-#endif

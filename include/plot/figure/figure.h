@@ -4,8 +4,7 @@
  * A figure owns everything reached from it; texts and numbers handed over are copied, one thud_figure_free gives all
  * back. Out of memory is remembered: every function takes NULL and a failed figure and then does nothing, so a figure
  * is built without looking at single calls and asked once, by thud_figure_check, before it is drawn. */
-#ifndef THUD_PLOT_FIGURE_H
-#define THUD_PLOT_FIGURE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -189,5 +188,3 @@ bool thud_map_range(const struct thud_map *map, double *least, double *most);
 /* Pieces of the contour at map->level as pairs of points; returns their number, writes at most `most` (x0 y0 x1 y1
  * each). */
 size_t thud_map_contour(const struct thud_map *map, double (*piece)[4], size_t most);
-
-#endif

@@ -1,6 +1,5 @@
 /* Floor spectra. */
-#ifndef THUD_PLOT_FIGURES_FLOOR_H
-#define THUD_PLOT_FIGURES_FLOOR_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/sweep/floor_spectra.h"
@@ -8,5 +7,3 @@
 /* Of up to four floors a panel each, with a curve for each case; of more a panel for each structure and case, with a
  * curve for each floor. Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const struct thud_floor_spectra *spectra);
-
-#endif

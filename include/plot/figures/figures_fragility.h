@@ -1,6 +1,5 @@
 /* Fragility curves, and the responses of incremental dynamic analysis. */
-#ifndef THUD_PLOT_FIGURES_FRAGILITY_H
-#define THUD_PLOT_FIGURES_FRAGILITY_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/suite/fragility.h"
@@ -23,5 +22,3 @@ const char *thud_fragility_note(int ndraws);
  * of 16, 50 and 84 % of them. `at`: places on the other axes. Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis, int k, const int *at,
                                        const char *note);
-
-#endif

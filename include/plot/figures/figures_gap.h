@@ -1,11 +1,8 @@
 /* The gap that is enough: over the height, and how many ground motions a gap keeps apart. */
-#ifndef THUD_PLOT_FIGURES_GAP_H
-#define THUD_PLOT_FIGURES_GAP_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/scene/needed_gap.h"
 
 /* `title` of the scene. NULL, or failed (thud_figure_check), when out of memory. */
 struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, const char *title);
-
-#endif

@@ -1,7 +1,6 @@
 /* The figures of Polycarpou and Komodromos (COMPDYN 2011) that need no ground motion. Each is NULL on failure. Errors:
  * THUD_MEMORY, and those of a run. */
-#ifndef THUD_PLOT_FIGURES_PAPER_H
-#define THUD_PLOT_FIGURES_PAPER_H
+#pragma once
 
 #include "plot/figure/figure.h"
 
@@ -29,5 +28,3 @@ struct thud_paper_pair {
 };
 enum { THUD_PAPER_PAIRS = 4 };
 enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error *err); /* (THUD_PAPER_PAIRS) */
-
-#endif

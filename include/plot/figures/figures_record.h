@@ -1,6 +1,5 @@
 /* Figures of a ground motion: its histories, its response spectrum. */
-#ifndef THUD_PLOT_FIGURES_RECORD_H
-#define THUD_PLOT_FIGURES_RECORD_H
+#pragma once
 
 #include "ground/record.h"
 #include "ground/spectrum.h"
@@ -21,5 +20,3 @@ struct thud_period_mark {
 struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *point, size_t count, double damping,
                                             const struct thud_period_mark *mark, int nmarks, const char *name,
                                             const char *title);
-
-#endif

@@ -1,6 +1,5 @@
 /* Figures of one scene's runs: histories, loops, envelopes, energy; one run, or a few cases over each other. */
-#ifndef THUD_PLOT_FIGURES_RUN_H
-#define THUD_PLOT_FIGURES_RUN_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -42,5 +41,3 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
 /* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
  * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
-
-#endif

@@ -1,11 +1,8 @@
 /* The scene as a drawing: the buildings in elevation, heights to scale, and the model that is computed beside them. */
-#ifndef THUD_PLOT_FIGURES_SCENE_H
-#define THUD_PLOT_FIGURES_SCENE_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/scene/scene.h"
 
 /* Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const char *name, const char *title);
-
-#endif

@@ -1,6 +1,5 @@
 /* The spectra of a suite of ground motions. */
-#ifndef THUD_PLOT_FIGURES_SUITE_H
-#define THUD_PLOT_FIGURES_SUITE_H
+#pragma once
 
 #include "plot/figures/figures_record.h"
 #include "study/suite/scaling.h"
@@ -9,5 +8,3 @@
  * thud_figure_check. */
 struct thud_figure *thud_figure_of_suite(const struct thud_scaled_suite *suite, const char *target,
                                          const struct thud_period_mark *mark, int nmarks);
-
-#endif

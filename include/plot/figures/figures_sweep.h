@@ -1,6 +1,5 @@
 /* Figures of a parametric study: amplification against what was varied, and maps where two things were. */
-#ifndef THUD_PLOT_FIGURES_SWEEP_H
-#define THUD_PLOT_FIGURES_SWEEP_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/sweep/sweep_table.h"
@@ -36,5 +35,3 @@ enum { THUD_SWEEP_FIGURE_RECORDS = THUD_COLORS };
  * columns that slabs strike), counted from 0: thud_sweep_figure makes one (ask thud_figure_check). */
 int thud_sweep_figure_count(const struct thud_sweep_table *table);
 struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int index);
-
-#endif

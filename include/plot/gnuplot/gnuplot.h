@@ -1,7 +1,6 @@
 /* Figures through gnuplot 5.4: the script as pure text, and the child process that draws it. No file is touched here:
  * the picture comes back as bytes, so that whoever writes it sees every error of the disk himself. */
-#ifndef THUD_PLOT_GNUPLOT_H
-#define THUD_PLOT_GNUPLOT_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -57,5 +56,3 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
  * THUD_CANCELLED, THUD_MEMORY. */
 enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struct thud_picture_options *options,
                                    struct thud_text *picture, struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Speed against accuracy: every method over its steps or tolerances on one scene, against a reference that none of them
  * is. The study plans the runs and judges them; whoever owns a clock runs and times them. */
-#ifndef THUD_STUDY_BENCH_H
-#define THUD_STUDY_BENCH_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -62,5 +61,3 @@ const char *thud_bench_reference_name(const struct thud_bench *bench, int which)
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
 enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
                                   const struct thud_error *failure, struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* What a run costs as its scene grows along one axis: storeys, buildings in a row, length of the ground motion,
  * impacts. The study makes the scenes and judges the runs by their work; whoever owns a clock times them. */
-#ifndef THUD_STUDY_COST_H
-#define THUD_STUDY_COST_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -69,5 +68,3 @@ struct thud_cost_fit {
 enum thud_cost_quantity { THUD_COST_TIME, THUD_COST_SETUP, THUD_COST_STEPS, THUD_COST_FORCES, THUD_COST_QUANTITIES };
 double thud_cost_value(const struct thud_cost_point *point, enum thud_cost_quantity quantity);
 struct thud_cost_fit thud_cost_fit(const struct thud_cost *cost, enum thud_cost_quantity quantity);
-
-#endif

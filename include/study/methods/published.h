@@ -1,8 +1,7 @@
 /* Numbers that others published: scenes whose results stand in textbooks, in other programs' manuals and in a public
  * experiment, computed again. What is compared was read from print and is rounded there, so that agreement to half a
  * percent is what it can show. */
-#ifndef THUD_STUDY_PUBLISHED_H
-#define THUD_STUDY_PUBLISHED_H
+#pragma once
 
 #include "ground/record.h"
 #include "study/scene/scene.h"
@@ -41,5 +40,3 @@ enum { THUD_PUBLISHED_ROWS_MAX = 12 };
 enum thud_status thud_published_compute(enum thud_published which, const struct thud_scene *scene,
                                         const struct thud_record *record, struct thud_published_row *row, int *n,
                                         struct thud_error *err);
-
-#endif

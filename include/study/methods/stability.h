@@ -3,8 +3,7 @@
  *
  * A contact that opens and closes has no spectral radius: at one step some starts gain energy a hundred times over and
  * others keep it, so the worst of several starts is the verdict, by energy. */
-#ifndef THUD_STUDY_STABILITY_H
-#define THUD_STUDY_STABILITY_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -80,5 +79,3 @@ enum thud_status thud_stability_next(struct thud_stability *stability, struct th
 /* The test cases, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 int thud_test_case_count(void);
 enum thud_status thud_test_case_run(int index, struct thud_test_case *out, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* What leaving higher modes out changes: the scene is run again with all of them. */
-#ifndef THUD_STUDY_TRUNCATION_H
-#define THUD_STUDY_TRUNCATION_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -16,5 +15,3 @@ struct thud_truncation {
 enum thud_status thud_truncation_measure(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_solution *solution, struct thud_truncation *out,
                                          struct thud_error *err);
-
-#endif

@@ -3,8 +3,7 @@
  * contact.INTERFACE.LEFT-RIGHT.impacts (force_n, indentation_m, impulse_ns; floors, or `wall`), energy.input_j
  * (viscous_j, contact_j) and ratio.STRUCTURE.FLOOR.acceleration (displacement, drift): over case `none`. A storey that
  * yields adds STRUCTURE.FLOOR.ductility (permanent_m, excursions, hysteretic_j, shear_n) and the ratio of the first. */
-#ifndef THUD_STUDY_VERIFY_H
-#define THUD_STUDY_VERIFY_H
+#pragma once
 
 #include "base/status.h"
 #include "core/model/result.h"
@@ -73,5 +72,3 @@ struct thud_check thud_verify_check(const struct thud_expectation *expected, con
 
 /* The name of the method that confirms what `method` answered: one that shares no time stepping with it. */
 const char *thud_verify_independent(const char *method);
-
-#endif

@@ -1,6 +1,5 @@
 /* Buildings by their matrix or modes: what has been read of them, and the lateral stiffness that follows. */
-#ifndef THUD_STUDY_BUILDING_H
-#define THUD_STUDY_BUILDING_H
+#pragma once
 
 #include "study/scene/scene.h"
 
@@ -27,5 +26,3 @@ enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int
  * its first mode, rather than as a frame: for pictures. */
 struct thud_model_structure;
 bool thud_structure_bends(const struct thud_structure *structure, const struct thud_model_structure *part);
-
-#endif

@@ -1,6 +1,5 @@
 /* Rules for the gap between neighbours: one table, in which a code's clause is a row. */
-#ifndef THUD_STUDY_GAP_RULE_H
-#define THUD_STUDY_GAP_RULE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -68,5 +67,3 @@ const struct thud_gap_rule *thud_gap_rule_at(int rule);
 double thud_gap_value(const struct thud_gap_level *level, int rule);
 /* The rule's formula with the level's numbers. */
 void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_text *out);
-
-#endif

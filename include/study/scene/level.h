@@ -1,7 +1,6 @@
 /* Elevations of floors, and what meets what at an interface: floors at the same level, or a slab and the columns of a
  * storey. */
-#ifndef THUD_STUDY_LEVEL_H
-#define THUD_STUDY_LEVEL_H
+#pragma once
 
 #include "study/scene/scene.h"
 
@@ -38,5 +37,3 @@ int thud_slab_floor(int left_floor, int right_floor, int struck);
 const char *thud_struck_name(int struck);
 /* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
 void thud_contact_pair_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);
-
-#endif

@@ -1,7 +1,6 @@
 /* The gap that is enough: the largest relative displacement of neighbouring floors without pounding, which is exact for
  * a ground motion, beside what the rules of the codes estimate from the two largest displacements alone. */
-#ifndef THUD_STUDY_NEEDED_GAP_H
-#define THUD_STUDY_NEEDED_GAP_H
+#pragma once
 
 #include "base/statistics.h"
 #include "core/run/baseline.h"
@@ -54,5 +53,3 @@ bool thud_gap_falls_short(double asked_m, double needed_m);
 
 /* Of each interface (from 0): whether the floor elevations of its two buildings are the same, all of them. */
 void thud_gap_aligned(const struct thud_scene *scene, bool aligned[THUD_STRUCTURES_MAX]);
-
-#endif

@@ -1,7 +1,6 @@
 /* What a person describes: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so that
  * memcmp compares). SI units. Lists run from the lowest floor up. */
-#ifndef THUD_STUDY_SCENE_H
-#define THUD_STUDY_SCENE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -338,5 +337,3 @@ enum thud_status thud_case_find(const char *name, enum thud_case *out, struct th
 double thud_interface_clearance(const struct thud_interface *interface);
 /* Of the bumper; NaN where there is none, or its law has no max-strain. */
 double thud_interface_max_strain(const struct thud_interface *interface);
-
-#endif

@@ -1,6 +1,5 @@
 /* A scene and a record in, a finished run out. */
-#ifndef THUD_STUDY_SOLUTION_H
-#define THUD_STUDY_SOLUTION_H
+#pragma once
 
 #include "base/status.h"
 #include "core/run/run.h"
@@ -40,5 +39,3 @@ void thud_solution_clear(struct thud_solution *solution);
  * Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
                                          struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Rules of the codes for the gap that two neighbours need, from their largest displacements at one level. */
-#ifndef THUD_STUDY_SPACING_H
-#define THUD_STUDY_SPACING_H
+#pragma once
 
 /* Sum of the two. */
 double thud_spacing_abs(double left_m, double right_m);
@@ -16,5 +15,3 @@ double thud_spacing_ddc(double left_m, double right_m, double correlation);
  *
  * 1 for equal undamped periods, 0 for a wall, a free body or unequal undamped ones. */
 double thud_spacing_correlation(double left_period_s, double left_damping, double right_period_s, double right_damping);
-
-#endif

@@ -1,8 +1,7 @@
 /* Where a contact's stiffness comes from, and how far the results move with it. The literature's estimate for concrete
  * is the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011), for a rubber bumper eq. (6)
  * of Polycarpou and Komodromos (2011). Neither is a measurement: a factor of 2 is within what is not known. */
-#ifndef THUD_STUDY_STIFFNESS_H
-#define THUD_STUDY_STIFFNESS_H
+#pragma once
 
 #include "core/model/result.h"
 #include "ground/record.h"
@@ -38,5 +37,3 @@ enum { THUD_STIFFNESS_ROWS = 3 }; /* half, nominal, twice */
 enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struct thud_record *record,
                                      enum thud_stiffness which, struct thud_stiffness_row *row, int *n,
                                      struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Two free rigid bodies that meet once: the test of every impact law, without a scene or a ground motion. */
-#ifndef THUD_STUDY_TWO_BODY_H
-#define THUD_STUDY_TWO_BODY_H
+#pragma once
 
 #include "base/status.h"
 #include "core/laws/law.h"
@@ -34,5 +33,3 @@ enum thud_status thud_two_body_run(const struct thud_two_body *pair, double step
 
 /* Speed at which the bodies part at the end of a pair's run. */
 double thud_two_body_separation(const struct thud_solution *solution);
-
-#endif

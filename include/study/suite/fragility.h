@@ -11,8 +11,7 @@
  * gap less likely), where the likelihood has a maximum and the deviance does not reject it; else the counts are all
  * that is known.
  */
-#ifndef THUD_STUDY_FRAGILITY_H
-#define THUD_STUDY_FRAGILITY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -129,5 +128,3 @@ struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct
 /* Probability of at least one in so many years of a Poisson process: 1 - exp(-rate years). */
 double thud_hazard_probability(double rate, double years);
 void thud_hazard_clear(struct thud_hazard *hazard);
-
-#endif

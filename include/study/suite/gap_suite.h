@@ -1,7 +1,6 @@
 /* The rules for the gap over a suite of ground motions, beside what happens to the buildings at the gap that they ask
  * for. */
-#ifndef THUD_STUDY_GAP_SUITE_H
-#define THUD_STUDY_GAP_SUITE_H
+#pragma once
 
 #include "study/scene/needed_gap.h"
 
@@ -25,5 +24,3 @@ void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int inter
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
                                 struct thud_error *err);
-
-#endif

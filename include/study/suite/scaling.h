@@ -1,6 +1,5 @@
 /* Ground motions selected and scaled to a design spectrum. */
-#ifndef THUD_STUDY_SCALING_H
-#define THUD_STUDY_SCALING_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -53,5 +52,3 @@ void thud_scaled_suite_clear(struct thud_scaled_suite *suite);
  * motion twice. `*from` is 0 for the first and is moved past the one that is told. False when there are no more. */
 bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int *from,
                        struct thud_error *out);
-
-#endif

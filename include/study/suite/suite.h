@@ -1,7 +1,6 @@
 /* What a study says over its ground motions together: of every run a few numbers, kept small so that tens of thousands
  * of runs fit, and their fractiles over the motions at each setting of the other varied keys. */
-#ifndef THUD_STUDY_SUITE_H
-#define THUD_STUDY_SUITE_H
+#pragma once
 
 #include "base/statistics.h"
 #include "study/sweep/sweep.h"
@@ -68,5 +67,3 @@ void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t 
 /* Places on the axes (naxes) to the number of a setting, and back. */
 long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at);
 void thud_suite_place(const struct thud_sweep_plan *plan, long setting, int *at);
-
-#endif

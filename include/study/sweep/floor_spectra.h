@@ -1,7 +1,6 @@
 /* Floor spectra of a scene without pounding, without bumper and with it: largest pseudo-acceleration of damped
  * oscillators on its floors. */
-#ifndef THUD_STUDY_FLOOR_SPECTRA_H
-#define THUD_STUDY_FLOOR_SPECTRA_H
+#pragma once
 
 #include "ground/record.h"
 #include "study/scene/scene.h"
@@ -42,5 +41,3 @@ void thud_floor_spectra_free(struct thud_floor_spectra *spectra);
 
 /* Of a case and a floor's index: (nperiods), and the index of the largest. */
 const double *thud_floor_spectrum(const struct thud_floor_spectra *spectra, int which, int floor, int *largest);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a reader of results is told that no single value shows. */
-#ifndef THUD_STUDY_REMARK_H
-#define THUD_STUDY_REMARK_H
+#pragma once
 
 #include "core/model/result.h"
 #include "ground/record.h"
@@ -61,5 +60,3 @@ enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const stru
 /* The n-th remark (from 0); false when there are no more. */
 bool thud_sweep_watch_remark(const struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan, int n,
                              struct thud_error *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* Which digits of a peak mean anything: pounding can amplify a small change, so the scene is run again with each of a
  * few inputs a little smaller and a little larger. */
-#ifndef THUD_STUDY_SENSITIVITY_H
-#define THUD_STUDY_SENSITIVITY_H
+#pragma once
 
 #include "study/scene/solution.h"
 
@@ -49,5 +48,3 @@ enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const stru
                                       const struct thud_result *result, struct thud_sensitivity **out,
                                       struct thud_error *err);
 void thud_sensitivity_free(struct thud_sensitivity *sensitivity);
-
-#endif

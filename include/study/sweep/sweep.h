@@ -4,8 +4,7 @@
  * saves most of the work (see enum thud_sweep_shortcut). Work goes in slices, so that a study can be cancelled, shown
  * and shared among threads; everything here may be used by several threads at once as long as each task is one thread's
  * own. */
-#ifndef THUD_STUDY_SWEEP_H
-#define THUD_STUDY_SWEEP_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -176,5 +175,3 @@ struct thud_sweep_total {
 };
 void thud_sweep_total_init(struct thud_sweep_total *total);
 void thud_sweep_total_add(struct thud_sweep_total *total, const struct thud_sweep_point *point);
-
-#endif

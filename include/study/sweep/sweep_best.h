@@ -1,6 +1,5 @@
 /* The best value of one varied key, for each setting of the others. */
-#ifndef THUD_STUDY_SWEEP_BEST_H
-#define THUD_STUDY_SWEEP_BEST_H
+#pragma once
 
 #include "study/sweep/sweep_table.h"
 
@@ -23,5 +22,3 @@ enum { THUD_SWEEP_BEST_PER_CENT = 5 };
  * after each group the one for all. *out is to be freed; returns how many, -1 when out of memory. Case `none` has no
  * rows. */
 long thud_sweep_best(const struct thud_sweep_table *table, int axis, struct thud_sweep_best **out);
-
-#endif

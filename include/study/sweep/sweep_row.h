@@ -1,7 +1,6 @@
 /* What a parametric study gives, one row per run and floor and one per run and contact: what the CSV files, the
  * figures and the screens read. SI units. */
-#ifndef THUD_STUDY_SWEEP_ROW_H
-#define THUD_STUDY_SWEEP_ROW_H
+#pragma once
 
 #include <stddef.h>
 
@@ -85,5 +84,3 @@ struct thud_sweep_need_row {
     double abs_m, srss_m, ddc_m, en1998_m, asce7_m; /* by enum thud_gap_rule */
     double correlation;                             /* of ddc */
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* A whole study in memory, for figures and tables: of each point no more than these show, so that thousands of runs
  * take little. Files and standard output are written from the points themselves (study/sweep.h). */
-#ifndef THUD_STUDY_SWEEP_TABLE_H
-#define THUD_STUDY_SWEEP_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -113,5 +112,3 @@ static inline int thud_sweep_summary_find(const struct thud_sweep_summary *d, en
             return k;
     return -1;
 }
-
-#endif

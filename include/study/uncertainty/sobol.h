@@ -1,6 +1,5 @@
 /* Designs of experiments over the unit cube, and how much of a variance each input explains. */
-#ifndef THUD_STUDY_SOBOL_H
-#define THUD_STUDY_SOBOL_H
+#pragma once
 
 #include <stddef.h>
 
@@ -34,5 +33,3 @@ enum thud_status thud_sobol_indices(const double *a, const double *b, const doub
  * ones; NaN with fewer than two whole rows. Errors: THUD_MEMORY. */
 enum thud_status thud_sobol_intervals(const double *a, const double *b, const double *ab, size_t n, size_t d,
                                       struct thud_random *random, double *low, double *high, struct thud_error *err);
-
-#endif

@@ -2,8 +2,7 @@
  * (tornado) and all together, drawn at random. Stiffness, mass, damping, yield, columns and elevation of every building
  * are inputs of their own, and so is the gap of every interface: it is the difference of two buildings' periods that
  * makes them pound, which a common factor hides. */
-#ifndef THUD_STUDY_UNCERTAINTY_H
-#define THUD_STUDY_UNCERTAINTY_H
+#pragma once
 
 #include "ground/record.h"
 #include "study/scene/scene.h"
@@ -114,5 +113,3 @@ const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty 
  * once. Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,
                                            struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* A bench run and timed, point by point. */
-#ifndef THUD_APP_BENCH_JOBS_H
-#define THUD_APP_BENCH_JOBS_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -54,5 +53,3 @@ void thud_bench_csv(struct thud_bench *bench, struct thud_text *out);
 /* Time against error, and force evaluations against error (which no noise touches), log-log, a curve per method. Ask
  * thud_figure_check. */
 struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title);
-
-#endif

@@ -1,6 +1,5 @@
 /* The cost of growing scenes, run and timed size by size. */
-#ifndef THUD_APP_COST_JOBS_H
-#define THUD_APP_COST_JOBS_H
+#pragma once
 
 #include "app/bench/bench_jobs.h"
 #include "study/methods/cost.h"
@@ -13,5 +12,3 @@ enum thud_status thud_cost_jobs_run(struct thud_cost *cost, const struct thud_be
 void thud_cost_table(struct thud_cost *cost, struct thud_text *out);
 void thud_cost_csv(struct thud_cost *cost, struct thud_text *out);
 struct thud_figure *thud_cost_figure(struct thud_cost *cost, const char *title);
-
-#endif

@@ -1,6 +1,5 @@
 /* What came of thud_stability: for people, as CSV, and as figures. */
-#ifndef THUD_APP_STABILITY_REPORT_H
-#define THUD_APP_STABILITY_REPORT_H
+#pragma once
 
 #include "base/text.h"
 #include "plot/figure/figure.h"
@@ -16,5 +15,3 @@ void thud_stability_csv(const struct thud_stability *stability, int which, struc
 /* Methods against omega dt: a map of the verdicts of a kind, and the energy kept. Ask thud_figure_check. */
 struct thud_figure *thud_stability_map(const struct thud_stability *stability, int kind);
 struct thud_figure *thud_stability_energies(const struct thud_stability *stability);
-
-#endif

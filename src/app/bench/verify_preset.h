@@ -1,6 +1,5 @@
 /* A preset run against its expectations, and new expectations made for it. */
-#ifndef THUD_APP_VERIFY_PRESET_H
-#define THUD_APP_VERIFY_PRESET_H
+#pragma once
 
 #include "base/text.h"
 #include "study/methods/published.h"
@@ -54,5 +53,3 @@ enum thud_status thud_published_verify(enum thud_published which, const struct t
 int thud_published_wrong(const struct thud_published_result *result); /* (THUD_PUBLISHED_COUNT) */
 void thud_published_table(const struct thud_published_result *result, struct thud_text *out);
 void thud_published_json(const struct thud_published_result *result, struct thud_text *out);
-
-#endif

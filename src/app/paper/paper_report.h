@@ -1,6 +1,5 @@
 /* report.md: the paper's study in words, tables and figures. */
-#ifndef THUD_APP_PAPER_REPORT_H
-#define THUD_APP_PAPER_REPORT_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -124,5 +123,3 @@ bool thud_paper_needs_study(unsigned which);
  * NULL). `study` may be NULL where none is needed. Errors: as thud_figure_deliver, and those of runs. */
 enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper_study *study, const char *folder,
                                          const struct thud_picture_options *options, struct thud_error *err);
-
-#endif

@@ -1,8 +1,7 @@
 /* A document as data: headings, paragraphs, lists, tables, figures, in the order they are added; written as one HTML
  * file that needs nothing else, and as Markdown. Texts are plain: whatever a user typed is escaped where it is written.
  * Out of memory is remembered and asked for once, at the end. */
-#ifndef THUD_APP_DOCUMENT_H
-#define THUD_APP_DOCUMENT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -41,5 +40,3 @@ void thud_document_markdown(const struct thud_document *document, struct thud_te
 /* The i-th figure from 0; NULL past the last. */
 const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file);
 void thud_document_clear(struct thud_document *document);
-
-#endif

@@ -1,6 +1,5 @@
 /* A report on paper: HTML to PDF by a program that is there, weasyprint or a headless browser. */
-#ifndef THUD_APP_PAPER_PDF_H
-#define THUD_APP_PAPER_PDF_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -9,5 +8,3 @@
 /* Makes FOLDER/report.pdf of FOLDER/report.html. `cancel` may be NULL. Errors: THUD_OUTPUT (no such program is found, it
  * failed or took too long), THUD_CANCELLED. */
 enum thud_status thud_report_pdf(const char *folder, const atomic_int *cancel, struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* `thud report`: a document about one's own buildings. Runs without pounding, without and with the bumper, the gap that
  * is enough, how sure the result is, cautions, a second method, and all that is needed to repeat it. */
-#ifndef THUD_APP_SITE_REPORT_H
-#define THUD_APP_SITE_REPORT_H
+#pragma once
 
 #include "app/run/record_list.h"
 #include "app/run/session.h"
@@ -28,5 +27,3 @@ struct thud_site_report_options {
  * both are written, without figures. With `pdf` report.pdf too (THUD_OUTPUT where it cannot be made). Errors: THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
 enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
                                   struct thud_error *err);
-
-#endif

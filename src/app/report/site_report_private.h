@@ -1,7 +1,6 @@
 /* What a report is made of: computed by site_report.c and site_report_suite.c, put into words by site_report_text.c and
  * its neighbours. */
-#ifndef THUD_APP_SITE_REPORT_PRIVATE_H
-#define THUD_APP_SITE_REPORT_PRIVATE_H
+#pragma once
 
 #include "app/report/document.h"
 #include "app/report/site_report.h"
@@ -144,5 +143,3 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
 /* The caption ends in a stop. `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
 void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);
-
-#endif

@@ -1,7 +1,6 @@
 /* The words of the command line: one table of commands and one of options feed parsing, help, completions and the tests
  * of the manual. */
-#ifndef THUD_APP_COMMAND_H
-#define THUD_APP_COMMAND_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -102,5 +101,3 @@ const char *thud_word_list_name(enum thud_word word);
 /* 0 done, 1 a check did not hold, 2 wrong usage, 3 bad input, 4 the integration failed, 5 gnuplot, 6 output or memory,
  * 130 cancelled. */
 int thud_exit_status(enum thud_status status);
-
-#endif

@@ -1,6 +1,5 @@
 /* A figure as files: NAME.png (or svg, pdf), NAME.gp that draws it again, and NAME.csv with all its data. */
-#ifndef THUD_APP_FIGURE_FILES_H
-#define THUD_APP_FIGURE_FILES_H
+#pragma once
 
 #include "base/status.h"
 #include "core/run/run.h"
@@ -31,5 +30,3 @@ enum thud_status thud_run_figures_save(const struct thud_figure_source *source, 
 /* All figures of a study. Errors: likewise. */
 enum thud_status thud_sweep_figures_save(const struct thud_sweep_table *table, const char *folder,
                                          const struct thud_picture_options *options, struct thud_error *err);
-
-#endif

@@ -1,10 +1,7 @@
 /* Floor spectra as a table of their largest values. */
-#ifndef THUD_APP_FLOOR_TABLE_H
-#define THUD_APP_FLOOR_TABLE_H
+#pragma once
 
 #include "base/text.h"
 #include "study/sweep/floor_spectra.h"
 
 void thud_floor_table(const struct thud_scene *scene, const struct thud_floor_spectra *spectra, struct thud_text *out);
-
-#endif

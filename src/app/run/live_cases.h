@@ -1,7 +1,6 @@
 /* The three cases of a scene, run side by side after every change: no pounding, no bumper, bumper as written. What one
  * found can be seen as soon as it has ended. */
-#ifndef THUD_APP_LIVE_CASES_H
-#define THUD_APP_LIVE_CASES_H
+#pragma once
 
 #include "core/run/baseline.h"
 #include "core/run/run.h"
@@ -97,5 +96,3 @@ double thud_live_floor(const struct thud_live *live, enum thud_live_which which,
 double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts);
 /* Sum of the impulses of the same contacts. */
 double thud_live_impulse(const struct thud_live *live, enum thud_live_which which, int interface);
-
-#endif

@@ -1,6 +1,5 @@
 /* Runs that are computed side by side, on threads where there are any. */
-#ifndef THUD_APP_LIVE_WORK_H
-#define THUD_APP_LIVE_WORK_H
+#pragma once
 
 #include "core/run/baseline.h"
 #include "core/run/run.h"
@@ -27,5 +26,3 @@ int thud_live_work_take(struct thud_live_work *work, double wait_s, int *left, e
 double thud_live_work_time(struct thud_live_work *work, int index);
 /* Stops within about a millisecond, and frees; NULL is allowed. The runs stay, as far as they came. */
 void thud_live_work_end(struct thud_live_work *work);
-
-#endif

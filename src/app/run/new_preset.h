@@ -1,7 +1,6 @@
 /* A preset from nothing: the few values that two neighbours, their gap and a ground motion need, as a form or questions
  * ask for them, and the commented text of a preset that they make. */
-#ifndef THUD_APP_NEW_PRESET_H
-#define THUD_APP_NEW_PRESET_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -48,5 +47,3 @@ void thud_new_preset_title(const struct thud_new_preset *preset, char *title, si
  * the text. */
 enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,
                                       struct thud_error *err);
-
-#endif

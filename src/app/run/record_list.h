@@ -1,6 +1,5 @@
 /* Several ground motions named in one text. */
-#ifndef THUD_APP_RECORD_LIST_H
-#define THUD_APP_RECORD_LIST_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -38,5 +37,3 @@ bool thud_record_is_list(const char *file);
 enum thud_status thud_record_list_open(const char *name, const struct thud_record_treatment *treatment,
                                        struct thud_record_list *out, struct thud_error *err);
 void thud_record_list_clear(struct thud_record_list *list);
-
-#endif

@@ -1,6 +1,5 @@
 /* What is done with ground motions: read and treated as asked, measured, shown, listed. */
-#ifndef THUD_APP_RECORD_VERBS_H
-#define THUD_APP_RECORD_VERBS_H
+#pragma once
 
 #include "base/text.h"
 #include "ground/intensity.h"
@@ -52,5 +51,3 @@ enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_
 
 /* "kobe-surrogate" from "records/kobe-surrogate.csv": what a figure's files may be called. */
 void thud_record_file_stem(const char *path, char *stem, size_t size);
-
-#endif

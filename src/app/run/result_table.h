@@ -1,10 +1,7 @@
 /* A finished run as a table for people. */
-#ifndef THUD_APP_RESULT_TABLE_H
-#define THUD_APP_RESULT_TABLE_H
+#pragma once
 
 #include "io/result/result_file.h"
 
 /* 80 columns wide. */
 void thud_result_table(const struct thud_report *report, struct thud_text *out);
-
-#endif

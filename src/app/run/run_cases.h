@@ -1,6 +1,5 @@
 /* One scene in several cases beside no pounding at all: the runs, a table of their peaks, and what they say in words. */
-#ifndef THUD_APP_RUN_CASES_H
-#define THUD_APP_RUN_CASES_H
+#pragma once
 
 #include "app/run/session.h"
 #include "plot/figures/figures_run.h"
@@ -34,5 +33,3 @@ void thud_run_cases_free(struct thud_run_cases *cases);
 void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out);
 /* For figures; source (THUD_RUN_CASES_MAX). Returns how many. */
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source);
-
-#endif

@@ -1,7 +1,6 @@
 /* The verbs that the command line and the terminal interface share: open a preset, change values, read its ground
  * motion, run a case. */
-#ifndef THUD_APP_SESSION_H
-#define THUD_APP_SESSION_H
+#pragma once
 
 #include "ground/record.h"
 #include "io/file/paths.h"
@@ -50,5 +49,3 @@ enum thud_status thud_session_run(struct thud_session *session, enum thud_case w
 /* What the result is shown with; `scene` must stay. */
 struct thud_report thud_session_report(const struct thud_session *session, const struct thud_scene *scene,
                                        enum thud_case which, const struct thud_solution *solution);
-
-#endif

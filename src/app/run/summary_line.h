@@ -1,7 +1,6 @@
 /* The result for two neighbours in one line: whether they pound at this gap, how often and how hard, the gap they need,
  * and what the bumper does. */
-#ifndef THUD_APP_SUMMARY_LINE_H
-#define THUD_APP_SUMMARY_LINE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -24,5 +23,3 @@ double thud_summary_gap_cm(double gap_m);
 /* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". Gaps are rounded up
  * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
-
-#endif

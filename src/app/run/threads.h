@@ -1,6 +1,5 @@
 /* Threads that compute beside the one that called. */
-#ifndef THUD_APP_THREADS_H
-#define THUD_APP_THREADS_H
+#pragma once
 
 #include <locale.h>
 #include <pthread.h>
@@ -20,5 +19,3 @@ void thud_threads_numbers_back(locale_t before);
 
 /* Waits for `cond` at most so many seconds (less than 1). The lock is held. */
 void thud_threads_wait(pthread_cond_t *cond, pthread_mutex_t *lock, double seconds);
-
-#endif

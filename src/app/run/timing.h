@@ -1,6 +1,5 @@
 /* What runs are timed with. */
-#ifndef THUD_APP_TIMING_H
-#define THUD_APP_TIMING_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -14,5 +13,3 @@ double thud_timing_processor_s(void);
 enum thud_status thud_timing_advance(struct thud_run *run, const atomic_int *cancel, struct thud_error *err);
 /* Sorts `seconds` (n >= 1); the median, and half the range of the middle half. */
 double thud_timing_median(double *seconds, int n, double *spread);
-
-#endif

@@ -1,7 +1,6 @@
 /* Fragility of a study over its ground motions: every event and case along every varied number, at every setting of the
  * others; as a table, CSV and JSON. */
-#ifndef THUD_APP_FRAGILITY_REPORT_H
-#define THUD_APP_FRAGILITY_REPORT_H
+#pragma once
 
 #include "base/text.h"
 #include "plot/figure/figure.h"
@@ -54,5 +53,3 @@ enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_
  * intensity. Ask thud_figure_check. */
 int thud_fragility_figure_count(const struct thud_fragility_study *study);
 struct thud_figure *thud_fragility_figure(const struct thud_fragility_study *study, int index);
-
-#endif

@@ -1,6 +1,5 @@
 /* The gap that is enough, over a list of ground motions: as a table, CSV, JSON. */
-#ifndef THUD_APP_GAP_REPORT_H
-#define THUD_APP_GAP_REPORT_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -38,5 +37,3 @@ void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *ou
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
                                const struct thud_record_list *records, struct thud_text *out, struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Which value of a key makes something hold: a scan over its range, then bisection wherever the answer changes. Where it
  * changes once it is taken for monotone; else that is told, with every change that was found. */
-#ifndef THUD_APP_SOLVE_H
-#define THUD_APP_SOLVE_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -46,5 +45,3 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out);
 /* The words, and a line per value that was tried. */
 void thud_solve_report(const struct thud_solve *solve, struct thud_text *out);
 void thud_solve_json(const struct thud_solve *solve, struct thud_text *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* A suite of ground motions looked at, selected and scaled to a design spectrum. */
-#ifndef THUD_APP_SUITE_STUDY_H
-#define THUD_APP_SUITE_STUDY_H
+#pragma once
 
 #include "app/run/record_list.h"
 #include "base/text.h"
@@ -31,5 +30,3 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
 /* What --records takes: a line for each chosen motion with its factor. Files stand from the folder of the list: `from`
  * is put before names that are no whole path ("" where the list stands in the working folder). */
 void thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out);
-
-#endif

@@ -1,7 +1,6 @@
 /* The points of a study made by several threads, handed over one by one in their order, whatever the number of threads.
  * Memory does not grow with the number of points. */
-#ifndef THUD_APP_SWEEP_JOBS_H
-#define THUD_APP_SWEEP_JOBS_H
+#pragma once
 
 #include <stdatomic.h>
 
@@ -35,5 +34,3 @@ enum thud_status thud_sweep_work_take(struct thud_sweep_work *work, double wait_
                                       bool *done, struct thud_error *err);
 /* Stops what goes on and waits for it, which takes no longer than a slice of a run. NULL is allowed. */
 void thud_sweep_work_end(struct thud_sweep_work *work);
-
-#endif

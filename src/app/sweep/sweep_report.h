@@ -1,6 +1,5 @@
 /* A study in words and small tables, 80 columns wide. */
-#ifndef THUD_APP_SWEEP_REPORT_H
-#define THUD_APP_SWEEP_REPORT_H
+#pragma once
 
 #include "app/sweep/sweep_study.h"
 
@@ -14,5 +13,3 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
 /* The best value of an axis. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table,
                                         int axis, bool csv, struct thud_text *out, struct thud_error *err);
-
-#endif

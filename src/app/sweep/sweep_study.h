@@ -1,6 +1,5 @@
 /* A whole study as people ask for it: made in parallel, kept in a folder, gone on with, joined from parts. */
-#ifndef THUD_APP_SWEEP_STUDY_H
-#define THUD_APP_SWEEP_STUDY_H
+#pragma once
 
 #include "app/sweep/sweep_jobs.h"
 #include "app/sweep/sweep_table.h"
@@ -71,5 +70,3 @@ struct thud_sweep_parts {
 };
 enum thud_status thud_sweep_parts_plan(const char *folder, struct thud_sweep_parts **out, struct thud_error *err);
 void thud_sweep_parts_free(struct thud_sweep_parts *parts);
-
-#endif

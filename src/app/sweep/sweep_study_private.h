@@ -1,5 +1,4 @@
-#ifndef THUD_APP_SWEEP_STUDY_PRIVATE_H
-#define THUD_APP_SWEEP_STUDY_PRIVATE_H
+#pragma once
 
 #include "app/sweep/sweep_study.h"
 
@@ -11,5 +10,3 @@ enum thud_status thud_sweep_study_deliver(const struct thud_sweep_study *study, 
 /* Reads the points back from the journals (point i from journal i % n) and writes the study's files. */
 enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, struct thud_sweep_journal **journal,
                                          int n, struct thud_sweep_outcome *out, struct thud_error *err);
-
-#endif

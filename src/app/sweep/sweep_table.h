@@ -1,6 +1,5 @@
 /* Gathers what a study's figures and tables show: points are taken one by one as they are done. */
-#ifndef THUD_APP_SWEEP_TABLE_H
-#define THUD_APP_SWEEP_TABLE_H
+#pragma once
 
 #include "study/sweep/sweep_table.h"
 
@@ -20,5 +19,3 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
 enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *collector, const struct thud_sweep_plan *plan,
                                           const struct thud_sweep_point *point, struct thud_error *err);
 void thud_sweep_collector_clear(struct thud_sweep_collector *collector);
-
-#endif

@@ -1,6 +1,5 @@
 /* How sure a result is: the samples made by several threads, and what they say as table, CSV, JSON. */
-#ifndef THUD_APP_UNCERTAINTY_STUDY_H
-#define THUD_APP_UNCERTAINTY_STUDY_H
+#pragma once
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -71,5 +70,3 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
 /* The runs that the indices rest on: design (A, B, AB), the input that AB takes from B, row, and as above. */
 void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
-
-#endif

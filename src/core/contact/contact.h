@@ -1,6 +1,5 @@
 /* The states of a contact: what follows an event. One automaton for all laws; its guards are in core/event.c. */
-#ifndef THUD_CORE_CONTACT_H
-#define THUD_CORE_CONTACT_H
+#pragma once
 
 #include "core/contact/contact_log.h"
 #include "core/contact/event.h"
@@ -27,5 +26,3 @@ bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns
 /* Counts the impact of contact c that goes on, once, as soon as its impulse is large enough; those of impulsive laws are
  * counted as they happen. */
 void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c);
-
-#endif

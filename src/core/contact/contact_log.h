@@ -1,6 +1,5 @@
 /* What contacts have gone through: their results, and the list of impacts. */
-#ifndef THUD_CORE_CONTACT_LOG_H
-#define THUD_CORE_CONTACT_LOG_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -31,5 +30,3 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
 enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
                                         enum thud_event event, int order, struct thud_error *err);
 void thud_contact_log_clear(struct thud_contact_log *log);
-
-#endif

@@ -1,6 +1,5 @@
 /* Location of the first event of a segment: the first guard that fires. */
-#ifndef THUD_CORE_EVENT_H
-#define THUD_CORE_EVENT_H
+#pragma once
 
 #include "core/contact/segment.h"
 
@@ -30,5 +29,3 @@ const char *thud_event_guard(enum thud_event event);
  * Reads the indentation of the contacts that may have one, for its notes. */
 double thud_event_first(const struct thud_state *state, const struct thud_segment *seg, double s_end, int *contact,
                         enum thud_event *event, int *order);
-
-#endif

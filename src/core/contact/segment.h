@@ -1,7 +1,6 @@
 /* A piece of motion as polynomials in s = (t - t0)/h, 0 <= s <= 1: what every method proposes, and what the run reads
  * events, peaks and energies from. */
-#ifndef THUD_CORE_SEGMENT_H
-#define THUD_CORE_SEGMENT_H
+#pragma once
 
 #include <assert.h>
 
@@ -94,5 +93,3 @@ void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, do
  * there), returns how many of the lowest ones are 0 but for rounding: neighbours that start together move together to
  * high orders, and what rounding leaves of their difference is no motion. Elsewhere 0. */
 int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out);
-
-#endif

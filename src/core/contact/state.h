@@ -1,7 +1,6 @@
 /* What a motion goes on from: the model, the ground motion, the time, the modal state and the states of the contacts.
  * Methods read it and make a segment (core/segment.h); contacts are switched in it; only the run commits to it. */
-#ifndef THUD_CORE_STATE_H
-#define THUD_CORE_STATE_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -228,5 +227,3 @@ static inline void thud_model_apply_contact_force(const struct thud_model *model
 /* Fills the constraint forces of the STICKING contacts from d'' = 0, given the accelerations without contact forces and the
  * other contacts' forces. */
 void thud_contact_constraint_forces(const struct thud_state *state, const double *free, double *force);
-
-#endif

@@ -11,8 +11,7 @@
  * so that the storey is propagated as a linear contact is. It is elastic (direction 0: the row's force is constant) or
  * yields one way (by its branch); the guards are in core/contact/event.c. A method that does not
  * locate events reads F from the drift alone, by the return to the bound, and d_p follows at the ends of its steps. */
-#ifndef THUD_CORE_STOREY_H
-#define THUD_CORE_STOREY_H
+#pragma once
 
 #include "core/contact/event.h"
 #include "core/contact/state.h"
@@ -38,5 +37,3 @@ double thud_storey_shear(const struct thud_state *state, int k, double drift_m);
 double thud_storeys_strain(const struct thud_state *state, const double *q);
 /* Energy lost in all storeys up to the state, and up to modal coordinates q behind it. */
 double thud_storeys_hysteretic(const struct thud_state *state, const double *q);
-
-#endif

@@ -1,6 +1,5 @@
 /* What of the contract in core/law.h can be looked at before a run, and at each of its branches. */
-#ifndef THUD_CORE_LAW_CHECK_H
-#define THUD_CORE_LAW_CHECK_H
+#pragma once
 
 #include "core/laws/law.h"
 
@@ -9,5 +8,3 @@ const char *thud_branch_fault(const struct thud_law *law, const struct thud_bran
 
 /* Which parameter is the whole stiffness of the law, in which the columns are part of it from the start; -1: none. */
 int thud_law_spring(const struct thud_law *law);
-
-#endif

@@ -1,6 +1,5 @@
 /* What several laws share: described parameters, and restitution and energy of plain curves. */
-#ifndef THUD_CORE_LAW_COMMON_H
-#define THUD_CORE_LAW_COMMON_H
+#pragma once
 
 #include <math.h>
 
@@ -64,5 +63,3 @@ double thud_law_nominal_one(const struct thud_law_setup *setup);
 double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps);
 /* Energy under K d^p. */
 double thud_law_power_energy(double K, double p, double d_m);
-
-#endif

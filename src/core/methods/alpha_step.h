@@ -12,8 +12,7 @@
  * r is linear but for the contact forces: its linear part is solved in modal coordinates, by (1 - am + (1 - af)(gamma h D
  * + beta h^2 Omega^2))^-1, and the contact forces of the step's end by Newton's method on those that act. Not for laws
  * of impulse without location. */
-#ifndef THUD_CORE_ALPHA_STEP_H
-#define THUD_CORE_ALPHA_STEP_H
+#pragma once
 
 #include "core/methods/stepping.h"
 
@@ -30,5 +29,3 @@ enum thud_status thud_alpha_step(const struct thud_state *state, void *own, stru
 void thud_alpha_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                           bool switched);
 void thud_alpha_free(void *own);
-
-#endif

@@ -1,6 +1,5 @@
 /* The pair of orders 5 and 4 of Dormand and Prince (1980) with a step that follows the run's tolerance. */
-#ifndef THUD_CORE_DORMAND_PRINCE_H
-#define THUD_CORE_DORMAND_PRINCE_H
+#pragma once
 
 #include "core/contact/segment.h"
 
@@ -10,5 +9,3 @@ enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *
 void thud_dormand_prince_committed(const struct thud_state *state, void *own, const struct thud_segment *seg,
                                    double tau_s, bool switched);
 void thud_dormand_prince_free(void *own);
-
-#endif

@@ -1,7 +1,6 @@
 /* Explicit Runge-Kutta steps for the equations of motion, whose last stage is the end of the step (first same as last):
  * what it finds there is the start of the next step. */
-#ifndef THUD_CORE_RUNGE_KUTTA_H
-#define THUD_CORE_RUNGE_KUTTA_H
+#pragma once
 
 #include "core/methods/stepping.h"
 
@@ -35,5 +34,3 @@ void thud_rk_write(const struct thud_state *state, struct thud_segment *seg, str
 /* Keeps the end as the next start where the whole step was taken and nothing changed at its end. */
 void thud_rk_committed(const struct thud_state *state, const struct thud_segment *seg, struct thud_rk *rk,
                        bool switched);
-
-#endif

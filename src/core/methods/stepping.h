@@ -1,7 +1,6 @@
 /* What the stepping methods share: the length of a step, the right-hand side of the equations of motion, and the
  * segment through both ends of a step. */
-#ifndef THUD_CORE_STEPPING_H
-#define THUD_CORE_STEPPING_H
+#pragma once
 
 #include "core/contact/segment.h"
 
@@ -43,5 +42,3 @@ void thud_step_motion_change(const struct thud_state *state, const struct thud_m
  * polynomials are left out where no history asks for them. */
 void thud_step_write(const struct thud_state *state, struct thud_segment *seg, double h,
                      const struct thud_motion *start, const struct thud_motion *end, struct thud_motion *work);
-
-#endif

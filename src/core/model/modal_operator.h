@@ -1,7 +1,6 @@
 /* (x I + y D + z Omega^2)^-1 in modal coordinates: what every implicit linear scheme divides by. Diagonal, but for
  * structures whose damping D couples their modes, which have a dense block. */
-#ifndef THUD_CORE_MODAL_OPERATOR_H
-#define THUD_CORE_MODAL_OPERATOR_H
+#pragma once
 
 #include "base/status.h"
 #include "core/model/model.h"
@@ -20,5 +19,3 @@ void thud_modal_operator_apply(const struct thud_modal_operator *op, const struc
                                const double *restrict in, double *restrict out);
 /* The operator itself, not its inverse: out = x in + y D in + z Omega^2 in. */
 void thud_modal_forward(const struct thud_model *model, double x, double y, double z, const double *in, double *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* Modes of one structure. */
-#ifndef THUD_CORE_MODES_H
-#define THUD_CORE_MODES_H
+#pragma once
 
 #include "base/status.h"
 #include "core/model/model.h"
@@ -19,5 +18,3 @@ enum thud_status thud_modes_matrix(int n, const double *mass_kg, const double *m
  * Errors: THUD_INPUT when LAPACK finds none, THUD_MEMORY. */
 enum thud_status thud_modes_isolated_damping(int n, const double *mass_kg, const double *stiffness_npm, double zeta,
                                              double zeta_b, const double *phi, double *damping, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Neighbours that linear links tie: their common modes. */
-#ifndef THUD_CORE_TIE_H
-#define THUD_CORE_TIE_H
+#pragma once
 
 #include "base/arena.h"
 #include "core/model/model.h"
@@ -16,5 +15,3 @@ size_t thud_tie_bytes(const struct thud_model_input *input, const int *system, c
  * the other, taken together) in their place, with the damping that couples them. Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_tie_system(struct thud_model *model, struct thud_arena *arena,
                                  const struct thud_model_input *input, int system, struct thud_error *err);
-
-#endif

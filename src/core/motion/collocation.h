@@ -2,8 +2,7 @@
  * forces are unknown: each is a polynomial in time that satisfies its law at the Radau points of the step (or d' = 0
  * where the contact sticks). Implicit, stiffly accurate, of order 2 n - 1 at the step's end; the force equation's own
  * residual between the points is the error measure. */
-#ifndef THUD_CORE_COLLOCATION_H
-#define THUD_CORE_COLLOCATION_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ enum thud_status thud_collocation_step(const struct thud_state *state, struct th
  * to be short. */
 void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation,
                                 const struct thud_segment *seg, double moved_s, bool switched, bool onset);
-
-#endif

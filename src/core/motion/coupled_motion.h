@@ -12,8 +12,7 @@
  * doubled: E(2h) = E E, L(2h) = L + E^T L E, and W likewise (scaling and squaring: Moler and Van Loan, SIAM Review 45
  * (2003) 3-49). Not for dashpots whose own rates are far above 1/dt: the squares would do, but the bounds of
  * free_vibration would not. */
-#ifndef THUD_CORE_COUPLED_MOTION_H
-#define THUD_CORE_COUPLED_MOTION_H
+#pragma once
 
 #include "core/contact/segment.h"
 
@@ -47,5 +46,3 @@ double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, i
 /* Work of the ground and loss in damping in interval t of the same rows, where the modes rest at s. */
 void thud_coupled_motion_work(const struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
                               const double *s, double ground, double after, int t, double *input_j, double *viscous_j);
-
-#endif

@@ -10,8 +10,7 @@
  * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
  * are moved by the propagator of coupled_motion in place of the recurrence; not for dashpots so strong that their rates
  * are above one in an interval. */
-#ifndef THUD_CORE_FREE_VIBRATION_H
-#define THUD_CORE_FREE_VIBRATION_H
+#pragma once
 
 #include "core/motion/coupled_motion.h"
 
@@ -120,5 +119,3 @@ double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const 
 /* Work of the ground and loss in damping over the first intervals of the block. */
 void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
                               double *input_j, double *viscous_j);
-
-#endif

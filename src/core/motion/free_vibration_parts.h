@@ -1,6 +1,5 @@
 /* Free vibration from inside: what its tables, its block, its series and its limits give each other. */
-#ifndef THUD_CORE_FREE_VIBRATION_PARTS_H
-#define THUD_CORE_FREE_VIBRATION_PARTS_H
+#pragma once
 
 #include "core/motion/free_vibration.h"
 
@@ -29,5 +28,3 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
 int thud_free_vibration_until_contact(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_yield(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 int thud_free_vibration_until_collapse(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
-
-#endif

@@ -1,7 +1,6 @@
 /* A polynomial evaluated at several fixed nodes of [0, 1] in one pass, as a batch: the powers of all nodes are
  * tabulated, so that the processor works on two nodes at a time and there is no chain of Horner's scheme. */
-#ifndef THUD_CORE_NODES_H
-#define THUD_CORE_NODES_H
+#pragma once
 
 #include "core/contact/segment.h"
 #include "core/numerics/vec.h"
@@ -16,5 +15,3 @@ void thud_nodes_set(struct thud_nodes *nodes, int count, const double *s, double
 
 /* Values at all nodes (THUD_BATCH) of c[0] + c[stride] s + ..., n coefficients. */
 void thud_nodes_values(const struct thud_nodes *nodes, const double *c, int stride, int n, double *value);
-
-#endif

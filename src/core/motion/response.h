@@ -1,7 +1,6 @@
 /* How contacts move at the points of a step: without contact forces, and under each other's. Both are sums over modes with
  * factors that depend on the step size alone: tables, made when first needed. */
-#ifndef THUD_CORE_RESPONSE_H
-#define THUD_CORE_RESPONSE_H
+#pragma once
 
 #include "core/contact/state.h"
 #include "core/motion/nodes.h"
@@ -36,5 +35,3 @@ enum thud_status thud_responses_make(struct thud_responses *responses, int level
  * made. */
 void thud_responses_unforced(struct thud_responses *responses, const struct thud_state *state, int level, double end_s,
                              const int *contact, int n, double *d, double *v);
-
-#endif

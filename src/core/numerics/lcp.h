@@ -1,7 +1,6 @@
 /* Linear complementarity: w = M z + q, w >= 0, z >= 0, w . z = 0; and linear equations with such an M. M (n x n) is
  * symmetric and positive semidefinite: a sum of g g', which is singular where rows g depend on each other. */
-#ifndef THUD_CORE_LCP_H
-#define THUD_CORE_LCP_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,5 +22,3 @@ enum thud_status thud_lcp_solve(int n, const double *m, const double *q, double 
 bool thud_semidefinite_solve(int n, const double *m, double *b, double *work);
 /* No rows of M depend on each other. */
 bool thud_is_definite(int n, const double *m, double *work);
-
-#endif

@@ -1,7 +1,6 @@
 /* Polynomials c[0] + c[1] s + ... on 0 <= s <= 1: first crossings and largest values, found with bounds, so that
  * a grazing or a double root inside a step is not missed. */
-#ifndef THUD_CORE_POLY_H
-#define THUD_CORE_POLY_H
+#pragma once
 
 /* p(s); `n` is the number of coefficients. */
 double thud_poly_value(const double *c, int n, double s);
@@ -21,5 +20,3 @@ double thud_poly_above(const double *c, int n, double s_end);
 
 /* Largest |p| on [0, s_end] if it is above `least`, else `least`; *where (left alone in that case) gets its s. */
 double thud_poly_peak(const double *c, int n, double s_end, double least, double *where);
-
-#endif

@@ -1,6 +1,5 @@
 /* Gauss-Legendre quadrature on [0, 1]: exact for polynomials up to degree 15. */
-#ifndef THUD_CORE_QUADRATURE_H
-#define THUD_CORE_QUADRATURE_H
+#pragma once
 
 enum { THUD_QUADRATURE_POINTS = 8 };
 extern const double thud_quadrature_node[THUD_QUADRATURE_POINTS];
@@ -14,5 +13,3 @@ extern const struct thud_lobatto {
     double error, end_weight;
     double node[THUD_LOBATTO_INNER], weight[THUD_LOBATTO_INNER]; /* (inner) */
 } thud_lobatto[THUD_LOBATTO_RULES];
-
-#endif

@@ -4,8 +4,7 @@
  *
  * Why events need such constants: after an event the function that was watched is 0 but for rounding, and its sign there
  * says nothing. A contact that opened by that sign would close at once, and so on at one instant (chattering). */
-#ifndef THUD_CORE_TOLERANCE_H
-#define THUD_CORE_TOLERANCE_H
+#pragma once
 
 /* Time. A time is grid * dt + offset; many steps' offsets add up. */
 
@@ -142,5 +141,3 @@
 #define THUD_TOL_GROUND 1e-12
 /* The same where a scheme goes on with an acceleration of its own, which a jump of the ground motion would spoil. */
 #define THUD_TOL_GROUND_JUMP 1e-9
-
-#endif

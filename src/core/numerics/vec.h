@@ -1,8 +1,7 @@
 /* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once, and batches of
  * eight. Left to themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
  * summing them. + - * / < > work on vec2 by element; the rest is here. */
-#ifndef THUD_CORE_VEC_H
-#define THUD_CORE_VEC_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -121,5 +120,3 @@ static inline void thud_batch_add(struct thud_batch *sum, double factor, const d
     for (int i = 0; i < THUD_BATCH / 2; i++)
         sum->pair[i] += factor * thud_vec2_at(x + 2 * i);
 }
-
-#endif

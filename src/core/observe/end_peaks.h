@@ -1,7 +1,6 @@
 /* Peaks of a run whose events are not located, from the ends of its steps, which are all that such steps know. Most ends
  * are far below the peaks so far: the sizes of the modal values show it, else all floors are compared side by side. */
-#ifndef THUD_CORE_END_PEAKS_H
-#define THUD_CORE_END_PEAKS_H
+#pragma once
 
 #include "core/observe/observer.h"
 
@@ -28,5 +27,3 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
 void thud_end_peaks_clear(struct thud_end_peaks *ends);
 /* The end of the step o, whose floors' peaks rise in the result. */
 void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result);
-
-#endif

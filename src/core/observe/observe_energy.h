@@ -1,7 +1,6 @@
 /* Observer of a run: the energy ledger. Work done by the ground, lost in the structures' damping and in the contacts,
  * each by quadrature of its own power, against the energy that the state holds. What is left over is the error. */
-#ifndef THUD_CORE_OBSERVE_ENERGY_H
-#define THUD_CORE_OBSERVE_ENERGY_H
+#pragma once
 
 #include "core/contact/contact_log.h"
 #include "core/numerics/quadrature.h"
@@ -47,5 +46,3 @@ void thud_ledger_structure_work(struct thud_ledger *ledger, const struct thud_ob
 void thud_ledger_error_bounds(const struct thud_ledger *ledger, const struct thud_observation *o, double *bound);
 /* Work done on the contacts so far. */
 double thud_ledger_contact_work(const struct thud_ledger *ledger);
-
-#endif

@@ -10,8 +10,7 @@
  * is exact. Only the polynomial is shortened (Chebyshev's economization), by at most a part of the floor's largest
  * acceleration so far that changes no pseudo-acceleration by more than 1e-6 of that: an error of e in a leaves at most
  * e coth(pi zeta/(2 sqrt(1 - zeta^2))) in omega^2 y. An impulse changes the floor's velocity by dv, and z by -dv. */
-#ifndef THUD_CORE_OBSERVE_FLOORS_H
-#define THUD_CORE_OBSERVE_FLOORS_H
+#pragma once
 
 #include "core/model/floor_spectra.h"
 #include "core/observe/observer.h"
@@ -69,5 +68,3 @@ enum thud_status thud_floor_oscillators_init(struct thud_floor_oscillators *osci
 void thud_floor_oscillators_clear(struct thud_floor_oscillators *oscillators);
 /* omega^2 |y| at most, so far. */
 double thud_floor_oscillators_peak(const struct thud_floor_oscillators *oscillators, int floor, int period);
-
-#endif

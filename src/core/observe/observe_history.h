@@ -1,7 +1,6 @@
 /* Observer of a run: histories, rows at chosen moments. Reads the peaks so far (a row stands at each, so that the largest
  * value of a column is the peak) and the energy ledger: it comes after the one and before the other. */
-#ifndef THUD_CORE_OBSERVE_HISTORY_H
-#define THUD_CORE_OBSERVE_HISTORY_H
+#pragma once
 
 #include "core/observe/observe_energy.h"
 
@@ -25,5 +24,3 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
                                 const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
                                 double look_s, struct thud_error *err);
 void thud_rows_clear(struct thud_rows *rows);
-
-#endif

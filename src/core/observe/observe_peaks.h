@@ -4,8 +4,7 @@
  * the size of the forces in modal coordinates, and a floor's value is at most S times a number of its own (Cauchy and
  * Schwarz): where that is below the peaks so far, no floor is looked at. Within a segment, a value lies above those at
  * the two ends by at most h^2/8 times a bound of its second derivative. */
-#ifndef THUD_CORE_OBSERVE_PEAKS_H
-#define THUD_CORE_OBSERVE_PEAKS_H
+#pragma once
 
 #include "core/observe/end_peaks.h"
 #include "core/observe/observer.h"
@@ -62,5 +61,3 @@ struct thud_response_bound {
 };
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
                                    const struct thud_response_bound *bound);
-
-#endif

@@ -1,6 +1,5 @@
 /* The peaks from inside: what their bounds, their segments and their blocks give each other. */
-#ifndef THUD_CORE_OBSERVE_PEAKS_PARTS_H
-#define THUD_CORE_OBSERVE_PEAKS_PARTS_H
+#pragma once
 
 #include "core/observe/observe_peaks.h"
 
@@ -22,5 +21,3 @@ void thud_peaks_forget_series(struct thud_peaks *peaks, const struct thud_model_
 /* observe_peaks_block.c: the observer's function for blocks. */
 enum thud_status thud_peaks_block(void *own, const struct thud_state *state, struct thud_free_vibration *f,
                                   int intervals, struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Observer of a run without contact: largest relative displacement (left less right, m, at least 0) of the two sides of
  * each contact, and largest displacement of the struck place where it is no floor's. */
-#ifndef THUD_CORE_OBSERVE_RELATIVE_H
-#define THUD_CORE_OBSERVE_RELATIVE_H
+#pragma once
 
 #include "core/observe/observer.h"
 
@@ -16,5 +15,3 @@ extern const struct thud_observer thud_observe_relative; /* its own: a struct th
 enum thud_status thud_relative_init(struct thud_relative *relative, const struct thud_model *model,
                                     struct thud_error *err);
 void thud_relative_clear(struct thud_relative *relative);
-
-#endif

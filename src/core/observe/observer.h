@@ -2,8 +2,7 @@
  * vibration; contacts that have switched; and what it leaves out. An observer has its own state and changes nothing
  * else, and nothing that moves reads what it has found: one may be left out or added (the run holds a list) without
  * touching the motion. Each function may be NULL. */
-#ifndef THUD_CORE_OBSERVER_H
-#define THUD_CORE_OBSERVER_H
+#pragma once
 
 #include "core/contact/event.h"
 #include "core/contact/segment.h"
@@ -59,5 +58,3 @@ static inline struct thud_peak *thud_floor_peak(struct thud_result *result, int 
         return &r->drift;
     }
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* The rest of a run, what comes after a moment, as bounds: the contact-free baseline, whose largest values to come are
  * known, and a free vibration beside it, whose amplitudes are (run/early_end.h). */
-#ifndef THUD_CORE_REST_H
-#define THUD_CORE_REST_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/model/result.h"
@@ -18,5 +17,3 @@ void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, dou
 double thud_rest_shear(const struct thud_rest *rest, int structure, int storey);
 /* Largest drift of a column's storey. */
 double thud_rest_drift(const struct thud_rest *rest, const struct thud_model_column *column);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * Where the largest values of the baseline that are still to come, plus these amplitudes, show that no contact and no
  * new peak can follow, the run goes to its end in one step. Not for free bodies, whose difference does not decay. */
-#ifndef THUD_CORE_EARLY_END_H
-#define THUD_CORE_EARLY_END_H
+#pragma once
 
 #include "core/observe/observer.h"
 #include "core/observe/rest.h"
@@ -25,5 +24,3 @@ bool thud_early_end_holds(const struct thud_early_end *early_end, const struct t
                           struct thud_rest *rest);
 /* Puts the state there; returns how many intervals that passes. Only where thud_early_end_holds. */
 long thud_early_end_jump(const struct thud_early_end *early_end, struct thud_state *state);
-
-#endif

@@ -1,6 +1,5 @@
 /* The run from inside: for the files of core only. */
-#ifndef THUD_CORE_RUN_PRIVATE_H
-#define THUD_CORE_RUN_PRIVATE_H
+#pragma once
 
 #include "core/contact/contact.h"
 #include "core/motion/free_vibration.h"
@@ -109,5 +108,3 @@ enum thud_status thud_run_contact_free(struct thud_run *run, long *budget, bool 
 
 /* Adds an observer, whose own stays the caller's. */
 void thud_run_observe(struct thud_run *run, const struct thud_observer *table, void *own);
-
-#endif

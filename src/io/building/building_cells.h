@@ -1,6 +1,5 @@
 /* The cells of a table with a header: which rows are numbers, where each stands in the file, and the unit it says. */
-#ifndef THUD_IO_BUILDING_CELLS_H
-#define THUD_IO_BUILDING_CELLS_H
+#pragma once
 
 #include "io/building/building_file.h"
 #include "io/record/csv_lines.h"
@@ -32,5 +31,3 @@ enum thud_status building_cells_refuse(const struct building_cells *cells, int r
 /* Factor of a unit to N/m, or of the inverse of one (mm/kN) to m/N in *inverse; 0: it is neither. */
 double building_unit_stiffness(const char *unit, bool *inverse);
 double building_unit_time(const char *unit);
-
-#endif

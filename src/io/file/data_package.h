@@ -1,6 +1,5 @@
 /* datapackage.json: what the tables in a folder are made of, after the Tabular Data Package of Frictionless Data. */
-#ifndef THUD_IO_DATA_PACKAGE_H
-#define THUD_IO_DATA_PACKAGE_H
+#pragma once
 
 #include "io/file/schema.h"
 
@@ -11,5 +10,3 @@
  * unit, or where all their cells are. Errors: THUD_INPUT (a table cannot be read), THUD_MEMORY. */
 enum thud_status thud_data_package(const char *folder, const char *files, const struct thud_schema *(*schema)(int),
                                    struct thud_text *out, struct thud_error *err);
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef THUD_IO_FILE_PRIVATE_H
-#define THUD_IO_FILE_PRIVATE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -16,5 +15,3 @@ void thud_made_by_note(const char *path);
 
 /* What is wrong with the file `path`; gives `status`. */
 enum thud_status thud_file_refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what);
-
-#endif

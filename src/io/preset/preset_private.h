@@ -1,6 +1,5 @@
 /* A preset as read: its bytes, its tree, its scene. */
-#ifndef THUD_IO_PRESET_PRIVATE_H
-#define THUD_IO_PRESET_PRIVATE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -85,5 +84,3 @@ void thud_patch_clear(struct thud_patches *patches);
 /* What has to be replaced in the preset's text; `scene` without what no preset says. false without memory. */
 bool thud_preset_diff(const struct thud_preset *preset, const struct thud_scene *scene, const char *newline,
                       struct thud_patches *patches);
-
-#endif

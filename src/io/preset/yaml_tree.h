@@ -1,7 +1,6 @@
 /* A YAML text as a tree of nodes that know where they stand: one document, no anchors, aliases, tags or directives, no
  * key twice. */
-#ifndef THUD_IO_YAML_TREE_H
-#define THUD_IO_YAML_TREE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -39,5 +38,3 @@ const char *thud_yaml_text(const struct thud_yaml *tree, int node);
 int thud_yaml_find(const struct thud_yaml *tree, int keys, const char *name, int *key);
 /* Child by number from 0, -1 past the last. */
 int thud_yaml_child(const struct thud_yaml *tree, int node, int index);
-
-#endif

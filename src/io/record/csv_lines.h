@@ -1,7 +1,6 @@
 /* libcsv, fed line by line: it counts no lines and knows no comments, and a stray quote would eat the rest of a file.
  */
-#ifndef THUD_IO_CSV_LINES_H
-#define THUD_IO_CSV_LINES_H
+#pragma once
 
 #include <csv.h>
 #include <stdbool.h>
@@ -33,5 +32,3 @@ enum csv_what { CSV_ROW, CSV_COMMENT, CSV_END };
 enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, struct record_line *line,
                                 struct thud_error *err);
 const char *csv_lines_field(const struct csv_lines *lines, size_t i);
-
-#endif

@@ -1,7 +1,6 @@
 /* What every reader of record files stands on: lines with their numbers, numbers as instruments print them, a growing
  * list of samples. */
-#ifndef THUD_IO_RECORD_SOURCE_H
-#define THUD_IO_RECORD_SOURCE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -148,5 +147,3 @@ enum thud_status record_channels_read(const struct record_source *source, const 
  * off, damaged, more than `most` bytes), THUD_MEMORY. */
 enum thud_status record_gunzip(const char *packed, size_t size, size_t most, char **out, size_t *length,
                                struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Tables of numbers (CSV, plain columns): which column is the acceleration, where the time step and the unit come from.
  */
-#ifndef THUD_IO_RECORD_TABLE_H
-#define THUD_IO_RECORD_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -72,5 +71,3 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
 /* The first line that can only be numbers, for recognition; false when there is none near the beginning. */
 bool record_table_first(const struct record_source *source, struct record_line *line);
 bool record_is_comment(const struct record_line *line);
-
-#endif

@@ -1,5 +1,4 @@
-#ifndef THUD_IO_SWEEP_JOURNAL_PRIVATE_H
-#define THUD_IO_SWEEP_JOURNAL_PRIVATE_H
+#pragma once
 
 #include <stdio.h>
 #include <sys/types.h>
@@ -25,5 +24,3 @@ void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *prese
 /* From the file's start; sets journal->start. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
                                       struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Shared by the files that make figures of runs. */
-#ifndef THUD_PLOT_FIGURES_RUN_INTERNAL_H
-#define THUD_PLOT_FIGURES_RUN_INTERNAL_H
+#pragma once
 
 #include "plot/figures/figures_run.h"
 
@@ -54,5 +53,3 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
 struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_columns(const struct thud_figure_source *source, int nsources);
 struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources);
-
-#endif

@@ -1,6 +1,5 @@
 /* Shared by the files that make and run gnuplot scripts. */
-#ifndef THUD_PLOT_GNUPLOT_INTERNAL_H
-#define THUD_PLOT_GNUPLOT_INTERNAL_H
+#pragma once
 
 #include "plot/gnuplot/gnuplot.h"
 
@@ -68,5 +67,3 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
 void thud_picture_mend(const struct thud_figure *figure, enum thud_picture_format format, struct thud_text *picture);
 enum thud_status thud_picture_check(enum thud_picture_format format, const struct thud_text *picture,
                                     struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* Traces made small for drawing: what two samples in the same column of the picture would hide of each other is left
  * out. */
-#ifndef THUD_PLOT_REDUCE_H
-#define THUD_PLOT_REDUCE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -15,5 +14,3 @@ struct thud_reduce {
 };
 size_t thud_reduce(const struct thud_reduce *to, size_t n, const double *x, const double *y, const double *y_high,
                    size_t *index);
-
-#endif

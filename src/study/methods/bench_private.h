@@ -1,5 +1,4 @@
-#ifndef THUD_STUDY_BENCH_PRIVATE_H
-#define THUD_STUDY_BENCH_PRIVATE_H
+#pragma once
 
 #include "study/methods/bench.h"
 
@@ -17,5 +16,3 @@ enum thud_status thud_bench_solution_take(const struct thud_run *run, struct thu
 void thud_bench_solution_clear(struct thud_bench_solution *solution);
 struct thud_bench_errors thud_bench_compare(const struct thud_bench_solution *solution,
                                             const struct thud_bench_solution *reference);
-
-#endif

@@ -1,6 +1,5 @@
 /* The small models that stability is judged on. */
-#ifndef THUD_STUDY_STABILITY_PRIVATE_H
-#define THUD_STUDY_STABILITY_PRIVATE_H
+#pragma once
 
 #include "study/methods/stability.h"
 #include "study/scene/two_body.h"
@@ -46,5 +45,3 @@ enum thud_status thud_test_case_energy(int index, struct thud_test_case *out, st
 enum thud_status thud_test_case_onset(int index, struct thud_test_case *out, struct thud_error *err);
 enum thud_status thud_test_case_yield(struct thud_test_case *out, struct thud_error *err);
 enum { THUD_TEST_CASES_ENERGY = 6, THUD_TEST_CASES_ONSET = 2, THUD_TEST_CASES_REST = 4 };
-
-#endif

@@ -1,6 +1,5 @@
 /* Where a path of a scene leads: the described parameter and the place of its value. */
-#ifndef THUD_STUDY_SCENE_SLOT_H
-#define THUD_STUDY_SCENE_SLOT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -100,5 +99,3 @@ double thud_law_exponent(const struct thud_law_choice *choice, const struct thud
 
 /* `unit` with the exponent behind its caret replaced. */
 void thud_unit_with_exponent(const char *unit, double exponent, char *text, size_t size);
-
-#endif

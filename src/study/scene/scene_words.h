@@ -1,6 +1,5 @@
 /* The words that could stand where an unknown one does, for its message; a list taken apart. */
-#ifndef THUD_STUDY_SCENE_WORDS_H
-#define THUD_STUDY_SCENE_WORDS_H
+#pragma once
 
 #include "base/status.h"
 
@@ -21,5 +20,3 @@ enum thud_status thud_words_unknown(const struct thud_words *words, const char *
 /* "[a, b]" taken apart, in place, lists within it kept whole: items (at most `most`) into item[]; the count, or -1 when
  * it is no list. */
 int thud_list_split(char *text, char **item, int most);
-
-#endif

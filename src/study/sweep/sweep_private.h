@@ -1,6 +1,5 @@
 /* Studies from inside: for the files of study only. */
-#ifndef THUD_STUDY_SWEEP_PRIVATE_H
-#define THUD_STUDY_SWEEP_PRIVATE_H
+#pragma once
 
 #include "core/run/baseline.h"
 #include "study/scene/solution.h"
@@ -76,5 +75,3 @@ void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
 /* The cases of a point (THUD_SWEEP_CASES_MAX + 1): the plan's, and `none` after them where the ratios need it. Returns
  * how many. */
 int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud_scene *scene, enum thud_case *which);
-
-#endif

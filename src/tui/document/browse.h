@@ -1,7 +1,6 @@
 /* Files to choose from: of the working folder, the preset's own and those that come with thud, or of any other folder,
  * each with a few words on what is in it. */
-#ifndef THUD_TUI_BROWSE_H
-#define THUD_TUI_BROWSE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -30,5 +29,3 @@ void thud_browse_list(struct thud_browse *browse, enum thud_browse_kind kind, co
 /* Reads the file at the first call. */
 const char *thud_browse_about(struct thud_browse *browse, int index);
 void thud_browse_clear(struct thud_browse *browse);
-
-#endif

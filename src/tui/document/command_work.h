@@ -1,6 +1,5 @@
 /* A command of the program's own, run beside the screens: its progress is read as it comes, what it prints at its end. */
-#ifndef THUD_TUI_COMMAND_WORK_H
-#define THUD_TUI_COMMAND_WORK_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ void thud_command_work_stop(struct thud_command_work *work); /* as Ctrl-C does *
 /* Waits for the end and frees: the exit status (128 and the signal's number), with what was printed and what was said of
  * an error (both to be cleared). */
 int thud_command_work_finish(struct thud_command_work *work, struct thud_text *printed, struct thud_text *said);
-
-#endif

@@ -1,6 +1,5 @@
 /* The preset that is open: the scene, what can be undone, the file it came from, the ground motion it names. */
-#ifndef THUD_TUI_DOC_H
-#define THUD_TUI_DOC_H
+#pragma once
 
 #include "ground/record.h"
 #include "io/file/paths.h"
@@ -71,5 +70,3 @@ bool thud_doc_uses(const struct thud_doc *doc, double time_s);
 /* The ground motion as the scene names it now, read again only where the choice changed. NULL with THUD_OK: none is
  * named. */
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Drawing the fields of a screen; each registers itself for the cursor. */
-#ifndef THUD_TUI_FIELD_H
-#define THUD_TUI_FIELD_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -18,5 +17,3 @@ void thud_field_note(const struct thud_pane *pane, int y, const char *fmt, ...) 
 
 /* What a parameter is: meaning, units, what is allowed, what is usual, its default. */
 void thud_param_words(const struct thud_param *param, char *words, size_t size);
-
-#endif

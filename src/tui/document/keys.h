@@ -1,6 +1,5 @@
 /* What keys do where; the table is key_list.h. */
-#ifndef THUD_TUI_KEYS_H
-#define THUD_TUI_KEYS_H
+#pragma once
 
 #include "base/text.h"
 #include "tui/terminal/backend.h"
@@ -51,5 +50,3 @@ const struct thud_key_entry *thud_key_at(int index);
 enum thud_action thud_key_action(int where, int key);
 
 void thud_commands_text(struct thud_text *out); /* ":word arguments" a line */
-
-#endif

@@ -1,6 +1,5 @@
 /* Ground motions named together, as they are found from the preset that is open. */
-#ifndef THUD_TUI_MOTIONS_H
-#define THUD_TUI_MOTIONS_H
+#pragma once
 
 #include "app/run/record_list.h"
 #include "tui/document/doc.h"
@@ -9,5 +8,3 @@
  * thud_record_list_read; there are none then. */
 enum thud_status thud_doc_motions(const struct thud_doc *doc, const char *list, bool both, struct thud_record_list *out,
                                   struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* Figures being written while the screens go on: gnuplot takes its time, so a thread waits for it. */
-#ifndef THUD_TUI_PICTURE_WORK_H
-#define THUD_TUI_PICTURE_WORK_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -31,5 +30,3 @@ void thud_picture_work_stop(struct thud_picture_work *work); /* soon; the figure
  * THUD_MEMORY. */
 enum thud_status thud_picture_work_finish(struct thud_picture_work *work, int *done, struct thud_text *picture,
                                           struct thud_error *err);
-
-#endif

@@ -1,7 +1,6 @@
 /* The state that the present one is compared with: at first the saved one, else that which was pinned. Its three cases
  * are run once the scene differs from it, after those of the scene itself. */
-#ifndef THUD_TUI_PIN_H
-#define THUD_TUI_PIN_H
+#pragma once
 
 #include "app/run/live_cases.h"
 #include "tui/document/doc.h"
@@ -25,5 +24,3 @@ bool thud_pin_busy(const struct thud_pin *pin, const struct thud_doc *doc, enum 
 /* Its cases where the scene differs and they are there; NULL: there is nothing to compare with. */
 const struct thud_live *thud_pin_live(const struct thud_pin *pin, const struct thud_doc *doc);
 void thud_pin_clear(struct thud_pin *pin);
-
-#endif

@@ -1,6 +1,5 @@
 /* Changes of a scene that are more than one value. Structures, floors and interfaces from 0 unless said. */
-#ifndef THUD_TUI_SCENE_EDIT_H
-#define THUD_TUI_SCENE_EDIT_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -21,5 +20,3 @@ void thud_tui_keep_force(struct thud_tui *tui);
 /* The keys that go from one pair of neighbours to the next; false where `action` is another. */
 bool thud_tui_change_interface(struct thud_tui *tui, enum thud_action action);
 const char *thud_tui_cannot_change_interface(struct thud_tui *tui, enum thud_action action);
-
-#endif

@@ -1,7 +1,6 @@
 /* What the screens share: the document that is open, what is run of it, the fields under the cursor, what is asked over
  * the screen, and what they may ask for. A screen knows this and the widgets, never another screen. */
-#ifndef THUD_TUI_STATE_H
-#define THUD_TUI_STATE_H
+#pragma once
 
 #include "app/run/live_cases.h"
 #include "plot/figure/figure.h"
@@ -322,5 +321,3 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
 struct thud_picture_screen thud_tui_picture_screen(struct thud_tui *tui);
 void thud_tui_show_picture(struct thud_tui *tui, const struct thud_text *picture); /* until the next key */
 void thud_tui_leave_picture(struct thud_tui *tui);
-
-#endif

@@ -1,6 +1,5 @@
 /* Undo and redo without limit. A step keeps only the words of the scene that changed, before and after. */
-#ifndef THUD_TUI_UNDO_H
-#define THUD_TUI_UNDO_H
+#pragma once
 
 #include "study/scene/scene.h"
 
@@ -21,5 +20,3 @@ const char *thud_undo_forward(struct thud_undo *undo, struct thud_scene *scene);
 /* What step number `index` from the last one back was (0: the last); NULL when there is none. */
 const char *thud_undo_what(const struct thud_undo *undo, int index);
 void thud_undo_clear(struct thud_undo *undo);
-
-#endif

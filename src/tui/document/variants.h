@@ -1,7 +1,6 @@
 /* The states of a session with their results: every scene that was run, until newer ones take its place; those with a
  * name stay. */
-#ifndef THUD_TUI_VARIANTS_H
-#define THUD_TUI_VARIANTS_H
+#pragma once
 
 #include "study/scene/scene.h"
 
@@ -26,5 +25,3 @@ void thud_variants_note(struct thud_variants *variants, const struct thud_scene 
                         const char *solution);
 void thud_variants_forget(struct thud_variants *variants, struct thud_variant *variant);
 void thud_variants_clear(struct thud_variants *variants);
-
-#endif

@@ -1,6 +1,5 @@
 /* The loop in its parts, so that tests can turn it by hand. */
-#ifndef THUD_TUI_LOOP_H
-#define THUD_TUI_LOOP_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -102,5 +101,3 @@ void thud_tui_pictures(struct thud_tui *tui);
 /* frame.c */
 void thud_tui_draw(struct thud_tui *tui);
 int thud_tui_tab_at(struct thud_tui *tui, int column); /* the screen whose name stands there; -1: none */
-
-#endif

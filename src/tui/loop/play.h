@@ -1,6 +1,5 @@
 /* Sessions played without a terminal. */
-#ifndef THUD_TUI_PLAY_H
-#define THUD_TUI_PLAY_H
+#pragma once
 
 #include "tui/loop/loop.h"
 
@@ -10,5 +9,3 @@ enum thud_status thud_tui_play(const struct thud_tui_options *options, struct th
 /* The same on screens that are there; what would be printed goes to `out`. */
 enum thud_status thud_tui_play_lines(struct thud_tui *tui, const char *path, struct thud_text *out,
                                      struct thud_error *err);
-
-#endif

@@ -1,6 +1,5 @@
 /* The result in one line: whether the two neighbours shown pound, how hard, which gap they need, what the bumper does. */
-#ifndef THUD_TUI_VERDICT_H
-#define THUD_TUI_VERDICT_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -9,5 +8,3 @@ void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row);
 
 /* It in at most so many columns; empty where there is nothing to say. */
 void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size);
-
-#endif

@@ -1,6 +1,5 @@
 /* The suite of ground motions of the preset's study, as it is put together on the Record screen. */
-#ifndef THUD_TUI_BASKET_H
-#define THUD_TUI_BASKET_H
+#pragma once
 
 #include "tui/document/motions.h"
 #include "tui/document/state.h"
@@ -19,5 +18,3 @@ bool thud_basket_holds(const struct thud_tui *tui, const char *file);
 /* Takes a file out, or puts it in, once it was asked for what it lacks to be read. */
 void thud_basket_toggle(struct thud_tui *tui, struct thud_basket *basket, const char *file);
 const struct thud_figure *thud_basket_figure(struct thud_tui *tui, struct thud_basket *basket);
-
-#endif

@@ -1,7 +1,6 @@
 /* Another law laid beside that of an interface: the same bodies, values of the same name and dimension unless they are
  * set. It is no part of the scene. */
-#ifndef THUD_TUI_BESIDE_H
-#define THUD_TUI_BESIDE_H
+#pragma once
 
 #include "tui/document/state.h"
 #include "tui/screens/law_figure.h"
@@ -38,5 +37,3 @@ static inline struct thud_contact_state *thud_contact_state(const struct thud_tu
 /* "hertz", "none" or "restitution 0.4": a law, or a value of the one there is. */
 void thud_tui_beside(struct thud_tui *tui, const char *words);
 void thud_tui_choose_beside(struct thud_tui *tui);
-
-#endif

@@ -1,6 +1,5 @@
 /* Figures of the live cases, as data for the terminal's charts and for gnuplot. */
-#ifndef THUD_TUI_FIGURES_H
-#define THUD_TUI_FIGURES_H
+#pragma once
 
 #include "app/run/live_cases.h"
 #include "plot/figure/figure.h"
@@ -28,5 +27,3 @@ struct thud_sight {
 struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *pinned,
                                    const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
                                    const char **why);
-
-#endif

@@ -1,6 +1,5 @@
 /* The text of the help, made from the program's own tables: keys, fields, laws, methods, commands. */
-#ifndef THUD_TUI_HELP_TEXT_H
-#define THUD_TUI_HELP_TEXT_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -25,5 +24,3 @@ void thud_help_text_clear(struct thud_help_text *text);
 int thud_help_text_find(const struct thud_help_text *text, const char *word, int from, int step);
 /* Where `word` stands in a line, from byte `from` on; -1: not there. */
 int thud_help_line_find(const struct thud_help_line *line, const char *word, int from);
-
-#endif

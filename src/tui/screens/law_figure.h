@@ -1,6 +1,5 @@
 /* What the impact laws of one interface do. */
-#ifndef THUD_TUI_LAW_FIGURE_H
-#define THUD_TUI_LAW_FIGURE_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "study/scene/scene.h"
@@ -23,5 +22,3 @@ struct thud_law_behind {
  * NULL on failure, with the reason. */
 struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_law_behind *behind, int pair,
                                         struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err);
-
-#endif

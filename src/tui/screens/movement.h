@@ -1,6 +1,5 @@
 /* The buildings moving, drawn from the history that a run kept. */
-#ifndef THUD_TUI_MOVEMENT_H
-#define THUD_TUI_MOVEMENT_H
+#pragma once
 
 #include "core/model/model.h"
 #include "core/run/run.h"
@@ -16,5 +15,3 @@ int thud_movement_floor(const struct thud_pane *pane, const struct thud_scene *s
                         const struct thud_run *run, int x, int y, int *structure);
 void thud_movement_draw(const struct thud_pane *pane, const struct thud_scene *scene, const struct thud_model *model,
                         const struct thud_run *run, bool bumper, double t);
-
-#endif

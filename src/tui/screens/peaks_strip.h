@@ -1,6 +1,5 @@
 /* The peaks of the pair shown, in the three cases. */
-#ifndef THUD_TUI_PEAKS_STRIP_H
-#define THUD_TUI_PEAKS_STRIP_H
+#pragma once
 
 #include "tui/document/state.h"
 
@@ -11,5 +10,3 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane);
 /* What the bumper makes of the number without; nothing while one of the two is still that of before the last change. */
 void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane, int x, int y,
                      const double value[THUD_LIVE_CASES]);
-
-#endif

@@ -1,6 +1,5 @@
 /* The Plots screen in its parts: what it shows, its cursor in time, the pane at its side. */
-#ifndef THUD_TUI_PLOTS_H
-#define THUD_TUI_PLOTS_H
+#pragma once
 
 #include "tui/document/state.h"
 #include "tui/screens/figures.h"
@@ -34,5 +33,3 @@ void thud_plots_tick(struct thud_tui *tui);
 /* plots_side.c: the values most studies turn on, to be edited with the figure in sight, and the changes so far. Returns
  * the rows it would need. */
 int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
-
-#endif

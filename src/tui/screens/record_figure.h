@@ -1,6 +1,5 @@
 /* What a ground motion looks like. */
-#ifndef THUD_TUI_RECORD_FIGURE_H
-#define THUD_TUI_RECORD_FIGURE_H
+#pragma once
 
 #include "core/model/model.h"
 #include "ground/intensity.h"
@@ -23,5 +22,3 @@ struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct 
 /* Draws the measures from row `y` on; returns the row after them. */
 int thud_record_measures(const struct thud_intensity *intensity, const struct thud_record *record,
                          const struct thud_pane *pane, int y);
-
-#endif

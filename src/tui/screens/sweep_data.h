@@ -1,7 +1,6 @@
 /* A study as the Sweep screen has it: its motions, its plan, and what of it is done. The points are made by the runner
  * of app (app/sweep_jobs.h). */
-#ifndef THUD_TUI_SWEEP_DATA_H
-#define THUD_TUI_SWEEP_DATA_H
+#pragma once
 
 #include "app/run/record_list.h"
 #include "app/sweep/fragility_report.h"
@@ -49,5 +48,3 @@ enum thud_status thud_sweep_data_export(const struct thud_sweep_data *data, cons
                                         struct thud_error *err);
 void thud_sweep_data_stop(struct thud_sweep_data *data); /* keeps what is done */
 void thud_sweep_data_clear(struct thud_sweep_data *data);
-
-#endif

@@ -1,6 +1,5 @@
 /* The Sweep screen in its parts: what it shows, and its form. */
-#ifndef THUD_TUI_SWEEP_SCREEN_H
-#define THUD_TUI_SWEEP_SCREEN_H
+#pragma once
 
 #include "tui/document/state.h"
 #include "tui/screens/sweep_data.h"
@@ -38,5 +37,3 @@ void thud_sweep_offer(struct thud_tui *tui); /* its lines to the list of everyth
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
 /* Enter on a line of it. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);
-
-#endif

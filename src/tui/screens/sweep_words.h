@@ -1,6 +1,5 @@
 /* A study in the command line's words, and those words as the preset's own study. */
-#ifndef THUD_TUI_SWEEP_WORDS_H
-#define THUD_TUI_SWEEP_WORDS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ void thud_study_close_commas(const char *from, char *to, size_t size);
  * the scene is then as it was. */
 enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene, bool *kept,
                                        struct thud_error *err);
-
-#endif

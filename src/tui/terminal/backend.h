@@ -1,6 +1,5 @@
 /* What shows a canvas and reads keys: the terminal (term.c), or a script in tests (script.c). */
-#ifndef THUD_TUI_BACKEND_H
-#define THUD_TUI_BACKEND_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -78,5 +77,3 @@ struct thud_script {
     struct thud_text raw; /* all that went there; to be cleared by who has the script */
 };
 void thud_script_open(struct thud_backend *backend, struct thud_script *script, int width, int height, bool utf8);
-
-#endif

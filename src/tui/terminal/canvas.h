@@ -1,6 +1,5 @@
 /* A canvas of cells that all drawing goes to; a back end shows it. No terminal here. */
-#ifndef THUD_TUI_CANVAS_H
-#define THUD_TUI_CANVAS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -81,5 +80,3 @@ static inline struct thud_look thud_look(int role, int attr)
 {
     return (struct thud_look){(unsigned char)role, (unsigned char)attr};
 }
-
-#endif

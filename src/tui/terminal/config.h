@@ -1,6 +1,5 @@
 /* Settings of the terminal interface from a file: a word and its value a line. */
-#ifndef THUD_TUI_CONFIG_H
-#define THUD_TUI_CONFIG_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -21,5 +20,3 @@ void thud_config_init(struct thud_config *config);
 enum thud_status thud_config_read(struct thud_config *config, const char *path, struct thud_error *err);
 /* $XDG_CONFIG_HOME/thud/config, or below ~/.config; empty where neither is known. */
 void thud_config_path(char *path, unsigned long size);
-
-#endif

@@ -10,8 +10,7 @@
  *
  * A bracketed paste (ESC [ 200 ~ up to ESC [ 201 ~) is one key with its text. Reports of the mouse are those of xterm,
  * the old form (ESC [ M and three bytes) and the one with decimal numbers (ESC [ < b ; x ; y M or m). */
-#ifndef THUD_TUI_DECODE_H
-#define THUD_TUI_DECODE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,5 +43,3 @@ void thud_decode_add(struct thud_decode *decode, const char *bytes, size_t n);
  * that means nothing was dropped (*dropped). `ended`: no byte follows soon, so what is there is all (a lone ESC is the
  * key). */
 int thud_decode_next(struct thud_decode *decode, bool ended, bool *more);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * kitty: APC G with the PNG in base64, in pieces (https://sw.kovidgoyal.net/kitty/graphics-protocol/).
  * sixel: DCS q, as gnuplot writes it (DEC, VT330/VT340 Programmer Reference Manual, chapter 14). */
-#ifndef THUD_TUI_IMAGE_H
-#define THUD_TUI_IMAGE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -38,5 +37,3 @@ void thud_text_base64(struct thud_text *out, const char *bytes, size_t n);
 void thud_image_draw(enum thud_image kind, const char *picture, size_t n, int columns, int rows, struct thud_text *out);
 /* What takes it away where clearing the screen does not; may be empty. */
 const char *thud_image_clear(enum thud_image kind);
-
-#endif

@@ -1,6 +1,5 @@
 /* The colour of every role (canvas.h): one table a theme. */
-#ifndef THUD_TUI_ROLES_H
-#define THUD_TUI_ROLES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ const char *thud_theme_name(enum thud_theme theme); /* "auto" */
 int thud_role_color(enum thud_theme theme, int role, int colors);
 /* Whether it is bold there: terminals of eight colours show blue bright enough only so. */
 bool thud_role_bold(enum thud_theme theme, int role, int colors);
-
-#endif

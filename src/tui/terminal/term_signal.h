@@ -1,7 +1,6 @@
 /* Signals around the terminal. Handlers only set a flag and wake the loop; the crash handler writes a fixed sequence.
  */
-#ifndef THUD_TUI_TERM_SIGNAL_H
-#define THUD_TUI_TERM_SIGNAL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -25,5 +24,3 @@ bool thud_term_signal_resized(void); /* the window has another size since the la
 int thud_term_signal_fatal(void);    /* INT, TERM or HUP that came, else 0 */
 /* Where TSTP came: stops, and returns true when the shell lets it go on. */
 bool thud_term_signal_suspend(void);
-
-#endif

@@ -1,6 +1,5 @@
 /* A figure's panel drawn in a pane: the same data that gnuplot draws. */
-#ifndef THUD_TUI_CHART_H
-#define THUD_TUI_CHART_H
+#pragma once
 
 #include "plot/figure/figure.h"
 #include "tui/terminal/canvas.h"
@@ -50,5 +49,3 @@ double thud_chart_along(const struct thud_range *range, bool log, double value);
 /* What a series is called in the key, from 0: its number among those that have a line there of their own. */
 int thud_chart_number(const struct thud_panel *panel, int index);
 struct thud_look thud_chart_look(const struct thud_series *series, int index);
-
-#endif

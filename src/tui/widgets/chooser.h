@@ -1,6 +1,5 @@
 /* A list over the screen: typing narrows it, Enter takes the marked line. */
-#ifndef THUD_TUI_CHOOSER_H
-#define THUD_TUI_CHOOSER_H
+#pragma once
 
 #include "tui/widgets/line.h"
 
@@ -29,5 +28,3 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
 /* Marks the line at a place of the canvas; true where it was marked already, so that a second click takes it. */
 bool thud_chooser_click(struct thud_chooser *chooser, int x, int y);
 void thud_chooser_free(struct thud_chooser *chooser);
-
-#endif

@@ -1,6 +1,5 @@
 /* A picture of small dots put into the cells of a pane: 2 x 4 braille dots a cell, or 1 x 2 with ' . : in ASCII. */
-#ifndef THUD_TUI_DOTS_H
-#define THUD_TUI_DOTS_H
+#pragma once
 
 #include "tui/terminal/canvas.h"
 
@@ -22,5 +21,3 @@ void thud_dots_line(struct thud_dots *dots, double x0, double y0, double x1, dou
 /* Puts the cells that have dots, and clears the dots. */
 void thud_dots_put(struct thud_dots *dots);
 void thud_dots_clear(struct thud_dots *dots);
-
-#endif

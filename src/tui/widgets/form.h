@@ -1,6 +1,5 @@
 /* The fields on a screen. Every drawing registers them anew with their places, so the cursor keys need no other map. */
-#ifndef THUD_TUI_FORM_H
-#define THUD_TUI_FORM_H
+#pragma once
 
 #include "tui/terminal/canvas.h"
 
@@ -54,5 +53,3 @@ void thud_form_next(struct thud_form *form, int step);
 /* The field of a pane in row y that is nearest to column x, so that a label counts as well; NULL: the row has none. */
 const struct thud_field *thud_form_at(const struct thud_form *form, int pane, int x, int y);
 void thud_form_free(struct thud_form *form);
-
-#endif

@@ -1,6 +1,5 @@
 /* One line of text being typed. */
-#ifndef THUD_TUI_LINE_H
-#define THUD_TUI_LINE_H
+#pragma once
 
 #include "tui/terminal/backend.h"
 
@@ -21,5 +20,3 @@ bool thud_line_key(struct thud_line *line, int key);
 /* Draws it in `w` columns with the part around the cursor shown, and sets the canvas's cursor. */
 void thud_line_draw(const struct thud_line *line, const struct thud_pane *pane, int x, int y, int w,
                     struct thud_look style);
-
-#endif
