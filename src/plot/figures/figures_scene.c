@@ -174,7 +174,7 @@ static void in_model(const struct drawing *d, int s)
         const bool told = (f + 1) % every == 0;
         if (f < slab) {
             spring(d->model, "isolators", STRUCK, x, d->foot, x, z, 0.25, 0);
-            number(d, s, 0.5 * (d->foot + z), 1e-6 * thud_structure_isolator(p).stiffness_npm, "MN/m");
+            number(d, s, d->foot - 0.07 * (d->high - d->low), 1e-6 * thud_structure_isolator(p).stiffness_npm, "MN/m");
         } else if (thud_kind_is_read(p->kind)) {
             line(d->model, "stiffness read from a file", (struct thud_style){.color = FRAME}, x, below, x, z);
         } else if (p->kind != THUD_RIGID) {
