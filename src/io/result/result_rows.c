@@ -274,7 +274,8 @@ static const struct thud_column links[] = {
      .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
     {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
     {LINK(own.lost_j, "lost_j", "Energy lost in it, J."), .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
-    {LINK(own.engaged, "engaged", "How often a restrainer or a strut came to act, or friction slipped; no value of others."),
+    {LINK(own.engaged, "engaged",
+          "How often a restrainer or a strut came to act, or friction slipped; no value of others."),
      .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_link_schema = THUD_SCHEMA(
     "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
