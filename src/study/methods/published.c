@@ -356,43 +356,26 @@ static enum thud_status pendulum(struct rows *rows, struct thud_error *err)
     return status;
 }
 
+/* Those of a scene and its ground motion, and those that need neither. */
+typedef enum thud_status of_scene(const struct thud_scene *scene, const struct thud_record *record, struct rows *rows,
+                                  struct thud_error *err);
+typedef enum thud_status alone(struct rows *rows, struct thud_error *err);
+
 enum thud_status thud_published_compute(enum thud_published which, const struct thud_scene *scene,
                                         const struct thud_record *record, struct thud_published_row *row, int *n,
                                         struct thud_error *err)
 {
+    static of_scene *const scenes[THUD_PUBLISHED_COUNT] = {[THUD_PUBLISHED_CHOPRA] = chopra,
+                                                           [THUD_PUBLISHED_NPTEL] = nptel,
+                                                           [THUD_PUBLISHED_CHOPRA_YIELDING] = chopra_yielding,
+                                                           [THUD_PUBLISHED_NPTEL_YIELDING] = nptel_yielding,
+                                                           [THUD_PUBLISHED_VM65] = vm65};
+    static alone *const others[THUD_PUBLISHED_COUNT] = {[THUD_PUBLISHED_TWO_OSCILLATORS] = two_oscillators,
+                                                        [THUD_PUBLISHED_LANKARANI] = lankarani,
+                                                        [THUD_PUBLISHED_CART] = cart,
+                                                        [THUD_PUBLISHED_PENDULUM] = pendulum};
     struct rows rows = {.row = row};
-    enum thud_status status = THUD_OK;
-    switch (which) {
-    case THUD_PUBLISHED_CHOPRA:
-        status = chopra(scene, record, &rows, err);
-        break;
-    case THUD_PUBLISHED_NPTEL:
-        status = nptel(scene, record, &rows, err);
-        break;
-    case THUD_PUBLISHED_CHOPRA_YIELDING:
-        status = chopra_yielding(scene, record, &rows, err);
-        break;
-    case THUD_PUBLISHED_NPTEL_YIELDING:
-        status = nptel_yielding(scene, record, &rows, err);
-        break;
-    case THUD_PUBLISHED_VM65:
-        status = vm65(scene, record, &rows, err);
-        break;
-    case THUD_PUBLISHED_TWO_OSCILLATORS:
-        status = two_oscillators(&rows, err);
-        break;
-    case THUD_PUBLISHED_LANKARANI:
-        status = lankarani(&rows, err);
-        break;
-    case THUD_PUBLISHED_CART:
-        status = cart(&rows, err);
-        break;
-    case THUD_PUBLISHED_PENDULUM:
-        status = pendulum(&rows, err);
-        break;
-    case THUD_PUBLISHED_COUNT:
-        break;
-    }
+    enum thud_status status = scenes[which] ? scenes[which](scene, record, &rows, err) : others[which](&rows, err);
     *n = rows.n;
     return status;
 }

@@ -364,15 +364,14 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
                                   struct thud_error *err)
 {
     size_t samples = (size_t)ask->samples, n = f->n;
-    double *value = malloc((n + 2) * samples * sizeof *value); /* curves at each x, then theta, then beta */
     struct thud_stripe *stripe = malloc(n * sizeof *stripe);
-    double *logs = malloc(n * sizeof *logs);
+    double *value = malloc(((n + 2) * samples + n) * sizeof *value); /* curves at each x, then theta, then beta */
+    double *logs = value + (n + 2) * samples;
     struct thud_random random = {ask->seed};
     struct probit start = {NAN, NAN, NAN};
-    if (!value || !stripe || !logs) {
+    if (!value || !stripe) {
         free(value);
         free(stripe);
-        free(logs);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     for (size_t i = 0; i < n; i++)
@@ -412,7 +411,6 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
     band(value + (n + 1) * samples, samples, &f->beta_low, &f->beta_high);
     free(value);
     free(stripe);
-    free(logs);
     return THUD_OK;
 }
 

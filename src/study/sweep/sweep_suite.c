@@ -34,21 +34,19 @@ static size_t setting_of(const struct thud_sweep_table *table, const struct thud
 }
 
 /* One of the numbers of run k of each ground motion at a setting. */
-enum number { FORCE, IMPACTS, INDENTATION, WORST, SHEAR, CAPACITY };
+enum number { FORCE, IMPACTS, INDENTATION, SHEAR, CAPACITY, WORST };
 
 static double number_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int k,
                         enum number number)
 {
-    if (number == FORCE)
-        return d->run[k].force_n;
-    if (number == IMPACTS)
-        return d->run[k].impacts;
-    if (number == INDENTATION)
-        return d->run[k].indentation_m;
-    if (number == SHEAR)
-        return d->run[k].shear_n;
-    if (number == CAPACITY)
-        return d->run[k].capacity_ratio;
+    const struct thud_sweep_run *run = &d->run[k];
+    const double value[] = {[FORCE] = run->force_n,
+                            [IMPACTS] = run->impacts,
+                            [INDENTATION] = run->indentation_m,
+                            [SHEAR] = run->shear_n,
+                            [CAPACITY] = run->capacity_ratio};
+    if (number != WORST)
+        return value[number];
     double worst = NAN;
     for (int s = 0; s < table->nstructures; s++) {
         const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
