@@ -13,7 +13,9 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/options.h"
-#include "cli/rows.h"
+#include "io/file/file.h"
+#include "io/file/json.h"
+#include "io/file/schema.h"
 
 typedef enum thud_status command_function(const struct thud_args *args, struct thud_error *err);
 
@@ -68,9 +70,14 @@ enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_
     struct thud_text out = {0};
     if (!thud_args_has(args, "json"))
         return thud_cli_print(lines, err);
-    thud_rows_begin(NULL, &out);
-    thud_rows_files(lines->data, &out);
-    thud_rows_end(&out);
+    thud_text_append(&out, "{");
+    thud_json_head(&out, NULL);
+    thud_text_append(&out, ",\n \"files\": [");
+    for (char *rest = lines->data, *line, *comma = ""; (line = thud_text_line(&rest)) != NULL; comma = ", ") {
+        thud_text_append(&out, "%s", comma);
+        thud_json_string(&out, line);
+    }
+    thud_text_append(&out, "]}\n");
     out.failed |= lines->failed;
     thud_text_clear(lines);
     return thud_cli_print_data(&out, err);

@@ -9,8 +9,8 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/rows.h"
 #include "io/file/file.h"
+#include "io/result/bench_rows.h"
 
 static void show_progress(void *context, const char *what, int done, int count)
 {
@@ -18,26 +18,26 @@ static void show_progress(void *context, const char *what, int done, int count)
     thud_progress_show("%d of %d  %s", done, count, what);
 }
 
-/* With -o `csv` as NAME.csv and the figure; then the table on standard output, whose reader may be gone before its end.
- * All three are used up. */
+/* With -o the rows as NAME.csv and the figure; then the table, or the rows, on standard output, whose reader may be gone
+ * before its end. Table and figure are used up. */
 static enum thud_status deliver(const struct thud_args *args, const char *preset, struct thud_text *table,
-                                struct thud_text *csv, struct thud_figure *figure, const atomic_int *cancel,
+                                const struct thud_rows *rows, struct thud_figure *figure, const atomic_int *cancel,
                                 struct thud_error *err)
 {
     bool json = thud_args_has(args, "json"), data = json || thud_args_has(args, "csv");
     struct thud_picture_choice picture;
+    struct thud_text csv = {0};
     const char *folder = thud_args_value(args, "o");
     char name[128];
-    if (data) {
-        struct thud_text copy = {0};
+    if (data)
         thud_text_clear(table);
-        if (csv->data)
-            thud_text_bytes(json ? &copy : table, csv->data, csv->size);
-        if (json) {
-            thud_rows_begin(preset, table);
-            thud_rows_add("rows", &copy, table);
-            thud_rows_end(table);
-        }
+    if (json) {
+        thud_text_append(table, "{");
+        thud_json_head(table, preset);
+        thud_json_list("rows", rows, table);
+        thud_text_append(table, "}\n");
+    } else if (data) {
+        thud_rows_csv(rows, table);
     }
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     picture.options.no_data = true; /* the table's CSV says more and has its name */
@@ -47,9 +47,9 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
         status = thud_figure_check(figure, err);
     if (status == THUD_OK && folder) {
         snprintf(name, sizeof name, "%s.csv", figure->name);
-        status = thud_text_write_in(csv, folder, name, err);
+        thud_rows_csv(rows, &csv);
+        status = thud_text_write_in(&csv, folder, name, err);
     }
-    thud_text_clear(csv);
     if (folder)
         status = thud_figure_deliver(figure, folder, &picture.options, status, err);
     else
@@ -83,7 +83,7 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
                               struct thud_error *err)
 {
     struct thud_bench *plan = NULL;
-    struct thud_text table = {0}, csv = {0};
+    struct thud_text table = {0};
     const char *methods = thud_args_value(args, "methods");
     enum thud_status status = thud_bench_create(scene, record, true, &plan, err);
     if (status == THUD_OK && methods)
@@ -93,11 +93,11 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
     thud_progress_end();
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_bench_table(plan, &table);
-        thud_bench_csv(plan, &csv);
+        const struct thud_rows rows = thud_bench_rows(plan);
         char text[THUD_TEXT_MAX + 64];
         snprintf(text, sizeof text, "%s: speed against accuracy", scene->title);
         enum thud_status delivered =
-            deliver(args, scene->name, &table, &csv, thud_bench_figure(plan, text), jobs->cancel, err);
+            deliver(args, scene->name, &table, &rows, thud_bench_figure(plan, text), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_bench_free(plan);
@@ -109,7 +109,7 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
                              struct thud_error *err)
 {
     struct thud_cost *plan = NULL;
-    struct thud_text table = {0}, csv = {0};
+    struct thud_text table = {0};
     enum thud_cost_axis axis;
     enum thud_status status = thud_cost_axis_find(thud_args_value(args, "cost"), &axis, err);
     if (status == THUD_OK)
@@ -119,9 +119,9 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
     thud_progress_end();
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_cost_table(plan, &table);
-        thud_cost_csv(plan, &csv);
+        const struct thud_rows rows = thud_cost_rows(plan);
         enum thud_status delivered =
-            deliver(args, scene->name, &table, &csv, thud_cost_figure(plan, scene->title), jobs->cancel, err);
+            deliver(args, scene->name, &table, &rows, thud_cost_figure(plan, scene->title), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_cost_free(plan);

@@ -4,7 +4,7 @@
 #include "base/param.h"
 #include "cli/commands.h"
 #include "core/laws/law.h"
-#include "io/file/json.h"
+#include "io/result/list_rows.h"
 
 /* Default of a parameter in its shown unit. */
 static void add_fallback(const struct thud_param *p, struct thud_text *out)
@@ -93,57 +93,15 @@ static void table(struct thud_text *out)
                      "\nWhat a restitution really gives is that of two free bodies of 320 t that close at 0.5 m/s.\n");
 }
 
-static void add_param(const struct thud_param *p, struct thud_text *out)
-{
-    thud_text_append(out, "{\"name\": \"%s\", \"title\": ", p->name);
-    thud_json_string(out, p->title);
-    thud_text_append(out, ", \"help\": ");
-    thud_json_string(out, p->help ? p->help : "");
-    thud_text_append(out, ", \"unit\": \"%s\", ", p->unit ? p->unit : "");
-    if (p->kind == THUD_PARAM_CHOICE) {
-        thud_text_append(out, "\"default\": \"%s\", \"choices\": [", p->choices[(int)p->fallback]);
-        for (int i = 0; p->choices[i]; i++)
-            thud_text_append(out, "%s\"%s\"", i > 0 ? ", " : "", p->choices[i]);
-        thud_text_append(out, "]}");
-        return;
-    }
-    thud_json_field(out, "default_si", p->fallback);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "least_si", p->least);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "most_si", p->most);
-    thud_text_append(out, "}");
-}
-
-static void json(struct thud_text *out)
-{
-    thud_text_append(out, "[");
-    for (int i = 0; i < thud_law_count(); i++) {
-        const struct thud_law *law = thud_law_at(i);
-        thud_text_append(out, "%s\n  {\"name\": \"%s\", \"title\": ", i > 0 ? "," : "", law->name);
-        thud_json_string(out, law->title);
-        thud_text_append(out, ", \"summary\": ");
-        thud_json_string(out, law->summary);
-        thud_text_append(out, ", \"reference\": ");
-        thud_json_string(out, law->reference);
-        thud_text_append(out, ", \"parameters\": [");
-        for (int k = 0; k < law->nparams; k++) {
-            thud_text_append(out, "%s\n    ", k > 0 ? "," : "");
-            add_param(&law->params[k], out);
-        }
-        thud_text_append(out, "]}");
-    }
-    thud_text_append(out, "\n]\n");
-}
-
 enum thud_status thud_command_laws(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_text text = {0};
     if (args->noperands > 0)
         return thud_error_set(err, THUD_USAGE, "thud laws takes no name");
-    if (thud_args_has(args, "json"))
-        json(&text);
+    bool json = thud_args_has(args, "json"), csv = thud_args_has(args, "csv");
+    if (json || csv)
+        thud_laws_put(json, &text);
     else
         table(&text);
-    return thud_cli_print(&text, err);
+    return (json || csv ? thud_cli_print_data : thud_cli_print)(&text, err);
 }

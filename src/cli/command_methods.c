@@ -2,7 +2,7 @@
 
 #include "cli/commands.h"
 #include "core/methods/method.h"
-#include "io/file/json.h"
+#include "io/result/list_rows.h"
 
 static void table(struct thud_text *out)
 {
@@ -22,36 +22,15 @@ static void table(struct thud_text *out)
     }
 }
 
-static void json(struct thud_text *out)
-{
-    thud_text_append(out, "[");
-    for (int i = 0; i < thud_method_count(); i++) {
-        const struct thud_method *m = thud_method_at(i);
-        thud_text_append(out, "%s\n  {\"name\": \"%s\", \"title\": ", i > 0 ? "," : "", m->name);
-        thud_json_string(out, m->title);
-        thud_text_append(out, ", \"summary\": ");
-        thud_json_string(out, m->summary);
-        thud_text_append(out, ", \"reference\": ");
-        thud_json_string(out, m->reference);
-        thud_text_append(out, ", \"order\": %d, \"fixed_step\": %s, \"locates\": %s, ", m->order,
-                         m->flags & THUD_METHOD_FIXED_STEP ? "true" : "false",
-                         m->flags & THUD_METHOD_LOCATES ? "true" : "false");
-        thud_json_field(out, "stable_omega_dt", m->stability);
-        thud_text_append(out, ", \"limits\": ");
-        thud_json_string(out, m->limits);
-        thud_text_append(out, "}");
-    }
-    thud_text_append(out, "\n]\n");
-}
-
 enum thud_status thud_command_methods(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_text text = {0};
     if (args->noperands > 0)
         return thud_error_set(err, THUD_USAGE, "thud methods takes no name");
-    if (thud_args_has(args, "json"))
-        json(&text);
+    bool json = thud_args_has(args, "json"), csv = thud_args_has(args, "csv");
+    if (json || csv)
+        thud_methods_put(json, &text);
     else
         table(&text);
-    return thud_cli_print(&text, err);
+    return (json || csv ? thud_cli_print_data : thud_cli_print)(&text, err);
 }

@@ -11,6 +11,7 @@
 #include "io/file/file.h"
 #include "io/file/paths.h"
 #include "io/record/record_write.h"
+#include "io/result/list_rows.h"
 
 /* To the file of -o, else to standard output. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)
@@ -54,15 +55,31 @@ static void title_of(const struct thud_record *record, char *title, size_t size)
         snprintf(title, size, "%s", name ? name + 1 : record->file);
 }
 
-static enum thud_status info_of(const struct thud_args *args, const struct thud_record *record, struct thud_text *text,
+static enum thud_written form_of(const struct thud_args *args)
+{
+    return thud_args_has(args, "json") ? THUD_AS_JSON : thud_args_has(args, "csv") ? THUD_AS_CSV : THUD_AS_TEXT;
+}
+
+static enum thud_status print(const struct thud_args *args, struct thud_text *text, enum thud_status status,
+                              struct thud_error *err)
+{
+    if (status == THUD_OK)
+        return (form_of(args) ? thud_cli_print_data : thud_cli_print)(text, err);
+    thud_text_clear(text);
+    return status;
+}
+
+static enum thud_status info_of(const struct thud_args *args, const struct thud_record *record, struct thud_list *list,
                                 struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     struct thud_intensity intensity = thud_intensity_of(record);
-    if (thud_args_has(args, "json"))
-        thud_record_info_json(record, &intensity, text);
+    struct thud_motion_info_row row;
+    thud_motion_info_fill(record, &intensity, &row);
+    if (form_of(args))
+        thud_list_add(list, &row, NULL, 0);
     else
-        thud_record_info_table(record, &intensity, text);
+        thud_record_info_table(record, &intensity, list->out);
     if (thud_args_has(args, "o")) {
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);
@@ -78,27 +95,21 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
     struct thud_record_treatment treatment;
     struct thud_text text = {0};
     enum thud_status status = need_files(args, "info", THUD_OPERANDS_MAX, err);
-    bool json = thud_args_has(args, "json"),
-         list = json && (args->noperands > 2 || (!status && thud_record_is_list(args->operand[1])));
+    struct thud_list list = {&text, &thud_motion_info_schema, NULL, form_of(args) == THUD_AS_JSON, 0};
+    if (form_of(args))
+        thud_list_begin(&list, "records");
     if (!status)
         status = thud_record_options_read(args, &treatment, err);
-    for (int i = 1, n = 0; i < args->noperands && !status; i++) {
+    for (int i = 1; i < args->noperands && !status; i++) {
         struct thud_record_list motions;
         status = thud_record_list_open(args->operand[i], &treatment, &motions, err);
-        for (int k = 0; k < motions.n && !status; k++) {
-            if (list)
-                thud_text_append(&text, n++ == 0 ? "[" : ",\n ");
-            status = info_of(args, motions.record[k], &text, err);
-        }
+        for (int k = 0; k < motions.n && !status; k++)
+            status = info_of(args, motions.record[k], &list, err);
         thud_record_list_clear(&motions);
     }
-    if (json)
-        thud_text_append(&text, list ? "]\n" : "\n");
-    if (status) {
-        thud_text_clear(&text);
-        return status;
-    }
-    return thud_cli_print(&text, err);
+    if (form_of(args))
+        thud_list_end(&list);
+    return print(args, &text, status, err);
 }
 
 /* The first periods of --preset's structures; none without it. */
@@ -122,7 +133,7 @@ static enum thud_status marks_of(const struct thud_args *args, struct thud_perio
 
 static enum thud_status spectrum_of(const struct thud_args *args, const struct thud_record *record,
                                     const struct thud_spectrum_choice *choice, struct thud_spectrum_point *point,
-                                    struct thud_text *text, struct thud_error *err)
+                                    struct thud_list *list, struct thud_error *err)
 {
     struct thud_period_mark mark[THUD_STRUCTURES_MAX];
     int nmarks;
@@ -131,10 +142,12 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
     if (status)
         return status;
     thud_spectrum_fill(record, choice->damping, choice->from_s, choice->to_s, count, point);
-    if (thud_args_has(args, "json"))
-        thud_spectrum_json(record, point, count, choice->damping, text);
+    const struct thud_spectrum_row row = {record->file, choice->damping};
+    const struct thud_nested points = {"points", thud_spectrum_rows(point, count)};
+    if (list->schema)
+        thud_list_add(list, &row, &points, 1);
     else
-        thud_spectrum_csv(record, point, count, choice->damping, text);
+        thud_spectrum_csv(record, point, count, choice->damping, list->out);
     if (thud_args_has(args, "o")) {
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);
@@ -161,23 +174,20 @@ static enum thud_status spectrum(const struct thud_args *args, struct thud_error
         status = thud_record_list_open(args->operand[1], &treatment, &motions, err);
     if (status)
         return status;
-    bool list = thud_args_has(args, "json") && thud_record_is_list(args->operand[1]);
+    bool json = thud_args_has(args, "json"), rows = json || thud_record_is_list(args->operand[1]);
+    struct thud_list list = {&text, rows ? &thud_spectrum_schema : NULL, &thud_spectrum_point_schema, json, 0};
+    if (rows)
+        thud_list_begin(&list, "spectra");
     struct thud_spectrum_point *point = malloc((size_t)choice.count * sizeof *point);
     if (!point)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int k = 0; k < motions.n && !status; k++) {
-        if (list)
-            thud_text_append(&text, k == 0 ? "[" : ", ");
-        status = spectrum_of(args, motions.record[k], &choice, point, &text, err);
-    }
-    if (list)
-        thud_text_append(&text, "]\n");
+    for (int k = 0; k < motions.n && !status; k++)
+        status = spectrum_of(args, motions.record[k], &choice, point, &list, err);
+    if (rows)
+        thud_list_end(&list);
     free(point);
     thud_record_list_clear(&motions);
-    if (!status)
-        return thud_cli_print(&text, err);
-    thud_text_clear(&text);
-    return status;
+    return print(args, &text, status, err);
 }
 
 static enum thud_status convert(const struct thud_args *args, struct thud_error *err)
@@ -216,27 +226,22 @@ static enum thud_status list(const struct thud_args *args, struct thud_error *er
     struct thud_text text = {0};
     struct thud_paths paths;
     thud_paths_find(&paths);
-    bool json = thud_args_has(args, "json");
     if (args->noperands > 2)
         return thud_error_set(err, THUD_USAGE, "thud record list takes one folder or list");
     const char *name = args->noperands > 1 ? args->operand[1] : paths.records;
     struct thud_record_list motions;
     enum thud_status status;
     if (!thud_record_is_list(name)) {
-        status = thud_record_list(name, json, &text, err);
+        status = thud_record_list(name, form_of(args), &text, err);
     } else {
         struct thud_record_treatment treatment;
         thud_record_treatment_init(&treatment);
         status = thud_record_list_open(name, &treatment, &motions, err);
         if (!status)
-            thud_record_rows(name, motions.record, motions.n, json, &text);
+            thud_record_rows(name, motions.record, motions.n, form_of(args), &text);
         thud_record_list_clear(&motions);
     }
-    if (status) {
-        thud_text_clear(&text);
-        return status;
-    }
-    return thud_cli_print(&text, err);
+    return print(args, &text, status, err);
 }
 
 static enum thud_status synthesize(const struct thud_args *args, struct thud_error *err)
@@ -264,9 +269,16 @@ static enum thud_status check_options(const struct thud_args *args, unsigned ver
     static const struct {
         const char *option;
         unsigned verbs;
-    } own[] = {{"set", SYNTHESIZE},    {"damping", SPECTRUM},       {"periods", SPECTRUM},
-               {"preset", SPECTRUM},   {"format", INFO | SPECTRUM}, {"json", INFO | SPECTRUM | LIST},
-               {"o", ~(unsigned)LIST}, {"peak", ~(unsigned)LIST},   {"dt", ~(unsigned)LIST}};
+    } own[] = {{"set", SYNTHESIZE},
+               {"damping", SPECTRUM},
+               {"periods", SPECTRUM},
+               {"preset", SPECTRUM},
+               {"format", INFO | SPECTRUM},
+               {"json", INFO | SPECTRUM | LIST},
+               {"csv", INFO | SPECTRUM | LIST},
+               {"o", ~(unsigned)LIST},
+               {"peak", ~(unsigned)LIST},
+               {"dt", ~(unsigned)LIST}};
     for (int i = 0; i < args->ngiven; i++) {
         const char *name = args->given[i].option->name;
         unsigned verbs = INFO | SPECTRUM | CONVERT;

@@ -10,7 +10,6 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/rows.h"
 #include "io/file/file.h"
 #include "study/sweep/remark.h"
 
@@ -48,7 +47,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     else if (thud_args_has(args, "json"))
         thud_result_json(report, &text);
     else if (thud_args_has(args, "csv"))
-        thud_result_csv(report, &text);
+        thud_result_csv(report, 1, &text);
     else
         thud_result_table(report, &text);
     return thud_cli_print_as(args, &text, THUD_OK, err);
@@ -249,19 +248,21 @@ static void put_cases(const struct thud_args *args, const struct thud_session *s
         thud_run_cases_table(cases, out);
         return;
     }
+    struct thud_report report[THUD_RUN_CASES_MAX];
     thud_text_append(out, json ? "{\"format\": 1, \"cases\": [\n" : "");
     for (int i = 0; i < cases->n; i++) {
-        struct thud_text one = {0};
         const struct thud_run_case *item = &cases->item[i];
-        struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->solution);
-        report.which = item->folder;
-        (json ? thud_result_json : thud_result_csv)(&report, json ? out : &one);
-        if (json)
+        report[i] = thud_session_report(session, &item->scene, item->which, &item->solution);
+        report[i].which = item->folder;
+        if (json) {
+            thud_result_json(&report[i], out);
             thud_text_append(out, i + 1 < cases->n ? ",\n" : "");
-        else
-            thud_rows_under("case", item->folder, i == 0, &one, out);
+        }
     }
-    thud_text_append(out, json ? "]}\n" : "");
+    if (json)
+        thud_text_append(out, "]}\n");
+    else
+        thud_result_csv(report, cases->n, out);
 }
 
 static enum thud_status run_cases(const struct thud_args *args, struct thud_session *session, struct thud_error *err)

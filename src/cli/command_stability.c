@@ -8,19 +8,18 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "cli/rows.h"
 #include "io/file/file.h"
+#include "io/result/bench_rows.h"
 
 static enum thud_status save(const struct thud_stability *stability, const char *folder,
                              const struct thud_picture_options *options, struct thud_error *err)
 {
     enum thud_status status = thud_folder_make(folder, err);
-    for (int i = 0; status == THUD_OK && i < THUD_STABILITY_FILES; i++) {
+    for (int i = 0; status == THUD_OK && i < THUD_STABILITY_TABLES; i++) {
         struct thud_text text = {0};
-        char name[64];
-        snprintf(name, sizeof name, "%s.csv", thud_stability_file(i));
-        thud_stability_csv(stability, i, &text);
-        status = thud_text_write_in(&text, folder, name, err);
+        const struct thud_rows rows = thud_stability_rows(stability, i);
+        thud_rows_csv(&rows, &text);
+        status = thud_text_write_in(&text, folder, rows.schema->name, err);
     }
     if (status != THUD_OK)
         return status;
@@ -34,21 +33,22 @@ static enum thud_status save(const struct thud_stability *stability, const char 
 static void put(const struct thud_args *args, const struct thud_stability *stability, const char *preset,
                 struct thud_text *out)
 {
-    if (thud_args_has(args, "csv")) {
-        thud_stability_csv(stability, 0, out);
-        return;
-    }
-    if (!thud_args_has(args, "json")) {
+    static const char *const name[THUD_STABILITY_TABLES] = {"verdicts", "energies", "restitutions", "test-cases"};
+    bool json = thud_args_has(args, "json"), csv = thud_args_has(args, "csv");
+    if (!json && !csv)
         thud_stability_table(stability, out);
-        return;
+    if (json)
+        thud_text_append(out, "{");
+    if (json)
+        thud_json_head(out, preset);
+    for (int i = 0; (json && i < THUD_STABILITY_TABLES) || (csv && i == 0); i++) {
+        const struct thud_rows rows = thud_stability_rows(stability, i);
+        if (json)
+            thud_json_list(name[i], &rows, out);
+        else
+            thud_rows_csv(&rows, out);
     }
-    thud_rows_begin(preset, out);
-    for (int i = 0; i < THUD_STABILITY_FILES; i++) {
-        struct thud_text csv = {0};
-        thud_stability_csv(stability, i, &csv);
-        thud_rows_add(thud_stability_file(i), &csv, out);
-    }
-    thud_rows_end(out);
+    thud_text_append(out, json ? "}\n" : "");
 }
 
 static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, const atomic_int *cancel,

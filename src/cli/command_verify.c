@@ -5,11 +5,14 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/file/paths.h"
+#include "io/result/list_rows.h"
 
 /* Over all presets. */
 struct total {
     int presets, refused, count[THUD_GONE + 1];
     enum thud_status status; /* the first thing that went wrong with a preset */
+    bool data;               /* as rows */
+    struct thud_list list;
 };
 
 /* The difference is shown before anything is written. */
@@ -17,22 +20,20 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_verifi
                                 struct thud_error *err)
 {
     struct thud_text text = {0};
-    bool json = thud_args_has(args, "json");
-    if (json) {
-        thud_text_append(&text, total->presets > 0 ? ",\n  " : "\n  ");
-        thud_verify_json(v, &text);
-    } else {
+    total->list.out = &text;
+    if (total->data)
+        thud_verify_add(v, &total->list);
+    else
         thud_verify_table(v, args->noperands == 1 && !v->update, &text);
-    }
     total->presets++;
     for (int i = 0; i <= THUD_GONE; i++)
         total->count[i] += v->count[i];
     thud_progress_wipe();
-    enum thud_status status = thud_cli_print(&text, err);
+    enum thud_status status = (total->data ? thud_cli_print_data : thud_cli_print)(&text, err);
     if (status != THUD_OK || !v->update)
         return status;
     status = thud_verify_write(v, err);
-    if (status == THUD_OK && !json) {
+    if (status == THUD_OK && !total->data) {
         thud_text_append(&text, "  %s: %s\n", v->path, v->written ? "written" : "as it was");
         status = thud_cli_print(&text, err);
     }
@@ -64,12 +65,13 @@ static enum thud_status one(const struct thud_args *args, const char *preset, st
     return THUD_OK;
 }
 
-static enum thud_status finish(const struct thud_args *args, const struct total *total, struct thud_error *err)
+static enum thud_status finish(const struct thud_args *args, struct total *total, struct thud_error *err)
 {
     struct thud_text text = {0};
     int wrong = total->count[THUD_MOVED] + total->count[THUD_GONE];
-    if (thud_args_has(args, "json"))
-        thud_text_append(&text, "\n]\n");
+    total->list.out = &text;
+    if (total->data)
+        thud_list_end(&total->list);
     else if (total->presets > 1 || (total->presets == 1 && total->refused > 0)) {
         thud_text_append(&text, "%d preset%s: %d hold, %d moved, %d gone", total->presets,
                          total->presets == 1 ? "" : "s", total->count[THUD_HOLDS], total->count[THUD_MOVED],
@@ -78,7 +80,7 @@ static enum thud_status finish(const struct thud_args *args, const struct total 
             thud_text_append(&text, "; %d could not be verified", total->refused);
         thud_text_append(&text, "\n");
     }
-    enum thud_status status = thud_cli_print(&text, err);
+    enum thud_status status = (total->data ? thud_cli_print_data : thud_cli_print)(&text, err);
     if (status != THUD_OK || total->status != THUD_OK)
         return status != THUD_OK ? status : total->status;
     return wrong > 0 && !thud_args_has(args, "update") ? THUD_CHECK : THUD_OK;
@@ -101,11 +103,12 @@ static enum thud_status published(const struct thud_args *args, struct thud_erro
         status = thud_published_verify((enum thud_published)i, choice, &result[i], err);
     if (status != THUD_OK)
         return status;
-    if (thud_args_has(args, "json"))
-        thud_published_json(result, &text);
+    bool json = thud_args_has(args, "json"), data = json || thud_args_has(args, "csv");
+    if (data)
+        thud_published_put(result, json, &text);
     else
         thud_published_table(result, &text);
-    status = thud_cli_print(&text, err);
+    status = (data ? thud_cli_print_data : thud_cli_print)(&text, err);
     return status == THUD_OK && thud_published_wrong(result) > 0 ? THUD_CHECK : status;
 }
 
@@ -115,7 +118,11 @@ enum thud_status thud_command_verify(const struct thud_args *args, struct thud_e
         return published(args, err);
     if (thud_args_has(args, "record"))
         return thud_error_set(err, THUD_USAGE, "--record goes with --published");
-    struct total total = {.status = THUD_OK};
+    bool json = thud_args_has(args, "json");
+    struct thud_text text = {0};
+    struct total total = {.status = THUD_OK,
+                          .data = json || thud_args_has(args, "csv"),
+                          .list = {&text, &thud_verified_schema, &thud_check_schema, json, 0}};
     struct thud_paths paths;
     struct thud_file_names names;
     thud_paths_find(&paths);
@@ -129,8 +136,10 @@ enum thud_status thud_command_verify(const struct thud_args *args, struct thud_e
         return THUD_INPUT;
     }
     enum thud_status status = THUD_OK;
-    if (thud_args_has(args, "json"))
-        status = fputs("[", stdout) < 0 ? thud_error_set(err, THUD_OUTPUT, "standard output") : THUD_OK;
+    if (total.data) {
+        thud_list_begin(&total.list, "presets");
+        status = thud_cli_print_data(&text, err);
+    }
     thud_progress_start(args);
     for (int i = 0; i < n && status == THUD_OK; i++) {
         char path[640];

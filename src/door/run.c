@@ -71,7 +71,7 @@ static enum thud_status put_run(const struct thud_report *report, bool histories
     }
     results->json = text.data;
     text = (struct thud_text){0};
-    thud_result_csv(report, &text);
+    thud_result_csv(report, 1, &text);
     enum thud_status status = thud_door_csv(results, "floors", &text, err);
     if (status != THUD_OK)
         return status;

@@ -175,7 +175,7 @@ is "all columns, one after the other" shows '^  samples  *6, every'
 
 # several at once, and what a list says of files that are none
 is "info of two records" gives 0 record info kobe-surrogate.csv northridge-surrogate.csv --json
-is "is a list in JSON" test "$(tr -d '\n' <"$tmp/out" | grep -c '^\[{.*},* *{.*}\]$')" -eq 1
+is "is a list in JSON" test "$(tr -d '\n' <"$tmp/out" | grep -c '"records": \[ *{[^{}]*}, *{[^{}]*}\]}$')" -eq 1
 printf '0\n0\n0\n' >"$tmp/zeros.txt"
 is "a record of zeros" gives 0 record info "$tmp/zeros.txt" --dt 0.5s --unit g
 is "has no duration" shows '^  D5-95  *none: the record is all zeros'

@@ -6,6 +6,7 @@
 
 #include "app/bench/cost_jobs.h"
 #include "base/quantity.h"
+#include "io/result/bench_rows.h"
 #include "towers.h"
 
 static struct thud_scene scene;
@@ -196,7 +197,8 @@ START_TEST(stopping_keeps_what_is_done)
     ck_assert_int_eq(thud_cost_jobs_run(cost, &jobs, NULL), THUD_CANCELLED);
     for (int i = 0; i < thud_cost_count(cost); i++)
         ck_assert_int_eq(thud_cost_point(cost, i)->state, i < 3 ? THUD_COST_DONE : THUD_COST_WAITING);
-    thud_cost_csv(cost, &csv);
+    const struct thud_rows rows = thud_cost_rows(cost);
+    thud_rows_csv(&rows, &csv);
     thud_cost_table(cost, &table);
     struct thud_figure *figure = thud_cost_figure(cost, "stopped");
     ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);

@@ -5,6 +5,7 @@
 
 #include "app/bench/stability_report.h"
 #include "base/quantity.h"
+#include "io/result/bench_rows.h"
 #include "study/methods/stability_private.h"
 #include "towers.h"
 
@@ -306,10 +307,11 @@ START_TEST(what_is_done_is_shown)
     ck_assert(strstr(text.data, "central-difference, located") != NULL);
     ck_assert(strstr(text.data, "nan") == NULL);
     thud_text_clear(&text);
-    int rows[THUD_STABILITY_FILES] = {s->ncells, s->ncells, s->nrestitutions, 0};
-    for (int which = 0; which < THUD_STABILITY_FILES; which++) {
+    int rows[THUD_STABILITY_TABLES] = {s->ncells, s->ncells, s->nrestitutions, 0};
+    for (int which = 0; which < THUD_STABILITY_TABLES; which++) {
         int lines = 0;
-        thud_stability_csv(s, which, &text);
+        const struct thud_rows table = thud_stability_rows(s, which);
+        thud_rows_csv(&table, &text);
         for (size_t i = 0; i < text.size; i++)
             lines += text.data[i] == '\n';
         ck_assert_int_eq(lines, rows[which] + 1);

@@ -43,6 +43,7 @@ struct thud_column {
     enum thud_column_kind kind;
     size_t at;
     unsigned only; /* of rows that have one of these marks; 0: of all */
+    bool infinite; /* "inf" stands in CSV where it is infinite; else no value does */
     struct thud_shown shown;
 };
 /* Marks set by the writers themselves. */
@@ -91,7 +92,7 @@ struct thud_part {
 void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out);
-/* "format": 1, "preset": ..., "version": ...; the first members of every result in JSON. */
+/* "format": 1, "preset": ..., "version": ...; the first members of every result in JSON. `preset` NULL: of none. */
 void thud_json_head(struct thud_text *out, const char *preset);
 
 /* Rows of one kind, made one at a time: `make` fills the i-th of them into `row`, of at most THUD_ROW_MAX bytes. */
@@ -106,9 +107,32 @@ struct thud_rows {
     void (*make)(const void *of, int i, void *row);
     const void *of;
 };
-void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out);   /* heading and rows */
-void thud_rows_json(const struct thud_rows *rows, struct thud_text *out);  /* [ {...}, ... ], an object a line */
+void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out);  /* heading and rows */
+void thud_rows_json(const struct thud_rows *rows, struct thud_text *out); /* [ {...}, ... ], an object a line */
+/* , "name": [ ... ], behind other members. */
+void thud_json_list(const char *name, const struct thud_rows *rows, struct thud_text *out);
 void thud_rows_table(const struct thud_rows *rows, struct thud_text *out); /* as a table of a terminal */
+
+/* What is asked for. */
+enum thud_written { THUD_AS_TEXT, THUD_AS_CSV, THUD_AS_JSON };
+
+/* A list written row by row, each with rows of its own (laws with their parameters): as JSON an object with the list, as
+ * CSV a line for each of the inner rows behind what they belong to. */
+struct thud_nested {
+    const char *name;
+    struct thud_rows rows;
+};
+struct thud_list {
+    struct thud_text *out;
+    const struct thud_schema *schema, *inner; /* inner NULL: none, or none in CSV */
+    bool json;                                /* else CSV */
+    int n;
+};
+/* Format and version, then `name`: [. */
+void thud_list_begin(struct thud_list *list, const char *name);
+/* CSV has the first of the nested alone. */
+void thud_list_add(struct thud_list *list, const void *row, const struct thud_nested *nested, int n);
+void thud_list_end(struct thud_list *list);
 
 /* The end of a name by its unit: "_m", "_mps2", ""; of what is varied or sampled. */
 const char *thud_si_suffix(const struct thud_param *param);

@@ -31,8 +31,8 @@ struct thud_report {
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
 /* What a ground motion is known by, as an object on one line. */
 void thud_record_json(const struct thud_record *record, struct thud_text *out);
-/* One row per structure and floor. */
-void thud_result_csv(const struct thud_report *report, struct thud_text *out);
+/* One row per structure and floor; of several reports, behind the name of its case. */
+void thud_result_csv(const struct thud_report *report, int n, struct thud_text *out);
 /* histories.csv: time, ground acceleration, every floor, every contact; at jumps the time stands twice. */
 void thud_history_csv(const struct thud_report *report, struct thud_text *out);
 /* impacts.csv: one row per impact. */

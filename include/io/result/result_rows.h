@@ -16,11 +16,12 @@ enum {
     THUD_ROW_STOREY = 8,  /* an event of a storey */
     THUD_ROW_CAPACITY = 16,
     THUD_ROW_WEIGHS = 32, /* P-Delta */
-    THUD_ROW_LINK = 64    /* an event of a link */
+    THUD_ROW_LINK = 64,   /* an event of a link */
+    THUD_ROW_CASE = 128   /* several cases below each other */
 };
 
 struct thud_floor_row {
-    const char *structure;
+    const char *structure, *which;
     int floor;
     struct thud_floor_result peak;
     double stability;

@@ -16,7 +16,6 @@ struct thud_cost_axis_info {
     const char *name;   /* the word on the command line */
     const char *label;  /* of the size, with its unit where it has one */
     const char *unit;   /* may be empty */
-    const char *column; /* in CSV */
     const char *reason; /* why the cost grows as it does */
 };
 const struct thud_cost_axis_info *thud_cost_axis_info(enum thud_cost_axis axis);

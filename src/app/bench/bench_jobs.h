@@ -47,9 +47,8 @@ void thud_bench_work_stop(struct thud_bench_work *work);
 enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud_bench_jobs *jobs,
                                      struct thud_error *err);
 
-/* What came of it: for people, and as CSV. */
+/* What came of it, for people. */
 void thud_bench_table(struct thud_bench *bench, struct thud_text *out);
-void thud_bench_csv(struct thud_bench *bench, struct thud_text *out);
 /* Time against error, and force evaluations against error (which no noise touches), log-log, a curve per method. Ask
  * thud_figure_check. */
 struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *title);

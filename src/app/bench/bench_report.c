@@ -101,38 +101,6 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
     add_list(bench, THUD_BENCH_BLOWN_UP, "\nno result:\n  ", out);
 }
 
-static void add_field(struct thud_text *out, double value)
-{
-    thud_text_append(out, ",");
-    if (isfinite(value))
-        thud_text_number(out, value);
-}
-
-void thud_bench_csv(struct thud_bench *bench, struct thud_text *out)
-{
-    static const char *const states[] = {"not-run", "done", "failed", "skipped"};
-    thud_text_append(out, "method,located,setting,state,seconds,spread_s,repeats,error,error_acceleration,error_drift,"
-                          "error_force,impact_time_s,missed,extra,steps,force_evaluations,events,processor_s\n");
-    for (int i = 0; i < thud_bench_count(bench); i++) {
-        const struct thud_bench_point *p = thud_bench_point(bench, i);
-        bool done = p->state == THUD_BENCH_DONE;
-        const double value[] = {p->error.all, p->error.acceleration, p->error.drift, p->error.force,
-                                p->error.impact_time_s};
-        thud_text_append(out, "%s,%d", p->method->name, p->locate);
-        add_field(out, p->setting);
-        thud_text_append(out, ",%s", states[p->state]);
-        add_field(out, done ? p->seconds : NAN);
-        add_field(out, done && p->repeats > 1 ? p->spread : NAN);
-        thud_text_append(out, ",%d", done ? p->repeats : 0);
-        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
-            add_field(out, done ? value[k] : NAN);
-        thud_text_append(out, ",%d,%d,%ld,%ld,%ld", p->error.missed, p->error.extra, p->work.steps,
-                         p->work.force_evaluations, p->work.events);
-        add_field(out, done && p->processor_s > 0 ? p->processor_s : NAN);
-        thud_text_append(out, "\n");
-    }
-}
-
 /* One curve into both panels of its column. */
 static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
 {

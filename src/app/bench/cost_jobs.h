@@ -8,7 +8,6 @@
  * THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_cost_jobs_run(struct thud_cost *cost, const struct thud_bench_jobs *jobs, struct thud_error *err);
 
-/* What came of it, with the fitted slopes: for people, as CSV, and as a figure (ask thud_figure_check). */
+/* What came of it, with the fitted slopes: for people, and as a figure (ask thud_figure_check). */
 void thud_cost_table(struct thud_cost *cost, struct thud_text *out);
-void thud_cost_csv(struct thud_cost *cost, struct thud_text *out);
 struct thud_figure *thud_cost_figure(struct thud_cost *cost, const char *title);

@@ -51,32 +51,6 @@ void thud_cost_table(struct thud_cost *cost, struct thud_text *out)
     thud_text_append(out, "\n%s\n", axis->reason);
 }
 
-void thud_cost_csv(struct thud_cost *cost, struct thud_text *out)
-{
-    static const char *const states[] = {"not-run", "done", "failed", "skipped"};
-    thud_text_append(out,
-                     "%s,clearance_m,state,floors,contacts,impacts,seconds,spread_s,setup_s,repeats,steps,"
-                     "force_evaluations,events\n",
-                     thud_cost_axis_info(thud_cost_axis(cost))->column);
-    for (int i = 0; i < thud_cost_count(cost); i++) {
-        const struct thud_cost_point *p = thud_cost_point(cost, i);
-        bool done = p->state == THUD_COST_DONE;
-        const double seconds[] = {p->seconds, p->spread, p->setup_s};
-        if (isfinite(p->size))
-            thud_text_number(out, p->size);
-        thud_text_append(out, ",");
-        thud_text_number(out, p->clearance_m);
-        thud_text_append(out, ",%s,%d,%d,%d", states[p->state], p->floors, p->contacts, p->impacts);
-        for (int k = 0; k < 3; k++) {
-            thud_text_append(out, ",");
-            if (done)
-                thud_text_number(out, seconds[k]);
-        }
-        thud_text_append(out, ",%d,%ld,%ld,%ld\n", p->repeats, p->work.steps, p->work.force_evaluations,
-                         p->work.events);
-    }
-}
-
 /* One quantity over the sizes done, and its fitted line. */
 static void add_series(struct thud_cost *cost, struct thud_panel *panel, enum thud_cost_quantity quantity, int color)
 {

@@ -6,7 +6,7 @@
 
 #include "app/run/session.h"
 #include "ground/identity.h"
-#include "io/file/json.h"
+#include "io/result/list_rows.h"
 
 static enum thud_status compute(enum thud_published which, const struct thud_record_choice *record,
                                 struct thud_session *session, struct thud_published_result *out, struct thud_error *err)
@@ -126,37 +126,21 @@ void thud_published_table(const struct thud_published_result *result, struct thu
     add_validity(&sum, out);
 }
 
-void thud_published_json(const struct thud_published_result *result, struct thud_text *out)
+static void make_value(const void *of, int i, void *out)
 {
-    thud_text_append(out, "[");
+    *(struct thud_published_row *)out = ((const struct thud_published_result *)of)->row[i];
+}
+
+void thud_published_put(const struct thud_published_result *result, bool json, struct thud_text *out)
+{
+    struct thud_list list = {out, &thud_published_schema, &thud_published_value_schema, json, 0};
+    thud_list_begin(&list, "examples");
     for (int i = 0; i < THUD_PUBLISHED_COUNT; i++) {
         const struct thud_published_info *info = thud_published_info((enum thud_published)i);
-        thud_text_append(out, "%s\n  {\"title\": ", i > 0 ? "," : "");
-        thud_json_string(out, info->title);
-        thud_text_append(out, ", \"source\": ");
-        thud_json_string(out, info->source);
-        thud_text_append(out, ", \"skipped\": %s, \"motion\": ", result[i].skipped ? "true" : "false");
-        thud_json_string(out, result[i].motion);
-        thud_text_append(out, ", \"values\": [");
-        for (int k = 0; k < result[i].n; k++) {
-            const struct thud_published_row *r = &result[i].row[k];
-            thud_text_append(out, "%s\n    {\"quantity\": ", k > 0 ? "," : "");
-            thud_json_string(out, r->quantity);
-            thud_text_append(out, ", \"unit\": \"%s\"", r->unit);
-            const struct {
-                const char *key;
-                double value;
-            } field[] = {{"published", r->published},
-                         {"computed", r->computed},
-                         {"difference", r->difference},
-                         {"tolerance", r->tolerance}};
-            for (size_t f = 0; f < sizeof field / sizeof *field; f++) {
-                thud_text_append(out, ", ");
-                thud_json_field(out, field[f].key, field[f].value);
-            }
-            thud_text_append(out, ", \"holds\": %s}", r->holds ? "true" : "false");
-        }
-        thud_text_append(out, "]}");
+        const struct thud_published_head head = {info->title, info->source, result[i].skipped, result[i].motion};
+        const struct thud_nested values = {"values",
+                                           {&thud_published_value_schema, 0, result[i].n, make_value, &result[i]}};
+        thud_list_add(&list, &head, &values, 1);
     }
-    thud_text_append(out, "\n]\n");
+    thud_list_end(&list);
 }

@@ -1,4 +1,4 @@
-/* What came of thud_stability: for people, as CSV, and as figures. */
+/* What came of thud_stability: for people, and as figures. */
 #pragma once
 
 #include "base/text.h"
@@ -6,11 +6,6 @@
 #include "study/methods/stability.h"
 
 void thud_stability_table(const struct thud_stability *stability, struct thud_text *out);
-
-enum { THUD_STABILITY_FILES = 4 };
-/* "verdicts", "energies", "restitutions", "test-cases" */
-const char *thud_stability_file(int which);
-void thud_stability_csv(const struct thud_stability *stability, int which, struct thud_text *out);
 
 /* Methods against omega dt: a map of the verdicts of a kind, and the energy kept. Ask thud_figure_check. */
 struct thud_figure *thud_stability_map(const struct thud_stability *stability, int kind);

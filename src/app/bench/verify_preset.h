@@ -1,7 +1,7 @@
 /* A preset run against its expectations, and new expectations made for it. */
 #pragma once
 
-#include "base/text.h"
+#include "io/file/schema.h"
 #include "study/methods/published.h"
 #include "study/methods/verify.h"
 
@@ -31,8 +31,8 @@ void thud_verify_clear(struct thud_verification *v);
 
 /* What moved, by how much, and a line of counts; `all`: what holds too, where nothing moved. */
 void thud_verify_table(const struct thud_verification *v, bool all, struct thud_text *out);
-/* One object. */
-void thud_verify_json(const struct thud_verification *v, struct thud_text *out);
+/* One row, with its checks. */
+void thud_verify_add(const struct thud_verification *v, struct thud_list *list);
 
 /* ---- `thud verify --published`: what others published beside what is computed here ---- */
 
@@ -52,4 +52,5 @@ enum thud_status thud_published_verify(enum thud_published which, const struct t
 /* Values outside of their tolerance. */
 int thud_published_wrong(const struct thud_published_result *result); /* (THUD_PUBLISHED_COUNT) */
 void thud_published_table(const struct thud_published_result *result, struct thud_text *out);
-void thud_published_json(const struct thud_published_result *result, struct thud_text *out);
+/* As JSON, else as CSV. */
+void thud_published_put(const struct thud_published_result *result, bool json, struct thud_text *out);

@@ -1,9 +1,9 @@
-/* Verifications as text and JSON. */
+/* Verifications as text and rows. */
 #include <math.h>
 #include <string.h>
 
 #include "app/bench/verify_preset.h"
-#include "io/file/json.h"
+#include "io/result/list_rows.h"
 
 static bool is_old(const struct thud_verification *v, const struct thud_expectation *fresh)
 {
@@ -71,53 +71,35 @@ void thud_verify_table(const struct thud_verification *v, bool all, struct thud_
         add_update(v, out);
 }
 
-static void json_list(const char *key, const struct thud_expectations *list, struct thud_text *out)
+/* The rows of a verification. */
+static void make_check(const void *of, int i, void *out)
 {
-    thud_text_append(out, ", \"%s\": [", key);
-    for (size_t i = 0; i < list->n; i++) {
-        const struct thud_expectation *e = &list->item[i];
-        thud_text_append(out, "%s\n    {\"case\": \"%s\", \"quantity\": ", i > 0 ? "," : "", thud_case_name(e->which));
-        thud_json_string(out, e->name);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "value", e->value);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "tolerance", e->tolerance);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "independent", isnan(e->other) ? e->value : e->other);
-        thud_text_append(out, "}");
-    }
-    thud_text_append(out, "]");
+    const struct thud_verification *v = of;
+    const struct thud_expectation *e = &v->expected.item[i];
+    const struct thud_check *check = &v->check[i];
+    *(struct thud_check_row *)out = (struct thud_check_row){thud_case_name(e->which),
+                                                            e->name,
+                                                            e->value,
+                                                            e->tolerance,
+                                                            check->got,
+                                                            check->change,
+                                                            thud_check_verdict_name(check->verdict)};
 }
 
-void thud_verify_json(const struct thud_verification *v, struct thud_text *out)
+static void make_fresh(const void *of, int i, void *out)
 {
-    thud_text_append(out, "{\"preset\": ");
-    thud_json_string(out, v->name);
-    thud_text_append(out, ", \"expectations\": ");
-    thud_json_string(out, v->path);
-    thud_text_append(out, ", \"cases\": %d, \"holds\": %d, \"moved\": %d, \"gone\": %d, \"checks\": [", v->cases,
-                     v->count[THUD_HOLDS], v->count[THUD_MOVED], v->count[THUD_GONE]);
-    for (size_t i = 0; i < v->expected.n; i++) {
-        const struct thud_expectation *e = &v->expected.item[i];
-        thud_text_append(out, "%s\n    {\"case\": \"%s\", \"quantity\": ", i > 0 ? "," : "", thud_case_name(e->which));
-        thud_json_string(out, e->name);
-        const struct {
-            const char *key;
-            double value;
-        } field[] = {{"expected", e->value},
-                     {"tolerance", e->tolerance},
-                     {"now", v->check[i].got},
-                     {"change", v->check[i].change}};
-        for (size_t k = 0; k < sizeof field / sizeof *field; k++) {
-            thud_text_append(out, ", ");
-            thud_json_field(out, field[k].key, field[k].value);
-        }
-        thud_text_append(out, ", \"verdict\": \"%s\"}", thud_check_verdict_name(v->check[i].verdict));
-    }
-    thud_text_append(out, "]");
-    if (v->update) {
-        json_list("new", &v->fresh, out);
-        json_list("left_out", &v->disputed, out);
-    }
-    thud_text_append(out, "}");
+    const struct thud_expectation *e = &((const struct thud_expectations *)of)->item[i];
+    *(struct thud_fresh_row *)out = (struct thud_fresh_row){thud_case_name(e->which), e->name, e->value, e->tolerance,
+                                                            isnan(e->other) ? e->value : e->other};
+}
+
+void thud_verify_add(const struct thud_verification *v, struct thud_list *list)
+{
+    const struct thud_verified_row row = {
+        v->name, v->path, v->cases, v->count[THUD_HOLDS], v->count[THUD_MOVED], v->count[THUD_GONE]};
+    const struct thud_nested nested[] = {
+        {"checks", {&thud_check_schema, 0, (int)v->expected.n, make_check, v}},
+        {"new", {&thud_fresh_schema, 0, (int)v->fresh.n, make_fresh, &v->fresh}},
+        {"left_out", {&thud_fresh_schema, 0, (int)v->disputed.n, make_fresh, &v->disputed}}};
+    thud_list_add(list, &row, nested, v->update ? 3 : 1);
 }

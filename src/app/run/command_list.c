@@ -156,7 +156,7 @@ static const struct thud_option options[] = {
     {"vertical", NULL, "vertical components may be selected", THUD_WORD_NONE, false, SUITE},
     {"json", NULL, "JSON on standard output", THUD_WORD_NONE, false,
      PICTURES | RECORD | LISTS | VERIFY | REPORT | SOLVE},
-    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY | SUITE | MEASURE},
+    {"csv", NULL, "CSV on standard output", THUD_WORD_NONE, false, STUDY | SUITE | MEASURE | RECORD | LISTS | VERIFY},
     {"o", "DIR", "folder for CSV, PNG and gnuplot scripts", THUD_WORD_FOLDER, false, FILES | EXPORT | REPORT},
     {"replace", NULL, "remove another scene's results from that folder", THUD_WORD_NONE, false,
      RUN | SWEEP | 1 << THUD_COMMAND_GAP | UNCERTAINTY | EXPORT | REPORT},

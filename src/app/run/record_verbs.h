@@ -1,11 +1,11 @@
 /* What is done with ground motions: read and treated as asked, measured, shown, listed. */
 #pragma once
 
-#include "base/text.h"
 #include "ground/intensity.h"
 #include "ground/record_edit.h"
 #include "ground/record_filter.h"
 #include "ground/spectrum.h"
+#include "io/file/schema.h"
 #include "plot/figures/figures_record.h"
 #include "study/scene/scene.h"
 
@@ -29,21 +29,17 @@ void thud_record_treatment_describe(const struct thud_record_treatment *treatmen
 
 void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *intensity,
                             struct thud_text *out);
-/* One object, without a line end after it. */
-void thud_record_info_json(const struct thud_record *record, const struct thud_intensity *intensity,
-                           struct thud_text *out);
-
 /* period_s,acceleration_mps2,velocity_mps,displacement_m under a comment line with the damping. */
 void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,
                        double damping, struct thud_text *out);
-void thud_spectrum_json(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,
-                        double damping, struct thud_text *out);
 
 /* A row per record found in a folder, in the order of their names; files that are no record are passed over, records
  * that need an option say which. Errors: THUD_INPUT when the folder cannot be read, THUD_MEMORY. */
-enum thud_status thud_record_list(const char *folder, bool json, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_record_list(const char *folder, enum thud_written form, struct thud_text *out,
+                                  struct thud_error *err);
 /* The same rows for n motions that were read, under the name of what holds them. */
-void thud_record_rows(const char *name, struct thud_record *const *record, int n, bool json, struct thud_text *out);
+void thud_record_rows(const char *name, struct thud_record *const *record, int n, enum thud_written form,
+                      struct thud_text *out);
 
 /* First periods of the scene's structures, at most `most`, how many in *count. Errors: as thud_scene_assemble. */
 enum thud_status thud_scene_periods(const struct thud_scene *scene, struct thud_period_mark *mark, int most, int *count,

@@ -72,6 +72,8 @@ void thud_csv_values(const struct thud_schema *schema, unsigned marks, const voi
             thud_text_csv(out, v.text);
         else if (v.known)
             thud_text_number(out, v.number);
+        else if (schema->column[i].infinite && isinf(v.number))
+            thud_text_append(out, v.number > 0 ? "inf" : "-inf");
     }
 }
 
@@ -131,9 +133,13 @@ void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out)
 
 void thud_json_head(struct thud_text *out, const char *preset)
 {
-    thud_text_append(out, "\"format\": 1, \"preset\": ");
-    thud_json_string(out, preset);
-    thud_text_append(out, ", \"version\": \"%s\"", THUD_VERSION);
+    thud_text_append(out, "\"format\": 1, ");
+    if (preset) {
+        thud_text_append(out, "\"preset\": ");
+        thud_json_string(out, preset);
+        thud_text_append(out, ", ");
+    }
+    thud_text_append(out, "\"version\": \"%s\"", THUD_VERSION);
 }
 
 void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)
@@ -159,6 +165,51 @@ void thud_rows_json(const struct thud_rows *rows, struct thud_text *out)
         thud_text_append(out, "}");
     }
     thud_text_append(out, "]");
+}
+
+void thud_json_list(const char *name, const struct thud_rows *rows, struct thud_text *out)
+{
+    thud_text_append(out, ",\n ");
+    thud_json_string(out, name);
+    thud_text_append(out, ": ");
+    thud_rows_json(rows, out);
+}
+
+void thud_list_begin(struct thud_list *list, const char *name)
+{
+    const struct thud_part part[] = {{list->schema, 0, NULL}, {list->inner, 0, NULL}};
+    if (!list->json) {
+        thud_parts_names(part, list->inner ? 2 : 1, list->out);
+        return;
+    }
+    thud_text_append(list->out, "{");
+    thud_json_head(list->out, NULL);
+    thud_text_append(list->out, ",\n \"%s\": [", name);
+}
+
+void thud_list_add(struct thud_list *list, const void *row, const struct thud_nested *nested, int n)
+{
+    struct thud_row_room inner;
+    const struct thud_part part[] = {{list->schema, 0, row}, {list->inner, 0, inner.bytes}};
+    if (list->json) {
+        thud_text_append(list->out, list->n++ > 0 ? ",\n  {" : "\n  {");
+        thud_json_members(list->schema, 0, row, list->out);
+        for (int i = 0; i < n; i++)
+            thud_json_list(nested[i].name, &nested[i].rows, list->out);
+        thud_text_append(list->out, "}");
+        return;
+    }
+    for (int i = 0; list->inner && i < nested->rows.n; i++) {
+        nested->rows.make(nested->rows.of, i, inner.bytes);
+        thud_parts_csv(part, 2, list->out);
+    }
+    if (!list->inner)
+        thud_parts_csv(part, 1, list->out);
+}
+
+void thud_list_end(struct thud_list *list)
+{
+    thud_text_append(list->out, list->json ? "]}\n" : "");
 }
 
 /* ---- tables of a terminal ---- */

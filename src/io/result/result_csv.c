@@ -13,25 +13,20 @@ static void add_sample(struct thud_text *out, double value)
         thud_text_bytes(out, text, (size_t)snprintf(text, sizeof text, "%.12g", value + 0.0));
 }
 
-void thud_result_csv(const struct thud_report *report, struct thud_text *out)
+void thud_result_csv(const struct thud_report *report, int n, struct thud_text *out)
 {
-    const bool yields = thud_scene_yields(report->scene);
-    const struct thud_floors all = {report, -1};
-    const struct thud_rows rows = thud_floor_rows(&all);
-    for (int i = -1; i < rows.n; i++) {
-        struct thud_floor_row row;
-        if (i < 0) {
-            thud_csv_names(&thud_floor_schema, 0, out);
-        } else {
+    struct thud_floor_row row;
+    const unsigned marks = n > 1 ? THUD_ROW_CASE : 0;
+    const struct thud_part part[] = {{&thud_floor_schema, marks, &row}, {&thud_storey_schema, 0, &row}};
+    const int parts = thud_scene_yields(report->scene) ? 2 : 1;
+    thud_parts_names(part, parts, out);
+    for (int k = 0; k < n; k++) {
+        const struct thud_floors all = {&report[k], -1};
+        const struct thud_rows rows = thud_floor_rows(&all);
+        for (int i = 0; i < rows.n; i++) {
             rows.make(&all, i, &row);
-            thud_csv_values(&thud_floor_schema, 0, &row, out);
+            thud_parts_csv(part, parts, out);
         }
-        thud_text_append(out, yields ? "," : "");
-        if (yields && i < 0)
-            thud_csv_names(&thud_storey_schema, 0, out);
-        else if (yields)
-            thud_csv_values(&thud_storey_schema, 0, &row, out);
-        thud_text_append(out, "\n");
     }
 }
 

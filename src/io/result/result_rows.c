@@ -13,6 +13,8 @@ static const struct thud_peak no_peak = {NAN, NAN};
 #define FLOOR(member, key, text) THUD_COLUMN(struct thud_floor_row, member, key, text)
 
 static const struct thud_column floors[] = {
+    {FLOOR(which, "case", "no-pounding or a case; with --cases, where JSON has an object of each case."),
+     .only = THUD_ROW_CASE},
     {FLOOR(structure, "structure", "Name of the structure."), .only = THUD_ONLY_CSV},
     {FLOOR(floor, "floor", "Floor, from 1."), .shown = {"floor", NULL, 0, 5, 0, THUD_DIGITS_WORD}},
     {FLOOR(peak.acceleration.value, "acceleration_mps2",
@@ -84,6 +86,7 @@ static void make_floor(const void *of, int i, void *out)
     struct thud_floor_row *row = out;
     *row = (struct thud_floor_row){
         .structure = p->name,
+        .which = asked->report->which,
         .floor = i + 1,
         .peak = own->floor[i],
         .stability = thud_stability_coefficient(p, own, i - (p->kind == THUD_ISOLATED)),

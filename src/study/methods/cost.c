@@ -16,19 +16,19 @@ static const double clearances_m[] = {1,    0.2,  0.15, 0.1,   0.08,  0.06,  0.0
 static const double right_stiffness = 0.7;
 
 static const struct thud_cost_axis_info axes[THUD_COST_AXES] = {
-    {"storeys", "Storeys of each of two buildings", "", "storeys",
+    {"storeys", "Storeys of each of two buildings", "",
      "few storeys: each sample moves each mode once, the first power; many: there is a contact for each floor, and "
      "its\n"
      "indentation is a sum over both buildings' modes, so that looking at all of them costs the square; setting up "
      "finds\n"
      "the modes, which costs the cube in the end"},
-    {"buildings", "Buildings in a row", "", "buildings",
+    {"buildings", "Buildings in a row", "",
      "each building adds its modes and its impacts, and at every impact of one pair all the others are moved too: the\n"
      "number of impacts times the size of the row, up to the square; coupled rubber contacts cost more still"},
-    {"duration", "Length of the ground motion", "s", "duration_s",
+    {"duration", "Length of the ground motion", "s",
      "every second and every impact costs what those before did, for nothing is kept that grows with time; below the\n"
      "first power where impacts grow rare (residual: keep, where concrete gives way for good)"},
-    {"impacts", "Impacts", "", "impacts",
+    {"impacts", "Impacts", "",
      "contact-free response costs the same whatever the gap, and every impact adds its own solution and the search for "
      "its ends"}};
 

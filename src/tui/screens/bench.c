@@ -7,6 +7,7 @@
 
 #include "app/bench/bench_jobs.h"
 #include "io/file/file.h"
+#include "io/result/bench_rows.h"
 #include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/widgets/chart.h"
@@ -301,7 +302,8 @@ static void export_csv(struct thud_tui *tui)
     char name[200], file[210];
     thud_tui_file_name(tui, "bench", "", name, sizeof name);
     snprintf(file, sizeof file, "%s.csv", name);
-    thud_bench_csv(state(tui)->bench, &csv);
+    const struct thud_rows rows = thud_bench_rows(state(tui)->bench);
+    thud_rows_csv(&rows, &csv);
     thud_tui_write(tui, &csv, file);
 }
 

@@ -417,7 +417,7 @@ static void export_csv(struct thud_tui *tui)
     struct thud_report report = {.scene = &tui->doc.scene, .result = thud_run_result(c->run)};
     struct thud_text peaks = {0}, impacts = {0};
     report.impact = thud_run_impacts(c->run, &report.nimpacts);
-    thud_result_csv(&report, &peaks);
+    thud_result_csv(&report, 1, &peaks);
     thud_impacts_csv(&report, &impacts);
     char peaks_name[200], impacts_name[200], file[2][210];
     thud_tui_file_name(tui, "peaks", thud_live_name(shown(tui)), peaks_name, sizeof peaks_name);

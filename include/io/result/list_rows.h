@@ -1,0 +1,59 @@
+/* What lists have as rows: ground motions, spectra, expectations, published values, laws and methods. */
+#pragma once
+
+#include "core/laws/law.h"
+#include "core/methods/method.h"
+#include "ground/intensity.h"
+#include "ground/spectrum.h"
+#include "io/file/schema.h"
+
+extern const struct thud_schema thud_motion_info_schema, thud_motion_list_schema, thud_spectrum_schema,
+    thud_spectrum_point_schema, thud_verified_schema, thud_check_schema, thud_fresh_schema, thud_published_schema,
+    thud_published_value_schema, thud_law_schema, thud_law_param_schema, thud_methods_schema;
+
+struct thud_motion_info_row {
+    const char *file, *format, *note, *event, *station, *component, *sha256;
+    bool synthetic;
+    size_t samples;
+    double dt_s, scale;
+    struct thud_intensity own;
+};
+void thud_motion_info_fill(const struct thud_record *record, const struct thud_intensity *intensity,
+                           struct thud_motion_info_row *row);
+
+/* `needs`: an option without which it is not read; `error`: why it cannot be. */
+struct thud_motion_list_row {
+    const char *file, *format, *needs, *error;
+    size_t samples;
+    double dt_s, pga_mps2;
+};
+
+struct thud_spectrum_row {
+    const char *file;
+    double damping;
+};
+struct thud_rows thud_spectrum_rows(const struct thud_spectrum_point *point, size_t n);
+
+struct thud_verified_row {
+    const char *preset, *expectations;
+    int cases, holds, moved, gone;
+};
+struct thud_check_row {
+    const char *which, *quantity;
+    double expected, tolerance, now, change;
+    const char *verdict;
+};
+struct thud_fresh_row { /* of a new file */
+    const char *which, *quantity;
+    double value, tolerance, independent;
+};
+
+struct thud_published_head {
+    const char *title, *source;
+    bool skipped;
+    const char *motion;
+};
+
+/* The laws with their parameters, and the methods. */
+void thud_laws_put(bool json, struct thud_text *out);
+void thud_methods_put(bool json, struct thud_text *out);

@@ -1,0 +1,236 @@
+#include "io/result/bench_rows.h"
+
+#include <math.h>
+
+/* ---- speed against accuracy ---- */
+
+struct bench_row {
+    const char *method, *state;
+    int located;
+    struct thud_bench_point own;
+};
+#define BENCH(member, name, text)                                                                                      \
+    {                                                                                                                  \
+        THUD_COLUMN(struct bench_row, member, name, text)                                                              \
+    }
+static const struct thud_column bench_columns[] = {
+    BENCH(method, "method", "Name of the method."),
+    BENCH(located, "located", "1 where events are located."),
+    BENCH(own.setting, "setting", "Step in s, or tolerance."),
+    BENCH(state, "state", "How the run ended: done, failed, skipped or not-run."),
+    BENCH(own.seconds, "seconds", "Wall time, s."),
+    BENCH(own.spread, "spread_s", "Its spread, s; no value of one timing."),
+    BENCH(own.repeats, "repeats", "Repetitions."),
+    BENCH(own.error.all, "error", "Largest relative error."),
+    BENCH(own.error.acceleration, "error_acceleration", "Of the peak accelerations."),
+    BENCH(own.error.drift, "error_drift", "Of the drifts."),
+    BENCH(own.error.force, "error_force", "Of the forces."),
+    BENCH(own.error.impact_time_s, "impact_time_s", "Largest error of an impact's time, s."),
+    BENCH(own.error.missed, "missed", "Impacts missed."),
+    BENCH(own.error.extra, "extra", "Impacts added."),
+    BENCH(own.work.steps, "steps", "Steps."),
+    BENCH(own.work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
+    BENCH(own.work.events, "events", "Events."),
+    BENCH(own.processor_s, "processor_s", "Processor time, s.")};
+const struct thud_schema thud_bench_schema = THUD_SCHEMA(
+    "bench.csv",
+    "Written by\n.Cm bench Fl o :\na row for each method and setting; with\n.Fl -json\nthe list\n.Va rows .\n",
+    bench_columns);
+
+static const char *const states[] = {"not-run", "done", "failed", "skipped"};
+_Static_assert((int)THUD_BENCH_SKIPPED == (int)THUD_COST_SKIPPED, "one list of states");
+
+static void make_bench(const void *of, int i, void *out)
+{
+    const struct thud_bench_point *p = (const struct thud_bench_point *)of + i;
+    struct bench_row *row = out;
+    *row = (struct bench_row){p->method->name, states[p->state], p->locate, *p};
+    if (!(p->processor_s > 0))
+        row->own.processor_s = NAN;
+    if (p->repeats <= 1)
+        row->own.spread = NAN;
+    if (p->state == THUD_BENCH_DONE)
+        return;
+    struct thud_bench_errors *e = &row->own.error;
+    row->own.seconds = row->own.spread = row->own.processor_s = NAN;
+    e->all = e->acceleration = e->drift = e->force = e->impact_time_s = NAN;
+    row->own.repeats = 0;
+}
+
+struct thud_rows thud_bench_rows(struct thud_bench *bench)
+{
+    return (struct thud_rows){&thud_bench_schema, 0, thud_bench_count(bench), make_bench, thud_bench_point(bench, 0)};
+}
+
+/* ---- the cost of growing scenes ---- */
+
+struct cost_row {
+    const char *state;
+    struct thud_cost_point own;
+};
+#define COST(member, name, text)                                                                                       \
+    {                                                                                                                  \
+        THUD_COLUMN(struct cost_row, member, name, text)                                                               \
+    }
+#define COST_AXIS(axis, name, text)                                                                                    \
+    {                                                                                                                  \
+        THUD_COLUMN(struct cost_row, own.size, name, text), .only = 1u << (axis)                                       \
+    }
+static const struct thud_column cost_columns[] = {
+    COST_AXIS(THUD_COST_STOREYS, "storeys", "Of each of the two buildings; with --cost storeys."),
+    COST_AXIS(THUD_COST_BUILDINGS, "buildings", "In the row; with --cost buildings."),
+    COST_AXIS(THUD_COST_DURATION, "duration_s", "Length of the ground motion, s; with --cost duration."),
+    COST_AXIS(THUD_COST_IMPACTS, "impacts", "Impacts of the run; the first column with --cost impacts."),
+    COST(own.clearance_m, "clearance_m", "Clearance of the scene, m."),
+    COST(state, "state", "done, failed, skipped or not-run."),
+    COST(own.floors, "floors", "Floors of the scene."),
+    COST(own.contacts, "contacts", "Pairs of floors that can meet."),
+    {THUD_COLUMN(struct cost_row, own.impacts, "impacts", "Impacts of the run."),
+     .only = 1u << THUD_COST_STOREYS | 1u << THUD_COST_BUILDINGS | 1u << THUD_COST_DURATION},
+    COST(own.seconds, "seconds", "Time of the run, s: the median of the repeats."),
+    COST(own.spread, "spread_s", "Interquartile range of the repeats, s."),
+    COST(own.setup_s, "setup_s", "Time to assemble the scene, s."),
+    COST(own.repeats, "repeats", "How often it was timed."),
+    COST(own.work.steps, "steps", "Steps."),
+    COST(own.work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
+    COST(own.work.events, "events", "Events.")};
+const struct thud_schema thud_cost_schema = THUD_SCHEMA(
+    "cost-AXIS.csv",
+    "Written by\n.Cm bench Fl -cost Ar AXIS Fl o :\na row for each scene, what grows first; with\n.Fl -json\nthe "
+    "list\n.Va rows .\n",
+    cost_columns);
+
+static void make_cost(const void *of, int i, void *out)
+{
+    const struct thud_cost_point *p = (const struct thud_cost_point *)of + i;
+    struct cost_row *row = out;
+    *row = (struct cost_row){states[p->state], *p};
+    if (p->state != THUD_COST_DONE)
+        row->own.seconds = row->own.spread = row->own.setup_s = NAN;
+}
+
+struct thud_rows thud_cost_rows(struct thud_cost *cost)
+{
+    return (struct thud_rows){&thud_cost_schema, 1u << thud_cost_axis(cost), thud_cost_count(cost), make_cost,
+                              thud_cost_point(cost, 0)};
+}
+
+/* ---- where methods fail ---- */
+
+struct cell_row {
+    const char *method, *verdict[THUD_STABILITY_KINDS];
+    int located;
+    double limit;
+    struct thud_stability_cell own;
+};
+#define CELL(member, name, text)                                                                                       \
+    {                                                                                                                  \
+        THUD_COLUMN(struct cell_row, member, name, text), .infinite = true                                             \
+    }
+static const struct thud_column verdict_columns[] = {
+    CELL(method, "method", "Name."),
+    CELL(located, "located", "1 where events are located."),
+    CELL(own.omega_dt, "omega_dt",
+         "Step times the frequency of the oscillator, the wall's spring or the scene's fastest mode; empty: steps of "
+         "its own choice."),
+    CELL(limit, "limit", "Stability limit of the literature; inf, in JSON null: none."),
+    CELL(verdict[THUD_STABILITY_FREE], "free", "Verdict on free vibration: bounded, growing or blown up."),
+    CELL(own.growth[THUD_STABILITY_FREE], "free_growth",
+         "Largest energy in the second half of 50 s over that in the first; growing from 1.21, blown up from 1e4."),
+    CELL(verdict[THUD_STABILITY_WALL], "wall", "Verdict on a mass that bounces on a wall spring."),
+    CELL(own.growth[THUD_STABILITY_WALL], "wall_growth",
+         "Largest energy within 50 s over that at the start, of the start where it is most; growing from 1.21, blown "
+         "up from 1e4."),
+    CELL(verdict[THUD_STABILITY_SCENE], "scene", "Verdict on the preset's scene."),
+    CELL(own.growth[THUD_STABILITY_SCENE], "scene_growth",
+         "Largest displacement over the exact one, of the floor and of three steps up to 6 % shorter where it is most; "
+         "growing from 2, blown up from 100.")};
+const struct thud_schema thud_verdict_schema =
+    THUD_SCHEMA("verdicts.csv", "Written by\n.Cm stability Fl o :\na row for each method and step.\n", verdict_columns);
+
+static const struct thud_column energy_columns[] = {
+    CELL(method, "method", "Name."),
+    CELL(located, "located", "1 where events are located."),
+    CELL(own.omega_dt, "omega_dt", "Step times the frequency of the spring; empty: steps of its own choice."),
+    CELL(own.growth[THUD_STABILITY_WALL], "largest_ratio",
+         "Largest energy within 50 s over that at the start, of the start where it is most."),
+    CELL(own.end_least, "end_least_ratio", "Energy after 50 s over that at the start, of the start where it is least."),
+    CELL(own.end_most, "end_most_ratio", "The same of the start where it is most.")};
+const struct thud_schema thud_energies_schema =
+    THUD_SCHEMA("energies.csv", "Written by\n.Cm stability Fl o :\nthe mass on the wall spring, from eight starts.\n",
+                energy_columns);
+
+static void make_cell(const void *of, int i, void *out)
+{
+    const struct thud_stability_cell *c = &((const struct thud_stability *)of)->cell[i];
+    struct cell_row *row = out;
+    *row = (struct cell_row){c->how.method->name, {0}, c->how.locate, c->how.method->stability, *c};
+    for (int k = 0; k < THUD_STABILITY_KINDS; k++) {
+        row->verdict[k] = thud_stability_verdict_word(c->verdict[k]);
+        if (c->verdict[k] == THUD_VERDICT_NONE)
+            row->own.growth[k] = NAN;
+    }
+    if (c->verdict[THUD_STABILITY_WALL] == THUD_VERDICT_NONE)
+        row->own.end_least = row->own.end_most = NAN;
+}
+
+struct restitution_row {
+    const char *law, *method;
+    int located;
+    struct thud_stability_restitution own;
+};
+#define RESTITUTION(member, name, text)                                                                                \
+    {                                                                                                                  \
+        THUD_COLUMN(struct restitution_row, member, name, text), .infinite = true                                      \
+    }
+static const struct thud_column restitution_columns[] = {
+    RESTITUTION(law, "law", "Name of the law."),
+    RESTITUTION(own.nominal, "nominal", "Nominal coefficient of restitution."),
+    RESTITUTION(own.approach_mps, "approach_mps", "Approach velocity, m/s."),
+    RESTITUTION(method, "method", "Name."),
+    RESTITUTION(located, "located", "1 where events are located."),
+    RESTITUTION(own.how.setting, "setting", "Step in s, or tolerance."),
+    RESTITUTION(own.expected, "expected", "Coefficient of the law's equations."),
+    RESTITUTION(own.obtained, "obtained", "Coefficient of the run.")};
+const struct thud_schema thud_restitution_schema =
+    THUD_SCHEMA("restitutions.csv", "Written by\n.Cm stability Fl o .\n", restitution_columns);
+
+static void make_restitution(const void *of, int i, void *out)
+{
+    const struct thud_stability_restitution *r = &((const struct thud_stability *)of)->restitution[i];
+    *(struct restitution_row *)out = (struct restitution_row){r->law->name, r->how.method->name, r->how.locate, *r};
+}
+
+#define TEST_CASE(member, text)                                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_test_case, member, #member, text), .infinite = true                                    \
+    }
+static const struct thud_column test_case_columns[] = {
+    TEST_CASE(name, "Of the test case."),
+    TEST_CASE(scene, "What is run."),
+    TEST_CASE(quantity, "What is looked at."),
+    TEST_CASE(method, "The naive method."),
+    TEST_CASE(exact, "Exact value."),
+    TEST_CASE(naive, "Value of the naive method; inf, in JSON null: it blows up."),
+    TEST_CASE(computed, "Value of thud.")};
+const struct thud_schema thud_test_case_schema =
+    THUD_SCHEMA("test-cases.csv", "Written by\n.Cm stability Fl o :\nscenes in which a naive method goes wrong.\n",
+                test_case_columns);
+
+static void make_test_case(const void *of, int i, void *out)
+{
+    *(struct thud_test_case *)out = ((const struct thud_stability *)of)->test_case[i];
+}
+
+struct thud_rows thud_stability_rows(const struct thud_stability *s, int table)
+{
+    int test_cases = 0;
+    while (test_cases < s->ntest_cases && s->test_case[test_cases].name)
+        test_cases++;
+    const struct thud_rows rows[THUD_STABILITY_TABLES] = {
+        {&thud_verdict_schema, 0, s->ncells, make_cell, s},
+        {&thud_energies_schema, 0, s->ncells, make_cell, s},
+        {&thud_restitution_schema, 0, s->nrestitutions, make_restitution, s},
+        {&thud_test_case_schema, 0, test_cases, make_test_case, s}};
+    return rows[table];
+}

@@ -1,0 +1,298 @@
+#include "io/result/list_rows.h"
+
+#include <math.h>
+
+#include "io/file/json.h"
+#include "study/methods/published.h"
+
+/* ---- ground motions ---- */
+
+#define INFO(member, name, text)                                                                                       \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_motion_info_row, member, name, text)                                                   \
+    }
+static const struct thud_column infos[] = {
+    INFO(file, "file", "Where it was read."),
+    INFO(format, "format", "Of the file."),
+    INFO(note, "note", "How the samples were found."),
+    INFO(synthetic, "synthetic", "Whether it is computed, not recorded."),
+    INFO(event, "event", "As the file says."),
+    INFO(station, "station", "As the file says."),
+    INFO(component, "component", "As the file says."),
+    INFO(samples, "samples", "How many."),
+    INFO(dt_s, "dt_s", "Step, s."),
+    INFO(own.duration_s, "duration_s", "Length, s."),
+    INFO(own.pga_mps2, "pga_mps2", "Peak ground acceleration, m/s2."),
+    INFO(own.pga_time_s, "pga_time_s", "Its time, s."),
+    INFO(own.pgv_mps, "pgv_mps", "Peak ground velocity, m/s."),
+    INFO(own.pgv_time_s, "pgv_time_s", "Its time, s."),
+    INFO(own.pgd_m, "pgd_m", "Peak ground displacement, m."),
+    INFO(own.pgd_time_s, "pgd_time_s", "Its time, s."),
+    INFO(own.end_m, "end_displacement_m", "Displacement at the last sample, m."),
+    INFO(own.drifts, "pgd_is_drift", "Whether the displacement is drift."),
+    INFO(own.arias_mps, "arias_mps", "Arias intensity, m/s."),
+    INFO(own.d5_95_s, "d5_95_s", "Significant duration from 5 to 95 %, s."),
+    INFO(own.d5_75_s, "d5_75_s", "From 5 to 75 %, s."),
+    INFO(own.cav_mps, "cav_mps", "Cumulative absolute velocity, m/s."),
+    INFO(own.bracketed_s, "bracketed_s", "Bracketed duration above 0.05 g, s."),
+    INFO(own.predominant_s, "predominant_s", "Predominant period, s."),
+    INFO(scale, "scale", "What the samples of the file were multiplied by, with the sign; 1: as recorded."),
+    INFO(sha256, "sha256", "SHA-256 of its file, unpacked.")};
+const struct thud_schema thud_motion_info_schema =
+    THUD_SCHEMA("record info",
+                "Measures of ground motions, a row for each; with\n.Fl -json\nthe list\n.Va records\nbehind\n.Va "
+                "format\nand\n.Va version .\n",
+                infos);
+
+void thud_motion_info_fill(const struct thud_record *r, const struct thud_intensity *intensity,
+                           struct thud_motion_info_row *row)
+{
+    *row = (struct thud_motion_info_row){
+        r->file,      r->format,  r->note, r->event, r->station, r->component, r->sha256[0] ? r->sha256 : NULL,
+        r->synthetic, r->samples, r->dt_s, r->scale, *intensity};
+}
+
+#define MOTION(member, text)                                                                                           \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_motion_list_row, member, #member, text)                                                \
+    }
+static const struct thud_column motions[] = {MOTION(file, "Path."),
+                                             MOTION(format, "Of the file."),
+                                             MOTION(needs, "Option that is needed to read it."),
+                                             MOTION(error, "Why it cannot be read."),
+                                             MOTION(samples, "How many."),
+                                             MOTION(dt_s, "Step, s."),
+                                             MOTION(pga_mps2, "Peak ground acceleration, m/s2.")};
+const struct thud_schema thud_motion_list_schema =
+    THUD_SCHEMA("record list",
+                "The ground motions of a folder or list, a row for each; with\n.Fl -json\nthe list\n.Va records\n"
+                "behind\n.Va format\nand\n.Va version .\n",
+                motions);
+
+static const struct thud_column spectra[] = {
+    {THUD_COLUMN(struct thud_spectrum_row, file, "file", "Where the motion was read.")},
+    {THUD_COLUMN(struct thud_spectrum_row, damping, "damping", "Ratio.")}};
+const struct thud_schema thud_spectrum_schema =
+    THUD_SCHEMA("record spectrum of a list",
+                "Before the columns of\n.Sx record spectrum ,\nwhere a list is asked for; with\n.Fl -json\nthe "
+                "list\n.Va spectra\nbehind\n.Va format\nand\n.Va version ,\nthe rest in the list\n.Va points\nof "
+                "each.\n",
+                spectra);
+
+#define POINT(member, text)                                                                                            \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_spectrum_point, member, #member, text)                                                 \
+    }
+static const struct thud_column points[] = {
+    POINT(period_s, "Period, s."), POINT(acceleration_mps2, "Total acceleration (not the pseudo-acceleration), m/s2."),
+    POINT(velocity_mps, "Relative to the ground (not the pseudo-velocity), m/s."),
+    POINT(displacement_m, "Relative to the ground, m.")};
+const struct thud_schema thud_spectrum_point_schema = THUD_SCHEMA(
+    "record spectrum", "A row for each period, under comments with the ground motion and the damping.\n", points);
+
+static void make_point(const void *of, int i, void *out)
+{
+    *(struct thud_spectrum_point *)out = ((const struct thud_spectrum_point *)of)[i];
+}
+
+struct thud_rows thud_spectrum_rows(const struct thud_spectrum_point *point, size_t n)
+{
+    return (struct thud_rows){&thud_spectrum_point_schema, 0, (int)n, make_point, point};
+}
+
+/* ---- expectations ---- */
+
+#define VERIFIED(member, text)                                                                                         \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_verified_row, member, #member, text)                                                   \
+    }
+static const struct thud_column verified[] = {
+    VERIFIED(preset, "Its name."),       VERIFIED(expectations, "Their file."),
+    VERIFIED(cases, "How many cases."),  VERIFIED(holds, "How many hold."),
+    VERIFIED(moved, "How many do not."), VERIFIED(gone, "How many are no longer computed.")};
+const struct thud_schema thud_verified_schema =
+    THUD_SCHEMA("verify",
+                "With\n.Fl -json\nthe list\n.Va presets\nbehind\n.Va format\nand\n.Va version ;\nwith\n.Fl -csv\n"
+                "columns before those of\n.Sx verify of each expectation .\n",
+                verified);
+
+#define CHECK(member, name, text)                                                                                      \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_check_row, member, name, text)                                                         \
+    }
+static const struct thud_column checks[] = {CHECK(which, "case", "Case."),
+                                            CHECK(quantity, "quantity", "As in the file."),
+                                            CHECK(expected, "expected", "Its value there, in SI units."),
+                                            CHECK(tolerance, "tolerance", "Relative, as there."),
+                                            CHECK(now, "now", "What is computed, in SI units."),
+                                            CHECK(change, "change", "Relative change."),
+                                            CHECK(verdict, "verdict", "holds, moved or gone.")};
+const struct thud_schema thud_check_schema = THUD_SCHEMA(
+    "verify of each expectation", "A row for each expectation; with\n.Fl -json\nthe list\n.Va checks .\n", checks);
+
+#define FRESH(member, name, text)                                                                                      \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_fresh_row, member, name, text)                                                         \
+    }
+static const struct thud_column fresh[] = {
+    FRESH(which, "case", "Case."), FRESH(quantity, "quantity", "As in the file."),
+    FRESH(value, "value", "What stands in the new file, in SI units."), FRESH(tolerance, "tolerance", "Relative."),
+    FRESH(independent, "independent", "What the independent method gives.")};
+const struct thud_schema thud_fresh_schema =
+    THUD_SCHEMA("verify --update",
+                "With\n.Fl -json\nthe lists\n.Va new ,\nof the new file, and\n.Va left_out ,\nwhat two methods do not "
+                "agree on.\n",
+                fresh);
+
+#define PUBLISHED(member, text)                                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_published_head, member, #member, text)                                                 \
+    }
+static const struct thud_column published[] = {PUBLISHED(title, "Of the example."),
+                                               PUBLISHED(source, "Book or manual."),
+                                               PUBLISHED(skipped, "Whether a ground motion was missing."),
+                                               PUBLISHED(motion, "The ground motion used; may be empty.")};
+const struct thud_schema thud_published_schema =
+    THUD_SCHEMA("verify --published",
+                "With\n.Fl -json\nthe list\n.Va examples\nbehind\n.Va format\nand\n.Va version ;\nwith\n.Fl -csv\n"
+                "columns before those of\n.Sx verify --published of each value .\n",
+                published);
+
+#define VALUE(member, text)                                                                                            \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_published_row, member, #member, text)                                                  \
+    }
+static const struct thud_column values[] = {VALUE(quantity, "What it is."),
+                                            VALUE(unit, "Its unit."),
+                                            VALUE(published, "As printed."),
+                                            VALUE(computed, "By thud."),
+                                            VALUE(difference, "Relative; absolute where 0 is printed."),
+                                            VALUE(tolerance, "Allowed difference."),
+                                            VALUE(holds, "Whether it is within.")};
+const struct thud_schema thud_published_value_schema = THUD_SCHEMA(
+    "verify --published of each value", "A row for each number; with\n.Fl -json\nthe list\n.Va values .\n", values);
+
+/* ---- laws ---- */
+
+#define LAW(member, text)                                                                                              \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_law, member, #member, text)                                                            \
+    }
+static const struct thud_column laws[] = {LAW(name, "As in a preset."), LAW(title, "For a person."),
+                                          LAW(summary, "What it is."), LAW(reference, "Where it is from.")};
+const struct thud_schema thud_law_schema =
+    THUD_SCHEMA("laws --csv",
+                "A row for each impact law; with\n.Fl -json\nthe list\n.Va laws\nbehind\n.Va format\nand\n.Va version "
+                ".\n",
+                laws);
+
+enum { IS_CHOICE = 1, IS_NUMBER = 2 };
+struct param_row {
+    const char *name, *title, *help, *unit, *word;
+    double fallback, least, most;
+};
+#define PARAM(member, name, text, marks)                                                                               \
+    {                                                                                                                  \
+        THUD_COLUMN(struct param_row, member, name, text), .only = (marks)                                             \
+    }
+static const struct thud_column params[] = {PARAM(name, "name", "As in a preset.", 0),
+                                            PARAM(title, "title", "For a person.", 0),
+                                            PARAM(help, "help", "What it is.", 0),
+                                            PARAM(unit, "unit", "Of the value.", 0),
+                                            PARAM(word, "default", "Of a choice: its word.", IS_CHOICE),
+                                            THUD_STANDS_FOR("choices", "The words that may stand."),
+                                            PARAM(fallback, "default_si", "Of a number: in SI units.", IS_NUMBER),
+                                            PARAM(least, "least_si", "Lower bound, in SI units.", IS_NUMBER),
+                                            PARAM(most, "most_si", "Upper bound, in SI units.", IS_NUMBER)};
+const struct thud_schema thud_law_param_schema =
+    THUD_SCHEMA("laws --json of each parameter", "In the list\n.Va parameters\nof each law.\n", params);
+
+static void put_param(const struct thud_param *p, struct thud_text *out)
+{
+    bool choice = p->kind == THUD_PARAM_CHOICE;
+    const struct param_row row = {p->name,
+                                  p->title,
+                                  p->help ? p->help : "",
+                                  p->unit ? p->unit : "",
+                                  choice ? p->choices[(int)p->fallback] : NULL,
+                                  p->fallback,
+                                  p->least,
+                                  p->most};
+    thud_json_members(&thud_law_param_schema, choice ? IS_CHOICE : IS_NUMBER, &row, out);
+    for (int i = 0; choice && p->choices[i]; i++) {
+        thud_text_append(out, i > 0 ? ", " : ", \"choices\": [");
+        thud_json_string(out, p->choices[i]);
+    }
+    thud_text_append(out, choice ? "]" : "");
+}
+
+void thud_laws_put(bool json, struct thud_text *out)
+{
+    struct thud_list list = {out, &thud_law_schema, NULL, json, 0};
+    thud_list_begin(&list, "laws");
+    for (int i = 0; i < thud_law_count(); i++) {
+        const struct thud_law *law = thud_law_at(i);
+        if (!json) {
+            thud_list_add(&list, law, NULL, 0);
+            continue;
+        }
+        thud_text_append(out, i > 0 ? ",\n  {" : "\n  {");
+        thud_json_members(&thud_law_schema, 0, law, out);
+        thud_text_append(out, ", \"parameters\": [");
+        for (int k = 0; k < law->nparams; k++) {
+            thud_text_append(out, k > 0 ? ",\n    {" : "\n    {");
+            put_param(&law->params[k], out);
+            thud_text_append(out, "}");
+        }
+        thud_text_append(out, "]}");
+    }
+    thud_list_end(&list);
+}
+
+/* ---- methods ---- */
+
+struct method_row {
+    const char *name, *title, *summary, *reference, *limits;
+    int order;
+    bool fixed_step, locates;
+    double stability;
+};
+#define METHOD(member, name, text)                                                                                     \
+    {                                                                                                                  \
+        THUD_COLUMN(struct method_row, member, name, text), .infinite = true                                           \
+    }
+static const struct thud_column methods[] = {
+    METHOD(name, "name", "As in a preset."),
+    METHOD(title, "title", "For a person."),
+    METHOD(summary, "summary", "What it is."),
+    METHOD(reference, "reference", "Where it is from."),
+    METHOD(order, "order", "Of accuracy."),
+    METHOD(fixed_step, "fixed_step", "Whether its step is fixed."),
+    METHOD(locates, "locates", "Whether it locates events."),
+    METHOD(stability, "stable_omega_dt", "Largest step over the shortest period, as omega dt; inf, in JSON null: any."),
+    METHOD(limits, "limits", "Of its use.")};
+const struct thud_schema thud_methods_schema =
+    THUD_SCHEMA("methods",
+                "A row for each method; with\n.Fl -json\nthe list\n.Va methods\nbehind\n.Va format\nand\n.Va version "
+                ".\n",
+                methods);
+
+void thud_methods_put(bool json, struct thud_text *out)
+{
+    struct thud_list list = {out, &thud_methods_schema, NULL, json, 0};
+    thud_list_begin(&list, "methods");
+    for (int i = 0; i < thud_method_count(); i++) {
+        const struct thud_method *m = thud_method_at(i);
+        const struct method_row row = {m->name,
+                                       m->title,
+                                       m->summary,
+                                       m->reference,
+                                       m->limits,
+                                       m->order,
+                                       (m->flags & THUD_METHOD_FIXED_STEP) != 0,
+                                       (m->flags & THUD_METHOD_LOCATES) != 0,
+                                       m->stability};
+        thud_list_add(&list, &row, NULL, 0);
+    }
+    thud_list_end(&list);
+}

@@ -1,0 +1,36 @@
+"""usage: same_rows.py FILE.csv FILE.json LIST[/LIST]: whether the rows of the CSV are the objects of the list, those of an
+inner list behind what they belong to, in one order of columns."""
+import csv
+import json
+import sys
+
+
+def cell(value):
+    if value is None:
+        return ""
+    return repr(float(value)) if isinstance(value, (bool, int, float)) else value
+
+
+def number(text):
+    try:
+        return "" if text == "inf" else repr(float(text))
+    except ValueError:
+        return text[1:] if text[:1] == "'" else text
+
+
+def flat(objects, path):
+    for item in objects:
+        own = {k: v for k, v in item.items() if not isinstance(v, (list, dict))}
+        inner = flat(item[path[0]], path[1:]) if path else [{}]
+        yield from ({**own, **row} for row in inner)
+
+
+path = sys.argv[3].split("/")
+with open(sys.argv[2], encoding="utf-8") as file:
+    rows = list(flat(json.load(file)[path[0]], path[1:]))
+with open(sys.argv[1], encoding="utf-8", newline="") as file:
+    table = list(csv.reader(line for line in file if not line.startswith("#")))
+names = list(rows[0])
+names = names[len(names) - len(table[0]):] if path[0] == "spectra" else names  # the file and the damping are comments
+assert table[0] == names, (table[0], names)
+assert [[number(c) for c in line] for line in table[1:]] == [[cell(r[n]) for n in names] for r in rows]
