@@ -78,7 +78,7 @@ START_TEST(each_option_is_where_it_makes_sense)
     } matrix[] = {
         {"json",
          "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve"},
-        {"csv", "run sweep gap fragility uncertainty bench stability suite"},
+        {"csv", "run sweep gap fragility uncertainty bench stability verify record suite laws methods"},
         {"quiet", all},
         {"help", all},
         {"no-figures", draws},

@@ -104,7 +104,7 @@ bool thud_form_end(struct thud_form *form, int panes)
     settle_focus(form, panes);
     bool moved = thud_form_focus(form) != drawn; /* it was drawn without the cursor */
     const struct thud_field *focus = thud_form_focus(form);
-    for (int i = 0; i < panes && i < THUD_AS_PANES; i++) {
+    for (int i = 0; i < panes && i < THUD_FORM_PANES; i++) {
         int *scroll = &form->scroll[form->screen][i], most = form->used[i] - form->height[i], old = *scroll;
         if (focus && focus->pane == i && form->height[i] > 0 && !form->loose[form->screen]) {
             if (focus->y < *scroll)
@@ -153,7 +153,7 @@ void thud_form_move(struct thud_form *form, int dx, int dy)
     const struct thud_field *from = thud_form_focus(form);
     int pane = form->pane[form->screen];
     if (!from) {
-        if (pane >= 0 && pane < THUD_AS_PANES)
+        if (pane >= 0 && pane < THUD_FORM_PANES)
             form->scroll[form->screen][pane] += dy;
         return;
     }
@@ -173,7 +173,7 @@ void thud_form_move(struct thud_form *form, int dx, int dy)
 void thud_form_page(struct thud_form *form, int pages)
 {
     int pane = form->pane[form->screen];
-    if (pane < 0 || pane >= THUD_AS_PANES)
+    if (pane < 0 || pane >= THUD_FORM_PANES)
         return;
     int rows = form->height[pane] > 1 ? form->height[pane] - 1 : 1;
     if (!thud_form_focus(form)) {
@@ -196,7 +196,7 @@ void thud_form_edge(struct thud_form *form, bool last)
         form->loose[form->screen] = last;
         if (last)
             form->scroll[form->screen][pane] = form->used[pane];
-    } else if (pane >= 0 && pane < THUD_AS_PANES)
+    } else if (pane >= 0 && pane < THUD_FORM_PANES)
         form->scroll[form->screen][pane] = last ? form->used[pane] : 0;
 }
 

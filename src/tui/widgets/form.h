@@ -18,16 +18,17 @@ struct thud_field {
     bool beside; /* left or right of what is drawn: the cursor keys lead there, Tab and clicks do not */
 };
 
-enum { THUD_AS_SCREENS = 9, THUD_AS_PANES = 6 };
+enum { THUD_FORM_SCREENS = 9, THUD_FORM_PANES = 6 };
 struct thud_form {
     struct thud_field *field; /* (n) in the order they were drawn */
     int n, capacity;
     int screen;
-    char focus[THUD_AS_SCREENS][THUD_PATH_MAX]; /* the field the cursor is on, by screen */
-    int pane[THUD_AS_SCREENS];                  /* the pane with the cursor */
-    int scroll[THUD_AS_SCREENS][THUD_AS_PANES];
-    bool loose[THUD_AS_SCREENS]; /* the pane with the cursor is scrolled on by lines, also where that hides the field */
-    int used[THUD_AS_PANES], height[THUD_AS_PANES];
+    char focus[THUD_FORM_SCREENS][THUD_PATH_MAX]; /* the field the cursor is on, by screen */
+    int pane[THUD_FORM_SCREENS];                  /* the pane with the cursor */
+    int scroll[THUD_FORM_SCREENS][THUD_FORM_PANES];
+    bool loose
+        [THUD_FORM_SCREENS]; /* the pane with the cursor is scrolled on by lines, also where that hides the field */
+    int used[THUD_FORM_PANES], height[THUD_FORM_PANES];
 };
 
 void thud_form_begin(struct thud_form *form, int screen);
