@@ -94,6 +94,33 @@ static unsigned big_endian(const char *data)
     return (unsigned)d[0] << 24 | (unsigned)d[1] << 16 | (unsigned)d[2] << 8 | d[3];
 }
 
+/* A legend of one tells nothing apart and is left out; two are told apart; a caption may take the place of the title. */
+START_TEST(legends_and_titles_stand_where_they_say_something)
+{
+    struct thud_figure *figure = thud_figure_create("f", "The title", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    const double x[] = {0, 1};
+    struct thud_picture_options options = {.format = THUD_SVG};
+    for (int curves = 1; curves <= 2; curves++) {
+        struct thud_text script = {0};
+        thud_panel_add(panel, (struct thud_style){.color = curves}, curves > 1 ? "second <b>" : "first", 2, x, x);
+        options.no_title = curves > 1;
+        ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
+        ck_assert((strstr(script.data, "'first' at screen") != NULL) == (curves > 1));
+        ck_assert((strstr(script.data, "'The title'") != NULL) == (curves == 1));
+        thud_text_clear(&script);
+    }
+    struct thud_text svg = {0};
+    ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &svg, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(svg.data, "<title>The title</title>")); /* for who cannot see it */
+    ck_assert_ptr_nonnull(strstr(svg.data, "<title>second &lt;b&gt;</title>"));
+    ck_assert_ptr_nonnull(strstr(svg.data, "first 0 to 1"));
+    ck_assert_ptr_null(strstr(svg.data, "currentColor"));
+    thud_text_clear(&svg);
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(size_and_font_are_as_asked)
 {
     struct thud_picture_options options = {
@@ -610,6 +637,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_checked_fixture(tcase, make_folder, remove_folder);
     tcase_add_test(tcase, draws_every_format_whole_and_the_same_twice);
+    tcase_add_test(tcase, legends_and_titles_stand_where_they_say_something);
     tcase_add_test(tcase, a_copy_is_just_like_it);
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
