@@ -18,8 +18,12 @@ enum thud_dimension {
     THUD_TIME,
     THUD_VELOCITY,
     THUD_ACCELERATION,
-    THUD_BENDING, /* N m2 */
-    THUD_DASHPOT, /* N s/m */
+    THUD_BENDING,         /* N m2 */
+    THUD_DASHPOT,         /* N s/m */
+    THUD_ROCKING,         /* N m/rad */
+    THUD_ROCKING_DASHPOT, /* N m s/rad */
+    THUD_INERTIA,         /* kg m2 */
+    THUD_DENSITY,         /* kg/m3 */
     THUD_DIMENSIONS
 };
 

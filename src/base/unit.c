@@ -30,6 +30,10 @@ static const struct {
     [THUD_ACCELERATION] = {"an acceleration", "m/s2, cm/s2, mm/s2, g, gal"},
     [THUD_BENDING] = {"a bending stiffness", "N m2, kN m2, MN m2, GN m2"},
     [THUD_DASHPOT] = {"a dashpot", "N s/m, kN s/m, MN s/m"},
+    [THUD_ROCKING] = {"a rotational stiffness", "N m/rad, kN m/rad, MN m/rad, GN m/rad"},
+    [THUD_ROCKING_DASHPOT] = {"a rotational dashpot", "N m s/rad, kN m s/rad, MN m s/rad, GN m s/rad"},
+    [THUD_INERTIA] = {"a moment of inertia", "kg m2, t m2"},
+    [THUD_DENSITY] = {"a density", "kg/m3, t/m3"},
 };
 
 const char *thud_dimension_units(enum thud_dimension dimension)

@@ -49,8 +49,10 @@ static void add_keys(struct thud_text *out)
     add_law(THUD_GROUP_BUMPER, "bumper.", interface.bumper.law, out);
     add_group(THUD_GROUP_STRUCTURE, "structures.1.", out);
     add_group(THUD_GROUP_COLUMN, "structures.1.column.", out);
+    add_group(THUD_GROUP_FOUNDATION, "structures.1.foundation.", out);
     add_group(THUD_GROUP_STRUCTURE, "structures.2.", out);
     add_group(THUD_GROUP_COLUMN, "structures.2.column.", out);
+    add_group(THUD_GROUP_FOUNDATION, "structures.2.foundation.", out);
     add_group(THUD_GROUP_LINK, "links.1.", out);
     add_group(THUD_GROUP_RECORD, "record.", out);
     add_group(THUD_GROUP_ANALYSIS, "analysis.", out);

@@ -6,6 +6,7 @@ set -u
 cd "$(dirname "$1")" || exit 2 # nm's lines begin with the name it was given, which shall have no blank
 archive=$(basename "$1")
 pure="
+    __divdc3 __muldc3 cabs
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp2 expm1 fabs floor fma fmax fmin fmod frexp
     hypot ldexp llrint llround log log10 log1p log2 logb lrint lround modf nearbyint nextafter pow remainder rint round scalbn sin
     sincos sinh sqrt tan tanh tgamma trunc

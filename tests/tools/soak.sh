@@ -19,6 +19,8 @@ log=$build/soak.log
         echo "not ok - weight on drifting storeys (see $build/cross_weights.log)"
     "$build/cross" 7000000000 "${SOAK_SCENES:-300}" >"$build/cross_isolators.log" && echo "ok - isolators that slide" ||
         echo "not ok - isolators that slide (see $build/cross_isolators.log)"
+    "$build/cross" 8000000000 "${SOAK_SCENES:-300}" >"$build/cross_soil.log" && echo "ok - buildings on soil" ||
+        echo "not ok - buildings on soil (see $build/cross_soil.log)"
     # floors of 1e-3 kg to 1e9 kg, walls, isolated buildings, dashpots up to the critical ones, first speeds: in every way
     "$build/cross" 1000000000 "${SOAK_WIDE:-100}" >"$build/wide.log" && echo "ok - wide random scenes agree" ||
         echo "not ok - wide random scenes agree (see $build/wide.log)"

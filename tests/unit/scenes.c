@@ -170,6 +170,31 @@ static bool draw_isolators(struct thud_scene *scene)
     return any;
 }
 
+/* From soil that hardly gives to such as has a building sway and rock by as much as it drifts; dashpots from none to twice
+ * the critical ones; springs and dashpots given, or of the soil. */
+static void draw_soil(struct thud_structure *p)
+{
+    double mass = p->base_mass_kg, height = 0, w = 2 * THUD_PI / between_log(0.05, 1);
+    if (!thud_kind_is_building(p->kind) || chance(0.25))
+        return;
+    for (int i = 0; i < p->storeys; i++) {
+        mass += p->mass_kg[i];
+        height += p->height_m[i];
+    }
+    p->foundation_mass_kg = mass * between_log(0.05, 1);
+    if (chance(0.3)) {
+        p->soil_vs_mps = between_log(100, 800);
+        p->soil_density_kgpm3 = between(1500, 2200) * fmin(mass / 1e6, 1);
+        p->foundation_radius_m = between(5, 12);
+        return;
+    }
+    p->foundation_inertia_kgm2 = p->foundation_mass_kg * height * height * between_log(0.01, 0.3);
+    p->sway_npm = mass * w * w;
+    p->rocking_nmprad = p->sway_npm * height * height * between_log(0.1, 3);
+    p->sway_nspm = chance(0.2) ? 0 : 2 * between_log(0.01, 2) * mass * w;
+    p->rocking_nmsprad = chance(0.2) ? 0 : p->sway_nspm * height * height * between_log(0.03, 1);
+}
+
 /* Weights that take up to a third off the stiffness of the weakest storey. */
 static void draw_weights(struct thud_scene *scene)
 {
@@ -420,12 +445,16 @@ static void give_matrix(struct thud_scene *scene, int index)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    const bool isolators = one->seed >= SCENES_ISOLATORS, matrices = one->seed >= SCENES_MATRICES && !isolators,
-               links = one->seed >= SCENES_LINKS && !isolators && (!matrices || one->seed % 3 == 1);
-    bool weights = one->seed >= SCENES_P_DELTA && !links && !isolators,
-         columns = links ? one->seed % 4 == 0 : one->seed >= SCENES_COLUMNS && !weights && !isolators,
+    const bool soil = one->seed >= SCENES_SOIL, isolators = one->seed >= SCENES_ISOLATORS && !soil,
+               matrices = soil ? one->seed % 3 == 1 : one->seed >= SCENES_MATRICES && !isolators,
+               links = one->seed >= SCENES_LINKS && !isolators && !soil && (!matrices || one->seed % 3 == 1);
+    bool weights = soil ? one->seed % 2 == 0 : one->seed >= SCENES_P_DELTA && !links && !isolators,
+         columns = soil    ? one->seed % 4 < 3
+                   : links ? one->seed % 4 == 0
+                           : one->seed >= SCENES_COLUMNS && !weights && !isolators,
          wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-    bool yields = one->seed >= SCENES_YIELDING && (weights     ? one->seed % 2 == 0
+    bool yields = one->seed >= SCENES_YIELDING && (soil        ? one->seed % 3 == 0
+                                                   : weights   ? one->seed % 2 == 0
                                                    : isolators ? one->seed % 4 == 0
                                                    : links     ? one->seed % 3 == 0
                                                                : !columns || one->seed % 3 == 0);
@@ -451,6 +480,8 @@ static bool draw(struct scenes_one *one)
         draw_links(scene, i, mass);
     for (int s = 0; s < scene->nstructures && matrices; s++)
         give_matrix(scene, s);
+    for (int s = 0; s < scene->nstructures && soil; s++)
+        draw_soil(&scene->structure[s]);
     if (isolators && !draw_isolators(scene))
         return false;
     if (chance(0.9))
@@ -609,8 +640,13 @@ bool scenes_heavier(struct scenes_one *one, double factor)
             p->column_ei_nm2[f] *= factor;
             p->column_stiffness_npm[f] *= factor;
         }
-        p->base_mass_kg *= factor;
-        p->isolation_stiffness_npm *= factor;
+        double *const scaled[] = {&p->base_mass_kg,       &p->isolation_stiffness_npm,
+                                  &p->foundation_mass_kg, &p->foundation_inertia_kgm2,
+                                  &p->sway_npm,           &p->sway_nspm,
+                                  &p->rocking_nmprad,     &p->rocking_nmsprad,
+                                  &p->soil_density_kgpm3};
+        for (size_t k = 0; k < sizeof scaled / sizeof *scaled; k++)
+            *scaled[k] *= factor;
         for (int k = 0; p->kind == THUD_MATRIX && k < p->storeys * p->storeys; k++)
             s->shape[p->shape_at + k] *= factor;
         p->isolator_strength_n *= factor;

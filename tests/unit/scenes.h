@@ -31,6 +31,10 @@ struct scenes_one {
  * other floors than their neighbours hold too, or by their modes. */
 #define SCENES_MATRICES 6000000000ull
 
+/* From this seed on, buildings stand on soil; in every third scene some are by their matrix or modes, in every third
+ * storeys yield, in every other the weight counts, in most slabs strike columns. */
+#define SCENES_SOIL 8000000000ull
+
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
 void scenes_clear(struct scenes_one *one);

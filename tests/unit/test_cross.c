@@ -49,6 +49,17 @@ START_TEST(scenes_on_isolators)
 }
 END_TEST
 
+/* Buildings on soil: shear, by their matrix and isolated ones, elastic and yielding, with P-Delta and without. */
+START_TEST(scenes_on_soil)
+{
+    struct scenes_tally tally = {.only = ""};
+    for (int i = 0; i < 8; i++)
+        scenes_check(SCENES_SOIL + (unsigned long long)i, &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 3);
+}
+END_TEST
+
 /* The weight on drifting storeys, elastic and yielding. */
 START_TEST(scenes_with_p_delta)
 {
@@ -309,6 +320,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, yielding_scenes);
     tcase_add_test(tcase, scenes_with_p_delta);
     tcase_add_test(tcase, scenes_on_isolators);
+    tcase_add_test(tcase, scenes_on_soil);
     tcase_add_test(tcase, scenes_of_columns);
     tcase_add_test(tcase, scenes_of_matrices);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);

@@ -25,8 +25,9 @@ void thud_test_law(struct thud_law_choice *choice, const char *law, ...)
 
 static void tower(struct thud_structure *s, const char *name, int storeys)
 {
+    thud_structure_init(s, THUD_SHEAR);
+    s->slab_depth_m[0] = 0;
     strcpy(s->name, name);
-    s->kind = THUD_SHEAR;
     s->storeys = storeys;
     s->damping = 0.05;
     for (int i = 0; i < storeys; i++) {

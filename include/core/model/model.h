@@ -32,7 +32,16 @@
  *     V_i = sum_j s_ij q_j,   s_ij = sum_(k >= i) sum_l K_kl phi_lj
  *         = sum_l T_il d_l,   T_il = sum_(k >= i) sum_(p >= l) K_kp
  *
- * T of a shear building is diagonal: the stiffnesses of its storeys. */
+ * T of a shear building is diagonal: the stiffnesses of its storeys.
+ *
+ * A building on soil has two dofs behind its floors, the sway u_f of its foundation against the ground and its rotation
+ * t (clockwise: upper floors to the right), counted as the motion r = H t that it makes at the building's height H. What
+ * its storeys feel is the drift
+ *
+ *     d_i = u_i - u_(i-1) - (h_i/H) r,   u_0 = u_f
+ *
+ * its own stiffness and damping act on these, and the soil's springs and dashpots on u_f and r, so that damping couples
+ * its modes. The weight acts on u_i - u_(i-1), and the ground on the translations alone. */
 #pragma once
 
 #include <stdbool.h>
@@ -42,7 +51,9 @@
 #include "core/model/result.h"
 
 struct thud_model_structure {
-    int first, n;                /* its slice of dofs, one per floor */
+    int first, n, dofs;          /* its slice of dofs, one per floor, and on soil the foundation's two behind them */
+    const double *rise;          /* (n) h/H of each storey on soil; else NULL */
+    double arm_m;                /* H */
     int first_mode, modes;       /* its slice of modes */
     const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
     const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
@@ -50,12 +61,13 @@ struct thud_model_structure {
     const double *matrix_npm;    /* (n x n) lateral stiffness of a building by its matrix, else NULL */
     const double *shear; /* its storey shears: s (n x modes) by modal values and, behind it, T (n x n); else NULL */
     bool drifts;         /* it has storeys */
-    const double *omega; /* (n) its own natural frequencies, also of modes that are left out, rad/s */
+    const double *omega; /* (dofs) its own natural frequencies, also of modes that are left out, rad/s */
     int system;          /* index of the system that it belongs to */
     int first_shape;     /* modes of the structures before it, counted for each of them */
     const double *geometric_npm; /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
     const double *collapse_m;    /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
     double collapse_least_m;     /* the least of them */
+    double rigid_period_s, soil_damping; /* on soil: first period on rigid ground, first mode's damping ratio; else 0 */
 };
 
 /* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or with k (d - d_p)
@@ -77,6 +89,8 @@ struct thud_model_side {
     int structure, first_mode, modes; /* modes: 0 for a wall */
     int dof, below;                   /* the floor, or the one above and the one below; -1: none (a wall, the ground) */
     double share;                     /* h; 1 for a floor */
+    int tilt;                         /* dof of the rotation of a foundation that moves it too; -1: none does */
+    double by_tilt;                   /* u = (1 - h) u_below + h u_above + by_tilt r */
 };
 
 struct thud_model_contact {
@@ -131,7 +145,7 @@ struct thud_model {
     bool shears;                            /* the stiffness of a structure is a matrix */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
-    double *mass_kg;                        /* (ndof) */
+    double *mass_kg;                        /* (ndof); of a rotation, I/H^2 */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
     double *spring, *dashpot;               /* (nmodes): omega^2 and 2 zeta omega */
     double *mode_max;         /* (2 x nmodes): largest part of each mode in a floor's displacement, and in its drift */
@@ -141,6 +155,12 @@ struct thud_model {
     double *ground_influence; /* (ndof): of the ground's motion that a floor's modes carry; 1 where none is left out */
     int left_out;             /* modes */
     double fastest_radps;     /* free motion changes no faster: largest omega, or the rate of coupled damping */
+};
+
+/* Of a building on soil: springs and dashpots against sway and against rocking. */
+struct thud_foundation_input {
+    double mass_kg, inertia_kgm2;
+    double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
 };
 
 /* What assemble hands over; arrays are copied. A wall has n = 0. */
@@ -160,6 +180,9 @@ struct thud_model_input {
         /* P-Delta: W/h of each storey, less than its stiffness, and the drift at which it has collapsed; both (n), or
          * both NULL */
         const double *geometric_npm, *collapse_m;
+        const struct thud_foundation_input
+            *foundation;      /* of a building on soil; NULL: it stands on the ground itself */
+        const double *rise_m; /* (n) storey heights, of a building on soil */
     } * structure;
     int ncontacts;
     const struct thud_contact_input {
@@ -219,6 +242,16 @@ double thud_model_fastest(const struct thud_model *model, int structure);
 
 /* Which of the storeys that yield is the one below this floor; -1: that is elastic, or there is none. */
 int thud_model_yielding(const struct thud_model *model, int dof);
+
+/* What a storey feels of values by floor, `apart` doubles each from the structure's first dof on: the value of the floor
+ * above (index from 0) less that below and, on soil, less what the foundation's rotation makes; 0 for its own dofs. */
+static inline double thud_model_drift(const struct thud_model_structure *p, const double *value, int apart, int floor)
+{
+    const double *at = value + floor * apart, *base = value + p->n * apart;
+    if (!p->rise)
+        return floor > 0 ? at[0] - at[-apart] : at[0];
+    return floor >= p->n ? 0 : at[0] - (floor > 0 ? at[-apart] : base[0]) - p->rise[floor] * base[apart];
+}
 
 /* A floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);

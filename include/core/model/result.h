@@ -112,10 +112,16 @@ struct thud_storey_result {
 
 struct thud_structure_result {
     int floors;
-    struct thud_floor_result *floor;   /* (floors), lowest first; an isolated building's floor 1 is its base slab */
+    struct thud_floor_result *floor; /* (floors), lowest first; an isolated building's floor 1 is its base slab */
+    /* On soil, behind the floors: the foundation's sway, and its rotation as the displacement at `arm_m`; else NULL. */
+    struct thud_floor_result *foundation;
+    double arm_m;
     struct thud_storey_result *storey; /* (floors); NULL where none of them yields */
-    struct thud_peak base_shear;       /* N */
-    double *period_s;                  /* (floors), longest first; INFINITY for a free rigid body */
+    double rigid_period_s,
+        soil_damping;            /* on soil: its first period on rigid ground, and the damping ratio of its first
+                                            mode as it is; else 0 */
+    struct thud_peak base_shear; /* N */
+    double *period_s;            /* (floors), longest first; INFINITY for a free rigid body */
 };
 
 /* P-Delta: a storey's drift has come to a tenth of its height, which ends the run. */

@@ -22,6 +22,20 @@ enum thud_status thud_structure_check_shape(const struct thud_scene *scene, int 
 /* Whether it stands under its own weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with key,
  * THUD_MEMORY. */
 enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int structure, struct thud_error *err);
+/* Foundation, springs and dashpots of a building on soil, as they are given or as they follow for a disk of radius a on
+ * an elastic half-space (static stiffnesses; dashpots of the waves that travel down, Gazetas 1991, Formulas and charts
+ * for impedances of surface and embedded foundations, J. Geotech. Eng. 117(9)):
+ *
+ *     K_x = 8 G a/(2 - nu),   C_x = rho V_s A,          G = rho V_s^2,  A = pi a^2
+ *     K_t = 8 G a^3/(3 (1 - nu)),   C_t = rho V_p I,    V_p = V_s sqrt(2 (1 - nu)/(1 - 2 nu)),  I = pi a^4/4
+ *
+ * NaN where neither is given. */
+struct thud_foundation_input;
+struct thud_foundation_input thud_structure_foundation(const struct thud_structure *structure);
+/* Errors: THUD_INPUT with key. */
+enum thud_status thud_structure_check_foundation(const struct thud_structure *structure, int index,
+                                                 struct thud_error *err);
+
 /* Whether a building by its matrix or modes bends as a wall does, its top storey drifting more than its lowest one in
  * its first mode, rather than as a frame: for pictures. */
 struct thud_model_structure;

@@ -55,6 +55,11 @@ struct thud_structure {
     /* Isolated only: what it stands on; NaN: not given, or not of that law. */
     double isolator_law; /* enum thud_isolator_law */
     double isolator_strength_n, isolator_post_yield_npm, isolator_yield_m, isolator_radius_m, isolator_friction;
+    /* Buildings on soil: the foundation, springs and dashpots under it, and the soil that they follow from where they are
+     * not given; NaN: not given. */
+    double foundation_mass_kg, foundation_inertia_kgm2;
+    double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
+    double soil_vs_mps, soil_density_kgpm3, soil_poisson, foundation_radius_m;
     double velocity_mps; /* rigid only: at t = 0, to the right */
     double base_m;       /* elevation of the ground that a building stands on */
     /* Of each floor, slab and beam at the face: it covers [z - depth, z] below the floor's level z. A base slab has the
@@ -221,6 +226,8 @@ struct thud_isolator thud_structure_isolator(const struct thud_structure *struct
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
 /* Whether they yield or slide. */
 bool thud_isolator_slides(const struct thud_structure *structure);
+/* Whether a building stands on soil: anything is said of its foundation. */
+bool thud_structure_on_soil(const struct thud_structure *structure);
 /* Weight above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* With P-Delta a storey has collapsed where it drifts by this part of its height. */
@@ -257,8 +264,9 @@ enum thud_group {
     THUD_GROUP_SCENE,
     THUD_GROUP_RECORD,
     THUD_GROUP_STRUCTURE,
-    THUD_GROUP_COLUMN,   /* of a structure with storeys */
-    THUD_GROUP_ISOLATOR, /* of an isolated building */
+    THUD_GROUP_COLUMN,     /* of a structure with storeys */
+    THUD_GROUP_ISOLATOR,   /* of an isolated building */
+    THUD_GROUP_FOUNDATION, /* of a building on soil */
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
@@ -294,8 +302,8 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
-/* The groups nested in a structure: its columns and its isolators; and whether anything is said of one. */
-enum { THUD_NESTED_GROUPS = 2 };
+/* The groups nested in a structure: its columns, its isolators and its foundation; and whether anything is said of one. */
+enum { THUD_NESTED_GROUPS = 3 };
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
 /* Whether anything is said of a structure's columns. */

@@ -81,6 +81,14 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "\nisolators: %s, displaced by %.4g mm at %.3f s, by %.4g mm in the end; %.5g kJ lost",
                          thud_isolator_name(thud_structure_isolator(p).law), 1e3 * r->floor[0].drift.value,
                          r->floor[0].drift.time_s, 1e3 * r->storey[0].permanent_m, 1e-3 * r->storey[0].hysteretic_j);
+    if (r->foundation)
+        thud_text_append(
+            out,
+            "\nfoundation: sways by %.4g mm at %.3f s, rocks by %.4g mrad at %.3f s (%.4g mm at the roof); "
+            "T1 %.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil",
+            1e3 * r->foundation[0].displacement.value, r->foundation[0].displacement.time_s,
+            1e3 * r->foundation[1].displacement.value / r->arm_m, r->foundation[1].displacement.time_s,
+            1e3 * r->foundation[1].displacement.value, r->rigid_period_s, 1e2 * p->damping, 1e2 * r->soil_damping);
     const struct thud_floors floors = {report, s};
     const struct thud_rows rows = thud_floor_rows(&floors), storeys = thud_storey_rows(&floors);
     thud_text_append(out, "\n");

@@ -318,6 +318,9 @@ static double storey_collapses(const struct thud_model *m, const struct thud_seg
         const double *q = seg->q + k * m->nmodes;
         p[k] =
             thud_model_floor(m, of->first + floor, q) - (floor > 0 ? thud_model_floor(m, of->first + floor - 1, q) : 0);
+        if (of->rise)
+            p[k] -= of->rise[floor] * thud_model_floor(m, of->first + of->n + 1, q) +
+                    (floor > 0 ? 0 : thud_model_floor(m, of->first + of->n, q));
     }
     const double start = p[0];
     for (int side = -1; side <= 1; side += 2) {

@@ -75,7 +75,7 @@ double thud_model_gravity_work(const struct thud_model *model, const double *q)
     double sum = 0;
     for (int s = 0; s < model->nstructures && model->collapses; s++) {
         const struct thud_model_structure *p = &model->structure[s];
-        double below = 0;
+        double below = p->geometric_npm && p->dofs > p->n ? thud_model_floor(model, p->first + p->n, q) : 0;
         for (int i = 0; p->geometric_npm && i < p->n; i++) {
             double here = thud_model_floor(model, p->first + i, q), drift = here - below;
             sum += 0.5 * p->geometric_npm[i] * drift * drift;

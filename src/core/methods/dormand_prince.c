@@ -72,7 +72,7 @@ static double largest_acceleration(const struct thud_model *m, const struct thud
                                    double ground)
 {
     double largest = 0;
-    for (int i = p->first; i < p->first + p->n; i++)
+    for (int i = p->first; i < p->first + p->dofs; i++)
         largest = fmax(largest, fabs(thud_model_floor(m, i, qdd) + m->ground_influence[i] * ground));
     return largest;
 }

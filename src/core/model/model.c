@@ -7,14 +7,21 @@
 
 #include "base/arena.h"
 #include "base/quantity.h"
+#include "core/model/foundation.h"
 #include "core/model/modes.h"
 #include "core/model/tie.h"
 #include "core/numerics/vec.h"
 
-/* Modes that stay of n where `modes` are asked for. */
-static int kept_of(int n, int modes)
+/* Its floors, and on soil the sway and the rotation of its foundation. */
+static int dofs_of(const struct thud_structure_input *in)
 {
-    return modes > 0 && modes < n ? modes : n;
+    return in->n + (in->foundation ? THUD_FOUNDATION_DOFS : 0);
+}
+
+/* Modes that stay where `modes` are asked for. */
+static int kept_of(const struct thud_structure_input *in, int modes)
+{
+    return modes > 0 && modes < dofs_of(in) ? modes : dofs_of(in);
 }
 
 /* Modes of a structure, and of those that it may be tied to. */
@@ -22,7 +29,7 @@ static int modes_of(const struct thud_model_input *in, int structure)
 {
     int modes = 0;
     for (int s = 0; s < in->nstructures; s++)
-        modes += s == structure || in->nlinks > 0 ? kept_of(in->structure[s].n, in->modes) : 0;
+        modes += s == structure || in->nlinks > 0 ? kept_of(&in->structure[s], in->modes) : 0;
     return modes;
 }
 
@@ -80,9 +87,12 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
     bytes += 2 * thud_arena_room(ndof, sizeof(double)) + 9 * thud_arena_room(nmodes, sizeof(double));
     bytes += thud_arena_room(nc * nmodes, sizeof(double)) + thud_arena_room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
-        size_t n = (size_t)in->structure[s].n, kept = (size_t)kept_of(in->structure[s].n, in->modes);
+        size_t n = (size_t)dofs_of(&in->structure[s]), kept = (size_t)kept_of(&in->structure[s], in->modes);
         bytes += thud_arena_room(n * kept, sizeof(double)) + thud_arena_room(kept * kept, sizeof(double)) +
                  4 * thud_arena_room(n, sizeof(double));
+        if (in->structure[s].foundation)
+            bytes += thud_arena_room(n, sizeof(double)) +
+                     n * thud_arena_room((size_t)modes_of(in, s), sizeof(double)); /* rows of storeys that yield */
         if (in->structure[s].matrix_npm)
             bytes += thud_arena_room(n * n, sizeof(double)) +
                      thud_arena_room(n * (n + (size_t)modes_of(in, s)), sizeof(double));
@@ -149,9 +159,11 @@ static void fill_shears(struct thud_model *m, struct thud_arena *arena, struct t
            *by_drift = shear + n * modes;
     for (int i = n - 1; i >= 0; i--) {
         for (int j = 0; j < modes; j++) {
-            double force = 0;
-            for (int l = 0; l < n; l++)
-                force += k[i * n + l] * to->phi[l * modes + j];
+            double force = 0, shape = 0;
+            for (int l = 0; l < n; l++) {
+                shape = to->rise ? shape + thud_model_drift(to, to->phi + j, modes, l) : to->phi[l * modes + j];
+                force += k[i * n + l] * shape;
+            }
             shear[i * modes + j] = force + (i + 1 < n ? shear[(i + 1) * modes + j] : 0);
         }
         double sum = 0; /* of the rest of row i of K */
@@ -164,13 +176,46 @@ static void fill_shears(struct thud_model *m, struct thud_arena *arena, struct t
     m->shears = true;
 }
 
+/* On soil: the modes and the damping of the whole out of those on rigid ground. */
+static enum thud_status fill_soil(struct thud_arena *arena, struct thud_model_structure *to,
+                                  const struct thud_structure_input *in, const double *fixed_omega, const double *fixed,
+                                  const double *fixed_damping, double *omega, double *phi, struct thud_error *err)
+{
+    const size_t dofs = (size_t)to->dofs;
+    double *block = malloc(2 * dofs * dofs * sizeof *block),
+           *rise = thud_arena_take(arena, (size_t)to->n, sizeof *rise);
+    if (!block)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    double *all = block, *all_damping = block + dofs * dofs;
+    to->rigid_period_s = 2 * THUD_PI / fixed_omega[0];
+    to->arm_m = thud_foundation_arm(in);
+    for (int i = 0; i < to->n; i++)
+        rise[i] = in->rise_m[i] / to->arm_m;
+    to->rise = rise;
+    bool damped = false;
+    enum thud_status status =
+        thud_foundation_modes(in, fixed_omega, fixed, fixed_damping, omega, all, all_damping, err);
+    for (size_t i = 0; i < dofs * dofs; i++)
+        damped = damped || all_damping[i] != 0;
+    if (status == THUD_OK)
+        keep_columns(all, to->dofs, to->dofs, to->modes, phi);
+    to->soil_damping = 0.5 * all_damping[0] / omega[0];
+    if (status == THUD_OK && damped) {
+        double *damping = thud_arena_take(arena, (size_t)to->modes * (size_t)to->modes, sizeof *damping);
+        keep_columns(all_damping, to->modes, to->dofs, to->modes, damping);
+        to->damping = damping;
+    }
+    free(block);
+    return status;
+}
+
 static enum thud_status fill_building(struct thud_arena *arena, struct thud_model_structure *to,
                                       const struct thud_structure_input *in, struct thud_error *err)
 {
     size_t n = (size_t)in->n, square = n * n;
-    double *phi = thud_arena_take(arena, n * (size_t)to->modes, sizeof(double)),
+    double *phi = thud_arena_take(arena, (size_t)to->dofs * (size_t)to->modes, sizeof(double)),
            *k = thud_arena_take(arena, in->matrix_npm ? square : n, sizeof(double)),
-           *omega = thud_arena_take(arena, n, sizeof(double));
+           *omega = thud_arena_take(arena, (size_t)to->dofs, sizeof(double));
     to->phi = phi;
     if (in->matrix_npm)
         to->matrix_npm = memcpy(k, in->matrix_npm, square * sizeof(double));
@@ -185,10 +230,20 @@ static enum thud_status fill_building(struct thud_arena *arena, struct thud_mode
     fill_weight(arena, to, in, net);
     enum thud_status status =
         (in->matrix_npm ? thud_modes_matrix : thud_modes_shear)(in->n, in->mass_kg, net, omega, modes, work, err);
-    if (status == THUD_OK)
-        keep_columns(modes, in->n, in->n, to->modes, phi);
-    if (status == THUD_OK && in->isolated && (in->damping > 0 || in->isolation_damping > 0))
-        status = fill_isolated(arena, to, in, net, modes, damping, err);
+    const bool isolated = in->isolated && (in->damping > 0 || in->isolation_damping > 0);
+    if (in->foundation) {
+        if (status == THUD_OK && isolated)
+            status = thud_modes_isolated_damping(in->n, in->mass_kg, net, in->damping, in->isolation_damping, modes,
+                                                 damping, err);
+        memcpy(work, omega, n * sizeof *work);
+        if (status == THUD_OK)
+            status = fill_soil(arena, to, in, work, modes, isolated ? damping : NULL, omega, phi, err);
+    } else {
+        if (status == THUD_OK)
+            keep_columns(modes, in->n, in->n, to->modes, phi);
+        if (status == THUD_OK && isolated)
+            status = fill_isolated(arena, to, in, net, modes, damping, err);
+    }
     free(all);
     return status;
 }
@@ -210,11 +265,11 @@ static void fill_mode(struct thud_model *m, const struct thud_model_structure *p
 {
     int at = p->first_mode + j;
     double gamma = 0, most = 0, drift = 0;
-    for (int i = 0; i < p->n; i++) {
-        double here = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
-        gamma += here * in->mass_kg[i];
+    for (int i = 0; i < p->dofs; i++) {
+        const double here = p->phi[i * p->modes + j];
+        gamma += i < p->n ? here * in->mass_kg[i] : i == p->n ? here * in->foundation->mass_kg : 0;
         most = fmax(most, fabs(here));
-        drift = fmax(drift, fabs(here - below));
+        drift = fmax(drift, fabs(thud_model_drift(p, p->phi + j, p->modes, i)));
     }
     m->gamma[at] = gamma;
     m->mode_max[at] = most;
@@ -231,11 +286,13 @@ static void fill_mode(struct thud_model *m, const struct thud_model_structure *p
 static void fill_floor(struct thud_model *m, int s, const struct thud_structure_input *in, int i)
 {
     const struct thud_model_structure *p = &m->structure[s];
-    double share = p->modes < p->n ? 0 : 1;
-    for (int j = 0; j < p->modes && p->modes < p->n; j++)
+    double share = p->modes < p->dofs || i > p->n ? 0 : 1; /* a rotation has no part in the ground's motion */
+    for (int j = 0; j < p->modes && p->modes < p->dofs; j++)
         share += p->phi[i * p->modes + j] * m->gamma[p->first_mode + j];
     m->ground_influence[p->first + i] = share;
-    m->mass_kg[p->first + i] = in->mass_kg[i];
+    m->mass_kg[p->first + i] = i < p->n    ? in->mass_kg[i]
+                               : i == p->n ? in->foundation->mass_kg
+                                           : in->foundation->inertia_kgm2 / (p->arm_m * p->arm_m);
     m->dof_structure[p->first + i] = s;
 }
 
@@ -271,10 +328,10 @@ static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *
         fill_rigid(arena, to, in);
     for (int j = 0; j < to->modes && status == THUD_OK; j++)
         fill_mode(m, to, in, j);
-    for (int i = 0; i < to->n && status == THUD_OK; i++)
+    for (int i = 0; i < to->dofs && status == THUD_OK; i++)
         fill_floor(m, s, in, i);
     m->collapses = m->collapses || to->collapse_m;
-    m->left_out += to->n - to->modes;
+    m->left_out += to->dofs - to->modes;
     return status;
 }
 
@@ -292,21 +349,42 @@ static const double *floor_row(const struct thud_model *m, int dof)
 static struct thud_model_side floor_side(const struct thud_model *m, int dof)
 {
     if (dof < 0)
-        return (struct thud_model_side){.structure = -1, .dof = -1, .below = -1, .share = 1};
+        return (struct thud_model_side){.structure = -1, .dof = -1, .below = -1, .share = 1, .tilt = -1};
     int s = m->dof_structure[dof];
     return (struct thud_model_side){
-        floor_row(m, dof), s, m->structure[s].first_mode, m->structure[s].modes, dof, -1, 1};
+        floor_row(m, dof), s, m->structure[s].first_mode, m->structure[s].modes, dof, -1, 1, -1, 0};
 }
 
-/* The place that is struck moves with the floors above and below, h of the one and 1 - h of the other. */
-static struct thud_model_side column_side(const struct thud_model *m, struct thud_arena *arena, int dof, double h)
+/* The dof under a floor: the floor below, the foundation on soil, or -1, the ground. */
+static int dof_below(const struct thud_model_structure *p, int dof)
+{
+    return dof > p->first ? dof - 1 : p->rise ? p->first + p->n : -1;
+}
+
+/* The rotation of the foundation, where there is one, moves the side too, by so much. */
+static void tilt_side(const struct thud_model *m, struct thud_model_side *side, double by_tilt, double *row)
+{
+    const struct thud_model_structure *p = &m->structure[side->structure];
+    if (!p->rise)
+        return;
+    side->tilt = p->first + p->n + 1;
+    side->by_tilt = by_tilt; /* of r = H t */
+    for (int j = 0; j < side->modes; j++)
+        row[j] += by_tilt * floor_row(m, side->tilt)[j];
+}
+
+/* The place that is struck, eta of the length over the lower floor, moves with the floors above and below, h of the one
+ * and 1 - h of the other; its ends turn with the foundation, by which it lies on the line between them. */
+static struct thud_model_side column_side(const struct thud_model *m, struct thud_arena *arena, int dof,
+                                          const struct thud_struck_input *struck, double h)
 {
     struct thud_model_side side = floor_side(m, dof);
     double *row = thud_arena_take(arena, (size_t)side.modes, sizeof *row);
-    side.below = dof > m->structure[side.structure].first ? dof - 1 : -1;
+    side.below = dof_below(&m->structure[side.structure], dof);
     side.share = h;
     for (int j = 0; j < side.modes; j++)
         row[j] = h * side.row[j] + (side.below < 0 ? 0 : (1 - h) * floor_row(m, side.below)[j]);
+    tilt_side(m, &side, (struck->a_m - h * (struck->a_m + struck->b_m)) / m->structure[side.structure].arm_m, row);
     side.row = row;
     return side;
 }
@@ -315,7 +393,8 @@ static struct thud_model_side column_side(const struct thud_model *m, struct thu
 static double inverse_mass(const struct thud_model *m, const struct thud_model_side *side)
 {
     double inverse = side->dof < 0 ? 0 : side->share * side->share / m->mass_kg[side->dof];
-    return inverse + (side->below < 0 ? 0 : (1 - side->share) * (1 - side->share) / m->mass_kg[side->below]);
+    inverse += side->below < 0 ? 0 : (1 - side->share) * (1 - side->share) / m->mass_kg[side->below];
+    return inverse + (side->tilt < 0 ? 0 : side->by_tilt * side->by_tilt / m->mass_kg[side->tilt]);
 }
 
 static void add_row(const struct thud_model_side *side, double sign, double *g)
@@ -334,10 +413,11 @@ static int column_of(struct thud_model *m, struct thud_arena *arena, const struc
     for (int i = 0; i < m->ncolumns; i++)
         if (m->column[i].interface == in->interface && m->column[i].dof == side->dof)
             return i;
+    const struct thud_model_structure *of = &m->structure[side->structure];
     struct thud_model_column *to = &m->column[m->ncolumns];
     double *row = thud_arena_take(arena, (size_t)side->modes, sizeof *row);
     for (int j = 0; j < side->modes; j++)
-        row[j] = floor_row(m, side->dof)[j] - (side->below < 0 ? 0 : floor_row(m, side->below)[j]);
+        row[j] = thud_model_drift(of, of->phi + j, side->modes, side->dof - of->first);
     *to = (struct thud_model_column){.interface = in->interface,
                                      .structure = side->structure,
                                      .storey = side->dof - m->structure[side->structure].first + 1,
@@ -396,8 +476,9 @@ static enum thud_status fill_contact(struct thud_model *m, struct thud_arena *ar
     to->column = -1;
     to->eta = eta;
     to->setup.column_npm = 0;
-    to->left = in->struck.side < 0 ? column_side(m, arena, to->left_dof, h) : floor_side(m, to->left_dof);
-    to->right = in->struck.side > 0 ? column_side(m, arena, to->right_dof, h) : floor_side(m, to->right_dof);
+    to->left = in->struck.side < 0 ? column_side(m, arena, to->left_dof, &in->struck, h) : floor_side(m, to->left_dof);
+    to->right =
+        in->struck.side > 0 ? column_side(m, arena, to->right_dof, &in->struck, h) : floor_side(m, to->right_dof);
     double inverse = inverse_mass(m, &to->left) + inverse_mass(m, &to->right);
     assert(inverse > 0);
     to->setup.mass_kg = 1 / inverse;
@@ -410,24 +491,31 @@ static enum thud_status fill_contact(struct thud_model *m, struct thud_arena *ar
     return thud_law_prepare(in->law, &to->setup, err);
 }
 
-/* The sides of the row of storey k; it has no law. */
-static void fill_storey(struct thud_model *m, int k)
+/* The sides of the row of storey k; it has no law. On soil the lower one is the place right below the floor, as the
+ * foundation's rotation carries it. */
+static void fill_storey(struct thud_model *m, struct thud_arena *arena, int k)
 {
     const struct thud_model_storey *storey = &m->storey[k];
     struct thud_model_contact *to = &m->contact[m->ncontacts + k];
     int dof = m->structure[storey->structure].first + storey->floor;
-    *to = (struct thud_model_contact){.left_floor = storey->floor + 1,
-                                      .right_floor = storey->floor,
-                                      .left_dof = dof,
-                                      .right_dof = storey->floor > 0 ? dof - 1 : -1};
+    *to = (struct thud_model_contact){
+        .left_floor = storey->floor + 1, .right_floor = storey->floor, .left_dof = dof, .right_dof = -1};
     if (storey->link >= 0) {
         to->left_dof = m->link[storey->link].left_dof;
         to->right_dof = m->link[storey->link].right_dof;
+    } else {
+        to->right_dof = dof_below(&m->structure[storey->structure], dof);
     }
     to->column = -1;
     to->eta = 1;
     to->left = floor_side(m, to->left_dof);
     to->right = floor_side(m, to->right_dof);
+    if (storey->link < 0 && m->structure[storey->structure].rise) {
+        double *row = thud_arena_take(arena, (size_t)to->right.modes, sizeof *row);
+        memcpy(row, to->right.row, (size_t)to->right.modes * sizeof *row);
+        tilt_side(m, &to->right, m->structure[storey->structure].rise[storey->floor], row);
+        to->right.row = row;
+    }
     to->setup.mass_kg = 1 / (inverse_mass(m, &to->left) + inverse_mass(m, &to->right));
     double *g = m->jacobian + (size_t)(m->ncontacts + k) * (size_t)m->nmodes;
     memset(g, 0, (size_t)m->nmodes * sizeof *g);
@@ -435,7 +523,7 @@ static void fill_storey(struct thud_model *m, int k)
     add_row(&to->right, -1, g);
 }
 
-static void fill_storeys(struct thud_model *m, const struct thud_model_input *input)
+static void fill_storeys(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input)
 {
     int k = 0;
     for (int s = 0; s < input->nstructures; s++)
@@ -450,7 +538,7 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
                                                       .yield_m = in->yield_m[i],
                                                       .hardening = in->hardening[i],
                                                       .geometric_npm = in->geometric_npm ? in->geometric_npm[i] : 0};
-            fill_storey(m, k++);
+            fill_storey(m, arena, k++);
         }
     for (int i = 0; i < input->nlinks; i++)
         if (input->link[i].slip_n > 0) {
@@ -461,7 +549,7 @@ static void fill_storeys(struct thud_model *m, const struct thud_model_input *in
                                                       .link = i,
                                                       .stiffness_npm = in->stiffness_npm,
                                                       .yield_m = in->slip_n / in->stiffness_npm};
-            fill_storey(m, k++);
+            fill_storey(m, arena, k++);
         }
     for (int i = 0; i < m->ncolumns; i++)
         for (k = 0; k < m->nstoreys; k++) {
@@ -504,8 +592,8 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
 {
     int ndof = 0, nmodes = 0;
     for (int s = 0; s < input->nstructures; s++) {
-        ndof += input->structure[s].n;
-        nmodes += kept_of(input->structure[s].n, input->modes);
+        ndof += dofs_of(&input->structure[s]);
+        nmodes += kept_of(&input->structure[s], input->modes);
     }
     const int nslips = slipping_links(input), nstoreys = yielding_storeys(input) + nslips,
               ncontacts = input->ncontacts + one_sided_links(input);
@@ -541,10 +629,11 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
     struct thud_model_structure next = {0};
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;
-        next.modes = kept_of(next.n, input->modes);
+        next.dofs = dofs_of(&input->structure[s]);
+        next.modes = kept_of(&input->structure[s], input->modes);
         next.system = system[s];
         m->structure[s] = next;
-        next.first += next.n;
+        next.first += next.dofs;
         next.first_mode += next.modes;
         if (s == 0 || system[s] != system[s - 1])
             m->system[m->nsystems++] = s;
@@ -642,7 +731,7 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
         status = fill_links(m, arena, input, err);
     if (status != THUD_OK)
         return status;
-    fill_storeys(m, input);
+    fill_storeys(m, arena, input);
     fill_delassus(m);
     return THUD_OK;
 }

@@ -43,9 +43,14 @@ int thud_tie_systems(const struct thud_model_input *in, int *system, bool *tied)
     return count;
 }
 
+static int dofs_of(const struct thud_model_input *in, int s)
+{
+    return in->structure[s].n + (in->structure[s].foundation ? 2 : 0);
+}
+
 static size_t kept_modes(const struct thud_model_input *in, int s)
 {
-    const int n = in->structure[s].n;
+    const int n = dofs_of(in, s);
     return (size_t)(in->modes > 0 && in->modes < n ? in->modes : n);
 }
 
@@ -60,7 +65,7 @@ size_t thud_tie_bytes(const struct thud_model_input *in, const int *system, cons
         size_t modes = 0, floors = 0;
         for (last = s; last < in->nstructures && system[last] == system[s]; last++) {
             modes += kept_modes(in, last);
-            floors += (size_t)in->structure[last].n;
+            floors += (size_t)dofs_of(in, last);
         }
         if (tied[s])
             bytes += thud_arena_room(floors * modes, sizeof(double)) + thud_arena_room(modes * modes, sizeof(double));
@@ -100,7 +105,7 @@ static bool prepare(struct tie *t, const struct thud_model *m, int system)
     t->first_mode = m->structure[t->first].first_mode;
     for (t->last = t->first; t->last < m->nstructures && m->structure[t->last].system == system; t->last++) {
         t->modes += m->structure[t->last].modes;
-        t->floors += m->structure[t->last].n;
+        t->floors += m->structure[t->last].dofs;
     }
     const size_t n = (size_t)t->modes;
     t->work_size = 34 * t->modes;
@@ -187,7 +192,7 @@ static void turn_shapes(const struct tie *t, struct thud_model *m, double *phi)
     for (int s = t->first; s < t->last; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         const int at = p->first_mode - t->first_mode;
-        for (int i = 0; i < p->n; i++, phi += n)
+        for (int i = 0; i < p->dofs; i++, phi += n)
             for (int a = 0; a < n; a++) {
                 double sum = 0;
                 for (int j = 0; j < p->modes; j++)
@@ -208,10 +213,10 @@ static void fill_modes(const struct tie *t, struct thud_model *m)
         m->mode_max[at] = m->mode_max[m->nmodes + at] = 0;
         for (int s = t->first; s < t->last; s++) {
             const struct thud_model_structure *p = &m->structure[s];
-            for (int i = 0; i < p->n; i++) {
-                double here = p->phi[i * p->modes + a], below = i > 0 ? p->phi[(i - 1) * p->modes + a] : 0;
-                m->mode_max[at] = fmax(m->mode_max[at], fabs(here));
-                m->mode_max[m->nmodes + at] = fmax(m->mode_max[m->nmodes + at], fabs(here - below));
+            for (int i = 0; i < p->dofs; i++) {
+                m->mode_max[at] = fmax(m->mode_max[at], fabs(p->phi[i * p->modes + a]));
+                m->mode_max[m->nmodes + at] =
+                    fmax(m->mode_max[m->nmodes + at], fabs(thud_model_drift(p, p->phi + a, p->modes, i)));
             }
         }
     }
@@ -234,7 +239,7 @@ static void hand_out(const struct tie *t, struct thud_model *m, const double *ph
         p->first_mode = t->first_mode;
         p->modes = t->modes;
         p->damping = damping;
-        phi += p->n * t->modes;
+        phi += p->dofs * t->modes;
     }
 }
 

@@ -34,12 +34,12 @@ struct part {
     double *block;
 };
 
-/* Floors of the structures whose modes are common with the first one's. */
+/* Dofs of the structures whose modes are common with the first one's. */
 static int floors_of(const struct thud_model *m, const struct thud_model_structure *first)
 {
     int floors = 0;
     for (int s = m->system[first->system]; s < m->nstructures && m->structure[s].system == first->system; s++)
-        floors += m->structure[s].n;
+        floors += m->structure[s].dofs;
     return floors;
 }
 

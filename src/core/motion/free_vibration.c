@@ -9,8 +9,8 @@
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
 enum { SHORT_BLOCK = 8, PIECES_MOST = 16384, BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
 
-/* Interval times the norm of damping that couples modes, and times the fastest rate there: above, the bounds of a block
- * are worth nothing, and power series alone are as fast. */
+/* Interval times the norm of damping that couples modes: above, bounds by that norm are worth nothing. And times the
+ * fastest rate there: above, power series alone are as fast. */
 static const double damping_most_rad = 1, coupled_most_rad = 1e3;
 
 static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
@@ -41,7 +41,8 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->series.has = calloc(ns + 1, sizeof *f->series.has);
     f->coupled = calloc(ns + 1, sizeof *f->coupled);
-    if (!next || !f->valued || !f->series.has || !f->coupled)
+    f->complex = calloc(ns + 1, sizeof *f->complex);
+    if (!next || !f->valued || !f->series.has || !f->coupled || !f->complex)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -59,23 +60,37 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     return true;
 }
 
-/* Whether coupled damping is weak enough in an interval for the bounds of a block. */
 static bool suits(const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
-    if (m->nmodes == 0 || (m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad))
-        return false;
-    for (int s = 0; s < m->nsystems; s++) {
-        const struct thud_model_structure *p = &m->structure[m->system[s]];
-        for (int i = 0; p->damping && i < p->modes; i++) {
-            double row = 0;
-            for (int j = 0; j < p->modes; j++)
-                row += fabs(p->damping[i * p->modes + j]);
-            if (row * state->grid_dt_s > damping_most_rad)
-                return false;
-        }
+    return m->nmodes > 0 && !(m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad);
+}
+
+/* Whether coupled damping is strong in an interval. */
+static bool is_strong(const struct thud_model_structure *p, double dt_s)
+{
+    for (int i = 0; p->damping && i < p->modes; i++) {
+        double row = 0;
+        for (int j = 0; j < p->modes; j++)
+            row += fabs(p->damping[i * p->modes + j]);
+        if (row * dt_s > damping_most_rad)
+            return true;
     }
-    return true;
+    return false;
+}
+
+/* The complex modes of systems with strong dashpots; *bounded: all have some. */
+static enum thud_status find_complex(struct thud_free_vibration *f, const struct thud_model *m, bool *bounded,
+                                     struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int s = 0; s < m->nsystems && status == THUD_OK; s++) {
+        if (!is_strong(&m->structure[m->system[s]], f->dt_s))
+            continue;
+        status = thud_complex_modes_init(&f->complex[s], m, s, f->dt_s, err);
+        *bounded = *bounded && f->complex[s].n > 0;
+    }
+    return status;
 }
 
 /* The propagators of systems whose modes are coupled, in place of the recurrence. */
@@ -103,6 +118,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
     if (!suits(state))
         return THUD_OK;
     struct thud_free_vibration *f = calloc(1, sizeof *f);
+    bool bounded = true;
     enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK)
         status = thud_segment_init(&f->series.seg, m, err);
@@ -120,7 +136,9 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
     }
     if (status == THUD_OK)
         status = couple(f, state, err);
-    if (status != THUD_OK) {
+    if (status == THUD_OK)
+        status = find_complex(f, m, &bounded, err);
+    if (status != THUD_OK || !bounded) {
         thud_free_vibration_free(f);
         return status;
     }
@@ -135,7 +153,10 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     thud_segment_clear(&f->series.seg);
     for (int s = 0; s < f->nsystems; s++)
         thud_coupled_motion_clear(&f->coupled[s]);
+    for (int s = 0; f->complex && s < f->nsystems; s++)
+        thud_complex_modes_clear(&f->complex[s]);
     free(f->coupled);
+    free(f->complex);
     free(f->valued);
     free(f->series.has);
     free(f->block);

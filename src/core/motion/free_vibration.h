@@ -8,10 +8,11 @@
  *
  * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
  * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
- * are moved by the propagator of coupled_motion in place of the recurrence; not for dashpots so strong that their rates
- * are above one in an interval. */
+ * are moved by the propagator of coupled_motion in place of the recurrence; where their dashpots are so strong that their
+ * rates are above one in an interval, the bounds are those of their complex modes. */
 #pragma once
 
+#include "core/motion/complex_modes.h"
 #include "core/motion/coupled_motion.h"
 
 enum {
@@ -47,6 +48,7 @@ struct thud_free_vibration {
     double dt_s;
     struct thud_free_vibration_tables tables;
     struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
+    struct thud_complex_modes *complex;  /* (nsystems) of those with strong dashpots; n 0: another */
     double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
 
     struct thud_free_vibration_series series;

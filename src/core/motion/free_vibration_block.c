@@ -178,11 +178,11 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
 {
     double *to = f->value[quantity] + (size_t)p->first * ENDS;
     int i = 0;
-    for (; i + FLOORS_AT_ONCE <= p->n; i += FLOORS_AT_ONCE)
+    for (; i + FLOORS_AT_ONCE <= p->dofs; i += FLOORS_AT_ONCE)
         some_rows(p, i, FLOORS_AT_ONCE, from, ends, to + (size_t)i * ENDS);
-    for (; i + FLOORS_AT_ONCE / 2 <= p->n; i += FLOORS_AT_ONCE / 2)
+    for (; i + FLOORS_AT_ONCE / 2 <= p->dofs; i += FLOORS_AT_ONCE / 2)
         some_rows(p, i, FLOORS_AT_ONCE / 2, from, ends, to + (size_t)i * ENDS);
-    for (; i < p->n; i++)
+    for (; i < p->dofs; i++)
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
@@ -205,10 +205,10 @@ static void spring_rows(struct thud_free_vibration *f, const struct thud_model *
 static void drift_rows(struct thud_free_vibration *f, const struct thud_model_structure *p)
 {
     for (int i = 0; i < p->n; i++) {
-        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)(p->first + i) * ENDS;
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->first * ENDS;
         double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
         for (int t = 0; t < f->ends; t++)
-            drift[t] = !p->drifts ? 0 : i > 0 ? u[t] - (u - ENDS)[t] : u[t];
+            drift[t] = !p->drifts ? 0 : thud_model_drift(p, u + t, ENDS, i);
     }
 }
 
@@ -266,15 +266,15 @@ double thud_free_vibration_rate(const struct thud_free_vibration *f, const struc
                                 int floor, int quantity, int t, double ground)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->phi + floor * p->modes,
-                 *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? row - p->modes : NULL;
+    const double *row = p->phi + floor * p->modes;
     double sum = 0;
     if (quantity == THUD_FLOOR_ACCELERATION)
         return jerk(f, m, structure, floor, t, ground);
     for (int j = 0; j < p->modes; j++)
         sum += quantity == THUD_FLOOR_VELOCITY
                    ? row[j] * (spring_at(f, m, p, j, t) - m->gamma[p->first_mode + j] * ground)
-                   : (row[j] - (below ? below[j] : 0)) * f->qd[(p->first_mode + j) * ENDS + t];
+                   : (quantity == THUD_FLOOR_DRIFT ? thud_model_drift(p, p->phi + j, p->modes, floor) : row[j]) *
+                         f->qd[(p->first_mode + j) * ENDS + t];
     return sum;
 }
 

@@ -80,7 +80,7 @@ static void structure_margins(struct thud_free_vibration *f, const struct thud_m
 {
     const struct thud_model_structure *p = &m->structure[s];
     double dt = f->dt_s, sum[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0}, bound[BOUNDS];
-    if (p->damping)
+    if (p->damping && f->complex[p->system].n == 0)
         coupled_bounds(f, m, p, slope);
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
         double most = m->mode_max[j], drift = m->mode_max[f->n + j];
@@ -119,6 +119,12 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
     double slope = 0;
     for (int t = 0; t < intervals; t++)
         slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
+    for (int s = 0; s < m->nsystems; s++) {
+        const int first = m->structure[m->system[s]].first_mode;
+        if (f->complex[s].n > 0)
+            thud_complex_modes_bounds(&f->complex[s], f->q + first * ENDS, f->qd + first * ENDS, ENDS, f->shift + first,
+                                      f->ground, f->after, intervals, f->bound + first, f->n);
+    }
     for (int s = 0; s < m->nstructures; s++)
         structure_margins(f, m, s, slope / f->dt_s);
 }
@@ -150,7 +156,8 @@ static bool closes(struct thud_free_vibration *f, const struct thud_state *state
 static double side_value(const struct thud_model_side *side, const double *u)
 {
     double value = side->dof < 0 ? 0 : side->share * u[(size_t)side->dof * ENDS];
-    return value + (side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS]);
+    value += side->below < 0 ? 0 : (1 - side->share) * u[(size_t)side->below * ENDS];
+    return side->tilt < 0 ? value : value + side->by_tilt * u[(size_t)side->tilt * ENDS];
 }
 
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
@@ -287,14 +294,13 @@ static double largest_drift(struct thud_free_vibration *f, const struct thud_sta
 {
     const struct thud_model *m = state->model;
     const struct thud_model_contact *row = &m->contact[m->ncontacts + k];
-    const double *above = row->left_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + row->left_dof * ENDS,
-                 *below = row->right_dof < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + row->right_dof * ENDS;
-    if (above)
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
+    if (row->left_dof >= 0)
         thud_free_vibration_values(f, m, row->left.structure, THUD_FLOOR_DISPLACEMENT);
-    if (below)
+    if (row->right_dof >= 0)
         thud_free_vibration_values(f, m, row->right.structure, THUD_FLOOR_DISPLACEMENT);
     for (int t = 0; t < ends; t++)
-        f->gap[t] = (above ? above[t] : 0) - (below ? below[t] : 0) - state->storey[k].plastic_m;
+        f->gap[t] = side_value(&row->left, u + t) - side_value(&row->right, u + t) - state->storey[k].plastic_m;
     return thud_largest_size(f->gap, ends);
 }
 

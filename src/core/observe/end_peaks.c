@@ -11,7 +11,7 @@
 /* Floors of a structure, made even. */
 static int even_floors(const struct thud_model_structure *p)
 {
-    return p->n + p->n % 2;
+    return p->dofs + p->dofs % 2;
 }
 
 enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct thud_model *model, const double *shape,
@@ -27,10 +27,12 @@ enum thud_status thud_end_peaks_init(struct thud_end_peaks *ends, const struct t
     }
     double *next = ends->most;
     for (int s = 0; s < model->nstructures; s++) /* a rigid body has no drift, and the rest of a row is no floor */
-        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
+            const struct thud_model_structure *p = &model->structure[s];
+            const int count = x == THUD_FLOOR_DISPLACEMENT ? p->dofs : x != THUD_FLOOR_DRIFT || p->drifts ? p->n : 0;
             for (int i = 0; i < stride; i++)
-                *next++ =
-                    i < model->structure[s].n && (model->structure[s].drifts || x != THUD_FLOOR_DRIFT) ? 0 : INFINITY;
+                *next++ = i < count ? 0 : INFINITY;
+        }
     ends->value = next + 2;
     for (int i = -2; i < THUD_FLOOR_QUANTITIES * stride; i++)
         ends->value[i] = 0;
@@ -67,7 +69,9 @@ static void floor_values(const struct thud_end_peaks *ends, const struct thud_mo
         thud_vec2_put(a, value + THUD_FLOOR_ACCELERATION * stride + i);
     }
     value[-1] = 0;
-    for (int i = 0; i < floors; i += 2)
+    for (int i = 0; p->rise && i < floors; i++)
+        value[THUD_FLOOR_DRIFT * stride + i] = thud_model_drift(p, value, 1, i);
+    for (int i = 0; !p->rise && i < floors; i += 2)
         thud_vec2_put(thud_vec2_at(value + i) - thud_vec2_at(value + i - 1), value + THUD_FLOOR_DRIFT * stride + i);
 }
 
@@ -87,7 +91,7 @@ static void raise_floors(struct thud_end_peaks *ends, const struct thud_model *m
     const struct thud_model_structure *p = &m->structure[structure];
     const int stride = ends->stride;
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
-        for (int i = 0; i < p->n; i++) {
+        for (int i = 0; i < p->dofs; i++) {
             double value = fabs(ends->value[x * stride + i]);
             if (!(value > most[x * stride + i]))
                 continue;
@@ -132,7 +136,7 @@ static double least_ratio(const struct thud_end_peaks *ends, const struct thud_m
     const double *most = ends->most + (structure * THUD_FLOOR_QUANTITIES + quantity) * ends->stride,
                  *per_speed = ends->per_speed + bound * m->ndof + p->first;
     double least = INFINITY;
-    for (int i = 0; i < p->n && most[i] < INFINITY; i++)
+    for (int i = 0; i < p->dofs && most[i] < INFINITY; i++)
         least = thud_smaller(least, most[i] / per_speed[i]);
     return least;
 }

@@ -123,11 +123,11 @@ static double drifts(struct thud_free_vibration *f, const struct thud_model *m, 
                      int ends)
 {
     thud_free_vibration_values(f, m, p->structure, THUD_FLOOR_DISPLACEMENT);
-    const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->dof * ENDS,
-                 *below = p->below < 0 ? NULL : f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->below * ENDS;
+    const struct thud_model_structure *of = &m->structure[p->structure];
+    const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)of->first * ENDS;
     double most = 0;
     for (int t = 0; t < ends; t++) {
-        f->gap[t] = fabs(u[t] - (below ? below[t] : 0));
+        f->gap[t] = fabs(thud_model_drift(of, u + t, ENDS, p->storey - 1));
         most = fmax(most, f->gap[t]);
     }
     return most;

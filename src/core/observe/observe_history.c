@@ -193,9 +193,8 @@ static void fill_columns(const struct thud_history *h, const struct thud_model *
 {
     for (int i = 0; i < m->ncolumns; i++) {
         const struct thud_model_column *p = &m->column[i];
-        double drift = row[thud_history_displacement(h, p->dof)];
-        if (p->below >= 0)
-            drift -= row[thud_history_displacement(h, p->below)];
+        const struct thud_model_structure *of = &m->structure[p->structure];
+        const double drift = thud_model_drift(of, row + thud_history_displacement(h, of->first), 1, p->storey - 1);
         for (int q = 0; q < SHEARS; q++) {
             double value = p->per_drift[q] * drift + (p->yielding >= 0 ? p->per_yield[q] * force[p->yielding] : 0);
             for (int c = 0; c < m->ncontacts; c++)
@@ -334,6 +333,9 @@ static double next_peak(const struct thud_rows *rows, double after)
             best = sooner(best, f->velocity, after);
             best = sooner(best, f->drift, after);
         }
+    for (int s = 0; s < r->nstructures; s++)
+        for (int i = 0; r->structure[s].foundation && i < 2; i++)
+            best = sooner(best, r->structure[s].foundation[i].displacement, after);
     for (int c = 0; c < r->ncontacts; c++) {
         best = sooner(best, r->contact[c].force, after);
         best = sooner(best, r->contact[c].indentation, after);

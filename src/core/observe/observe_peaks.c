@@ -215,7 +215,7 @@ static void floor_values(struct thud_peaks *peaks, const struct thud_observation
     const int at = p->first_mode, stride = peaks->stride;
     const double *from[FLOOR_ROWS] = {o->state->q + at, o->state->qd + at, peaks->modal + MODE_START * stride,
                                       o->q + at,        o->qd + at,        peaks->modal + MODE_END * stride};
-    for (int i = 0; i < p->n; i += 2) {
+    for (int i = 0; i < p->dofs; i += 2) {
         thud_vec2 sum[FLOOR_ROWS] = {0};
         const double *shape = peaks->shape + p->first_shape * stride + i;
         for (int j = 0; j < p->modes; j++, shape += stride)
@@ -243,9 +243,9 @@ static void read_ends(const struct thud_peaks *peaks, const struct thud_observat
         value[THUD_FLOOR_DISPLACEMENT] = x[0];
         value[THUD_FLOOR_VELOCITY] = rate[THUD_FLOOR_DISPLACEMENT] = x[stride];
         value[THUD_FLOOR_ACCELERATION] = x[2 * stride];
-        value[THUD_FLOOR_DRIFT] = floor > 0 ? x[0] - x[-1] : x[0];
+        value[THUD_FLOOR_DRIFT] = thud_model_drift(p, x - floor, 1, floor);
         rate[THUD_FLOOR_VELOCITY] = x[2 * stride] - influence * ground;
-        rate[THUD_FLOOR_DRIFT] = floor > 0 ? x[stride] - x[stride - 1] : x[stride];
+        rate[THUD_FLOOR_DRIFT] = thud_model_drift(p, x + stride - floor, 1, floor);
     }
 }
 
@@ -298,21 +298,19 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);
     const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
-    double below[2] = {0, 0};
-    for (int i = 0; i < p->n; i++) {
+    for (int i = 0; i < p->dofs; i++) {
         const double *start = peaks->value + FLOOR_START * stride + i, *end = peaks->value + FLOOR_END * stride + i;
         const struct thud_floor_result *r = &peaks->result->structure[index].floor[i];
         double u = thud_larger(fabs(start[0]), fabs(end[0])), v = thud_larger(fabs(start[stride]), fabs(end[stride])),
                a = thud_larger(fabs(start[2 * stride]), fabs(end[2 * stride])),
-               d = thud_larger(fabs(start[0] - below[0]), fabs(end[0] - below[1]));
+               d = thud_larger(fabs(thud_model_drift(p, start - i, 1, i)), fabs(thud_model_drift(p, end - i, 1, i)));
+        const bool floor = i < p->n; /* of a foundation, displacements alone */
         const bool may[] = {u + margin.value[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
-                            v + margin.value[THUD_FLOOR_VELOCITY] > r->velocity.value,
-                            a + margin.value[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
-                            drifts && d + margin.value[THUD_FLOOR_DRIFT] > r->drift.value};
+                            floor && v + margin.value[THUD_FLOOR_VELOCITY] > r->velocity.value,
+                            floor && a + margin.value[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
+                            floor && drifts && d + margin.value[THUD_FLOOR_DRIFT] > r->drift.value};
         if (may[0] | may[1] | may[2] | may[3])
             floor_peaks(peaks, o, index, i, &margin, may);
-        below[0] = start[0];
-        below[1] = end[0];
     }
 }
 
@@ -348,7 +346,7 @@ static bool may_jump(const void *own, const struct thud_rest *rest)
     const struct thud_peaks *peaks = own;
     double most[THUD_FLOOR_QUANTITIES];
     for (int s = 0; s < peaks->result->nstructures; s++)
-        for (int i = 0; i < peaks->result->structure[s].floors; i++) {
+        for (int i = 0; i < rest->model->structure[s].dofs; i++) {
             thud_rest_floor(rest, s, i, most);
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
                 if (most[x] > thud_floor_peak(peaks->result, s, i, x)->value)
@@ -365,7 +363,7 @@ static int even_size(const struct thud_model *m)
     int most = 0;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        const int size = p->n > p->modes ? p->n : p->modes;
+        const int size = p->dofs > p->modes ? p->dofs : p->modes;
         most = size > most ? size : most;
     }
     return most + most % 2;
@@ -376,11 +374,11 @@ static void fill_shapes(struct thud_peaks *peaks, const struct thud_model *m)
 {
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; i < p->n; i++)
+        for (int i = 0; i < p->dofs; i++)
             for (int j = 0; j < p->modes; j++) {
                 double *shape = peaks->shape + (p->first_shape + j) * peaks->stride + i;
                 shape[0] = p->phi[i * p->modes + j];
-                shape[m->nshapes * peaks->stride] = shape[0] - (i > 0 ? p->phi[(i - 1) * p->modes + j] : 0);
+                shape[m->nshapes * peaks->stride] = thud_model_drift(p, p->phi + j, p->modes, i);
             }
         peaks->ground[s] = sqrt(thud_dot(p->modes, m->gamma + p->first_mode, m->gamma + p->first_mode));
     }

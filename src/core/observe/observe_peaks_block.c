@@ -44,7 +44,7 @@ static void bound_floors(const struct thud_peaks *peaks, const struct thud_model
     const int stride = peaks->stride;
     const double *shape = peaks->shape + ((drift ? m->nshapes : 0) + p->first_shape) * stride,
                  *modes = peaks->modal + (drift ? THUD_FLOOR_DISPLACEMENT : quantity) * stride;
-    for (int i = 0; i < p->n; i += 2) {
+    for (int i = 0; i < p->dofs; i += 2) {
         thud_vec2 sum = {0};
         for (int j = 0; j < p->modes; j++)
             sum += modes[j] * thud_vec2_abs(thud_vec2_at(shape + j * stride + i));
@@ -146,7 +146,7 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
     for (int x = 0; x < (p->drifts ? THUD_FLOOR_QUANTITIES : THUD_FLOOR_DRIFT); x++) {
         const double margin = f->margin[x * m->nstructures + structure];
         bound_floors(peaks, m, p, x, peaks->value);
-        for (int i = 0; i < p->n; i++) {
+        for (int i = 0; i < (x == THUD_FLOOR_DISPLACEMENT ? p->dofs : p->n); i++) {
             struct thud_peak *peak = thud_floor_peak(peaks->result, structure, i, x);
             if (peaks->value[i] + margin <= peak->value)
                 continue;

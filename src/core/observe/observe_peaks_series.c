@@ -75,9 +75,15 @@ static int value_series(struct thud_peaks *peaks, const struct thud_model *m, co
         out[1] += m->ground_influence[p->first + floor] * seg->a1;
         return n - 2;
     }
-    const double *below = quantity == THUD_FLOOR_DRIFT && floor > 0 ? floor_series(peaks, m, seg, p, floor - 1) : NULL;
+    if (quantity == THUD_FLOOR_DRIFT && p->rise && floor < p->n) { /* all floors' series stand one after the other */
+        floor_series(peaks, m, seg, p, p->n);
+        floor_series(peaks, m, seg, p, p->n + 1);
+    }
+    if (quantity == THUD_FLOOR_DRIFT && floor > 0)
+        floor_series(peaks, m, seg, p, floor - 1);
     for (int k = 0; k < n; k++)
-        out[k] = below ? u[k] - below[k] : u[k];
+        out[k] =
+            quantity == THUD_FLOOR_DRIFT ? thud_model_drift(p, peaks->series + k, THUD_SEGMENT_TERMS, floor) : u[k];
     return n;
 }
 
@@ -92,5 +98,5 @@ void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m,
 /* No floor's series has been made of this segment yet. */
 void thud_peaks_forget_series(struct thud_peaks *peaks, const struct thud_model_structure *p)
 {
-    memset(peaks->made, 0, (size_t)p->n * sizeof *peaks->made);
+    memset(peaks->made, 0, (size_t)p->dofs * sizeof *peaks->made);
 }

@@ -24,15 +24,15 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        for (int i = 0; i < p->n; i++) {
+        for (int i = 0; i < p->dofs; i++) {
             double sum[THUD_FLOOR_QUANTITIES] = {0};
             for (int j = 0; j < p->modes; j++) {
-                double a = p->phi[i * p->modes + j], below = i > 0 ? p->phi[(i - 1) * p->modes + j] : 0;
+                const double a = p->phi[i * p->modes + j], drift = thud_model_drift(p, p->phi + j, p->modes, i);
                 double w = m->omega[p->first_mode + j], f = damping_factor(m, p, j) * w;
                 sum[THUD_FLOOR_DISPLACEMENT] += a * a / (w * w);
                 sum[THUD_FLOOR_VELOCITY] += a * a;
                 sum[THUD_FLOOR_ACCELERATION] += a * a * f * f;
-                sum[THUD_FLOOR_DRIFT] += p->drifts ? (a - below) * (a - below) / (w * w) : 0;
+                sum[THUD_FLOOR_DRIFT] += p->drifts ? drift * drift / (w * w) : 0;
             }
             for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
                 peaks->per_speed[x * m->ndof + p->first + i] = sqrt(sum[x]);
@@ -48,17 +48,18 @@ static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, i
     const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
     const double *most = peaks->per_speed + m->structure[structure].first + floor;
     double push = most[THUD_FLOOR_VELOCITY * m->ndof] * bound->force;
-    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed <= r->displacement.value &&
-                 most[THUD_FLOOR_VELOCITY * m->ndof] * bound->speed <= r->velocity.value &&
-                 most[THUD_FLOOR_ACCELERATION * m->ndof] * bound->speed + push <= r->acceleration.value &&
-                 most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed <= r->drift.value;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed <= r->displacement.value;
+    if (floor < m->structure[structure].n) /* else of a foundation */
+        below = below && most[THUD_FLOOR_VELOCITY * m->ndof] * bound->speed <= r->velocity.value &&
+                most[THUD_FLOOR_ACCELERATION * m->ndof] * bound->speed + push <= r->acceleration.value &&
+                most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed <= r->drift.value;
     return !below; /* NaN: a rigid body, whose place no energy bounds */
 }
 
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
                                    const struct thud_response_bound *bound)
 {
-    for (int i = 0; i < model->structure[structure].n; i++)
+    for (int i = 0; i < model->structure[structure].dofs; i++)
         if (may_pass(peaks, model, structure, i, bound))
             return true;
     return false;
@@ -109,6 +110,7 @@ static double largest_force(const struct thud_peaks *peaks, const struct thud_mo
                 continue;
             total += at->share * per_speed[at->dof] * peaks->push[i].bound;
             total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].bound;
+            total += at->tilt < 0 ? 0 : fabs(at->by_tilt) * per_speed[at->tilt] * peaks->push[i].bound;
         }
     return total;
 }

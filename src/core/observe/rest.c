@@ -7,15 +7,15 @@ void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, dou
 {
     const struct thud_model *m = rest->model;
     const struct thud_model_structure *p = &m->structure[structure];
-    assert(structure >= 0 && structure < m->nstructures && floor >= 0 && floor < p->n);
-    const double *row = p->phi + floor * p->modes, *below = floor > 0 ? row - p->modes : NULL;
+    assert(structure >= 0 && structure < m->nstructures && floor >= 0 && floor < p->dofs);
+    const double *row = p->phi + floor * p->modes;
     double add[THUD_FLOOR_QUANTITIES] = {0};
     for (int j = 0; j < p->modes; j++) {
         double w = m->omega[p->first_mode + j], a = rest->amplitudes[p->first_mode + j], part = fabs(row[j]) * a;
         add[THUD_FLOOR_DISPLACEMENT] += part;
         add[THUD_FLOOR_VELOCITY] += part * w;
         add[THUD_FLOOR_ACCELERATION] += part * w * w * (1 + 2 * m->zeta[p->first_mode + j]);
-        add[THUD_FLOOR_DRIFT] += fabs(row[j] - (below ? below[j] : 0)) * a;
+        add[THUD_FLOOR_DRIFT] += fabs(thud_model_drift(p, p->phi + j, p->modes, floor)) * a;
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
         most[x] = rest->later[x * m->ndof + p->first + floor] + add[x];

@@ -58,10 +58,16 @@ static void thin(struct thud_baseline_motion *baseline)
     baseline->apart *= 2;
 }
 
+/* Floors of a structure, and the rows of its foundation. */
+static int rows_of(const struct thud_structure_result *r)
+{
+    return r->floors + (r->foundation ? 2 : 0);
+}
+
 static void copy_floors(const struct thud_result *result, struct thud_floor_result *to)
 {
-    for (int s = 0; s < result->nstructures; to += result->structure[s].floors, s++)
-        memcpy(to, result->structure[s].floor, (size_t)result->structure[s].floors * sizeof *to);
+    for (int s = 0; s < result->nstructures; to += rows_of(&result->structure[s]), s++)
+        memcpy(to, result->structure[s].floor, (size_t)rows_of(&result->structure[s]) * sizeof *to);
 }
 
 /* Links that are contacts act in the baseline too; from where one has, no run starts. */
@@ -225,8 +231,8 @@ static void start_at(struct thud_run *run, const struct moment *moment)
     run->state.grid = moment->grid;
     memcpy(run->state.q, moment->state, n * sizeof(double));
     memcpy(run->state.qd, moment->state + n, n * sizeof(double));
-    for (int s = 0; s < run->result.nstructures; from += run->result.structure[s].floors, s++)
-        memcpy(run->result.structure[s].floor, from, (size_t)run->result.structure[s].floors * sizeof *from);
+    for (int s = 0; s < run->result.nstructures; from += rows_of(&run->result.structure[s]), s++)
+        memcpy(run->result.structure[s].floor, from, (size_t)rows_of(&run->result.structure[s]) * sizeof *from);
     memcpy(run->result.column, moment->column, (size_t)run->result.ncolumns * sizeof *moment->column);
     memcpy(run->result.link, moment->link, (size_t)run->result.nlinks * sizeof *moment->link);
     thud_contact_moved(&run->state);

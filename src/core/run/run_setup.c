@@ -43,7 +43,7 @@ static bool allocate_result(struct thud_run *run)
                    thud_arena_room(storeys, sizeof(struct thud_storey_result)) +
                    thud_arena_room(links, sizeof *r->link);
     for (int s = 0; s < m->nstructures; s++)
-        bytes += thud_arena_room((size_t)m->structure[s].n, sizeof(struct thud_floor_result)) +
+        bytes += thud_arena_room((size_t)m->structure[s].dofs, sizeof(struct thud_floor_result)) +
                  thud_arena_room((size_t)m->structure[s].n, sizeof(double));
     if (!thud_arena_open(&arena, bytes))
         return false;
@@ -60,7 +60,11 @@ static bool allocate_result(struct thud_run *run)
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         r->structure[s].floors = p->n;
-        r->structure[s].floor = thud_arena_take(&arena, (size_t)p->n, sizeof(struct thud_floor_result));
+        r->structure[s].floor = thud_arena_take(&arena, (size_t)p->dofs, sizeof(struct thud_floor_result));
+        r->structure[s].rigid_period_s = p->rigid_period_s;
+        r->structure[s].soil_damping = p->soil_damping;
+        r->structure[s].arm_m = p->arm_m;
+        r->structure[s].foundation = p->dofs > p->n ? r->structure[s].floor + p->n : NULL;
         r->structure[s].period_s = thud_arena_take(&arena, (size_t)p->n, sizeof(double));
         for (int j = 0; j < p->n; j++)
             r->structure[s].period_s[j] = 2 * THUD_PI / p->omega[j];

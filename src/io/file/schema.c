@@ -339,10 +339,21 @@ void thud_rows_table(const struct thud_rows *rows, struct thud_text *out)
 
 const char *thud_si_suffix(const struct thud_param *param)
 {
-    static const char *const suffix[THUD_DIMENSIONS] = {
-        [THUD_LENGTH] = "_m",          [THUD_AREA] = "_m2",     [THUD_MASS] = "_kg",     [THUD_FORCE] = "_n",
-        [THUD_STIFFNESS] = "_npm",     [THUD_PRESSURE] = "_pa", [THUD_TIME] = "_s",      [THUD_VELOCITY] = "_mps",
-        [THUD_ACCELERATION] = "_mps2", [THUD_BENDING] = "_nm2", [THUD_DASHPOT] = "_nspm"};
+    static const char *const suffix[THUD_DIMENSIONS] = {[THUD_LENGTH] = "_m",
+                                                        [THUD_AREA] = "_m2",
+                                                        [THUD_MASS] = "_kg",
+                                                        [THUD_FORCE] = "_n",
+                                                        [THUD_STIFFNESS] = "_npm",
+                                                        [THUD_PRESSURE] = "_pa",
+                                                        [THUD_TIME] = "_s",
+                                                        [THUD_VELOCITY] = "_mps",
+                                                        [THUD_ACCELERATION] = "_mps2",
+                                                        [THUD_BENDING] = "_nm2",
+                                                        [THUD_DASHPOT] = "_nspm",
+                                                        [THUD_ROCKING] = "_nmprad",
+                                                        [THUD_ROCKING_DASHPOT] = "_nmsprad",
+                                                        [THUD_INERTIA] = "_kgm2",
+                                                        [THUD_DENSITY] = "_kgpm3"};
     const char *own = param->kind == THUD_PARAM_QUANTITY ? suffix[param->dimension] : NULL;
     return own ? own : "";
 }

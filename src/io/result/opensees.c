@@ -110,6 +110,11 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
             return refuse(err, key,
                           "has modal damping of whole buildings alone, not of the part above a damped isolator",
                           "shear, matrix, modes, rigid, wall");
+        snprintf(key, sizeof key, "structures.%d.foundation", s + 1);
+        if (thud_structure_on_soil(&scene->structure[s]))
+            return refuse(err, key,
+                          "has modal damping of whole models alone, not of the building above a damped foundation",
+                          "buildings on rigid ground");
     }
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");

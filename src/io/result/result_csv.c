@@ -39,6 +39,14 @@ static void add_floor_columns(const struct thud_report *report, const char *quan
             snprintf(name, sizeof name, "%s.%d.%s", report->scene->structure[s].name, i + 1, quantity);
             thud_text_append(out, ",");
             thud_text_csv(out, name);
+            if (i + 1 < report->result->structure[s].floors || !report->result->structure[s].foundation)
+                continue;
+            for (int row = 0; row < 2; row++) {
+                snprintf(name, sizeof name, "%s.%s.%s", report->scene->structure[s].name,
+                         row == 0 ? "foundation" : "rocking", quantity);
+                thud_text_append(out, ",");
+                thud_text_csv(out, name);
+            }
         }
 }
 

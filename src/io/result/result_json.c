@@ -50,6 +50,21 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_json_field(out, "base_shear_n", r->base_shear.value);
     thud_text_append(out, ", ");
     thud_json_field(out, "base_shear_time_s", r->base_shear.time_s);
+    if (r->foundation) {
+        thud_text_append(out, ", \"foundation\": {");
+        thud_json_field(out, "rigid_period_s", r->rigid_period_s);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "damping", r->soil_damping);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "sway_m", r->foundation[0].displacement.value);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "sway_time_s", r->foundation[0].displacement.time_s);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "rotation_rad", r->foundation[1].displacement.value / r->arm_m);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "rotation_time_s", r->foundation[1].displacement.time_s);
+        thud_text_append(out, "}");
+    }
     thud_text_append(out, ", \"floors\": [");
     add_floors(report, s, out);
     thud_text_append(out, "]}");

@@ -10,7 +10,7 @@ static int first_dof(const struct thud_figure_source *source, int structure)
 {
     int dof = 0;
     for (int i = 0; i < structure; i++)
-        dof += source->result->structure[i].floors;
+        dof += source->result->structure[i].floors + (source->result->structure[i].foundation ? 2 : 0);
     return dof;
 }
 
@@ -45,7 +45,15 @@ static void floor_line(struct thud_panel *panel, const struct thud_figure_source
         column = thud_history_acceleration(h, dof);
     else if (which == THUD_FIGURE_DRIFT && floor > 0)
         less = thud_history_displacement(h, dof - 1);
-    thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
+    struct thud_series *line = thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
+    const struct thud_structure_result *r = &source->result->structure[structure];
+    const struct thud_structure *of = &source->scene->structure[structure];
+    const int base = dof - floor + r->floors, storey = floor - (of->kind == THUD_ISOLATED);
+    const double rise = storey >= 0 ? of->height_m[storey] / r->arm_m : 0;
+    for (size_t i = 0; line && which == THUD_FIGURE_DRIFT && r->foundation && i < line->n; i++) {
+        const double *row = h->value + i * (size_t)h->columns + thud_history_displacement(h, base);
+        line->y[i] -= quantities[which].factor * ((floor > 0 ? 0 : row[0]) + rise * row[1]);
+    }
 }
 
 bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which)

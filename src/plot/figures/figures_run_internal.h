@@ -17,8 +17,8 @@ struct thud_shown thud_shown_energy(double peak_j);
 bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s);
 
 /* Adds history column(s) as a line: value = factor (column - less), less < 0: nothing taken off. */
-void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
-                      double factor, const char *name, int color);
+struct thud_series *thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column,
+                                     int less, double factor, const char *name, int color);
 
 /* "Two towers: Impact force (MN); kobe scaled to 0.821 g, bumper, gap 10 cm" */
 void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text,

@@ -38,18 +38,17 @@ bool thud_source_zoom(const struct thud_figure_source *source, int nsources, dou
     return *to_s - *from_s < 0.9 * end;
 }
 
-void thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column, int less,
-                      double factor, const char *name, int color)
+struct thud_series *thud_source_line(struct thud_panel *panel, const struct thud_figure_source *source, int column,
+                                     int less, double factor, const char *name, int color)
 {
     const struct thud_history *h = source->history;
     struct thud_style style = {.kind = THUD_LINES, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, h->rows, h->time_s, NULL);
-    if (!series)
-        return;
-    for (size_t i = 0; i < h->rows; i++) {
+    for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
         series->y[i] = factor * (row[column] - (less < 0 ? 0.0 : row[less]));
     }
+    return series;
 }
 
 /* Last time at which anything differs from where it ends by more than a share of the peak. */

@@ -16,6 +16,8 @@ struct assembly {
     double hardening[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double geometric_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double collapse_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double rise_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    struct thud_foundation_input foundation[THUD_STRUCTURES_MAX];
     struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
     double *matrix_npm[THUD_STRUCTURES_MAX]; /* (n x n) of a building by its matrix, else NULL */
     struct thud_contact_input *contact;
@@ -37,6 +39,19 @@ static void fill_weights(struct assembly *a, int index, const struct thud_struct
     }
     a->structure[index].geometric_npm = geometric;
     a->structure[index].collapse_m = collapse;
+}
+
+/* Its floors turn about the underside of its lowest storey; isolators stand on no height of their own. */
+static void fill_foundation(struct assembly *a, int index, const struct thud_structure *s)
+{
+    const int base = s->kind == THUD_ISOLATED;
+    double *rise = a->rise_m[index];
+    rise[0] = 0;
+    for (int i = 0; i < s->storeys; i++)
+        rise[i + base] = s->height_m[i];
+    a->foundation[index] = thud_structure_foundation(s);
+    a->structure[index].foundation = &a->foundation[index];
+    a->structure[index].rise_m = rise;
 }
 
 static void fill_structure(struct assembly *a, int index, const struct thud_structure *s, bool p_delta)
@@ -73,6 +88,8 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->isolation_damping = isolator.damping;
     if (p_delta && n > 0)
         fill_weights(a, index, s);
+    if (thud_structure_on_soil(s))
+        fill_foundation(a, index, s);
 }
 
 static enum thud_status fill_matrix(struct assembly *a, const struct thud_scene *scene, int index,

@@ -215,6 +215,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
         status = thud_structure_check_shape(scene, s, err);
     if (status == THUD_OK && scene->structure[s].kind == THUD_ISOLATED)
         status = check_isolator(&scene->structure[s], s, err);
+    if (status == THUD_OK && thud_structure_on_soil(&scene->structure[s]))
+        status = thud_structure_check_foundation(&scene->structure[s], s, err);
     if (status == THUD_OK)
         status = check_yield(&scene->structure[s], s, err);
     if (status == THUD_OK)

@@ -183,6 +183,33 @@ static const struct thud_place isolator_places[] = {
 };
 #undef AT
 
+#define AT(member) offsetof(struct thud_structure, member)
+static const struct thud_param foundation_params[] = {
+    {NUMBER("mass", "mass of the foundation", "It sways and rocks on the soil under the building.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 1e8)},
+    {NUMBER("inertia", "moment of inertia", "Of the foundation about its axis of rocking; of a disk, m a^2/4, where only the radius is given.", THUD_INERTIA, "t m2", NAN), POSITIVE, UP_TO(1e13), ANY_USUAL},
+    {NUMBER("sway-stiffness", "stiffness against sway", "K_x of the soil; where it is not given, 8 G a/(2 - nu).", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e15), ANY_USUAL},
+    {NUMBER("sway-damping", "dashpot against sway", "C_x of the soil; where it is not given, rho V_s A, or 0 without vs.", THUD_DASHPOT, "MN s/m", NAN), FROM(0), UP_TO(1e12), ANY_USUAL},
+    {NUMBER("rocking-stiffness", "stiffness against rocking", "K_t of the soil; where it is not given, 8 G a^3/(3 (1 - nu)).", THUD_ROCKING, "GN m/rad", NAN), POSITIVE, UP_TO(1e18), ANY_USUAL},
+    {NUMBER("rocking-damping", "dashpot against rocking", "C_t of the soil; where it is not given, rho V_p I, or 0 without vs.", THUD_ROCKING_DASHPOT, "MN m s/rad", NAN), FROM(0), UP_TO(1e15), ANY_USUAL},
+    {NUMBER("vs", "shear-wave velocity", "V_s of the soil: stiffnesses and dashpots of a disk on a half-space follow where they are not given.", THUD_VELOCITY, "m/s", NAN), POSITIVE, UP_TO(5000), USUAL(80, 1500)},
+    {NUMBER("density", "density of the soil", "rho.", THUD_DENSITY, "t/m3", NAN), POSITIVE, UP_TO(1e4), USUAL(1400, 2600)},
+    {NUMBER("poisson", "Poisson's ratio", "nu of the soil; 1/3 where it is not given.", THUD_NUMBER, "", NAN), FROM(0), UP_TO(0.49), ANY_USUAL},
+    {NUMBER("radius", "radius of the foundation", "a of the disk.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(200), USUAL(2, 40)},
+};
+static const struct thud_place foundation_places[] = {
+    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_mass_kg), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_inertia_kgm2), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(sway_npm), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(sway_nspm), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(rocking_nmprad), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(rocking_nmsprad), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(soil_vs_mps), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(soil_density_kgpm3), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(soil_poisson), .absent = NAN, .kinds = STOREYS},
+    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_radius_m), .absent = NAN, .kinds = STOREYS},
+};
+#undef AT
+
 static const struct thud_param interface_params[] = {
     {NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
     CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
@@ -305,6 +332,7 @@ static const struct {
     [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures"),
     [THUD_GROUP_COLUMN] = GROUP(column, "column"),
     [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator"),
+    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation"),
     [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
     [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
     [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),

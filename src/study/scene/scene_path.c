@@ -64,6 +64,8 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
         thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
     if (group == THUD_GROUP_STRUCTURE && scene->structure[item].kind == THUD_ISOLATED)
         thud_words_add(&words, thud_group_key(THUD_GROUP_ISOLATOR));
+    if (group == THUD_GROUP_STRUCTURE && thud_kind_is_building(scene->structure[item].kind))
+        thud_words_add(&words, thud_group_key(THUD_GROUP_FOUNDATION));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
@@ -89,7 +91,12 @@ static enum thud_status wrong_depth(struct thud_error *err)
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
                                        struct thud_error *err)
 {
-    bool column = n > 2 && strcmp(part[1], "column") == 0, isolator = n > 2 && strcmp(part[1], "isolator") == 0;
+    enum thud_group group = THUD_GROUP_STRUCTURE;
+    for (int i = 0; i < THUD_NESTED_GROUPS && n > 2; i++)
+        if (strcmp(part[1], thud_group_key(thud_nested_group(i))) == 0)
+            group = thud_nested_group(i);
+    const bool column = group == THUD_GROUP_COLUMN, isolator = group == THUD_GROUP_ISOLATOR,
+               soil = group == THUD_GROUP_FOUNDATION;
     if (n < 2 || n > 3 + column)
         return wrong_depth(err);
     int s = number(part[0]);
@@ -98,22 +105,23 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         thud_error_allow(err, "1 to %d", scene->nstructures);
         return THUD_INPUT;
     }
-    enum thud_group group = column ? THUD_GROUP_COLUMN : isolator ? THUD_GROUP_ISOLATOR : THUD_GROUP_STRUCTURE;
     if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED)
         return thud_error_refuse(err, THUD_INPUT, NULL, "kind: isolated", "%.40s stands on no isolators",
                                  scene->structure[s - 1].name);
-    int keys = column || isolator ? 2 : 1, i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
+    int keys = group == THUD_GROUP_STRUCTURE ? 1 : 2,
+        i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
     int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
-    if (of_storeys >= 0 && (column || thud_group_places(group)[of_storeys].optional)) {
+    if (of_storeys >= 0 && (column || soil || thud_group_places(group)[of_storeys].optional)) {
         static const char *const what[THUD_KINDS] = {[THUD_WALL] = "a wall",
                                                      [THUD_RIGID] = "a rigid body",
                                                      [THUD_MATRIX] = "a building by its matrix",
                                                      [THUD_MODES] = "a building by its modes"};
         thud_error_set(err, THUD_INPUT, "%s has no %s", what[scene->structure[s - 1].kind],
                        column                               ? "columns"
+                       : soil                               ? "foundation"
                        : strcmp(part[keys], "gravity") == 0 ? "storeys"
                                                             : "storeys that could yield");
-        thud_error_allow(err, column ? "%.40s is of buildings" : "%.40s is of shear and isolated structures",
+        thud_error_allow(err, column || soil ? "%.40s is of buildings" : "%.40s is of shear and isolated structures",
                          part[keys]);
         return THUD_INPUT;
     }

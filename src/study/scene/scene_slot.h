@@ -47,6 +47,10 @@ enum thud_status thud_link_law_set(struct thud_scene *scene, const struct thud_s
 /* Errors: THUD_INPUT with key. */
 enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_error *err);
 
+/* No foundation is given; that of another building. */
+void thud_foundation_clear(struct thud_structure *structure);
+void thud_foundation_copy(const struct thud_structure *from, struct thud_structure *to);
+
 /* What must be given. */
 #define THUD_REQUIRED 0.0
 

@@ -79,6 +79,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
     structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
     structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
     structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
+    thud_foundation_clear(structure);
     if (kind == THUD_ISOLATED) {
         structure->base_mass_kg = NAN;
         structure->isolation_stiffness_npm = NAN;
@@ -137,6 +138,7 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                        sizeof before.mass_kg);
             structure->damping = before.damping;
             structure->base_m = before.base_m;
+            thud_foundation_copy(&before, structure);
             for (int i = 0; i < structure->storeys; i++)
                 change_springs(structure, i);
             structure->column_shape = before.column_shape;
@@ -154,13 +156,17 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
 
 enum thud_group thud_nested_group(int i)
 {
-    return i == 0 ? THUD_GROUP_COLUMN : THUD_GROUP_ISOLATOR;
+    static const enum thud_group group[THUD_NESTED_GROUPS] = {THUD_GROUP_COLUMN, THUD_GROUP_ISOLATOR,
+                                                              THUD_GROUP_FOUNDATION};
+    return group[i];
 }
 
 bool thud_structure_has_group(const struct thud_structure *s, enum thud_group group)
 {
     if (group == THUD_GROUP_COLUMN)
         return thud_structure_has_columns(s);
+    if (group == THUD_GROUP_FOUNDATION)
+        return thud_structure_on_soil(s);
     return s->kind == THUD_ISOLATED &&
            (thud_isolator_slides(s) || isfinite(s->isolator_strength_n) || isfinite(s->isolator_post_yield_npm) ||
             isfinite(s->isolator_yield_m) || isfinite(s->isolator_radius_m) || isfinite(s->isolator_friction));

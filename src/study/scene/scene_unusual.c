@@ -261,6 +261,9 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
         if (look_group(&search, THUD_GROUP_COLUMN, at, 1u << at->kind, at->storeys, key) ||
             look_columns(&search, at, key))
             return true;
+        snprintf(key, sizeof key, "structures.%d.foundation", s + 1);
+        if (thud_structure_on_soil(at) && look_group(&search, THUD_GROUP_FOUNDATION, at, 1u << at->kind, 0, key))
+            return true;
         snprintf(key, sizeof key, "structures.%d.isolator", s + 1);
         if (thud_isolator_slides(at) && look_group(&search, THUD_GROUP_ISOLATOR, at, 1u << at->kind, at->storeys, key))
             return true;

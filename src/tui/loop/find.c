@@ -97,6 +97,8 @@ void thud_tui_fill_fields(struct thud_tui *tui)
             continue;
         snprintf(prefix, sizeof prefix, "structures.%d.column", i + 1);
         add_group(tui, THUD_GROUP_COLUMN, prefix, i);
+        snprintf(prefix, sizeof prefix, "structures.%d.foundation", i + 1);
+        add_group(tui, THUD_GROUP_FOUNDATION, prefix, i);
         snprintf(prefix, sizeof prefix, "structures.%d.isolator", i + 1);
         if (scene->structure[i].kind == THUD_ISOLATED)
             add_group(tui, THUD_GROUP_ISOLATOR, prefix, i);

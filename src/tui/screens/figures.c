@@ -32,8 +32,11 @@ static const char *file_name(enum thud_plot plot)
 /* "A 4" for a dof of the model. Returns `text`. */
 static char *dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size)
 {
-    int s = model->dof_structure[dof];
-    snprintf(text, size, "%.40s, floor %d", scene->structure[s].name, dof - model->structure[s].first + 1);
+    const int s = model->dof_structure[dof], floor = dof - model->structure[s].first, n = model->structure[s].n;
+    if (floor >= n)
+        snprintf(text, size, "%.40s, %s", scene->structure[s].name, floor == n ? "foundation" : "rocking at the roof");
+    else
+        snprintf(text, size, "%.40s, floor %d", scene->structure[s].name, floor + 1);
     return text;
 }
 
@@ -97,10 +100,18 @@ static void add_history(struct thud_panel *panel, const struct shown *of, int wh
     }
 }
 
-/* The lower neighbour of a dof in its structure; -1 for the lowest. */
-static int below(const struct thud_model *model, int dof)
+/* The drift of the storey below a floor, mm. */
+static void add_drift(struct thud_panel *panel, const struct shown *of, int which, const struct thud_model *model,
+                      int dof)
 {
-    return dof > model->structure[model->dof_structure[dof]].first ? dof - 1 : -1;
+    const struct thud_history *h = history_of(of->live, which);
+    const struct thud_model_structure *p = &model->structure[model->dof_structure[dof]];
+    struct thud_series *series = add_lines(panel, of, which, h);
+    for (size_t i = 0; series && i < h->rows; i++) {
+        const double *row = h->value + i * (size_t)h->columns + thud_history_displacement(h, p->first);
+        series->x[i] = h->time_s[i];
+        series->y[i] = 1e3 * thud_model_drift(p, row, 1, dof - p->first);
+    }
 }
 
 static void add_case(struct thud_panel *panel, const struct shown *of, int which, enum thud_plot plot,
@@ -111,7 +122,6 @@ static void add_case(struct thud_panel *panel, const struct shown *of, int which
     bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH;
     if (!h || (of_contact ? sight->contact >= model->npairs : sight->dof >= model->ndof))
         return; /* another scene may have fewer */
-    int minus = -1;
     if (plot == THUD_PLOT_FORCE) {
         if (sight->contact < h->ncontacts && which != THUD_LIVE_FREE)
             add_history(panel, of, which, thud_history_force(h, sight->contact), -1, 1e-6);
@@ -125,10 +135,10 @@ static void add_case(struct thud_panel *panel, const struct shown *of, int which
             add_history(panel, of, which, thud_history_velocity(h, right), -1, -1.0);
     } else if (plot == THUD_PLOT_ACCELERATION) {
         add_history(panel, of, which, thud_history_acceleration(h, sight->dof), -1, 1.0);
+    } else if (plot == THUD_PLOT_DRIFT) {
+        add_drift(panel, of, which, model, sight->dof);
     } else {
-        if (plot == THUD_PLOT_DRIFT && below(model, sight->dof) >= 0)
-            minus = thud_history_displacement(h, below(model, sight->dof));
-        add_history(panel, of, which, thud_history_displacement(h, sight->dof), minus, 1e3);
+        add_history(panel, of, which, thud_history_displacement(h, sight->dof), -1, 1e3);
     }
 }
 

@@ -67,7 +67,7 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
     const struct thud_model_structure *structure = &model->structure[s];
     double total = 0.0;
     char periods[160] = " T", masses[160] = " M*", number[24];
-    for (int i = 0; i < structure->n; i++)
+    for (int i = 0; i < structure->n + (structure->rise ? 1 : 0); i++) /* with the foundation's */
         total += model->mass_kg[structure->first + i];
     for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
         double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
@@ -161,6 +161,18 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
     return y;
 }
 
+enum { SOIL_ROWS = 5 };
+
+/* Rows of values of a building that its kind has. */
+static int rows_of_kind(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_SHEAR     ? 3
+           : structure->kind == THUD_MODES   ? 6
+           : structure->kind == THUD_MATRIX  ? 7
+           : thud_isolator_slides(structure) ? 9
+                                             : 7;
+}
+
 /* The values that are not by floor, two in a row where they are short. */
 static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
@@ -175,9 +187,11 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         BUILDINGS = SHEAR | ISOLATED | READ
     };
     enum { LINEAR = 1 << 16, LEAD_RUBBER = LINEAR << 1, PENDULUM = LINEAR << 2 }; /* by their isolators */
+    enum { SOIL = PENDULUM << 1 };                                                /* in rows below those of the kind */
     const struct thud_structure *structure = &tui->doc.scene.structure[s];
-    const int kinds =
-        1 << structure->kind | (structure->kind == THUD_ISOLATED ? LINEAR << (int)structure->isolator_law : 0);
+    const int kinds = 1 << structure->kind |
+                      (structure->kind == THUD_ISOLATED ? LINEAR << (int)structure->isolator_law : 0) |
+                      (thud_kind_is_building(structure->kind) ? SOIL : 0);
     static const struct {
         const char *key, *label;
         int kinds, y, x, value;
@@ -209,19 +223,31 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"isolator.radius", "radius", PENDULUM, 6, 1, 18},
         {"isolator.friction", "friction", PENDULUM, 7, 1, 18},
         {"isolator.yield", "elastic give", PENDULUM, 8, 1, 18},
+        {"foundation.vs", "soil Vs", SOIL, 0, 1, 9},
+        {"foundation.mass", "on", SOIL, 0, 20, 28},
+        {"foundation.density", "density", SOIL, 1, 1, 9},
+        {"foundation.radius", "radius", SOIL, 1, 20, 28},
+        {"foundation.poisson", "Poisson", SOIL, 2, 1, 9},
+        {"foundation.inertia", "inertia", SOIL, 2, 20, 28},
+        {"foundation.sway-stiffness", "sway k", SOIL, 3, 1, 9},
+        {"foundation.sway-damping", "sway c", SOIL, 3, 20, 28},
+        {"foundation.rocking-stiffness", "rock k", SOIL, 4, 1, 9},
+        {"foundation.rocking-damping", "rock c", SOIL, 4, 20, 28},
     };
+    const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 1;
     int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
-        if (!(field[i].kinds & kinds))
+        const int y = field[i].y + (field[i].kinds & SOIL ? kind_rows : 0);
+        if (!(field[i].kinds & kinds) || (field[i].kinds & SOIL && field[i].y >= soil_rows))
             continue;
         char key[THUD_PATH_MAX];
         int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, field[i].key);
         if (strcmp(field[i].key, "p-delta") == 0)
             snprintf(key, sizeof key, "%s", field[i].key);
-        thud_pane_put(pane, field[i].x, field[i].y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
-        thud_field_value(tui, index, pane, field[i].value, field[i].y, room > 4 ? room : 4, key, true);
-        rows = field[i].y + 1 > rows ? field[i].y + 1 : rows;
+        thud_pane_put(pane, field[i].x, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
+        thud_field_value(tui, index, pane, field[i].value, y, room > 4 ? room : 4, key, true);
+        rows = y + 1 > rows ? y + 1 : rows;
     }
     return rows;
 }
@@ -242,12 +268,8 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
         if (!thud_kind_is_building(structure->kind))
             continue;
-        int table = (structure->kind == THUD_SHEAR     ? 3
-                     : structure->kind == THUD_MODES   ? 5
-                     : structure->kind == THUD_MATRIX  ? 6
-                     : thud_isolator_slides(structure) ? 9
-                                                       : 7) +
-                    1 + structure->storeys + 2,
+        int table = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 1) + 1 +
+                    structure->storeys + 2,
             rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
         e.low_m = fmin(e.low_m, structure->base_m);
@@ -269,7 +291,10 @@ static void draw_building(struct thud_dots *dots, const struct elevation *e, con
            right = (BUILDING - 5.0) * dots->across;
     int n = thud_structure_floors(structure);
     double top = row_of(dots, e, thud_structure_elevation(structure, n - 1));
-    thud_dots_line(dots, 0.0, base, right + left, base, 1, thud_look(THUD_ROLE_MUTED, 0));
+    const bool soil = thud_structure_on_soil(structure);
+    for (int thick = 0; thick < (soil ? 3 : 1); thick++)
+        thud_dots_line(dots, soil ? left - 1.0 : 0.0, base + thick, right + (soil ? 1.0 : left), base + thick, 1,
+                       thud_look(soil ? THUD_ROLE_WARN : THUD_ROLE_MUTED, 0));
     const double core = wall ? 0.35 * (right - left) : 0.0;
     for (double x = left + core; x <= right - core && wall; x += 1.0)
         thud_dots_line(dots, x, base, x, top, 1, look);

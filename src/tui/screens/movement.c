@@ -136,7 +136,8 @@ static double side_shift(const struct stage *stage, const struct thud_model_side
 {
     double above = side->dof < 0 ? 0.0 : stage->shift[side->dof],
            below = side->below < 0 ? 0.0 : stage->shift[side->below];
-    return side->share < 1.0 ? side->share * above + (1.0 - side->share) * below : above;
+    double shift = side->share < 1.0 ? side->share * above + (1.0 - side->share) * below : above;
+    return side->tilt < 0 ? shift : shift + side->by_tilt * stage->shift[side->tilt];
 }
 
 /* How far the two sides of a contact are drawn into each other, dots. */
@@ -311,6 +312,18 @@ static void draw_isolators(struct stage *stage, int s, double ground, double sla
     }
 }
 
+/* The foundation on soil, swayed and turned as its building is: at a right angle to it where both are drawn to scale. */
+static void draw_foundation(struct stage *stage, const struct thud_model_structure *part, double x0, double ground)
+{
+    const int sway = part->first + part->n;
+    const double x = x0 + stage->shift[sway], right = stage->body - 1.0,
+                 height = stage->storey * part->arm_m, /* dots */
+        dip = fmin(3.0, fmax(-3.0, 0.5 * (right + 4.0) * stage->shift[sway + 1] / fmax(height, 1.0)));
+    for (int thick = 0; thick < 2; thick++)
+        thud_dots_line(&stage->dots, x - 2.0, ground + 1.0 + thick - dip, x + right + 2.0, ground + 1.0 + thick + dip,
+                       1, thud_look(THUD_ROLE_WARN, 0));
+}
+
 static void draw_building(struct stage *stage, int s)
 {
     const struct thud_structure *structure = &stage->scene->structure[s];
@@ -331,8 +344,12 @@ static void draw_building(struct stage *stage, int s)
         return;
     }
     /* a slab on isolators stands on them, so that they are seen */
-    double before = 0.0, lift = thud_isolator_slides(structure) ? 4.0 : structure->kind == THUD_ISOLATED;
-    thud_dots_line(&stage->dots, x0 - 2.0, y0 + 1.0, x0 + right + 2.0, y0 + 1.0, 1, thud_look(THUD_ROLE_BORDER, 0));
+    double before = part->rise ? stage->shift[part->first + part->n] : 0.0,
+           lift = thud_isolator_slides(structure) ? 4.0 : structure->kind == THUD_ISOLATED;
+    if (part->rise)
+        draw_foundation(stage, part, x0, y0);
+    else
+        thud_dots_line(&stage->dots, x0 - 2.0, y0 + 1.0, x0 + right + 2.0, y0 + 1.0, 1, thud_look(THUD_ROLE_BORDER, 0));
     for (int i = 0; i < part->n; i++) {
         double x = stage->shift[part->first + i],
                y = row_of(stage, thud_structure_elevation(structure, i)) - (i == 0 ? lift : 0.0);

@@ -1,0 +1,114 @@
+/* Foundations as a person gives them: springs and dashpots, or the soil that they follow from. */
+#include <math.h>
+#include <stdio.h>
+
+#include "base/quantity.h"
+#include "core/model/model.h"
+#include "study/scene/building.h"
+#include "study/scene/scene_slot.h"
+
+static double *value_of(struct thud_structure *s, int i)
+{
+    return (double *)(void *)((char *)s + thud_group_places(THUD_GROUP_FOUNDATION)[i].offset);
+}
+
+static double value_in(const struct thud_structure *s, int i)
+{
+    return *(const double *)(const void *)((const char *)s + thud_group_places(THUD_GROUP_FOUNDATION)[i].offset);
+}
+
+static int values(void)
+{
+    int count;
+    thud_group_params(THUD_GROUP_FOUNDATION, &count);
+    return count;
+}
+
+void thud_foundation_clear(struct thud_structure *structure)
+{
+    for (int i = 0; i < values(); i++)
+        *value_of(structure, i) = NAN;
+}
+
+void thud_foundation_copy(const struct thud_structure *from, struct thud_structure *to)
+{
+    for (int i = 0; i < values(); i++)
+        *value_of(to, i) = value_in(from, i);
+}
+
+bool thud_structure_on_soil(const struct thud_structure *structure)
+{
+    bool any = false;
+    for (int i = 0; i < values() && thud_kind_is_building(structure->kind); i++)
+        any = any || value_in(structure, i) > 0;
+    return any;
+}
+
+static double given(double value, double otherwise)
+{
+    return isnan(value) ? otherwise : value;
+}
+
+struct thud_foundation_input thud_structure_foundation(const struct thud_structure *s)
+{
+    static const double usual_poisson = 1.0 / 3;
+    const double a = s->foundation_radius_m, rho = s->soil_density_kgpm3, vs = s->soil_vs_mps,
+                 nu = given(s->soil_poisson, usual_poisson), shear = rho * vs * vs,
+                 vp = vs * sqrt(2 * (1 - nu) / (1 - 2 * nu));
+    const bool soil = !isnan(vs);
+    return (struct thud_foundation_input){
+        .mass_kg = s->foundation_mass_kg,
+        .inertia_kgm2 = given(s->foundation_inertia_kgm2, 0.25 * s->foundation_mass_kg * a * a),
+        .sway_npm = given(s->sway_npm, 8 * shear * a / (2 - nu)),
+        .sway_nspm = given(s->sway_nspm, soil ? rho * vs * THUD_PI * a * a : 0),
+        .rocking_nmprad = given(s->rocking_nmprad, 8 * shear * a * a * a / (3 * (1 - nu))),
+        .rocking_nmsprad = given(s->rocking_nmsprad, soil ? rho * vp * 0.25 * THUD_PI * a * a * a * a : 0)};
+}
+
+static enum thud_status refuse(struct thud_error *err, int index, const char *key, const char *allowed)
+{
+    char path[64];
+    snprintf(path, sizeof path, "structures.%d.foundation.%s", index + 1, key);
+    thud_error_key(err, path);
+    thud_error_allow(err, "%s", allowed);
+    return THUD_INPUT;
+}
+
+enum thud_status thud_structure_check_foundation(const struct thud_structure *s, int index, struct thud_error *err)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(THUD_GROUP_FOUNDATION, &count);
+    const struct thud_foundation_input f = thud_structure_foundation(s);
+    const bool soil = !isnan(s->soil_vs_mps) || !isnan(s->soil_density_kgpm3) || !isnan(s->soil_poisson);
+    for (int i = 0; i < count; i++) {
+        char text[96];
+        const double value = value_in(s, i);
+        if (isnan(value) || thud_param_check(&params[i], value, "", NULL) == THUD_OK)
+            continue;
+        thud_quantity_format(value, params[i].unit, text, sizeof text);
+        thud_param_check(&params[i], value, text, err);
+        snprintf(text, sizeof text, "structures.%d.foundation.%s", index + 1, params[i].name);
+        thud_error_key(err, text);
+        return THUD_INPUT;
+    }
+    if (isnan(f.mass_kg)) {
+        thud_error_set(err, THUD_INPUT, "the foundation's mass is not given");
+        return refuse(err, index, "mass", "a mass in t or kg");
+    }
+    if (soil && isnan(s->soil_vs_mps + s->soil_density_kgpm3 + s->foundation_radius_m)) {
+        const char *key = isnan(s->soil_vs_mps) ? "vs" : isnan(s->soil_density_kgpm3) ? "density" : "radius";
+        thud_error_set(err, THUD_INPUT, "of the soil, vs, density and radius are not all given");
+        return refuse(err, index, key, "all three, and poisson (1/3 where it is not given)");
+    }
+    if (isnan(f.sway_npm) || isnan(f.rocking_nmprad)) {
+        thud_error_set(err, THUD_INPUT, "the stiffness against %s is not given",
+                       isnan(f.sway_npm) ? "sway" : "rocking");
+        return refuse(err, index, isnan(f.sway_npm) ? "sway-stiffness" : "rocking-stiffness",
+                      "sway-stiffness and rocking-stiffness, or vs, density and radius");
+    }
+    if (isnan(f.inertia_kgm2)) {
+        thud_error_set(err, THUD_INPUT, "the foundation's moment of inertia is not given");
+        return refuse(err, index, "inertia", "in t m2; or a radius, for that of a disk");
+    }
+    return THUD_OK;
+}

@@ -1,0 +1,311 @@
+/* Buildings on soil: periods and damping in closed form, the limit of rigid ground, what a half-space gives, other
+ * methods, energy, symmetry, buildings by their matrix, and bad input. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "march.h"
+#include "study/scene/building.h"
+#include "study/scene/solution.h"
+#include "suite.h"
+#include "towers.h"
+
+static struct thud_scene scene;
+
+static void set(const char *path, const char *text)
+{
+    struct thud_error err = {0};
+    char why[1400];
+    ck_assert_msg(thud_scene_set(&scene, path, text, &err) == THUD_OK, "%s", thud_error_text(&err, why, sizeof why));
+}
+
+static struct thud_model *assembled(void)
+{
+    struct thud_model *model = NULL;
+    struct thud_error err = {0};
+    char why[1400];
+    ck_assert_msg(thud_scene_check(&scene, &err) == THUD_OK && thud_scene_assemble(&scene, &model, &err) == THUD_OK,
+                  "%s", thud_error_text(&err, why, sizeof why));
+    return model;
+}
+
+enum { MASS = 100000 }; /* kg */
+static const double k = 4e7, height = 3.5, zeta = 0.05;
+
+/* A storey of 100 t on a foundation of next to no mass. */
+static struct thud_model *oscillator(const struct thud_foundation_input *soil)
+{
+    const double mass = MASS;
+    struct thud_structure_input s = {
+        .n = 1, .mass_kg = &mass, .stiffness_npm = &k, .damping = zeta, .foundation = soil, .rise_m = &height};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
+    return model;
+}
+
+/* T~/T = sqrt(1 + k/K_x + k h^2/K_t); and the damping of springs in a row, each with its dashpot, under one force:
+ * zeta~ = sum (C/K^2)/(sum 1/K)^2/(2 m omega~), of a rotation K = K_t/h^2. */
+START_TEST(period_and_damping_of_an_oscillator)
+{
+    static const double ratio[][4] = {/* k/K_x, k h^2/K_t, and dashpots of the critical ones */
+                                      {0.1, 0.3, 0.1, 0.02},
+                                      {0.01, 0.02, 0, 0},
+                                      {1, 2, 0.3, 0.2},
+                                      {0.5, 1e-4, 0.05, 0}};
+    const double h2 = height * height, omega = sqrt(k / MASS), c = 2 * zeta * sqrt(k * MASS);
+    const struct thud_foundation_input soil = {.mass_kg = 1e-4,
+                                               .inertia_kgm2 = 1e-4,
+                                               .sway_npm = k / ratio[_i][0],
+                                               .rocking_nmprad = k * h2 / ratio[_i][1],
+                                               .sway_nspm = ratio[_i][2] * c / zeta,
+                                               .rocking_nmsprad = ratio[_i][3] * c / zeta * h2};
+    struct thud_model *model = oscillator(&soil);
+    const struct thud_model_structure *p = &model->structure[0];
+    const double give[] = {1 / k, 1 / soil.sway_npm, h2 / soil.rocking_nmprad},
+                 dashpot[] = {c, soil.sway_nspm, soil.rocking_nmsprad / h2};
+    double all = 0, loss = 0;
+    for (int i = 0; i < 3; i++) {
+        all += give[i];
+        loss += dashpot[i] * give[i] * give[i];
+    }
+    ck_assert_double_eq_tol(omega / p->omega[0] / sqrt(1 + ratio[_i][0] + ratio[_i][1]), 1, 1e-8);
+    ck_assert_double_eq_tol(p->soil_damping / (loss / (all * all) / (2 * MASS * p->omega[0])), 1, 1e-7);
+    ck_assert_double_eq_tol(p->rigid_period_s * omega / (2 * THUD_PI), 1, 1e-14);
+    /* the drift is the spring's part of the whole, whichever way it is read */
+    ck_assert_double_eq_tol(thud_model_drift(p, p->phi, p->modes, 0) / p->phi[0], give[0] / all, 1e-7);
+    thud_model_free(model);
+}
+END_TEST
+
+/* Ground so stiff that nothing of it is felt: the modes of rigid ground to rounding, the damping too. */
+START_TEST(stiff_ground_is_rigid)
+{
+    thud_test_towers(&scene);
+    struct thud_model *rigid = assembled();
+    set("structures.2.foundation.mass", "400 t");
+    set("structures.2.foundation.inertia", "1e4 t m2");
+    set("structures.2.foundation.sway-stiffness", "1e9 MN/m");
+    set("structures.2.foundation.rocking-stiffness", "1e9 GN m/rad");
+    struct thud_model *stiff = assembled();
+    const struct thud_model_structure *a = &rigid->structure[1], *b = &stiff->structure[1];
+    ck_assert_int_eq(b->modes, a->modes + 2);
+    for (int j = 0; j < a->modes; j++) {
+        ck_assert_double_eq_tol(b->omega[j] / a->omega[j], 1, 2e-6);
+        ck_assert_double_eq_tol(b->damping[j * b->modes + j] / (2 * 0.05 * a->omega[j]), 1, 1e-5);
+        for (int i = 0; i < a->n; i++)
+            ck_assert_double_eq_tol(b->phi[i * b->modes + j], a->phi[i * a->modes + j], 1e-8);
+    }
+    thud_model_free(rigid);
+    thud_model_free(stiff);
+}
+END_TEST
+
+/* Ten times stiffer ground is ten times nearer to rigid ground, in a run with contact too. */
+START_TEST(runs_come_near_rigid_ground)
+{
+    struct thud_record *record = thud_test_motion(0.5);
+    double apart[2];
+    thud_test_towers(&scene);
+    struct thud_model *model = assembled();
+    struct march rigid = march_run(model, record, "exact", 0, 1e-9, true, 1);
+    for (int i = 0; i < 2; i++) {
+        set("structures.2.foundation.mass", "400 t");
+        set("structures.2.foundation.inertia", "1e4 t m2");
+        set("structures.2.foundation.sway-stiffness", i ? "1e6 MN/m" : "1e5 MN/m");
+        set("structures.2.foundation.rocking-stiffness", i ? "1e6 GN m/rad" : "1e5 GN m/rad");
+        struct thud_model *soil = assembled();
+        struct march m = march_run(soil, record, "exact", 0, 1e-9, true, 1);
+        ck_assert_int_eq(m.status, THUD_OK);
+        apart[i] = fabs(m.result->structure[1].floor[5].displacement.value /
+                            rigid.result->structure[1].floor[5].displacement.value -
+                        1);
+        march_free(&m);
+        thud_model_free(soil);
+    }
+    ck_assert_double_lt(apart[0], 0.05);
+    ck_assert_double_lt(apart[1], 0.2 * apart[0]);
+    march_free(&rigid);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* A disk of 10 m on soil of 200 m/s, 1.8 t/m3 and nu 0.4, by hand: G = 72 MPa. */
+START_TEST(disk_on_a_half_space)
+{
+    thud_test_towers(&scene);
+    set("structures.1.foundation.mass", "500 t");
+    set("structures.1.foundation.vs", "200 m/s");
+    set("structures.1.foundation.density", "1.8 t/m3");
+    set("structures.1.foundation.poisson", "0.4");
+    set("structures.1.foundation.radius", "10 m");
+    const struct thud_foundation_input f = thud_structure_foundation(&scene.structure[0]);
+    ck_assert_double_eq_tol(f.sway_npm, 8 * 72e6 * 10 / 1.6, 1);
+    ck_assert_double_eq_tol(f.rocking_nmprad, 8 * 72e6 * 1000 / (3 * 0.6), 1);
+    ck_assert_double_eq_tol(f.sway_nspm, 1800 * 200 * 314.1592653589793, 1e-3);
+    ck_assert_double_eq_tol(f.rocking_nmsprad, 1800 * 200 * sqrt(6) * 7853.981633974483, 1e-2);
+    ck_assert_double_eq_tol(f.inertia_kgm2, 500e3 * 25, 1e-6);
+    set("structures.1.foundation.sway-damping", "3 MN s/m"); /* what is given counts */
+    ck_assert_double_eq(thud_structure_foundation(&scene.structure[0]).sway_nspm, 3e6);
+}
+END_TEST
+
+static void give_soil(void)
+{
+    set("structures.1.foundation.mass", "300 t");
+    set("structures.1.foundation.inertia", "9000 t m2");
+    set("structures.1.foundation.sway-stiffness", "2000 MN/m");
+    set("structures.1.foundation.sway-damping", "30 MN s/m");
+    set("structures.1.foundation.rocking-stiffness", "120 GN m/rad");
+    set("structures.1.foundation.rocking-damping", "900 MN m s/rad");
+    set("structures.2.foundation.mass", "400 t");
+    set("structures.2.foundation.vs", "220 m/s");
+    set("structures.2.foundation.density", "1.9 t/m3");
+    set("structures.2.foundation.radius", "9 m");
+}
+
+/* Contact, slabs against columns, storeys that yield and P-Delta: the exact solution and Runge-Kutta's at 1e-10 agree, and
+ * the energies balance. */
+START_TEST(other_method_and_energy)
+{
+    struct thud_record *record = thud_test_motion(0.6);
+    thud_test_towers(&scene);
+    give_soil();
+    if (_i & 1)
+        set("structures.2.base", "1.2 m");
+    if (_i & 2) {
+        set("structures.2.yield", "25 mm");
+        set("structures.2.hardening", "5 %");
+        set("p-delta", "yes");
+    }
+    set("contact.law", "linear");
+    set("contact.stiffness", "100 kN/mm");
+    scene.interface[0].has_bumper = false;
+    set("gap", "4 cm");
+    struct thud_model *model = assembled();
+    struct march exact = march_run(model, record, "exact", 0, 1e-10, true, 1),
+                 other = march_run(model, record, "dormand-prince", 0, 1e-10, true, 1);
+    ck_assert_int_eq(exact.status, THUD_OK);
+    ck_assert_int_eq(other.status, THUD_OK);
+    int impacts = 0;
+    for (int c = 0; c < exact.result->ncontacts; c++)
+        impacts += exact.result->contact[c].impacts;
+    ck_assert_int_gt(impacts, 2);
+    ck_assert_double_lt(march_peaks_apart(exact.result, other.result, 1e-3), 1e-7);
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < 2; i++) {
+            const struct thud_peak a = exact.result->structure[s].foundation[i].displacement,
+                                   b = other.result->structure[s].foundation[i].displacement;
+            ck_assert_double_gt(a.value, 1e-4);
+            ck_assert_double_eq_tol(a.value / b.value, 1, 1e-7);
+            ck_assert_double_eq_tol(a.time_s, b.time_s, 1e-4);
+        }
+    ck_assert_double_lt(exact.result->energy.error_ratio, 1e-12);
+    march_free(&exact);
+    march_free(&other);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* A shear building by its matrix is the same on soil, and so is the row from its other side. */
+START_TEST(by_its_matrix_and_mirrored)
+{
+    struct thud_record *record = thud_test_motion(0.6), *reversed = thud_test_motion(-0.6);
+    thud_test_towers(&scene);
+    give_soil();
+    struct thud_model *model = assembled();
+    struct march shear = march_run(model, record, "exact", 0, 1e-9, true, 1);
+    struct thud_structure *s = &scene.structure[0];
+    const int n = s->storeys;
+    double matrix[16] = {0};
+    for (int i = 0; i < n; i++) {
+        matrix[i * n + i] += s->stiffness_npm[i];
+        if (i > 0) {
+            matrix[(i - 1) * n + i - 1] += s->stiffness_npm[i];
+            matrix[(i - 1) * n + i] = matrix[i * n + i - 1] = -s->stiffness_npm[i];
+        }
+        s->stiffness_npm[i] = 0;
+    }
+    s->kind = THUD_MATRIX;
+    s->period_factor = 1;
+    ck_assert_int_eq(thud_structure_keep_shape(&scene, 0, n, matrix, NULL), THUD_OK);
+    struct thud_structure left = scene.structure[0];
+    scene.structure[0] = scene.structure[1];
+    scene.structure[1] = left;
+    struct thud_model *turned = assembled();
+    struct march other = march_run(turned, reversed, "exact", 0, 1e-9, true, 1);
+    ck_assert_int_eq(shear.status, THUD_OK);
+    ck_assert_int_eq(other.status, THUD_OK);
+    for (int b = 0; b < 2; b++) {
+        const struct thud_structure_result *x = &shear.result->structure[b], *y = &other.result->structure[1 - b];
+        ck_assert_double_eq_tol(x->base_shear.value / y->base_shear.value, 1, 1e-8);
+        for (int i = 0; i < x->floors; i++) {
+            ck_assert_double_eq_tol(x->floor[i].displacement.value / y->floor[i].displacement.value, 1, 1e-8);
+            ck_assert_double_eq_tol(x->floor[i].drift.value / y->floor[i].drift.value, 1, 1e-8);
+            ck_assert_double_eq_tol(x->floor[i].shear.value / y->floor[i].shear.value, 1, 1e-8);
+        }
+    }
+    march_free(&shear);
+    march_free(&other);
+    thud_model_free(model);
+    thud_model_free(turned);
+    thud_record_free(record);
+    thud_record_free(reversed);
+}
+END_TEST
+
+/* A foundation that cannot be computed says what is missing, and where. */
+START_TEST(refusals)
+{
+    static const struct {
+        const char *key, *value, *refused;
+    } bad[] = {{"mass", "", "structures.1.foundation.mass"},
+               {"sway-stiffness", "", "structures.1.foundation.sway-stiffness"},
+               {"rocking-stiffness", "", "structures.1.foundation.rocking-stiffness"},
+               {"inertia", "", "structures.1.foundation.inertia"},
+               {"vs", "200 m/s", "structures.1.foundation.density"}};
+    struct thud_error err = {0};
+    thud_test_towers(&scene);
+    give_soil();
+    char path[64];
+    snprintf(path, sizeof path, "structures.1.foundation.%s", bad[_i].key);
+    set(path, bad[_i].value);
+    ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_INPUT);
+    ck_assert_str_eq(err.key, bad[_i].refused);
+}
+END_TEST
+
+/* Under P-Delta a building may stand on rigid ground and fall on soft one. */
+START_TEST(falls_on_soft_ground)
+{
+    struct thud_model *model = NULL;
+    thud_test_towers(&scene);
+    give_soil();
+    set("p-delta", "yes");
+    thud_model_free(assembled());
+    set("structures.1.foundation.rocking-stiffness", "0.05 GN m/rad"); /* W h is some 0.09 */
+    ck_assert_int_eq(thud_scene_assemble(&scene, &model, NULL), THUD_INPUT);
+    ck_assert_ptr_null(model);
+}
+END_TEST
+
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("soil");
+    TCase *tcase = tcase_create("soil");
+    tcase_add_loop_test(tcase, period_and_damping_of_an_oscillator, 0, 4);
+    tcase_add_test(tcase, stiff_ground_is_rigid);
+    tcase_add_test(tcase, runs_come_near_rigid_ground);
+    tcase_add_test(tcase, disk_on_a_half_space);
+    tcase_add_loop_test(tcase, other_method_and_energy, 0, 4);
+    tcase_add_test(tcase, by_its_matrix_and_mirrored);
+    tcase_add_loop_test(tcase, refusals, 0, 5);
+    tcase_add_test(tcase, falls_on_soft_ground);
+    tcase_set_timeout(tcase, 60);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}
