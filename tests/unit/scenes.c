@@ -672,8 +672,10 @@ bool scenes_longer(struct scenes_one *one, double factor)
     struct thud_scene *s = &one->scene;
     if (s->p_delta) /* heights are lengths too */
         return false;
-    for (int i = 0; i < s->nlinks; i++)
+    for (int i = 0; i < s->nlinks; i++) {
         s->link[i].slack_m *= factor;
+        s->link[i].slip_n *= factor;
+    }
     for (int i = 0; i < s->nstructures; i++)
         if (thud_isolator_slides(&s->structure[i])) /* so are radii */
             return false;

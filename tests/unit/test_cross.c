@@ -207,9 +207,9 @@ START_TEST(forces_that_jump_at_onset)
     int at;
     scenes_draw(&one, SCENES_COLUMNS + 579);
     scenes_run(&one, &(struct scenes_options){.tolerance = 1e-8}, &exact);
-    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .tolerance = 1e-6}, &other);
+    scenes_run(&one, &(struct scenes_options){.method = "dormand-prince", .tolerance = 1e-9}, &other);
     double off = scenes_apart(&other, &exact, 1e-2, NULL, 0, &at);
-    ck_assert_msg(off < 1e-5, "%s: off by %g", scenes_kind_name(exact.number[at].kind), off);
+    ck_assert_msg(off < 1e-6, "%s: off by %g", scenes_kind_name(exact.number[at].kind), off);
     scenes_answer_clear(&exact);
     scenes_answer_clear(&other);
     scenes_clear(&one);

@@ -65,6 +65,7 @@ static struct sample *make(void)
     *h = (struct thud_history){.ndof = DOFS,
                                .ncontacts = CONTACTS,
                                .nstoreys = 2,
+                               .loses = true,
                                .columns = 1 + 3 * DOFS + 2 * CONTACTS + THUD_HISTORY_ENERGIES + 1 + 3 * 2,
                                .rows = ROWS,
                                .time_s = s->time};

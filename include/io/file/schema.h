@@ -77,9 +77,6 @@ struct thud_schema {
         name, about, field, (int)(sizeof field / sizeof *field)                                                        \
     }
 
-/* Names and values separated by commas; no end of line. `row` NULL: no values. */
-void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out);
-void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 /* "name": value, ... without braces. */
 void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 /* A row that is put together: its values of several tables, one behind the other. */

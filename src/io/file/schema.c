@@ -51,7 +51,8 @@ static struct value value_of(const struct thud_column *field, const void *row)
     return v;
 }
 
-void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out)
+/* Names, and values, separated by commas; no end of line. */
+static void csv_names(const struct thud_schema *schema, unsigned marks, struct thud_text *out)
 {
     for (int i = 0, n = 0; i < schema->n; i++) {
         if (!has(&schema->column[i], marks | THUD_ONLY_CSV))
@@ -61,7 +62,7 @@ void thud_csv_names(const struct thud_schema *schema, unsigned marks, struct thu
     }
 }
 
-void thud_csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
+static void csv_values(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
 {
     for (int i = 0, n = 0; i < schema->n; i++) {
         if (!has(&schema->column[i], marks | THUD_ONLY_CSV))
@@ -107,9 +108,9 @@ static void put_parts(const struct thud_part *part, int n, enum form form, struc
         thud_text_append(out, !any ? "" : form == MEMBERS ? ", " : ",");
         any = true;
         if (form == NAMES)
-            thud_csv_names(part[i].schema, part[i].marks, out);
+            csv_names(part[i].schema, part[i].marks, out);
         else if (form == VALUES)
-            thud_csv_values(part[i].schema, part[i].marks, part[i].row, out);
+            csv_values(part[i].schema, part[i].marks, part[i].row, out);
         else
             thud_json_members(part[i].schema, part[i].marks, part[i].row, out);
     }
@@ -145,11 +146,11 @@ void thud_json_head(struct thud_text *out, const char *preset)
 void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)
 {
     struct thud_row_room row;
-    thud_csv_names(rows->schema, rows->marks, out);
+    csv_names(rows->schema, rows->marks, out);
     thud_text_bytes(out, "\n", 1);
     for (int i = 0; i < rows->n; i++) {
         rows->make(rows->of, i, row.bytes);
-        thud_csv_values(rows->schema, rows->marks, row.bytes, out);
+        csv_values(rows->schema, rows->marks, row.bytes, out);
         thud_text_bytes(out, "\n", 1);
     }
 }
