@@ -256,7 +256,7 @@ START_TEST(structures_and_storeys)
 {
     fixture_keys(&f, "a");
     ck_assert_int_eq(scene()->structure[0].storeys, 3);
-    fixture_keys(&f, "<Down><Down><Down>d");
+    fixture_keys(&f, "<Down><Down><Down><Down>d");
     ck_assert_int_eq(scene()->structure[0].storeys, 2);
     fixture_keys(&f, "A");
     ck_assert_int_eq(scene()->nstructures, 3);

@@ -391,6 +391,7 @@ START_TEST(a_fragility_fills_as_the_motions_come_in)
     thud_tui_key(f.tui, 'r');
     struct thud_sweep_data *data = &thud_sweep_state(f.tui)->data;
     int before = 0, grew = 0;
+    bool seen = false; /* a fast machine has all between two turns */
     while (data->running) {
         thud_tui_turn(f.tui, false);
         int own = data->rows.table.nrows > 0 ? thud_sweep_figure_count(&data->rows.table) : 0;
@@ -398,6 +399,7 @@ START_TEST(a_fragility_fills_as_the_motions_come_in)
         ck_assert_int_eq(told, data->next >= 3 * 12);
         if (!told || data->complete)
             continue;
+        seen = true;
         grew += data->told > before;
         before = data->told;
         ck_assert_int_eq(data->told, (int)(data->next / 12));
@@ -405,7 +407,7 @@ START_TEST(a_fragility_fills_as_the_motions_come_in)
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         thud_figure_free(figure);
     }
-    ck_assert_int_ge(grew, 1);
+    ck_assert_int_ge(grew, seen);
     ck_assert(data->complete);
     ck_assert_int_gt(thud_sweep_data_figures(data), 0);
     ck_assert_int_eq(data->told, 12);

@@ -342,6 +342,8 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
             if (table[i].key)
                 thud_tui_set(tui, table[i].key, unquoted(rest));
+            else if (table[i].verb && *rest && *rest != '-' && begins_with_key(tui, word)) /* "gap 12 cm" */
+                run_set(tui, word);
             else if (table[i].verb && !*rest && !tui->end.playing)
                 thud_tui_verb_form(tui, table[i].verb);
             else if (table[i].verb)

@@ -192,6 +192,12 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     const int kinds = 1 << structure->kind |
                       (structure->kind == THUD_ISOLATED ? LINEAR << (int)structure->isolator_law : 0) |
                       (thud_kind_is_building(structure->kind) ? SOIL : 0);
+#define ON_SOIL(key, label, row, side)                                                                                 \
+    {                                                                                                                  \
+        "foundation." key, label, SOIL, row, side                                                                      \
+    }
+#define LEFT  1, 9
+#define RIGHT 20, 28
     static const struct {
         const char *key, *label;
         int kinds, y, x, value;
@@ -223,17 +229,20 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"isolator.radius", "radius", PENDULUM, 6, 1, 18},
         {"isolator.friction", "friction", PENDULUM, 7, 1, 18},
         {"isolator.yield", "elastic give", PENDULUM, 8, 1, 18},
-        {"foundation.vs", "soil Vs", SOIL, 0, 1, 9},
-        {"foundation.mass", "on", SOIL, 0, 20, 28},
-        {"foundation.density", "density", SOIL, 1, 1, 9},
-        {"foundation.radius", "radius", SOIL, 1, 20, 28},
-        {"foundation.poisson", "Poisson", SOIL, 2, 1, 9},
-        {"foundation.inertia", "inertia", SOIL, 2, 20, 28},
-        {"foundation.sway-stiffness", "sway k", SOIL, 3, 1, 9},
-        {"foundation.sway-damping", "sway c", SOIL, 3, 20, 28},
-        {"foundation.rocking-stiffness", "rock k", SOIL, 4, 1, 9},
-        {"foundation.rocking-damping", "rock c", SOIL, 4, 20, 28},
+        ON_SOIL("vs", "soil Vs", 0, LEFT),
+        ON_SOIL("mass", "on", 0, RIGHT),
+        ON_SOIL("density", "density", 1, LEFT),
+        ON_SOIL("radius", "radius", 1, RIGHT),
+        ON_SOIL("poisson", "Poisson", 2, LEFT),
+        ON_SOIL("inertia", "inertia", 2, RIGHT),
+        ON_SOIL("sway-stiffness", "sway k", 3, LEFT),
+        ON_SOIL("sway-damping", "sway c", 3, RIGHT),
+        ON_SOIL("rocking-stiffness", "rock k", 4, LEFT),
+        ON_SOIL("rocking-damping", "rock c", 4, RIGHT),
     };
+#undef ON_SOIL
+#undef LEFT
+#undef RIGHT
     const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 1;
     int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
