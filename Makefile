@@ -60,7 +60,7 @@ THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 # What the environment calls by these names is not what the scripts are to get.
 unexport THUD UNITS
 
-.PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-peers install uninstall dist deb clean FORCE
+.PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-suite bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(B)/libthud.a $(B)/libthud.so $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -171,6 +171,9 @@ soak: all ## memory over thousands of runs and edits, studies killed at their wr
 bench: all ## measured speeds against their targets, in one table; charts of every method into build/bench (minutes)
 	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory $(B)/peer-minimal
 	@sh tests/bench/targets.sh $(B) build/bench
+bench-suite: all ## a study of 59,040 runs: time, processor time, memory, and the same bytes on one thread (minutes)
+	@$(MAKE) --no-print-directory $(B)/bench-memory
+	@sh tests/bench/suite.sh $(B)
 bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, where installed), for measuring only
 	@$(MAKE) --no-print-directory $(PEERS)
 	@sh tests/bench/peers/peers.sh $(B) build/bench

@@ -10,7 +10,7 @@ processor=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | 
 # shellcheck disable=SC2086 # one or two files
 awk -F, -v processor="${processor:-unknown processor}" -v count="$(nproc)" -v load="$(cut -d' ' -f1 /proc/loadavg 2>/dev/null)" '
     BEGIN {
-        columns = split("concrete 1e-3,concrete 1e-6,rubber 1e-3,rubber 1e-6", column, ",")
+        columns = split("concrete 1e-3,concrete 1e-6,rubber 1e-3,rubber 1e-6,clearance-0 1e-3,clearance-0 1e-6", column, ",")
         names = split("minimal-dormand-prince|minimal-rk4|minimal-central-near|minimal-central-difference|minimal-newmark|cvode|scipy|openseespy|openseespy-near", name, "|")
         split("minimal Dormand-Prince, located|minimal RK4, located|minimal central difference, short steps near contact|minimal central difference|minimal Newmark|CVODE, located|SciPy, located|OpenSeesPy Newmark (classical Kelvin-Voigt)|the same, short steps near contact", title, "|")
     }
@@ -34,8 +34,16 @@ awk -F, -v processor="${processor:-unknown processor}" -v count="$(nproc)" -v lo
     }
     function short(x) { return x >= 9.95 ? sprintf("%.0f", x) : sprintf("%.1f", x) }
     END {
-        print "| |", column[1], "|", column[2], "|", column[3], "|", column[4], "|"
-        print "|---|---|---|---|---|"
+        head = "| |"
+        rule = "|---|"
+        for (i = 1; i <= columns; i++) {
+            sub(/^clearance-0/, "rubber at clearance 0,", column[i])
+            head = head " " column[i] " |"
+            rule = rule "---|"
+            sub(/^rubber at clearance 0,/, "clearance-0", column[i])
+        }
+        print head
+        print rule
         printf "| `exact` |"
         for (i = 1; i <= columns; i++) {
             split(column[i], at, " ")

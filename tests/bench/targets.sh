@@ -43,10 +43,11 @@ done
 # ---- the cheapest code for this one scene: minimal C (peers/minimal.c), in the same run
 
 : >"$out/minimal.csv"
-for scene in concrete rubber; do
-    case $scene in concrete) case=none ;; *) case=bumper ;; esac
-    echo "minimal C, case $case ..." >&2
-    "$build/peer-minimal" towers $case 2>/dev/null | sed -n "s/^[a-z][a-z0-9-]*,.*/$scene,&/p" >>"$out/minimal.csv"
+for scene in concrete rubber clearance-0; do
+    case $scene in concrete) words=none ;; rubber) words=bumper ;; *) words="bumper gap=5cm" ;; esac
+    echo "minimal C, case $words ..." >&2
+    # shellcheck disable=SC2086 # several words
+    "$build/peer-minimal" towers $words 2>/dev/null | sed -n "s/^[a-z][a-z0-9-]*,.*/$scene,&/p" >>"$out/minimal.csv"
 done
 cheapest() { # SCENE ERROR [METHOD]: how many times longer than exact the quickest minimal code takes that is as good
     awk -F, -v scene="$1" -v e="$2" -v m="minimal-${3:-}" '
@@ -63,7 +64,10 @@ a_step() { # SCENE METHOD: time of a step of thud, nothing located, over that of
 }
 say "cheapest minimal C to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3)" times least 8
 say "the same with rubber" "$(cheapest rubber 1e-3)" times least 4
+say "the same with rubber at clearance 0" "$(cheapest clearance-0 1e-3)" times least 1.5
 say "cheapest minimal C to 1e-6 / exact: concrete" "$(cheapest concrete 1e-6)" times least 12
+say "the same with rubber" "$(cheapest rubber 1e-6)" times least 2.5
+say "the same with rubber at clearance 0" "$(cheapest clearance-0 1e-6)" times least 2
 say "minimal central difference to 1e-3 / exact: concrete" "$(cheapest concrete 1e-3 central-difference)" times least 30
 say "minimal central difference to 1e-3 / exact: rubber" "$(cheapest rubber 1e-3 central-difference)" times least 15
 for method in central-difference newmark; do
