@@ -89,7 +89,9 @@ bool thud_record_is_vertical(const struct thud_record *record)
     bool letters = strlen(tail) > 1;
     for (const char *c = tail; *c; c++)
         letters = letters && is_letter(*c);
-    return (letters && says_vertical(tail)) || (dot && strlen(dot) > 2 && says_vertical(dot + 1));
+    /* .UD and .UD2 are a direction, .V2 and .V2A a volume of processed data */
+    return (letters && says_vertical(tail)) ||
+           (dot && is_letter(dot[1]) && is_letter(dot[2]) && says_vertical(dot + 1));
 }
 
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b)

@@ -211,11 +211,12 @@ END_TEST
 
 START_TEST(vertical_words)
 {
-    static const char
-        *const up[][2] = {{"UP", "a"}, {"U-D", "a"}, {"BMR.BNZ.AK.--", "a"}, {"", "rsn6-elc-up.at2"}, {"", "x.UD"}},
-               *const level[][2] = {{"E-W", "a"}, {"180", "a"}, {"HNE", "a"}, {"", "tcu052-v7.at2x"}, {"", "jump.AT2"}};
+    static const char *const up[][2] = {{"UP", "a"},  {"U-D", "a"}, {"BMR.BNZ.AK.--", "a"}, {"", "rsn6-elc-up.at2"},
+                                        {"", "x.UD"}, {"", "x.UD2"}},
+                             *const level[][2] = {{"E-W", "a"},           {"180", "a"},     {"HNE", "a"},
+                                                  {"", "tcu052-v7.at2x"}, {"", "jump.AT2"}, {"90 DEG", "csmip.V2"}};
     struct thud_record *r = motion(1, 1, "", "");
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         snprintf(r->component, sizeof r->component, "%s", up[i][0]);
         snprintf(r->file, sizeof r->file, "%s", up[i][1]);
         ck_assert_msg(thud_record_is_vertical(r), "%s %s", up[i][0], up[i][1]);
