@@ -58,6 +58,14 @@ study --csv --quiet --without all >"$tmp/slow.csv" 2>"$tmp/err"
 check "without any shortcut the numbers are the same" cmp "$tmp/slow.csv" "$tmp/one/sweep.csv"
 status 0 study
 check "the table says what was made and what was saved" grep -q "54 runs: .* made, .* answered by the motion without pounding" "$tmp/out"
+# the largest acceleration_free_ratio of A's floors in the CSV is what the table calls its worst floor
+status 0 "$THUD" sweep towers --vary gap=6cm:22cm:8cm --cases none
+worst=$("$THUD" sweep towers --vary gap=6cm:22cm:8cm --cases none --csv --quiet | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+    NR > 1 && $at["structure"] == "A" && $at["floor"] > 0 && $at["acceleration_free_ratio"] > w { w = $at["acceleration_free_ratio"] }
+    END { printf "%.3f", w }')
+check "without bumper or link the table is over no pounding" grep -q "over no pounding" "$tmp/out"
+check "and holds the ratios of the CSV" grep -q "none     A .* $worst on floor" "$tmp/out"
 study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
 odd=$tmp/$(printf 'k\377\177 "x".csv')
 cp records/kobe-surrogate.csv "$odd"

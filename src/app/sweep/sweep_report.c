@@ -68,8 +68,9 @@ static void widen(struct span *span, double x, const struct thud_sweep_summary *
         *span = (struct span){span->at ? span->least : x, x, floor, d};
 }
 
+/* `free`: over no pounding, else over case none. */
 static void put_structure(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
-                          enum thud_case which, int structure, struct thud_text *out)
+                          enum thud_case which, int structure, bool free, struct thud_text *out)
 {
     struct span mean = {0}, floor = {0}, drift = {0};
     char at[PLACE];
@@ -78,9 +79,9 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
         const struct thud_sweep_ratio *x;
         int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
         for (int f = 0; k >= 0 && (x = thud_sweep_summary_ratio(d, k, structure, f, THUD_SWEEP_VALUE)) != NULL; f++) {
-            widen(f == 0 ? &mean : &floor, x->acceleration, d, f);
+            widen(f == 0 ? &mean : &floor, free ? x->acceleration_free : x->acceleration, d, f);
             if (f == 0)
-                widen(&drift, x->drift, d, f);
+                widen(&drift, free ? x->drift_free : x->drift, d, f);
         }
     }
     if (!mean.at || !floor.at)
@@ -228,6 +229,15 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
         thud_text_append(out, "%d digit%s anything\n", digits, digits == 1 ? " means" : "s mean");
 }
 
+/* Whether no case has a bumper or a link: over case none all ratios would be 1. */
+static bool is_bare(const struct thud_sweep_plan *plan)
+{
+    bool bare = true;
+    for (int k = 0; k < plan->ncases; k++)
+        bare = bare && (plan->cases[k] == THUD_CASE_NONE || !thud_scene_has_measure(&plan->scene));
+    return bare;
+}
+
 static bool has_rows(const struct thud_sweep_table *table, int record, enum thud_case which)
 {
     for (size_t i = 0; i < table->npoints; i++)
@@ -240,6 +250,7 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
                        struct thud_text *out)
 {
     const struct thud_sweep_table *table = &outcome->rows.table;
+    const bool bare = is_bare(plan);
     if (outcome->too_many)
         return;
     for (int r = 0; r < table->nrecords; r++) {
@@ -248,13 +259,14 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
         bool head = false;
         for (int k = 0; k < plan->ncases; k++) {
             enum thud_case which = plan->cases[k];
-            if (which == THUD_CASE_NONE || !has_rows(table, r, which))
+            if ((which == THUD_CASE_NONE && !bare) || !has_rows(table, r, which))
                 continue;
             if (!head)
-                thud_text_append(out, "  over case none     mean accel.     worst floor         mean defl.       at\n");
+                thud_text_append(out, "  %-16s   mean accel.     worst floor         mean drift        at\n",
+                                 bare ? "over no pounding" : "over case none");
             head = true;
             for (int s = 0; s < table->nstructures; s++)
-                put_structure(plan, table, r, which, s, out);
+                put_structure(plan, table, r, which, s, bare, out);
             put_spread(plan, table, r, which, out);
         }
         put_yielding(plan, table, r, out);
