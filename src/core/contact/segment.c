@@ -200,50 +200,51 @@ static double ground_term(const struct thud_segment *seg, int k)
     return k == 0 ? seg->a0 : k == 1 ? seg->a1 : 0;
 }
 
-/* out -= g F, of one row in the modes of one system */
-static void push(int n, const double *restrict g, double force, double *restrict out)
-{
-    for (int j = 0; j < n; j++)
-        out[j] -= g[j] * force;
-}
-
-/* Adds the forces of order k to order k + 2 of the modes; a row moves only the modes of its own structures. */
+/* Adds the forces of order k to order k + 2 of the modes. */
 static void push_rows(const struct thud_model *m, const struct thud_segment *seg, const struct slice *of, int k,
                       double *q2)
 {
-    const double *force = seg->force + k * m->nrows;
+    const double *force = seg->force + k * m->nrows, by_load = load_factor(seg, k);
     for (int i = 0; i < seg->rows; i++) {
-        const int c = seg->row[i];
-        if (force[c] == 0.0)
+        const double by_g = by_load * force[seg->row[i]], *g = m->jacobian + (size_t)seg->row[i] * (size_t)m->nmodes;
+        int j = of->mode;
+        if (by_g == 0)
             continue;
-        if (of->systems == m->nsystems)
-            thud_model_apply_contact_force(m, c, -load_factor(seg, k) * force[c], q2);
-        else
-            push(of->modes, m->jacobian + (size_t)c * (size_t)m->nmodes + of->mode, -load_factor(seg, k) * force[c],
-                 q2 + of->mode);
+        for (; j + 2 <= of->mode + of->modes; j += 2)
+            thud_vec2_put(thud_vec2_at(q2 + j) + by_g * thud_vec2_at(g + j), q2 + j);
+        if (j < of->mode + of->modes)
+            q2[j] += by_g * g[j];
+    }
+}
+
+/* The part of damping that couples modes in q2 = by_q1 D q1. */
+static void couple_modes(const struct thud_model *m, const struct slice *of, double by_q1, const double *q1, double *q2)
+{
+    for (int s = of->system; s < of->system + of->systems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
+        for (int i = 0; p->damping && i < p->modes; i++)
+            q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
     }
 }
 
 /* Order k + 2 of the modes from orders k and k + 1 and the loads of order k:
  *     (k + 1) (k + 2) q[k + 2] = -h^2 (spring q[k] + load[k]) - h (k + 1) (dashpot q[k + 1] + D q[k + 1]) */
-static void next_order(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k)
+static inline void next_order(const struct thud_model *m, struct thud_segment *seg, const struct slice *of, int k)
 {
     const int end = of->mode + of->modes;
-    const double *q = seg->q + k * m->nmodes, *q1 = q + m->nmodes;
+    const double *q = seg->q + k * m->nmodes, *q1 = q + m->nmodes, *spring = m->spring, *dashpot = m->dashpot,
+                 *gamma = m->gamma;
     const double by_q = load_factor(seg, k), by_q1 = -seg->h_s / (k + 2), ground = by_q * ground_term(seg, k);
     double *q2 = seg->q + (k + 2) * m->nmodes;
-    for (int j = of->mode; j < end; j += 2) {
-        const bool single = j + 1 == end;
-        const thud_vec2 spring = thud_vec2_some(m->spring + j, single) * thud_vec2_some(q + j, single),
-                        dashpot = thud_vec2_some(m->dashpot + j, single) * thud_vec2_some(q1 + j, single);
-        thud_vec2_put_some(by_q * spring + by_q1 * dashpot + ground * thud_vec2_some(m->gamma + j, single), q2 + j,
-                           single);
-    }
-    for (int s = of->system; m->couples && s < of->system + of->systems; s++) {
-        const struct thud_model_structure *p = &m->structure[m->system[s]];
-        for (int i = 0; p->damping && i < p->modes; i++)
-            q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
-    }
+    int j = of->mode;
+    for (; j + 2 <= end; j += 2)
+        thud_vec2_put(by_q * (thud_vec2_at(spring + j) * thud_vec2_at(q + j)) +
+                          by_q1 * (thud_vec2_at(dashpot + j) * thud_vec2_at(q1 + j)) + ground * thud_vec2_at(gamma + j),
+                      q2 + j);
+    if (j < end)
+        q2[j] = by_q * (spring[j] * q[j]) + by_q1 * (dashpot[j] * q1[j]) + ground * gamma[j];
+    if (m->couples)
+        couple_modes(m, of, by_q1, q1, q2);
     if (k < seg->loaded)
         push_rows(m, seg, of, k, q2);
 }

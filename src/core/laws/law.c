@@ -127,23 +127,20 @@ double thud_branch_force(const struct thud_branch *branch, double d_m, double v_
 {
     if (branch->column_npm > 0 && d_m > 0)
         return series_force(branch, d_m, v_mps, df_dd, df_dv);
-    double force = branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps, elastic = 0, damper = 0;
-    if (d_m > 0 && (branch->K != 0 || branch->D != 0)) {
-        double dp = power(d_m, branch->p), dr = branch->r == branch->p ? dp : power(d_m, branch->r);
-        elastic = branch->K * dp;
-        damper = branch->D * dr;
-        force += elastic + damper * v_mps;
-    }
+    const bool by_power = d_m > 0 && (branch->K != 0 || branch->D != 0);
+    const double dp = by_power ? power(d_m, branch->p) : 0,
+                 dr = by_power && branch->r != branch->p ? power(d_m, branch->r) : dp, elastic = branch->K * dp,
+                 damper = branch->D * dr;
     if (df_dd) {
         *df_dd = branch->k_npm;
-        if (d_m > 0)
+        if (by_power)
             *df_dd += (branch->p * elastic + branch->r * damper * v_mps) / d_m;
         else if (d_m == 0)
             *df_dd += slope_at_zero(branch->K, branch->p) + slope_at_zero(branch->D * v_mps, branch->r);
     }
     if (df_dv)
         *df_dv = branch->c_nspm + damper;
-    return force;
+    return branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps + (elastic + damper * v_mps);
 }
 
 double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup)

@@ -107,12 +107,12 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
-/* The law and its derivatives at THUD_BATCH points. At d <= 0 the linear part alone counts: a power below 1 has no slope
- * at d = 0 that Newton's method could use. */
-static void law_at_points(const struct thud_branch *b, const double *d, const double *v, double *force, double *df_dd,
-                          double *df_dv)
+/* The law (N) and its derivatives at points `from` to n - 1. At d <= 0 the linear part alone counts: a power below 1
+ * has no slope at d = 0 that Newton's method could use. */
+static void law_at_points(const struct thud_branch *b, int from, int n, const double *d, const double *v, double *force,
+                          double *df_dd, double *df_dv)
 {
-    for (int i = 0; i < THUD_BATCH; i++) {
+    for (int i = from; i < n; i++) {
         force[i] = thud_branch_force(b, d[i], v[i], &df_dd[i], &df_dv[i]);
         if (!(d[i] > 0))
             df_dd[i] = b->k_npm;
@@ -168,14 +168,14 @@ static double force_difference(const struct thud_state *state, const struct thud
     double worst = 0, mass = state->model->contact[c].setup.mass_kg;
     const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
     const double *force = x->force + a * THUD_POINTS;
-    double law[THUD_BATCH], law_d[THUD_BATCH], law_v[THUD_BATCH];
+    double law[THUD_BATCH] = {0}, law_d[THUD_BATCH], law_v[THUD_BATCH];
     if (thud_row_sticks(state, c)) { /* the force that would undo the rate in one step, but for rounding */
         for (int i = NODES; i < THUD_POINTS; i++)
             worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
         return worst;
     }
     worst = start_difference(state, x, a);
-    law_at_points(thud_row_branch(state, c), d + LAST, v + LAST, law, law_d, law_v);
+    law_at_points(thud_row_branch(state, c), NODES - LAST, THUD_BATCH, d + LAST, v + LAST, law, law_d, law_v);
     struct thud_batch difference = thud_batch_at(law);
     for (int k = 0; k < NODES; k++)
         thud_batch_add(&difference, -force[k], x->last[k]);
@@ -423,7 +423,7 @@ static void evaluate_laws(const struct thud_state *state, struct thud_collocatio
         const int c = x->active[a];
         int at = a * THUD_BATCH, point = a * THUD_POINTS;
         if (!thud_row_sticks(state, c))
-            law_at_points(thud_row_branch(state, c), x->d + point, x->v + point, x->law + at, x->law_d + at,
+            law_at_points(thud_row_branch(state, c), 0, NODES, x->d + point, x->v + point, x->law + at, x->law_d + at,
                           x->law_v + at);
     }
     state->work->force_evaluations += x->nactive * NODES;
@@ -596,7 +596,7 @@ static void begin_force(const struct thud_state *state, const struct thud_colloc
             d[i] = place + 0.5 * rate * h * x->point[i];
             v[i] = rate;
         }
-        law_at_points(thud_row_branch(state, c), d, v, force, fd, fv);
+        law_at_points(thud_row_branch(state, c), 0, THUD_BATCH, d, v, force, fd, fv);
         for (int i = 0; i < THUD_BATCH; i++)
             force[i] = thud_larger(now, 0.5 * force[i]);
     } else {
