@@ -27,7 +27,9 @@ struct thud_floor_row {
     double stability;
     struct thud_storey_result storey; /* without values where it stays elastic */
     bool yields;
-    const char *note; /* of a table: "base", or NULL */
+    const char *note;  /* of a table: "base", or NULL */
+    const char *label; /* of its storey in a table: "base", or its number as presets and remarks count them */
+    char label_text[8];
 };
 /* `of`: the report; the floors of all structures, or of one from the top down. */
 struct thud_floors {

@@ -1,6 +1,7 @@
 #include "app/run/result_table.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "app/run/sensitivity_table.h"
 #include "app/run/summary_line.h"
@@ -131,6 +132,31 @@ static void add_step(double taken_s, double asked_s, struct thud_text *out)
         thud_text_append(out, " (for %.4g s: steps end at the motion's samples)", asked_s);
 }
 
+/* "isolators, storeys that yield and links that slip": whatever of them the scene has; false: none. */
+static bool name_losses(const struct thud_report *report, char *text, size_t size)
+{
+    bool isolators = false, storeys = false;
+    for (int s = 0; s < report->result->nstructures; s++) {
+        const struct thud_structure_result *r = &report->result->structure[s];
+        const bool slides = thud_isolator_slides(&report->scene->structure[s]);
+        isolators = isolators || slides;
+        for (int i = slides; i < r->floors && r->storey; i++)
+            storeys = storeys || r->storey[i].yields;
+    }
+    const char *part[] = {"isolators", "storeys that yield", "links that slip"};
+    const bool has[] = {isolators, storeys, thud_scene_slips(report->scene)};
+    int left = has[0] + has[1] + has[2];
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < 3; i++)
+        if (has[i])
+            used += (size_t)snprintf(text + used, size - used, "%s%s", part[i],
+                                     --left > 1  ? ", "
+                                     : left == 1 ? " and "
+                                                 : "");
+    return used > 0;
+}
+
 static void add_foot(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
@@ -140,13 +166,9 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
                      "               viscous %.5g, contact %.5g, stored in contacts %.5g;",
                      1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j,
                      1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j);
-    const bool slips = thud_scene_slips(report->scene);
-    if (slips || thud_scene_yields(report->scene))
-        thud_text_append(out, "\n               lost in %s %.5g;",
-                         !slips                             ? "storeys that yield"
-                         : thud_scene_yields(report->scene) ? "storeys that yield and links that slip"
-                                                            : "links that slip",
-                         1e-3 * e->hysteretic_j);
+    char where[80];
+    if (name_losses(report, where, sizeof where))
+        thud_text_append(out, "\n               lost in %s %.5g;", where, 1e-3 * e->hysteretic_j);
     if (report->scene->p_delta)
         thud_text_append(out, "\n               work of the weight %.5g;", 1e-3 * e->gravity_j);
     thud_text_append(out, " unaccounted %.1e\n", e->error_ratio);

@@ -46,7 +46,7 @@ const struct thud_schema thud_floor_schema = THUD_SCHEMA(
     floors);
 
 static const struct thud_column storeys[] = {
-    {FLOOR(floor, "", ""), .only = THUD_ONLY_TEXT, .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
+    {FLOOR(label, "", ""), .only = THUD_ONLY_TEXT, .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
     {FLOOR(storey.yield_m, "yield_m",
            "Drift at which the storey below the floor yields, m; of an elastic one this and the following have no "
@@ -104,8 +104,13 @@ static void make_floor(const void *of, int i, void *out)
 
 static void make_storey(const void *of, int i, void *out)
 {
+    const struct thud_floors *asked = of;
     struct thud_floor_row *row = out;
     make_floor(of, i, row);
+    /* isolators are below the first storey */
+    snprintf(row->label_text, sizeof row->label_text, "%d",
+             row->floor - (asked->report->scene->structure[asked->structure].kind == THUD_ISOLATED));
+    row->label = row->note ? row->note : row->label_text;
     row->note = row->yields ? NULL : "  elastic";
 }
 
