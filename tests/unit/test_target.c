@@ -165,7 +165,17 @@ START_TEST(what_may_be_chosen)
             best = fmin(best, suite.motion[i].misfit);
     }
     ck_assert(suite.chosen == 2 && worst <= best);
+    /* what could not be taken says so, whether or not there was room */
     thud_scaled_suite_clear(&suite);
+    for (int turn = 0; turn < 7;
+         turn++) { /* each but the first comes after the one that is taken, in one order or other */
+        const struct thud_record *two[] = {record[5], record[turn == 5 ? 0 : turn]};
+        scaling.count = 1;
+        ck_assert_int_eq(thud_suite_scale(two, 2, &target, &scaling, &suite, &error), turn == 6 ? THUD_INPUT : THUD_OK);
+        if (turn < 6)
+            ck_assert_msg(strstr(suite.motion[0].why, "factor would be"), "beside %d: %s", turn, suite.motion[0].why);
+        thud_scaled_suite_clear(&suite);
+    }
     for (int i = 0; i < 7; i++)
         thud_record_free(record[i]);
 }

@@ -97,7 +97,9 @@ static void choose(const struct thud_record *const *record, struct thud_scaled_s
     for (int i; (i = next_best(suite)) >= 0;) {
         struct thud_scaled_motion *m = &suite->motion[i];
         char text[64];
-        const char *why = suite->chosen < wanted ? objection(record, suite, i, s, text, sizeof text) : "fits less well";
+        const char *why = objection(record, suite, i, s, text, sizeof text);
+        if (!why && suite->chosen == wanted)
+            why = "fits less well";
         m->chosen = why == NULL;
         suite->chosen += m->chosen;
         if (why)
