@@ -27,7 +27,7 @@ static void add_group(enum thud_group group, const char *prefix, struct thud_tex
     const struct thud_param *param = thud_group_params(group, &n);
     for (int i = 0; i < n; i++)
         if (group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, i) || thud_structure_has(THUD_MATRIX, i) ||
-            thud_structure_has(THUD_MODES, i))
+            thud_structure_has(THUD_MODES, i) || thud_structure_has(THUD_ESTIMATED, i))
             thud_text_append(out, "%s%s\n", prefix, param[i].name);
 }
 

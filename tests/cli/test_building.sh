@@ -50,3 +50,26 @@ is "has its points" [ "$(grep -c 'W,1,' "$tmp/out")" -eq 3 ]
 is "for OpenSees" gives 0 export opensees frame-beside-wall --case none --set contact.law=kelvin-voigt
 # K_21 of the frame is -349473602 N/m: a spring of it between floors 2 and 1
 is "its matrix is springs" shows '^ops.uniaxialMaterial("Elastic", 20000[0-9]*, 349473602\(\.0*\)*)'
+
+is "an unknown neighbour" gives 0 run beside-unknown
+is "both estimates, and which is taken" shows '^estimated: T1 0.3384 s by EN 1998-1 4.3.3.2.2(3), taken 1 times; 0.3302 s by ASCE 7-16 12.8.2.1;$'
+is "as JSON" gives 0 run beside-unknown --json --quiet
+is "with units" shows '"estimate": {"en1998_period_s": 0.33835[0-9]*, "asce7_period_s": 0.33023[0-9]*, "floor_mass_kg": 280000, "storey_stiffness_npm": '
+is "the gap over its periods" gives 0 gap beside-unknown
+is "is a range" shows '^Needs [0-9.]* to [0-9.]* cm, depending on the period of B (0.237 to 0.474 s),$'
+is "also as data" gives 0 gap beside-unknown --json
+is "with the factor where most is needed" shows '^  {"interface": 1, "least_m": 0.0[0-9]*, "most_m": 0.1[0-9]*, "left_factor": null, "right_factor": 1.4}]}$'
+is "uncertainty takes the periods" gives 0 uncertainty beside-unknown --samples 0
+is "as an input" shows 'period.B 0.7 to 1.4 times'
+is "not its stiffness besides" sh -c '! grep -q "stiffness\.B" "$1"' sh "$tmp/out"
+is "no area" gives 3 run beside-unknown --set structures.2.area=
+is "is asked for" says 'structures.2.area: nothing is given; give an area (m2, cm2, mm2)'
+is "a system that is none" gives 3 run beside-unknown --set structures.2.system=mansory
+is "with the nearest" says 'did you mean "masonry"'
+is "it does not yield" gives 3 run beside-unknown --set structures.2.yield=2cm
+is "with the reason" says 'an estimated building has no storeys that could yield'
+is "higher than the formula is for" gives 0 run beside-unknown --set structures.2.storeys=15
+is "is told" says '(EN 1998-1 4.3.3.2.2(3): up to 40 m)'
+is "a new scene with one" gives 0 new "$tmp/new.yaml" --set structures.2.kind=estimated --set structures.2.system=masonry
+is "runs" gives 0 run "$tmp/new.yaml" --quiet
+is "its area from the mass" grep -q 'area: 320 m2' "$tmp/new.yaml"

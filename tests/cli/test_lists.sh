@@ -138,6 +138,7 @@ while read -r key; do
     case $key in # of buildings by matrix and by modes, and of scenes with links
     *-matrix | *.order | *.unit) preset=frame-beside-wall key=structures.1.${key##*.} ;;
     *.periods | *.period-factor) preset=frame-beside-wall key=structures.2.${key##*.} ;;
+    *.system | *.area) preset=beside-unknown key=structures.2.${key##*.} ;;
     links.*) preset=towers-linked ;;
     esac
     gives 3 run "$preset" --set "$key=@" && ! says "unknown key" || wrong="$wrong $key"

@@ -13,6 +13,7 @@
 #include "plane_frame.h"
 #include "study/scene/building.h"
 #include "study/scene/solution.h"
+#include "study/suite/gap_suite.h"
 #include "suite.h"
 #include "towers.h"
 
@@ -501,6 +502,79 @@ START_TEST(what_was_read_stays_with_its_building)
 }
 END_TEST
 
+/* The codes' tables by hand, powers by logarithms. */
+START_TEST(an_estimated_building)
+{
+    static const char *const words[] = {"concrete-frame", "steel-frame", "wall", "masonry"};
+    static const double en1998[] = {0.075, 0.085, 0.050, 0.050}, asce7[] = {0.0466, 0.0724, 0.0488, 0.0488},
+                        power[] = {0.9, 0.8, 0.75, 0.75};
+    struct thud_structure *s = &scene.structure[1];
+    thud_test_towers(&scene);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.kind", "estimated", NULL), THUD_OK);
+    same("the mass that it had", s->mass_kg[0],
+         thud_scene_get(&scene, "structures.2.area", (char[64]){0}, 64, NULL) == THUD_OK ? 1000 * s->area_m2 : 0, 1, 0);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.area", "250 m2", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.height", "[4 m, 3.2 m, 3 m, 3 m, 3 m, 3 m]", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.system", words[_i], NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.period-factor", _i % 2 ? "1.3" : "1", NULL), THUD_OK);
+    const double height = 19.2, expected = en1998[_i] * exp(0.75 * log(height)), factor = _i % 2 ? 1.3 : 1;
+    const struct thud_estimate e = thud_structure_estimate(s);
+    same("EN 1998-1", e.en1998_s, expected, expected, 1e-12);
+    same("ASCE 7", e.asce7_s, asce7[_i] * exp(power[_i] * log(height)), expected, 1e-12);
+    struct thud_model *model;
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_assemble(&scene, &model, NULL), THUD_OK);
+    same("T1", 2 * THUD_PI / model->structure[1].omega[0], factor * expected, expected, 1e-12);
+    for (int i = 0; i < 6; i++) {
+        ck_assert_double_eq(s->mass_kg[i], 250e3);
+        ck_assert_double_eq(s->stiffness_npm[i], s->stiffness_npm[0]);
+    }
+    thud_model_free(model);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.yield", "2 cm", &err), THUD_INPUT);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.area", "", NULL), THUD_INPUT);
+}
+END_TEST
+
+/* Runs at each period by hand: what is enough for all of them is the range that is told. */
+START_TEST(the_gap_over_the_periods_of_estimated_buildings)
+{
+    struct thud_record *record = thud_test_motion(1);
+    thud_test_towers(&scene);
+    thud_scene_set(&scene, "structures.2.kind", "estimated", NULL);
+    if (_i == 1)
+        thud_scene_set(&scene, "structures.1.kind", "estimated", NULL);
+    const int periods = thud_gap_periods(&scene);
+    ck_assert_int_eq(periods, _i == 1 ? 81 : 15);
+    double need_m[81] = {0}, least = INFINITY, most = 0;
+    for (int p = 0; p < periods; p++)
+        ck_assert_int_eq(thud_gap_at_periods(&scene, record, p, need_m + p, NULL), THUD_OK);
+    for (int p = 0; p < periods; p++) {
+        const int n = _i == 1 ? 9 : 15;
+        struct thud_needed_gap *gap;
+        char text[64];
+        other = scene;
+        for (int s = 1 - _i; s < 2; s++) {
+            const int step = _i == 1 && s == 1 ? p / n : p % n;
+            snprintf(text, sizeof text, "%.17g", 0.7 * pow(2, step / (n - 1.0)));
+            thud_scene_set(&other, s ? "structures.2.period-factor" : "structures.1.period-factor", text, NULL);
+        }
+        ck_assert_int_eq(thud_needed_gap_run(&other, record, &gap, NULL), THUD_OK);
+        least = fmin(least, thud_needed_gap_widest(gap, 1, THUD_GAP_EXACT, NULL));
+        most = fmax(most, thud_needed_gap_widest(gap, 1, THUD_GAP_EXACT, NULL));
+        free(gap);
+    }
+    struct thud_gap_range range;
+    thud_gap_period_range(&scene, need_m, &range);
+    same("least", range.least_m, least, least, 1e-9);
+    same("most", range.most_m, most, most, 1e-9);
+    ck_assert(range.most_m > 1.1 * range.least_m);
+    ck_assert(isnan(range.left_factor) == (_i == 0) && range.right_factor >= 0.7 - 1e-12 &&
+              range.right_factor <= 1.4 + 1e-12);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("building");
@@ -517,6 +591,8 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, files_that_are_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_loop_test(tcase, files_as_programs_write_them, 0, (int)(sizeof spelled / sizeof *spelled));
     tcase_add_test(tcase, a_flexibility_and_its_order);
+    tcase_add_loop_test(tcase, an_estimated_building, 0, 4);
+    tcase_add_loop_test(tcase, the_gap_over_the_periods_of_estimated_buildings, 0, 2);
     tcase_add_test(tcase, what_was_read_stays_with_its_building);
     suite_add_tcase(suite, tcase);
     return suite;

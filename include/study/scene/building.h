@@ -40,3 +40,17 @@ enum thud_status thud_structure_check_foundation(const struct thud_structure *st
  * its first mode, rather than as a frame: for pictures. */
 struct thud_model_structure;
 bool thud_structure_bends(const struct thud_structure *structure, const struct thud_model_structure *part);
+
+/* An estimated building: floors of 1 t/m2 (weight of the structure, finishes and part of the live load), and the first
+ * period by height and system (estimate.c). Measured periods lie between 0.7 and 1.4 times such estimates. */
+#define THUD_ESTIMATE_KGPM2 1000.0
+#define THUD_ESTIMATE_LEAST 0.7
+#define THUD_ESTIMATE_MOST  1.4
+struct thud_estimate {
+    double height_m, en1998_s, asce7_s; /* the first period is used */
+};
+struct thud_estimate thud_structure_estimate(const struct thud_structure *structure);
+/* Masses and stiffnesses from the area, and from EN 1998-1's period times period_factor; nothing for other kinds. */
+void thud_structure_fill_estimate(struct thud_structure *structure);
+/* Stiffness of each of so many equal storeys under equal floors, N/m, from the first period. */
+double thud_uniform_stiffness(int storeys, double mass_kg, double period_s);

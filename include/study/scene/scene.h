@@ -10,7 +10,16 @@
 
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_LINKS_MAX = 32, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
 
-enum thud_structure_kind { THUD_SHEAR, THUD_RIGID, THUD_ISOLATED, THUD_WALL, THUD_MATRIX, THUD_MODES, THUD_KINDS };
+enum thud_structure_kind {
+    THUD_SHEAR,
+    THUD_RIGID,
+    THUD_ISOLATED,
+    THUD_WALL,
+    THUD_MATRIX,
+    THUD_MODES,
+    THUD_ESTIMATED,
+    THUD_KINDS
+};
 /* Of storeys. */
 static inline bool thud_kind_is_building(enum thud_structure_kind kind)
 {
@@ -22,6 +31,9 @@ static inline bool thud_kind_is_read(enum thud_structure_kind kind)
 {
     return kind == THUD_MATRIX || kind == THUD_MODES;
 }
+
+/* What carries a building whose period is estimated. */
+enum thud_system { THUD_CONCRETE_FRAME, THUD_STEEL_FRAME, THUD_WALLS, THUD_MASONRY };
 
 /* The order of the floors in such a file; ask: it is refused where they seem to stand from the roof down. */
 enum thud_floor_order { THUD_ORDER_ASK, THUD_ORDER_LOWEST_FIRST, THUD_ORDER_ROOF_FIRST };
@@ -76,8 +88,11 @@ struct thud_structure {
     char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
     char unit[16];            /* for files that do not say; empty: not given */
     double order;             /* enum thud_floor_order */
-    double period_factor;     /* multiplies all periods */
+    double period_factor;     /* multiplies all periods, also of an estimated building */
     int shape_at, shape_rows; /* shape_rows 0: it has not been read */
+    /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
+    double system;  /* enum thud_system */
+    double area_m2; /* of a floor */
 };
 
 /* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */

@@ -24,3 +24,21 @@ void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int inter
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
                                 struct thud_error *err);
+
+/* ---- over the periods of estimated buildings ---- */
+
+/* Of an interface (from 0): the gap that is enough as the periods of its estimated buildings go from
+ * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal steps of the logarithm; those of neighbours apart from each
+ * other. */
+struct thud_gap_range {
+    double least_m, most_m;
+    double left_factor, right_factor; /* of the periods where it is most_m; NaN: not estimated */
+};
+/* Of how many such periods; 0: no building is estimated. */
+int thud_gap_periods(const struct thud_scene *scene);
+/* What is enough at one of them (from 0) for a ground motion, where it is more than need_m (nstructures - 1). Errors:
+ * those of thud_needed_gap_run. */
+enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
+                                     double *need_m, struct thud_error *err);
+/* The range from need_m (periods x interfaces); least_m is NaN where no neighbour is estimated. */
+void thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);

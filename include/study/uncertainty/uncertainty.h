@@ -21,6 +21,8 @@ enum thud_input {
     THUD_INPUT_HARDENING,       /* of those storeys, 0 to 1 */
     THUD_INPUT_COLUMNS,         /* stiffness of the columns that slabs strike */
     THUD_INPUT_ELEVATION,       /* of a building's ground */
+    THUD_INPUT_PERIOD,          /* of an estimated building; its stiffness is in it */
+    THUD_INPUT_SOIL,            /* its stiffness under a building: springs, and G of a half-space */
     THUD_INPUT_LINK,            /* stiffness and dashpot of all links */
     THUD_INPUT_RECORD,          /* which ground motion of a suite */
     THUD_INPUTS
@@ -29,7 +31,8 @@ enum thud_input {
 enum thud_input_each { THUD_INPUT_ALL, THUD_INPUT_EACH_STRUCTURE, THUD_INPUT_EACH_INTERFACE };
 enum thud_input_way {
     THUD_INPUT_RELATIVE, /* from x (1 - size) to x (1 + size) */
-    THUD_INPUT_FACTOR,   /* from x / size to x size, evenly in the logarithm */
+    THUD_INPUT_FACTOR,   /* from x / size to x size, evenly in the logarithm; a period from x / size^1.06, so that 1.4
+                            stands for 0.7 to 1.4 times */
     THUD_INPUT_ABSOLUTE, /* from x - size to x + size, within what is allowed */
     THUD_INPUT_LENGTH,   /* the same in m */
     THUD_INPUT_CHOICE    /* one of several, each as likely */
@@ -66,7 +69,9 @@ struct thud_drawn_input {
     double size;
     char name[96]; /* "gap", "gap.2", "stiffness.A", "stiffness.common" */
 };
-enum { THUD_DRAWN_MAX = 9 * THUD_STRUCTURES_MAX + 2 * THUD_INPUTS };
+enum { THUD_DRAWN_MAX = 11 * THUD_STRUCTURES_MAX + 2 * THUD_INPUTS };
+/* What an input of its kind is multiplied by at place u. */
+double thud_input_times(const struct thud_drawn_input *input, double u);
 /* Changes an input to place u (0 to 1; 0.5 is nominal) of its range. The motion's factor goes into *motion. No gap is
  * less than its bumper takes. */
 void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *input, double u, double *motion);

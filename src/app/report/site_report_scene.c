@@ -14,8 +14,9 @@
 static void add_structure_rows(struct site *site)
 {
     struct thud_document *d = &site->document;
-    static const char *const kinds[] = {"shear building",         "rigid body",           "isolated building", "wall",
-                                        "building by its matrix", "building by its modes"};
+    static const char *const kinds[] = {
+        "shear building",        "rigid body",        "isolated building", "wall", "building by its matrix",
+        "building by its modes", "estimated building"};
     thud_document_table(d, "Structures from left to right");
     thud_document_head(d, "structure|kind|storeys|height m|mass t|damping %|T1 s|T2 s|T3 s");
     for (int s = 0; s < site->scene->nstructures; s++) {

@@ -1,8 +1,3 @@
-/* The stiffness of a uniform shear building with n storeys of mass m and stiffness k from its first period T:
- *
- *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))        T = 2 pi / omega_1
- *
- * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979). */
 #include "app/run/new_preset.h"
 
 #include <math.h>
@@ -11,27 +6,28 @@
 
 #include "base/quantity.h"
 #include "io/file/json.h"
+#include "study/scene/building.h"
 
 static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
                        true},
-    [THUD_NEW_KIND] = {"kind", "kind", "",
-                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, matrix, modes (files)",
-                       false},
+    [THUD_NEW_KIND] =
+        {"kind", "kind", "",
+         "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, matrix, modes, estimated", false},
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
                        false},
     [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "MN/m",
                             "Of every storey (MN/m, kN/mm, N/m), or the first period (s), from which it follows; of "
-                            "matrix and modes a file",
+                            "matrix and modes a file, of estimated the system",
                             false},
     [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "m, ft", false},
     [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false},
     [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true},
     [THUD_NEW_RECORD] = {"record", "ground motion", "",
                          "Typing narrows the list, Tab takes its first; empty: no ground motion", true}};
-static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall", "lead-rubber",
-                                    "pendulum", "matrix",   "modes", NULL};
+static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "lead-rubber",
+                                    "pendulum", "matrix",   "modes", "estimated", NULL};
 
 static bool is_isolated(const char *kind)
 {
@@ -41,6 +37,11 @@ static bool is_isolated(const char *kind)
 static bool is_read(const char *kind)
 {
     return strcmp(kind, "matrix") == 0 || strcmp(kind, "modes") == 0;
+}
+
+static bool is_estimated(const char *kind)
+{
+    return strcmp(kind, "estimated") == 0;
 }
 
 const struct thud_new_about *thud_new_about(enum thud_new_row row)
@@ -82,7 +83,7 @@ void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, 
 bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side)
 {
     const char *k = preset->text[THUD_NEW_KIND][side];
-    bool building = strcmp(k, "shear") == 0 || is_isolated(k) || is_read(k);
+    bool building = strcmp(k, "shear") == 0 || is_isolated(k) || is_read(k) || is_estimated(k);
     if (about[row].single)
         return side == 0;
     return row == THUD_NEW_KIND || building || (row == THUD_NEW_MASS && strcmp(k, "rigid") == 0);
@@ -115,8 +116,7 @@ static enum thud_status stiffness(const struct thud_new_preset *preset, int side
     if (!(period.value > 0) || thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
         return thud_error_set(err, THUD_INPUT,
                               "a first period of more than 0 s, and at least one storey, give a stiffness");
-    double half = 2 * THUD_PI / period.value / (2 * sin(THUD_PI / (2 * (2 * n + 1))));
-    thud_quantity_format(mass.value * half * half, "MN/m", text, size);
+    thud_quantity_format(thud_uniform_stiffness((int)n, mass.value, period.value), "MN/m", text, size);
     return THUD_OK;
 }
 
@@ -160,6 +160,30 @@ static void line(struct thud_text *out, const char *key, const char *value, cons
         thud_text_append(out, "    %s\n", text);
 }
 
+/* From the mass of its floors their area; in the place of the stiffness one of the systems. */
+static enum thud_status estimated(const struct thud_new_preset *preset, int side, const char *mass,
+                                  struct thud_text *out, struct thud_error *err)
+{
+    char text[THUD_NEW_TEXT + 16];
+    struct thud_quantity q;
+    const char *system = preset->text[THUD_NEW_STIFFNESS][side];
+    if (thud_quantity_parse(mass, THUD_AREA, NULL, &q, NULL) != THUD_OK) {
+        enum thud_status status = thud_quantity_parse(mass, THUD_MASS, NULL, &q, err);
+        if (status != THUD_OK)
+            return status;
+        q.value /= THUD_ESTIMATE_KGPM2;
+    }
+    line(out, "system", system[0] >= 'a' && system[0] <= 'z' ? system : "concrete-frame",
+         "concrete-frame | steel-frame | wall | masonry");
+    thud_quantity_format(q.value, "m2", text, sizeof text);
+    line(out, "area", text, "of a floor: 1 t/m2");
+    value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
+    line(out, "height", text, "of every storey, or a list");
+    value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
+    line(out, "damping", text, NULL);
+    return THUD_OK;
+}
+
 static enum thud_status structure(const struct thud_new_preset *preset, int side, struct thud_text *out,
                                   struct thud_error *err)
 {
@@ -167,7 +191,7 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     char mass[THUD_NEW_TEXT + 16], text[THUD_NEW_TEXT + 16];
     thud_text_append(out, "  - name: %s\n", side ? "B" : "A");
     line(out, "kind", is_isolated(k) ? "isolated" : k,
-         side ? NULL : "shear | isolated | rigid | wall | matrix | modes");
+         side ? NULL : "shear | isolated | rigid | wall | matrix | modes | estimated");
     if (strcmp(k, "wall") == 0)
         return THUD_OK;
     value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
@@ -177,6 +201,8 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
         return THUD_OK;
     }
     line(out, "storeys", preset->text[THUD_NEW_STOREYS][side], NULL);
+    if (is_estimated(k))
+        return estimated(preset, side, mass, out, err);
     line(out, "mass", mass, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
     if (is_read(k)) {
         line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");

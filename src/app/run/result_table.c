@@ -8,6 +8,7 @@
 #include "base/largest.h"
 #include "ground/identity.h"
 #include "io/result/result_rows.h"
+#include "study/scene/building.h"
 #include "study/sweep/remark.h"
 
 static void add_head(const struct thud_report *report, struct thud_text *out)
@@ -78,6 +79,15 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "%s T%d %.4g s", i > 0 ? "," : ":", i + 1, r->period_s[i]);
     if (r->base_shear.value > 0)
         thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
+    if (p->kind == THUD_ESTIMATED) {
+        const struct thud_estimate e = thud_structure_estimate(p);
+        thud_text_append(
+            out,
+            "\nestimated: T1 %.4g s by EN 1998-1 4.3.3.2.2(3), taken %.4g times; %.4g s by ASCE 7-16 "
+            "12.8.2.1;\nmeasured periods are %.4g to %.4g times such estimates (`thud gap` takes them all); "
+            "floors of %.4g t, 1 t/m2",
+            e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST, 1e-3 * p->mass_kg[0]);
+    }
     if (thud_isolator_slides(p))
         thud_text_append(out, "\nisolators: %s, displaced by %.4g mm at %.3f s, by %.4g mm in the end; %.5g kJ lost",
                          thud_isolator_name(thud_structure_isolator(p).law), 1e3 * r->floor[0].drift.value,

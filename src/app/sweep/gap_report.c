@@ -9,6 +9,7 @@
 #include "io/result/result_file.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/suite/suite.h"
 
@@ -59,6 +60,27 @@ enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const stru
     return status;
 }
 
+/* What is enough at each of the periods that an estimated building may have, for all of the ground motions. */
+static enum thud_status run_periods(const struct thud_scene *scene, const struct thud_record_list *records,
+                                    const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err)
+{
+    const int n = scene->nstructures - 1, periods = thud_gap_periods(scene);
+    if (periods == 0)
+        return THUD_OK;
+    double *need_m = calloc((size_t)(n * periods), sizeof *need_m);
+    out->range = calloc((size_t)n, sizeof *out->range);
+    enum thud_status status = need_m && out->range ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < out->suite.nrecords && status == THUD_OK; r++)
+        for (int p = 0; p < periods && status == THUD_OK; p++)
+            status = cancel && *cancel ? thud_error_set(err, THUD_CANCELLED, "stopped")
+                                       : thud_gap_at_periods(scene, r < records->n ? records->record[r] : NULL, p,
+                                                             need_m + p * n, err);
+    if (status == THUD_OK)
+        thud_gap_period_range(scene, need_m, out->range);
+    free(need_m);
+    return status;
+}
+
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const struct thud_gap_code *code, const atomic_int *cancel,
                                     struct thud_gap_study *out, struct thud_error *err)
@@ -85,6 +107,8 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
     out->suite.gap = out->gap;
     if (status == THUD_OK && out->gap[0]->nlevels == 0)
         status = thud_error_set(err, THUD_INPUT, "no floors of neighbours stand where they could touch");
+    if (status == THUD_OK)
+        status = run_periods(scene, records, cancel, out, err);
     if (status != THUD_OK)
         thud_gap_study_clear(out);
     return status;
@@ -92,6 +116,7 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
 
 void thud_gap_study_clear(struct thud_gap_study *study)
 {
+    free(study->range);
     for (int i = 0; i < study->suite.nrecords; i++)
         free(study->gap[i]);
     free(study->gap);
@@ -225,6 +250,37 @@ static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
     }
 }
 
+/* "A (0.25 to 0.49 s)" */
+static void put_period(const struct thud_structure *s, const char *before, struct thud_text *out)
+{
+    const double period = s->period_factor * thud_structure_estimate(s).en1998_s;
+    thud_text_append(out, "%s%.40s (%.3g to %.3g s)", before, s->name, THUD_ESTIMATE_LEAST * period,
+                     THUD_ESTIMATE_MOST * period);
+}
+
+static void put_ranges(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
+{
+    for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
+        const struct thud_structure *left = &scene->structure[i], *right = left + 1;
+        const struct thud_gap_range *x = &study->range[i];
+        const bool both = left->kind == THUD_ESTIMATED && right->kind == THUD_ESTIMATED;
+        if (isnan(x->most_m))
+            continue;
+        thud_text_append(out, "\nNeeds %.3g to %.3g cm, depending on the period of ", 100 * x->least_m,
+                         100 * x->most_m);
+        if (left->kind == THUD_ESTIMATED)
+            put_period(left, "", out);
+        if (right->kind == THUD_ESTIMATED)
+            put_period(right, both ? "\nand that of " : "", out);
+        thud_text_append(out, ",\n%g to %g times as estimated; most at ", THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST);
+        if (left->kind == THUD_ESTIMATED)
+            thud_text_append(out, "%.3g", x->left_factor);
+        if (right->kind == THUD_ESTIMATED)
+            thud_text_append(out, "%s%.3g", both ? " and " : "", x->right_factor);
+        thud_text_append(out, " times.\n");
+    }
+}
+
 /* ---- by rule ---- */
 
 enum { WIDTH = 80, INDENT = 10 };
@@ -302,6 +358,7 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
             thud_text_append(out, ", %.2f cm for %zu of them", 100 * f[0].p84, f[0].most84);
         thud_text_append(out, f[0].half < f[0].n ? ",\n%.2f cm for all.\n" : ".\n", 100 * f[0].most);
     }
+    put_ranges(study, scene, out);
     put_bumpers(scene, out);
     thud_text_append(out, "\n");
     put_head(suite->nrecords > 1 ? "medians by level (cm)" : "by level (cm)", "", out);
@@ -402,6 +459,27 @@ static void put_json_fractiles(const struct thud_fractiles *f, const char *colum
     thud_text_append(out, "}");
 }
 
+/* Of the interfaces beside an estimated building. */
+static void put_json_ranges(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
+{
+    const char *before = ",\n \"periods\": [";
+    for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
+        const struct thud_gap_range *x = &study->range[i];
+        const double value[] = {x->least_m, x->most_m, x->left_factor, x->right_factor};
+        static const char *const key[] = {"least_m", "most_m", "left_factor", "right_factor"};
+        if (isnan(x->most_m))
+            continue;
+        thud_text_append(out, "%s\n  {\"interface\": %d", before, i + 1);
+        for (int k = 0; k < 4; k++) {
+            thud_text_append(out, ", ");
+            thud_json_field(out, key[k], value[k]);
+        }
+        thud_text_append(out, "}");
+        before = ",";
+    }
+    thud_text_append(out, "%s", study->range ? "]" : "");
+}
+
 enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
                                const struct thud_record_list *records, struct thud_text *out, struct thud_error *err)
 {
@@ -444,6 +522,8 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     }
     thud_text_append(out, "],\n \"rules\": [");
     put_rules_data(study, true, out);
-    thud_text_append(out, "]}\n");
+    thud_text_append(out, "]");
+    put_json_ranges(study, scene, out);
+    thud_text_append(out, "}\n");
     return status;
 }

@@ -11,6 +11,7 @@ struct thud_gap_study {
     struct thud_gap_suite suite;
     const char **name;            /* (suite.nrecords) last parts of the files' names */
     struct thud_needed_gap **gap; /* (suite.nrecords) */
+    struct thud_gap_range *range; /* (interfaces); NULL: no building is estimated */
     int interfaces;
     struct thud_gap_ruled *ruled; /* (THUD_GAP_RULES + 1 x interfaces), what is needed first; NULL: not asked for */
 };

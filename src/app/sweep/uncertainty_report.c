@@ -46,6 +46,8 @@ void thud_uncertainty_input_text(const struct thud_uncertainty *u, int i, char *
     enum thud_input_way way = thud_input_info(drawn->input)->way;
     if (way == THUD_INPUT_RELATIVE)
         snprintf(text, size, "%s +-%g %%", drawn->name, 100 * drawn->size);
+    else if (drawn->input == THUD_INPUT_PERIOD)
+        snprintf(text, size, "%s %.3g to %.3g times", drawn->name, thud_input_times(drawn, 0), drawn->size);
     else if (way == THUD_INPUT_FACTOR)
         snprintf(text, size, "%s by a factor of %g", drawn->name, drawn->size);
     else if (way == THUD_INPUT_LENGTH)

@@ -1,6 +1,7 @@
 #include "io/file/json.h"
 #include "io/result/result_rows.h"
 #include "io/result/scene_json.h"
+#include "study/scene/building.h"
 #include "study/sweep/remark.h"
 
 static void add_record(const struct thud_report *report, struct thud_text *out)
@@ -50,6 +51,18 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     thud_json_field(out, "base_shear_n", r->base_shear.value);
     thud_text_append(out, ", ");
     thud_json_field(out, "base_shear_time_s", r->base_shear.time_s);
+    if (report->scene->structure[s].kind == THUD_ESTIMATED) {
+        const struct thud_estimate e = thud_structure_estimate(&report->scene->structure[s]);
+        thud_text_append(out, ", \"estimate\": {");
+        thud_json_field(out, "en1998_period_s", e.en1998_s);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "asce7_period_s", e.asce7_s);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "floor_mass_kg", report->scene->structure[s].mass_kg[0]);
+        thud_text_append(out, ", ");
+        thud_json_field(out, "storey_stiffness_npm", report->scene->structure[s].stiffness_npm[0]);
+        thud_text_append(out, "}");
+    }
     if (r->foundation) {
         thud_text_append(out, ", \"foundation\": {");
         thud_json_field(out, "rigid_period_s", r->rigid_period_s);

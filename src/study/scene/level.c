@@ -14,6 +14,7 @@ int thud_structure_floors(const struct thud_structure *s)
     case THUD_SHEAR:
     case THUD_MATRIX:
     case THUD_MODES:
+    case THUD_ESTIMATED:
         return s->storeys;
     case THUD_ISOLATED:
         return s->storeys + 1;

@@ -24,10 +24,12 @@
 #define ANY_USUAL     .soft_least = NAN, .soft_most = NAN
 
 enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL,
-       MATRIX = 1 << THUD_MATRIX, MODES = 1 << THUD_MODES, READ = MATRIX | MODES, SPRINGS = SHEAR | ISOLATED, STOREYS = SPRINGS | READ,
+       MATRIX = 1 << THUD_MATRIX, MODES = 1 << THUD_MODES, ESTIMATED = 1 << THUD_ESTIMATED, READ = MATRIX | MODES, SPRINGS = SHEAR | ISOLATED,
+       STOREYS = SPRINGS | READ | ESTIMATED,
        ALL = (1 << THUD_KINDS) - 1 };
 
-static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes", NULL};
+static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes", "estimated", NULL};
+static const char *const systems[] = {"concrete-frame", "steel-frame", "wall", "masonry", NULL};
 static const char *const orders[] = {"ask", "lowest-first", "roof-first", NULL};
 static const char *const signs[] = {"+", "-", NULL};
 static const char *const one_or_both[] = {"one", "both", NULL};
@@ -89,7 +91,7 @@ static const struct thud_place record_places[] = {
 
 static const struct thud_param structure_params[] = {
     WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."),
-    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: as a file says.",
+    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: as a file says; estimated: of an unknown neighbour, by height, system and area.",
            kinds, THUD_SHEAR),
     {COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN),
      .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
@@ -100,6 +102,8 @@ static const struct thud_param structure_params[] = {
     WORD("periods", "periods and shapes", "A CSV with one row a mode: its period and the shape's value of every floor; at most as many modes as floors."),
     WORD("unit", "unit of the file", "Of the matrix (kN/m, mm/kN) or of the periods (s), for files that do not say it."),
     CHOICE("order", "order of the floors", "In the file; ask: one whose floors seem to stand from the roof down is refused.", orders, THUD_ORDER_ASK),
+    CHOICE("system", "structural system", "Of an estimated building: its first period follows from it and the height.", systems, THUD_CONCRETE_FRAME),
+    {NUMBER("area", "floor area", "Of an estimated building, each floor: it weighs 1 t/m2.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
     {NUMBER("period-factor", "factor of the periods", "Multiplies all periods of the building.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(100), USUAL(0.5, 2)},
     {NUMBER("height", "storey height", "Of each storey, from floor level to floor level: the elevations at which neighbours meet follow from it.",
             THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)},
@@ -127,14 +131,16 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(name), .size = THUD_NAME_MAX, .kinds = ALL},
     {.store = THUD_STORE_KIND, .offset = AT(kind), .kinds = ALL},
     {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS, .reads = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~WALL},
+    {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~(WALL | ESTIMATED)},
     {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = SPRINGS},
     {.store = THUD_STORE_TEXT, .offset = AT(stiffness_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
     {.store = THUD_STORE_TEXT, .offset = AT(flexibility_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
     {.store = THUD_STORE_TEXT, .offset = AT(periods_file), .size = THUD_TEXT_MAX, .kinds = MODES, .reads = true},
     {.store = THUD_STORE_TEXT, .offset = AT(unit), .size = 16, .kinds = READ, .reads = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(order), .kinds = READ, .reads = true},
-    {.store = THUD_STORE_NUMBER, .offset = AT(period_factor), .kinds = READ},
+    {.store = THUD_STORE_NUMBER, .offset = AT(system), .kinds = ESTIMATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(area_m2), .kinds = ESTIMATED},
+    {.store = THUD_STORE_NUMBER, .offset = AT(period_factor), .kinds = READ | ESTIMATED},
     {.store = THUD_STORE_FLOORS, .offset = AT(height_m), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = NAN, .kinds = RIGID},
     {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = INFINITY, .kinds = WALL},

@@ -115,7 +115,8 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         static const char *const what[THUD_KINDS] = {[THUD_WALL] = "a wall",
                                                      [THUD_RIGID] = "a rigid body",
                                                      [THUD_MATRIX] = "a building by its matrix",
-                                                     [THUD_MODES] = "a building by its modes"};
+                                                     [THUD_MODES] = "a building by its modes",
+                                                     [THUD_ESTIMATED] = "an estimated building"};
         thud_error_set(err, THUD_INPUT, "%s has no %s", what[scene->structure[s - 1].kind],
                        column                               ? "columns"
                        : soil                               ? "foundation"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "study/scene/building.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
 
@@ -75,7 +76,8 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
         return;
     }
     structure->stiffness_npm[0] = thud_kind_is_read(kind) ? 0 : NAN;
-    structure->period_factor = thud_kind_is_read(kind) ? 1 : 0;
+    structure->period_factor = thud_kind_is_read(kind) || kind == THUD_ESTIMATED ? 1 : 0;
+    structure->area_m2 = kind == THUD_ESTIMATED ? NAN : 0;
     structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
     structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
     structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
@@ -109,7 +111,7 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 /* Storeys that a building by its matrix has not, or has no more. */
 static void change_springs(struct thud_structure *structure, int i)
 {
-    if (thud_kind_is_read(structure->kind))
+    if (thud_kind_is_read(structure->kind) || structure->kind == THUD_ESTIMATED)
         structure->stiffness_npm[i] = structure->yield_m[i] = structure->yield_shear_n[i] = structure->hardening[i] = 0;
     else if (!(structure->stiffness_npm[i] > 0))
         structure->stiffness_npm[i] = 600e6;
@@ -144,6 +146,9 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
             structure->column_shape = before.column_shape;
         }
     }
+    if (kind == THUD_ESTIMATED) /* it keeps its mass */
+        structure->area_m2 = structure->mass_kg[0] / THUD_ESTIMATE_KGPM2;
+    thud_structure_fill_estimate(structure);
     if (kind == THUD_ISOLATED) {
         double mass = structure->base_mass_kg = structure->mass_kg[0];
         for (int i = 0; i < structure->storeys; i++)

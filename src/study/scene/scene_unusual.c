@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/methods/method.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/solution.h"
@@ -115,6 +116,21 @@ static bool look_modes(struct search *search, const struct thud_structure *s, co
                    "the local give at a struck floor is not known",
                    s->shape_rows, s->storeys);
     thud_error_allow(search->out, "as many modes as floors");
+    thud_error_key(search->out, key);
+    return true;
+}
+
+/* Both codes fit their formulas to buildings of some storeys. */
+static bool look_estimate(struct search *search, const struct thud_structure *s, const char *prefix)
+{
+    static const double most_m = 40;
+    const double height = s->kind == THUD_ESTIMATED ? thud_structure_estimate(s).height_m : 0;
+    char key[96];
+    if (!(height > most_m) || search->found++ != search->wanted)
+        return false;
+    snprintf(key, sizeof key, "%s.height", prefix);
+    thud_error_set(search->out, THUD_OK, "a period is estimated for a building of %.4g m", height);
+    thud_error_allow(search->out, "EN 1998-1 4.3.3.2.2(3): up to %.4g m", most_m);
     thud_error_key(search->out, key);
     return true;
 }
@@ -255,7 +271,7 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
         snprintf(key, sizeof key, "structures.%d", s + 1);
         if (look_group(&search, THUD_GROUP_STRUCTURE, at, 1u << at->kind, at->storeys, key))
             return true;
-        if (look_modes(&search, at, key))
+        if (look_modes(&search, at, key) || look_estimate(&search, at, key))
             return true;
         snprintf(key, sizeof key, "structures.%d.column", s + 1);
         if (look_group(&search, THUD_GROUP_COLUMN, at, 1u << at->kind, at->storeys, key) ||

@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "core/methods/method.h"
+#include "study/scene/building.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
 
@@ -252,6 +253,8 @@ enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot
         status = set(scene, slot, clean, err);
     if (status == THUD_OK && slot->place.reads)
         scene->structure[slot->structure].shape_rows = 0;
+    if (status == THUD_OK && slot->structure >= 0)
+        thud_structure_fill_estimate(&scene->structure[slot->structure]);
     free(clean);
     return status;
 }

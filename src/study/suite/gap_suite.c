@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "study/scene/building.h"
 #include "study/scene/solution.h"
 #include "study/suite/suite.h"
 
@@ -100,4 +101,79 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
     thud_solution_clear(&solution);
     free(at);
     return status;
+}
+
+/* ---- over the periods of estimated buildings ---- */
+
+/* Structures with even and with odd index have a factor each, so that neighbours take every pair of them. */
+static void estimated(const struct thud_scene *scene, bool of[2])
+{
+    of[0] = of[1] = false;
+    for (int s = 0; s < scene->nstructures; s++)
+        of[s % 2] = of[s % 2] || scene->structure[s].kind == THUD_ESTIMATED;
+}
+
+/* Periods of one building: steps of 5 and 9 %. */
+static int steps(const struct thud_scene *scene)
+{
+    bool of[2];
+    estimated(scene, of);
+    return of[0] && of[1] ? 9 : of[0] || of[1] ? 15 : 0;
+}
+
+int thud_gap_periods(const struct thud_scene *scene)
+{
+    bool of[2];
+    estimated(scene, of);
+    return of[0] && of[1] ? steps(scene) * steps(scene) : steps(scene);
+}
+
+static double factor_of(const struct thud_scene *scene, int period, int structure)
+{
+    bool of[2];
+    estimated(scene, of);
+    const int n = steps(scene), i = of[0] && of[1] && structure % 2 ? period / n : period % n;
+    if (scene->structure[structure].kind != THUD_ESTIMATED)
+        return NAN;
+    return THUD_ESTIMATE_LEAST * pow(THUD_ESTIMATE_MOST / THUD_ESTIMATE_LEAST, i / (n - 1.0));
+}
+
+enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
+                                     double *need_m, struct thud_error *err)
+{
+    struct thud_scene *at = malloc(sizeof *at);
+    struct thud_needed_gap *gap = NULL;
+    if (!at)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    *at = *scene;
+    for (int s = 0; s < scene->nstructures; s++)
+        if (scene->structure[s].kind == THUD_ESTIMATED) {
+            at->structure[s].period_factor *= factor_of(scene, period, s);
+            thud_structure_fill_estimate(&at->structure[s]);
+        }
+    enum thud_status status = thud_needed_gap_run(at, record, &gap, err);
+    for (int i = 0; status == THUD_OK && i + 1 < scene->nstructures; i++)
+        need_m[i] = fmax(need_m[i], thud_needed_gap_widest(gap, i + 1, THUD_GAP_EXACT, NULL));
+    free(gap);
+    free(at);
+    return status;
+}
+
+void thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out)
+{
+    const int n = scene->nstructures - 1;
+    for (int i = 0; i < n; i++) {
+        out[i] = (struct thud_gap_range){NAN, NAN, NAN, NAN};
+        if (scene->structure[i].kind != THUD_ESTIMATED && scene->structure[i + 1].kind != THUD_ESTIMATED)
+            continue;
+        for (int p = 0; p < thud_gap_periods(scene); p++) {
+            const double need = need_m[p * n + i];
+            out[i].least_m = fmin(out[i].least_m, need);
+            if (need <= out[i].most_m)
+                continue;
+            out[i].most_m = need;
+            out[i].left_factor = factor_of(scene, p, i);
+            out[i].right_factor = factor_of(scene, p, i + 1);
+        }
+    }
 }

@@ -7,6 +7,7 @@
 
 #include "base/largest.h"
 #include "base/quantity.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
@@ -26,6 +27,8 @@ static const struct thud_input_info infos[THUD_INPUTS] = {
     [THUD_INPUT_HARDENING] = {"hardening", THUD_INPUT_ABSOLUTE, THUD_INPUT_EACH_STRUCTURE, 0.02},
     [THUD_INPUT_COLUMNS] = {"column-stiffness", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_STRUCTURE, 0.2},
     [THUD_INPUT_ELEVATION] = {"elevation", THUD_INPUT_LENGTH, THUD_INPUT_EACH_STRUCTURE, 0},
+    [THUD_INPUT_PERIOD] = {"period", THUD_INPUT_FACTOR, THUD_INPUT_EACH_STRUCTURE, THUD_ESTIMATE_MOST},
+    [THUD_INPUT_SOIL] = {"soil-stiffness", THUD_INPUT_FACTOR, THUD_INPUT_EACH_STRUCTURE, 1.5},
     [THUD_INPUT_LINK] = {"link", THUD_INPUT_RELATIVE, THUD_INPUT_ALL, 0.2},
     [THUD_INPUT_RECORD] = {"ground-motion", THUD_INPUT_CHOICE, THUD_INPUT_ALL, 0},
 };
@@ -38,8 +41,10 @@ const struct thud_input_info *thud_input_info(enum thud_input input)
 void thud_inputs_init(struct thud_inputs *inputs)
 {
     *inputs = (struct thud_inputs){0};
-    for (int i = 0; i < THUD_INPUTS; i++)
+    for (int i = 0; i < THUD_INPUTS; i++) {
         inputs->size[i] = infos[i].size;
+        inputs->common[i] = infos[i].way == THUD_INPUT_FACTOR ? 1 : 0;
+    }
 }
 
 /* The size of an input into the place of what its name goes on with: nothing, `.common` or `.NAME`. */
@@ -89,7 +94,8 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
     return thud_error_refuse(
         err, THUD_USAGE, "--uncertain",
         "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %, up to 90 %; "
-        "contact-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up to 1; elevation: 5 cm, "
+        "contact-stiffness, period, soil-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up "
+        "to 1; elevation: 5 cm, "
         "up to 10 m; of one building stiffness.A=5 %, of all of them besides stiffness.common=10 %",
         "\"%.60s\" is no input with its size", text);
 }
@@ -105,10 +111,18 @@ static double *law_value(struct thud_law_choice *choice, const char *name)
 
 static double changed(enum thud_input input, double x, double size, double u)
 {
+    static const double longest = THUD_ESTIMATE_MOST, shortest = THUD_ESTIMATE_LEAST;
     double t = 2 * u - 1;
+    if (input == THUD_INPUT_PERIOD && t < 0) /* size 1.4: 0.7 to 1.4 times */
+        t *= -log(shortest) / log(longest);
     return infos[input].way == THUD_INPUT_RELATIVE ? x * (1 + size * t)
            : infos[input].way == THUD_INPUT_FACTOR ? x * pow(size, t)
                                                    : x + size * t;
+}
+
+double thud_input_times(const struct thud_drawn_input *input, double u)
+{
+    return changed(input->input, 1, input->size, u);
 }
 
 static void change_law(struct thud_law_choice *choice, const char *name, enum thud_input input, double size, double u)
@@ -139,6 +153,26 @@ static void change_periods(struct thud_structure *p, enum thud_input input, doub
         p->period_factor *= sqrt(factor);
 }
 
+/* What is known of an estimated building is its area and a period. */
+static void change_estimate(struct thud_structure *p, enum thud_input input, double size, double u)
+{
+    const double factor = changed(input, 1, size, u);
+    if (input == THUD_INPUT_MASS)
+        p->area_m2 *= factor;
+    else
+        p->period_factor *= input == THUD_INPUT_STIFFNESS ? 1 / sqrt(factor) : factor;
+    thud_structure_fill_estimate(p);
+}
+
+/* Springs that are given, and G = rho V_s^2, of which the others follow; dashpots go with V_s. */
+static void change_soil(struct thud_structure *p, double size, double u)
+{
+    const double factor = changed(THUD_INPUT_SOIL, 1, size, u);
+    p->sway_npm *= factor;
+    p->rocking_nmprad *= factor;
+    p->soil_vs_mps *= sqrt(factor);
+}
+
 static void change_structure(struct thud_structure *p, enum thud_input input, double size, double u)
 {
     int n = p->kind == THUD_RIGID ? 1 : p->kind == THUD_WALL ? 0 : p->storeys;
@@ -154,6 +188,10 @@ static void change_structure(struct thud_structure *p, enum thud_input input, do
     }
     if (thud_kind_is_read(p->kind))
         change_periods(p, input, size, u);
+    if (p->kind == THUD_ESTIMATED && input != THUD_INPUT_DAMPING) {
+        change_estimate(p, input, size, u);
+        return;
+    }
     for (int i = 0; i < n; i++) {
         double *x = input == THUD_INPUT_STIFFNESS ? &p->stiffness_npm[i] : &p->mass_kg[i];
         *x = input == THUD_INPUT_DAMPING ? *x : changed(input, *x, size, u);
@@ -183,14 +221,18 @@ static void change_building(struct thud_structure *p, enum thud_input input, dou
 {
     if (!thud_kind_is_building(p->kind))
         return;
-    if (input == THUD_INPUT_ELEVATION)
+    if (input == THUD_INPUT_PERIOD && p->kind == THUD_ESTIMATED)
+        change_estimate(p, input, size, u);
+    else if (input == THUD_INPUT_SOIL)
+        change_soil(p, size, u);
+    else if (input == THUD_INPUT_ELEVATION)
         p->base_m = changed(input, p->base_m, size, u);
     else if (input == THUD_INPUT_COLUMNS)
         for (int i = 0; i < p->storeys; i++) {
             p->column_ei_nm2[i] = changed(input, p->column_ei_nm2[i], size, u);
             p->column_stiffness_npm[i] = changed(input, p->column_stiffness_npm[i], size, u);
         }
-    else
+    else if (input != THUD_INPUT_PERIOD)
         change_storeys(p, input, size, u);
 }
 
@@ -244,7 +286,7 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
     for (int s = 0; infos[input].each == THUD_INPUT_EACH_STRUCTURE && s < scene->nstructures; s++) {
         if (drawn->of >= 0 && drawn->of != s)
             continue;
-        if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_ELEVATION)
+        if (input >= THUD_INPUT_YIELD && input <= THUD_INPUT_SOIL)
             change_building(&scene->structure[s], input, drawn->size, u);
         else
             change_structure(&scene->structure[s], input, drawn->size, u);
@@ -289,6 +331,11 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_MOTION:
         return scene->record.file[0];
     case THUD_INPUT_STIFFNESS:
+        return is_building(scene, of) && own->kind != THUD_ESTIMATED;
+    case THUD_INPUT_PERIOD:
+        return own && own->kind == THUD_ESTIMATED;
+    case THUD_INPUT_SOIL:
+        return own && thud_structure_on_soil(own);
     case THUD_INPUT_DAMPING:
         return is_building(scene, of);
     case THUD_INPUT_MASS:

@@ -6,6 +6,7 @@
 #include "base/ascii.h"
 #include "base/scan.h"
 #include "io/record/record_file.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
@@ -251,6 +252,7 @@ void thud_tui_add_storey(struct thud_tui *tui, int s, int floor)
         floor = structure->storeys;
     move_floors(structure, floor, floor - 1, structure->storeys - floor + 1);
     structure->storeys++;
+    thud_structure_fill_estimate(structure);
     snprintf(what, sizeof what, "%s: storey added above floor %d, like it", structure->name, floor);
     char command[64];
     snprintf(command, sizeof command, "storey add %d %d", s + 1, floor);
@@ -268,6 +270,7 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
     /* what lies past the top is zero in every scene, so that equal scenes compare equal */
     for (int i = 0; i < THUD_STRUCTURE_LISTS; i++)
         thud_structure_list(structure, i)[structure->storeys] = 0.0;
+    thud_structure_fill_estimate(structure);
     snprintf(what, sizeof what, "%s: storey %d deleted", structure->name, floor);
     char command[64];
     snprintf(command, sizeof command, "storey delete %d %d", s + 1, floor);

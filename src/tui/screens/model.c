@@ -166,11 +166,12 @@ enum { SOIL_ROWS = 5 };
 /* Rows of values of a building that its kind has. */
 static int rows_of_kind(const struct thud_structure *structure)
 {
-    return structure->kind == THUD_SHEAR     ? 3
-           : structure->kind == THUD_MODES   ? 6
-           : structure->kind == THUD_MATRIX  ? 7
-           : thud_isolator_slides(structure) ? 9
-                                             : 7;
+    return structure->kind == THUD_SHEAR       ? 3
+           : structure->kind == THUD_MODES     ? 6
+           : structure->kind == THUD_ESTIMATED ? 6
+           : structure->kind == THUD_MATRIX    ? 7
+           : thud_isolator_slides(structure)   ? 9
+                                               : 7;
 }
 
 /* The values that are not by floor, two in a row where they are short. */
@@ -183,8 +184,9 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         WALL = 1 << THUD_WALL,
         MATRIX = 1 << THUD_MATRIX,
         MODES = 1 << THUD_MODES,
+        ESTIMATED = 1 << THUD_ESTIMATED,
         READ = MATRIX | MODES,
-        BUILDINGS = SHEAR | ISOLATED | READ
+        BUILDINGS = SHEAR | ISOLATED | READ | ESTIMATED
     };
     enum { LINEAR = 1 << 16, LEAD_RUBBER = LINEAR << 1, PENDULUM = LINEAR << 2 }; /* by their isolators */
     enum { SOIL = PENDULUM << 1 };                                                /* in rows below those of the kind */
@@ -208,7 +210,9 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"damping", "damping", BUILDINGS, 1, 20, 28},
         {"base", "base", BUILDINGS, 2, 1, 9},
         {"p-delta", "P-Delta", BUILDINGS, 2, 20, 28}, /* of the scene */
-        {"period-factor", "T times", READ, 3, 1, 9},
+        {"period-factor", "T times", READ | ESTIMATED, 3, 1, 9},
+        {"area", "area", ESTIMATED, 3, 20, 28},
+        {"system", "system", ESTIMATED, 4, 1, 13},
         {"stiffness-matrix", "stiffness", MATRIX, 4, 1, 13},
         {"flexibility-matrix", "flexibility", MATRIX, 5, 1, 13},
         {"unit", "unit", MATRIX, 6, 1, 9},
@@ -243,6 +247,11 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
 #undef ON_SOIL
 #undef LEFT
 #undef RIGHT
+    if (structure->kind == THUD_ESTIMATED) {
+        const struct thud_estimate e = thud_structure_estimate(structure);
+        thud_pane_print(pane, 1, 5, thud_look(THUD_ROLE_MUTED, 0), "EN 1998 %.3g s (used), ASCE 7 %.3g s", e.en1998_s,
+                        e.asce7_s);
+    }
     const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 1;
     int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {

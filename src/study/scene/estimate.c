@@ -1,0 +1,50 @@
+/* A building of which only the outside is known. H: its height above the ground that it stands on, in m.
+ *
+ *     EN 1998-1:2004, 4.3.3.2.2(3)   T = C_t H^0.75   C_t 0.085 steel frames, 0.075 concrete frames, 0.050 others
+ *     ASCE/SEI 7-16, 12.8.2.1        T = C_t H^x      C_t, x 0.0724, 0.8 steel frames, 0.0466, 0.9 concrete frames,
+ *                                                     0.0488, 0.75 others
+ *
+ * Floors are equally heavy and storeys equally stiff; of n of them
+ *
+ *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))
+ *
+ * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979), from which k follows for the first of both periods. */
+#include <math.h>
+
+#include "base/quantity.h"
+#include "study/scene/building.h"
+
+/* By enum thud_system; a wall and masonry are "other structures" in both codes. */
+static const struct {
+    double en1998_ct, asce7_ct, asce7_x;
+} systems[] = {{0.075, 0.0466, 0.9}, {0.085, 0.0724, 0.8}, {0.050, 0.0488, 0.75}, {0.050, 0.0488, 0.75}};
+
+double thud_uniform_stiffness(int storeys, double mass_kg, double period_s)
+{
+    const double half = THUD_PI / period_s / sin(THUD_PI / (2 * (2 * storeys + 1)));
+    return mass_kg * half * half;
+}
+
+struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
+{
+    double height = 0;
+    for (int i = 0; i < s->storeys; i++)
+        height += s->height_m[i];
+    const int system = (int)s->system;
+    return (struct thud_estimate){.height_m = height,
+                                  .en1998_s = systems[system].en1998_ct * pow(height, 0.75),
+                                  .asce7_s = systems[system].asce7_ct * pow(height, systems[system].asce7_x)};
+}
+
+void thud_structure_fill_estimate(struct thud_structure *s)
+{
+    if (s->kind != THUD_ESTIMATED)
+        return;
+    const double mass = THUD_ESTIMATE_KGPM2 * s->area_m2,
+                 period = s->period_factor * thud_structure_estimate(s).en1998_s,
+                 stiffness = thud_uniform_stiffness(s->storeys, mass, period);
+    for (int i = 0; i < s->storeys; i++) {
+        s->mass_kg[i] = mass;
+        s->stiffness_npm[i] = stiffness;
+    }
+}
