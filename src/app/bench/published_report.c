@@ -92,8 +92,8 @@ static void add_row(const struct thud_published_row *r, struct thud_text *out)
 static void add_validity(const struct count *sum, struct thud_text *out)
 {
     thud_text_append(out,
-                     "\nValidated by this: %sthe times and speeds of touch; the restitution of a law; the\n"
-                     "peak force of a small cart on foam, after its duration and restitution were fitted;\n"
+                     "\nValidated by this: %stimes and velocities of contact onset; the restitution of a law;\n"
+                     "the peak force of a small cart on foam, after its duration and restitution were fitted;\n"
                      "stick, slip and restoring force of a friction pendulum, against another program.\n",
                      sum->skipped > 0 ? "" : "modes, response to a ground motion and storey forces;\n");
     thud_text_append(out, "Not validated: the pounding of buildings. No test at that scale is public with\n"
