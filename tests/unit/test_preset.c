@@ -144,7 +144,7 @@ static const struct {
     {"storeys: 3", "Storeys: 3", "p:15:5: structures.2.Storeys: unknown key \"Storeys\"; did you mean \"storeys\"?"},
     {"kind: shear", "kind: sheer",
      "p:9:11: structures.1.kind: unknown choice \"sheer\"; did you mean \"shear\"? (shear, rigid, isolated, wall, "
-     "matrix, modes)"},
+     "matrix, modes, estimated)"},
     {"kind: shear", "kind: wall", "p:10:5: structures.1.mass: unknown key \"mass\" (name, kind, height)"},
     {"kind: shear", "kind: isolated",
      "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg)"},

@@ -166,9 +166,9 @@ START_TEST(fields_say_what_they_are)
     fixture_keys(&f, "6<Home>");
     fixture_expect(&f, "KEY=FROM:TO:STEP");
     fixture_keys(&f, "1");
-    fixture_expect(&f, "matrix, modes: as a file says.");
+    fixture_expect(&f, "estimated: by area.");
     fixture_keys(&f, "n");
-    fixture_expect_not(&f, "matrix, modes: as a file says.");
+    fixture_expect_not(&f, "estimated: by area.");
     fixture_keys(&f, "<Esc>");
 }
 END_TEST
@@ -282,8 +282,8 @@ START_TEST(the_whole_screen_of_two_bodies)
                                    "│ force        MN              0         8.38            –           ⡇         │\n"
                                    "│ clearance 0 mm                     1 impact                        ⡇⡀⡀⡀⡀⡀⡀⡀⡀ │\n"
                                    "└──────────────────────────────────────────────────────────────────────────────┘\n"
-                                   " shear: storeys on the ground; rigid: a free body; isolated: storeys on an\n"
-                                   " isolated slab; wall: moves with the ground; matrix, modes: as a file says.\n"
+                                   " shear: storeys; rigid: a free body; isolated: storeys on an isolated slab;\n"
+                                   " wall: moves with the ground; matrix, modes: by a file; estimated: by area.\n"
                                    " x swap  Enter edit  +/- step  n new  r run  o open  / find      ? help  q quit\n";
     fixture_close(&f);
     fixture_open(&f, "bodies", 80, 24, true);

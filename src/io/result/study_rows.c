@@ -123,7 +123,7 @@ static const struct thud_column bests[] = {
     THUD_STANDS_FOR("KEY", "Value of each other varied key, with its unit."),
     THUD_STANDS_FOR("bestUNIT", "Value with the smallest ratio, with the unit of its key."),
     BEST(ratio, "acceleration_ratio", "The larger of the structures' mean acceleration ratios there."),
-    BEST(drift_ratio, "drift_ratio", "Largest over the structures of the ratio of the mean deflections, there."),
+    BEST(drift_ratio, "drift_ratio", "Largest over the structures of the ratio of the mean drifts, there."),
     THUD_STANDS_FOR("flat_fromUNIT", "Smallest value within 5 % of it."),
     THUD_STANDS_FOR("flat_toUNIT", "Largest one."),
     BEST(worst_ratio, "worst_acceleration_ratio", "Ratio at the worst value of the key."),

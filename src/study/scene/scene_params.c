@@ -91,7 +91,7 @@ static const struct thud_place record_places[] = {
 
 static const struct thud_param structure_params[] = {
     WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."),
-    CHOICE("kind", "kind", "shear: storeys on the ground; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: as a file says; estimated: of an unknown neighbour, by height, system and area.",
+    CHOICE("kind", "kind", "shear: storeys; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: by a file; estimated: by area.",
            kinds, THUD_SHEAR),
     {COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN),
      .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
