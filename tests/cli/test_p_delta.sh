@@ -46,4 +46,11 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
     is "its scene says so" shows '"p-delta": "yes"'
     is "OpenSees gets the weights" gives 0 export opensees towers --set p-delta=yes --case none --set contact.law=kelvin-voigt
     is "as negative springs" [ "$(grep -c 'Elastic.*-.*# P-Delta' "$tmp/out")" -eq 10 ]
+    is "which gap does a building need that collapses" gives 0 gap towers-yielding --set p-delta=yes --peak 3g --quiet
+    is "none helps it" shows '^Storey 1 of A collapses without contact at 4\.174 s'
+    is "of three motions" gives 0 gap towers-yielding --set p-delta=yes --quiet \
+        --records "kobe-surrogate.csv:peak=3g,northridge-surrogate.csv:peak=3g,san-fernando-surrogate.csv:peak=0.5g"
+    is "two" shows '^Under 2 of the 3 ground motions a storey collapses without contact, first under kobe-surrogate.csv:$'
+    is "and where none does it says nothing" gives 0 gap towers-yielding --set p-delta=yes --peak 0.5g --quiet
+    is "of it" [ "$(grep -c collapses "$tmp/out")" -eq 0 ]
 }

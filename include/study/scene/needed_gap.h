@@ -16,6 +16,7 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
 
 /* One ground motion. */
 struct thud_needed_gap {
+    struct thud_collapse collapse; /* without contact: what is needed is that until then */
     int nlevels;
     struct thud_gap_level level[]; /* (nlevels) */
 };

@@ -250,6 +250,31 @@ static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
     }
 }
 
+/* A building that collapses without contact: no gap helps it. */
+static void put_collapses(const struct thud_gap_suite *suite, const struct thud_scene *scene, struct thud_text *out)
+{
+    int n = 0, first = 0;
+    for (int r = suite->nrecords - 1; r >= 0; r--)
+        if (suite->gap[r]->collapse.happened) {
+            n++;
+            first = r;
+        }
+    if (n == 0)
+        return;
+    const struct thud_collapse *c = &suite->gap[first]->collapse;
+    const struct thud_structure *s = &scene->structure[c->structure];
+    char name[48];
+    snprintf(name, sizeof name, "%.44s", thud_path_name(suite->record[first]));
+    if (suite->nrecords > 1)
+        thud_text_append(out, "Under %d of the %d ground motions a storey collapses without contact, first under %s:\n",
+                         n, suite->nrecords, name);
+    thud_text_append(out,
+                     "%s %d of %.40s collapses without contact at %.3f s: what is needed is the gap\n"
+                     "until then, and no gap prevents it.\n",
+                     suite->nrecords > 1 ? "storey" : "Storey", c->floor + 1 - (s->kind == THUD_ISOLATED), s->name,
+                     c->time_s);
+}
+
 /* "A (0.25 to 0.49 s)" */
 static void put_period(const struct thud_structure *s, const char *before, struct thud_text *out)
 {
@@ -360,6 +385,7 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     }
     put_ranges(study, scene, out);
     put_bumpers(scene, out);
+    put_collapses(suite, scene, out);
     thud_text_append(out, "\n");
     put_head(suite->nrecords > 1 ? "medians by level (cm)" : "by level (cm)", "", out);
     for (int l = 0; l < suite->gap[0]->nlevels && status == THUD_OK; l++) {

@@ -152,6 +152,7 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
         struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->npairs * sizeof *gap->level);
         if (gap) {
             gap->nlevels = model->npairs;
+            gap->collapse = thud_baseline_result(baseline)->collapse;
             bool aligned[THUD_STRUCTURES_MAX];
             thud_gap_aligned(bare, aligned);
             thud_gap_levels(aligned, model, baseline, gap->level);
