@@ -33,6 +33,8 @@ bool thud_target_is_code(const char *text);
 /* Sa at a period (0: the peak ground acceleration); between points straight on logarithmic axes, NaN outside them. */
 double thud_target_sa(const struct thud_target *target, double period_s);
 
+/* Over so many periods of its range a motion is held against a target. */
+enum { THUD_TARGET_PERIODS = 40 };
 /* Periods from `from_s` to `to_s` in geometric steps (count > 1). */
 void thud_target_periods(double from_s, double to_s, size_t count, double *period_s);
 /* Pseudo spectral acceleration of a motion at each period (a period of 0: its peak). */

@@ -93,7 +93,7 @@ START_TEST(three_motions_by_hand)
     struct thud_record *record[MOTIONS];
     struct thud_scaling scaling;
     struct thud_scaled_suite suite;
-    double factor[MOTIONS], mean[THUD_SCALING_PERIODS] = {0}, peak = 0, need = 0;
+    double factor[MOTIONS], mean[THUD_TARGET_PERIODS] = {0}, peak = 0, need = 0;
     bool common = _i == 1;
     for (int i = 0; i < MOTIONS; i++)
         record[i] = motion((unsigned)i + 1, 4.0 + 2 * i, "", "");
@@ -107,16 +107,16 @@ START_TEST(three_motions_by_hand)
         THUD_OK);
     for (int i = 0; i < MOTIONS; i++) {
         double sum = 0;
-        for (int p = 0; p < THUD_SCALING_PERIODS; p++) {
-            double period = 0.1 * pow(10, p / (THUD_SCALING_PERIODS - 1.0)), w = 2 * acos(-1) / period;
+        for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
+            double period = 0.1 * pow(10, p / (THUD_TARGET_PERIODS - 1.0)), w = 2 * acos(-1) / period;
             sum += log(thud_target_sa(&target, period) /
                        (w * w * thud_spectrum_at(record[i], period, 0.05).displacement_m));
         }
-        factor[i] = common ? 1 : exp(sum / THUD_SCALING_PERIODS);
+        factor[i] = common ? 1 : exp(sum / THUD_TARGET_PERIODS);
         peak += factor[i] * thud_record_peak(record[i]) / MOTIONS;
     }
-    for (int p = 0; p < THUD_SCALING_PERIODS; p++) {
-        double period = 0.1 * pow(10, p / (THUD_SCALING_PERIODS - 1.0)), w = 2 * acos(-1) / period;
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
+        double period = 0.1 * pow(10, p / (THUD_TARGET_PERIODS - 1.0)), w = 2 * acos(-1) / period;
         for (int i = 0; i < MOTIONS; i++)
             mean[p] += factor[i] * w * w * thud_spectrum_at(record[i], period, 0.05).displacement_m / MOTIONS;
         need = fmax(need, 0.9 * thud_target_sa(&target, period) / mean[p]);

@@ -6,8 +6,6 @@
 #include "base/text.h"
 #include "ground/target.h"
 
-enum { THUD_SCALING_PERIODS = 40 };
-
 struct thud_scaling {
     bool common;         /* all by one factor; else each to its least misfit, then all by one factor up to the rule */
     int count;           /* motions wanted; 0: all */
@@ -21,8 +19,8 @@ struct thud_scaled_motion {
     double misfit; /* root mean square of the logarithms, once scaled alone */
     double factor; /* of the motion as it was read */
     bool chosen;
-    char why[96];                                    /* not chosen: why */
-    double peak_mps2, sa_mps2[THUD_SCALING_PERIODS]; /* before scaling */
+    char why[96];                                   /* not chosen: why */
+    double peak_mps2, sa_mps2[THUD_TARGET_PERIODS]; /* before scaling */
 };
 
 struct thud_scaled_suite {
@@ -30,7 +28,7 @@ struct thud_scaled_suite {
     struct thud_scaled_motion *motion; /* (n) */
     bool narrowed; /* fewer periods count than were asked for: the motions' steps, the target's ends */
     double common; /* the last factor, a part of all of them */
-    double period_s[THUD_SCALING_PERIODS], target_mps2[THUD_SCALING_PERIODS], mean_mps2[THUD_SCALING_PERIODS];
+    double period_s[THUD_TARGET_PERIODS], target_mps2[THUD_TARGET_PERIODS], mean_mps2[THUD_TARGET_PERIODS];
     double ratio, ratio_s;            /* least mean over target, and its period */
     double mean_peak_mps2, zero_mps2; /* mean peak of the scaled motions, and the target's at T = 0 */
 };

@@ -99,7 +99,7 @@ static void put_result(const struct thud_suite_study *study, struct thud_text *o
     const struct thud_scaled_suite *s = &study->scaled;
     const struct thud_scaling *how = &study->scaling;
     thud_text_append(out, "\ntarget    %s, damping %.3g %%, periods %.3g to %.3g s", study->target.text,
-                     100 * study->target.damping, s->period_s[0], s->period_s[THUD_SCALING_PERIODS - 1]);
+                     100 * study->target.damping, s->period_s[0], s->period_s[THUD_TARGET_PERIODS - 1]);
     if (s->narrowed)
         thud_text_append(out, " in place of %.3g to %.3g s, which the motions' steps or the target do not reach",
                          how->from_s, how->to_s);
@@ -218,7 +218,7 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
         double value;
     } all[] = {{"common_factor", s->common},
                {"from_s", s->period_s[0]},
-               {"to_s", s->period_s[THUD_SCALING_PERIODS - 1]},
+               {"to_s", s->period_s[THUD_TARGET_PERIODS - 1]},
                {"damping", study->target.damping},
                {"least_ratio", s->ratio},
                {"least_ratio_period_s", s->ratio_s},
@@ -250,7 +250,7 @@ void thud_suite_list_text(const struct thud_suite_study *study, const char *from
 {
     if (study->has_target)
         thud_text_append(out, "# scaled to %s over %.4g to %.4g s\n", study->target.text, study->scaled.period_s[0],
-                         study->scaled.period_s[THUD_SCALING_PERIODS - 1]);
+                         study->scaled.period_s[THUD_TARGET_PERIODS - 1]);
     for (int i = 0; i < study->records->n; i++) {
         const struct thud_record *r = study->records->record[i];
         double factor = study->factor[i];

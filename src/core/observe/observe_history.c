@@ -89,11 +89,11 @@ int thud_history_link_stroke(const struct thud_history *h, int link)
     return thud_history_column(h, h->nstruck, 0) + h->nlinks + link;
 }
 
-enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
-                                const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
-                                double look_s, struct thud_error *err)
+enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_model *model,
+                                        const struct thud_result *result, const struct thud_ledger *ledger,
+                                        double step_s, double look_s, struct thud_error *err)
 {
-    *rows = (struct thud_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
+    *rows = (struct thud_history_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->npairs;
     rows->history.nstoreys = model->nstoreys - model->nslips;
@@ -108,12 +108,12 @@ enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model 
     return rows->work ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
-void thud_rows_clear(struct thud_rows *rows)
+void thud_history_rows_clear(struct thud_history_rows *rows)
 {
     free(rows->history.time_s);
     free(rows->history.value);
     free(rows->work);
-    *rows = (struct thud_rows){0};
+    *rows = (struct thud_history_rows){0};
 }
 
 static double *new_row(struct thud_history *h, double time, struct thud_error *err)
@@ -238,7 +238,7 @@ static void accelerations(const struct thud_model *m, const struct thud_segment 
 }
 
 /* A row at s of the present segment. */
-static enum thud_status row_at(struct thud_rows *rows, const struct thud_observation *o, double s,
+static enum thud_status row_at(struct thud_history_rows *rows, const struct thud_observation *o, double s,
                                struct thud_error *err)
 {
     const struct thud_model *m = o->state->model;
@@ -288,7 +288,7 @@ static double impulse_parts(const struct thud_segment *seg, int nrows, int c, do
 
 /* Parts that a segment in contact is shown in: close enough for a smooth curve of an impact of 25 ms, and for the
  * impulse of the shortest. */
-static int contact_rows(const struct thud_rows *rows, const struct thud_observation *o)
+static int contact_rows(const struct thud_history_rows *rows, const struct thud_observation *o)
 {
     enum { LEAST = 2, MOST = 200 };
     if (o->seg->end) /* not located: the ends are all that the step knows */
@@ -305,7 +305,7 @@ static int contact_rows(const struct thud_rows *rows, const struct thud_observat
 
 /* The time of the row after one at t: after a contact closer for a while, since impacts wake the higher modes; else on
  * the grid of the step. */
-static double next_row(const struct thud_rows *rows, double t)
+static double next_row(const struct thud_history_rows *rows, double t)
 {
     const double close_s = 2.5e-3;
     double step = rows->step_s;
@@ -321,7 +321,7 @@ static double sooner(double best, struct thud_peak peak, double after)
 
 /* The first time after `after` at which the result has a peak so far, INFINITY where there is none: a row stands there,
  * so that the largest value of a column is the peak. */
-static double next_peak(const struct thud_rows *rows, double after)
+static double next_peak(const struct thud_history_rows *rows, double after)
 {
     const struct thud_result *r = rows->result;
     double best = INFINITY;
@@ -350,14 +350,14 @@ static double next_peak(const struct thud_rows *rows, double after)
     return best;
 }
 
-static double last_time(const struct thud_rows *rows)
+static double last_time(const struct thud_history_rows *rows)
 {
     const struct thud_history *h = &rows->history;
     return h->rows ? h->time_s[h->rows - 1] : -INFINITY;
 }
 
 /* Rows of the peaks before t, from where the last row stands. */
-static enum thud_status peak_rows(struct thud_rows *rows, const struct thud_observation *o, double t0, double t,
+static enum thud_status peak_rows(struct thud_history_rows *rows, const struct thud_observation *o, double t0, double t,
                                   struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -370,7 +370,7 @@ static enum thud_status peak_rows(struct thud_rows *rows, const struct thud_obse
 }
 
 /* Rows of a segment in contact, also at both its ends. */
-static enum thud_status rows_in_contact(struct thud_rows *rows, const struct thud_observation *o, bool switched,
+static enum thud_status rows_in_contact(struct thud_history_rows *rows, const struct thud_observation *o, bool switched,
                                         struct thud_error *err)
 {
     const double while_s = 0.4;
@@ -400,7 +400,7 @@ static bool is_stop(const struct thud_record *r, double t)
 }
 
 /* Rows of a segment without contact: on the grid, and at its end where something may switch there. */
-static enum thud_status rows_between_contacts(struct thud_rows *rows, const struct thud_observation *o,
+static enum thud_status rows_between_contacts(struct thud_history_rows *rows, const struct thud_observation *o,
                                               struct thud_error *err)
 {
     double t0 = o->seg->start_s, h = o->seg->h_s, s = o->s, fuzz = THUD_TOL_ROW * rows->step_s;
@@ -425,7 +425,7 @@ static enum thud_status rows_between_contacts(struct thud_rows *rows, const stru
 
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
-    struct thud_rows *rows = own;
+    struct thud_history_rows *rows = own;
     const bool switched_here = rows->switched;
     rows->switched = false;
     if (rows->row_waits && !switched_here) /* nothing has switched there: a row like any other of a step */
@@ -439,7 +439,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
                               struct thud_error *err)
 {
-    struct thud_rows *rows = own;
+    struct thud_history_rows *rows = own;
     const struct thud_ledger *of_run = rows->ledger;
     struct thud_ledger ledger = *of_run; /* goes on with the rows; that of the run by the whole block */
     enum thud_status status = THUD_OK;
@@ -462,7 +462,7 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
 
 static void switched(void *own, const struct thud_state *state, int row, enum thud_event event)
 {
-    struct thud_rows *rows = own;
+    struct thud_history_rows *rows = own;
     (void)state, (void)row, (void)event;
     rows->switched = true;
 }

@@ -4,7 +4,7 @@
 
 #include "core/observe/observe_energy.h"
 
-struct thud_rows {
+struct thud_history_rows {
     struct thud_history history;
     const struct thud_result *result;
     const struct thud_ledger *ledger;
@@ -20,7 +20,7 @@ struct thud_rows {
 extern const struct thud_observer thud_observe_history;
 
 /* Errors: THUD_MEMORY. */
-enum thud_status thud_rows_init(struct thud_rows *rows, const struct thud_model *model,
-                                const struct thud_result *result, const struct thud_ledger *ledger, double step_s,
-                                double look_s, struct thud_error *err);
-void thud_rows_clear(struct thud_rows *rows);
+enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const struct thud_model *model,
+                                        const struct thud_result *result, const struct thud_ledger *ledger,
+                                        double step_s, double look_s, struct thud_error *err);
+void thud_history_rows_clear(struct thud_history_rows *rows);

@@ -49,7 +49,7 @@ struct thud_run {
     struct thud_contact_work *contact_work; /* (ncontacts) over the segment at hand */
     struct thud_contact_log log;
     struct thud_peaks peaks;
-    struct thud_rows rows;
+    struct thud_history_rows rows;
     struct thud_ledger ledger;
     struct thud_floor_oscillators floors;
 

@@ -196,8 +196,8 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     if (m->shears)
         thud_run_observe(run, &thud_observe_shear, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
-        status = thud_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
-                                run->options.history_look_s, err);
+        status = thud_history_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
+                                        run->options.history_look_s, err);
         thud_run_observe(run, &thud_observe_history, &run->rows);
     }
     if (status == THUD_OK)
@@ -280,7 +280,7 @@ void thud_run_free(struct thud_run *run)
     thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
     thud_peaks_clear(&run->peaks);
-    thud_rows_clear(&run->rows);
+    thud_history_rows_clear(&run->rows);
     thud_ledger_clear(&run->ledger);
     thud_floor_oscillators_clear(&run->floors);
     free(run->end);

@@ -1,6 +1,7 @@
 #include "io/file/schema.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/version.h"
@@ -270,6 +271,18 @@ static double rounded(double x, int places)
     return fabs(x) <= 0.5 * pow(10, -places) ? fabs(x) : x;
 }
 
+/* With so many places after the point, or as many fewer as leave a blank before it. */
+static void put_places(int width, int places, double x, struct thud_text *out)
+{
+    char text[400];
+    do
+        snprintf(text, sizeof text, "%.*f", places, rounded(x, places));
+    while (width > 0 && (int)strlen(text) >= width && places-- > 0);
+    if (width > 0 && (int)strlen(text) >= width)
+        snprintf(text, sizeof text, "%.2g", x);
+    thud_text_append(out, "%*s", width, text);
+}
+
 static void put_shown(const struct thud_column *field, int places, const struct value *v, struct thud_text *out)
 {
     const struct thud_shown *s = &field->shown;
@@ -283,9 +296,9 @@ static void put_shown(const struct thud_column *field, int places, const struct 
     else if (s->how == THUD_DIGITS_WORD)
         thud_text_append(out, "%*.0f", s->width, rounded(x, 0));
     else if (s->how == THUD_DIGITS_FIXED)
-        thud_text_append(out, "%*.*f", s->width, s->digits, rounded(x, s->digits));
+        put_places(s->width, s->digits, x, out);
     else if (s->how == THUD_DIGITS_PLACES && places >= 0 && fabs(x) < 1e9)
-        thud_text_append(out, "%*.*f", s->width, places, rounded(x, places));
+        put_places(s->width, places, x, out);
     else if (s->how == THUD_DIGITS_PLACES)
         thud_text_append(out, "%*.5g", s->width, x);
     else if (fabs(x) < pow(10, s->digits))

@@ -124,8 +124,8 @@ static void convert(struct record_raw *raw)
 static enum thud_status scale_to_target(const struct thud_record *record, const struct thud_record_choice *choice,
                                         double *factor, struct thud_error *err)
 {
-    enum { PERIODS = 40 };
-    double period[PERIODS], wanted[PERIODS], has[PERIODS], misfit, from = choice->target_from_s;
+    double period[THUD_TARGET_PERIODS], wanted[THUD_TARGET_PERIODS], has[THUD_TARGET_PERIODS], misfit,
+        from = choice->target_from_s;
     struct thud_target target;
     enum thud_status status = thud_target_read(choice->target, &target, err);
     if (status == THUD_OK && !(choice->target_to_s > from))
@@ -134,14 +134,14 @@ static enum thud_status scale_to_target(const struct thud_record *record, const 
         status = thud_error_set(err, THUD_INPUT, "a record of nothing but zeros cannot be scaled to a spectrum");
     if (status == THUD_OK) {
         from = fmin(fmax(from, 4 * record->dt_s), 0.5 * choice->target_to_s); /* four samples a period */
-        thud_target_periods(from, choice->target_to_s, PERIODS, period);
-        thud_target_motion(record, target.damping, period, PERIODS, has);
-        for (int i = 0; i < PERIODS; i++)
+        thud_target_periods(from, choice->target_to_s, THUD_TARGET_PERIODS, period);
+        thud_target_motion(record, target.damping, period, THUD_TARGET_PERIODS, has);
+        for (int i = 0; i < THUD_TARGET_PERIODS; i++)
             wanted[i] = thud_target_sa(&target, period[i]);
-        *factor *= thud_target_factor(wanted, has, PERIODS, &misfit);
+        *factor *= thud_target_factor(wanted, has, THUD_TARGET_PERIODS, &misfit);
         if (!(*factor == *factor))
             status = thud_error_set(err, THUD_INPUT, "the target has no values from %.3g to %.3g s", from,
-                                    period[PERIODS - 1]);
+                                    period[THUD_TARGET_PERIODS - 1]);
     }
     if (status != THUD_OK)
         thud_error_key(err, "target");

@@ -5,7 +5,7 @@
 
 #include "base/quantity.h"
 
-enum { N = THUD_SCALING_PERIODS };
+enum { N = THUD_TARGET_PERIODS };
 
 static void curve(struct thud_panel *panel, struct thud_style style, const char *name, const double *x,
                   const double *y_mps2, double factor)

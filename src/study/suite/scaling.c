@@ -46,7 +46,7 @@ static enum thud_status set_range(const struct thud_record *const *record, int n
                                  "no period from %.4g to %.4g s is resolved by the motions and in the target",
                                  s->from_s, s->to_s);
     suite->narrowed = from > s->from_s || to < s->to_s;
-    thud_target_periods(from, to, THUD_SCALING_PERIODS, suite->period_s);
+    thud_target_periods(from, to, THUD_TARGET_PERIODS, suite->period_s);
     return THUD_OK;
 }
 
@@ -111,16 +111,16 @@ static void choose(const struct thud_record *const *record, struct thud_scaled_s
 static void scale_all(struct thud_scaled_suite *suite, const struct thud_target *target, bool common)
 {
     double count = suite->chosen, peak = 0, need = 0;
-    for (int p = 0; p < THUD_SCALING_PERIODS; p++)
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++)
         suite->mean_mps2[p] = 0;
     for (int i = 0; i < suite->n; i++) {
         struct thud_scaled_motion *m = &suite->motion[i];
         m->factor = common ? 1 : m->factor;
-        for (int p = 0; m->chosen && p < THUD_SCALING_PERIODS; p++)
+        for (int p = 0; m->chosen && p < THUD_TARGET_PERIODS; p++)
             suite->mean_mps2[p] += m->factor * m->sa_mps2[p] / count;
         peak += m->chosen ? m->factor * m->peak_mps2 / count : 0;
     }
-    for (int p = 0; p < THUD_SCALING_PERIODS && target; p++)
+    for (int p = 0; p < THUD_TARGET_PERIODS && target; p++)
         need = fmax(need, least_share * suite->target_mps2[p] / suite->mean_mps2[p]);
     suite->zero_mps2 = target ? thud_target_sa(target, 0) : NAN;
     if (target && suite->zero_mps2 > 0)
@@ -128,7 +128,7 @@ static void scale_all(struct thud_scaled_suite *suite, const struct thud_target 
     suite->common = !target ? 1 : common ? need : fmax(1, need);
     suite->mean_peak_mps2 = suite->common * peak;
     suite->ratio = INFINITY;
-    for (int p = 0; p < THUD_SCALING_PERIODS; p++) {
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
         suite->mean_mps2[p] *= suite->common;
         double ratio = target ? suite->mean_mps2[p] / suite->target_mps2[p] : NAN;
         if (ratio < suite->ratio) {
@@ -148,15 +148,15 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
     if (!out->motion)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = set_range(record, n, target, scaling, out, err);
-    for (int p = 0; p < THUD_SCALING_PERIODS; p++)
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++)
         out->target_mps2[p] = target ? thud_target_sa(target, out->period_s[p]) : NAN;
     for (int i = 0; i < n && status == THUD_OK; i++) {
         struct thud_scaled_motion *m = &out->motion[i];
         m->peak_mps2 = thud_record_peak(record[i]);
         m->factor = 1;
-        thud_target_motion(record[i], target ? target->damping : 0.05, out->period_s, THUD_SCALING_PERIODS, m->sa_mps2);
+        thud_target_motion(record[i], target ? target->damping : 0.05, out->period_s, THUD_TARGET_PERIODS, m->sa_mps2);
         if (target && m->peak_mps2 > 0)
-            m->factor = thud_target_factor(out->target_mps2, m->sa_mps2, THUD_SCALING_PERIODS, &m->misfit);
+            m->factor = thud_target_factor(out->target_mps2, m->sa_mps2, THUD_TARGET_PERIODS, &m->misfit);
         m->chosen = !target;
     }
     out->chosen = target ? 0 : n;

@@ -141,7 +141,7 @@ static enum thud_status make(const struct thud_tui *tui, struct thud_basket *bas
         status = thud_suite_scale((const struct thud_record *const *)list.record, list.n, NULL, &scaling, &suite, err);
     if (status == THUD_OK) {
         const bool has_target = target_of(scene, &target);
-        for (int p = 0; has_target && p < THUD_SCALING_PERIODS; p++)
+        for (int p = 0; has_target && p < THUD_TARGET_PERIODS; p++)
             suite.target_mps2[p] = thud_target_sa(&target, suite.period_s[p]);
         basket->figure = thud_figure_of_suite(&suite, has_target ? target.text : "", mark, marks);
         status = thud_figure_check(basket->figure, err);
