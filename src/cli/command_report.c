@@ -59,7 +59,8 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         status = thud_records_option_read(args, session, &records, err);
     if (status != THUD_OK)
         return status;
-    static const char *const asked[] = {"records", "signs", "uncertain", "samples", "sampling", "seed", "beside", NULL};
+    static const char *const asked[] = {"records", "signs",  "uncertain", "samples", "sampling",
+                                        "seed",    "beside", "figures",   NULL};
     struct thud_made_by by;
     status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
                                 records.n, asked, &by, err);
@@ -77,6 +78,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_site_report_options options = {.by = &by,
                                                .command = text.data,
                                                .beside = thud_args_value(args, "beside"),
+                                               .drawn = thud_args_value(args, "figures"),
                                                .pdf = thud_args_has(args, "pdf"),
                                                .records = &records,
                                                .inputs = &inputs.inputs,

@@ -162,6 +162,13 @@ is "and a table of them" in_text 'Columns that slabs strike: largest shear and m
 sed 's/gap: 8 cm/gap: 9 cm/' "$tmp/own.yaml" >"$tmp/wider.yaml"
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0 --beside "$tmp/wider.yaml"
 is "a variant is run as its preset is written" in_text "| own | 8.000 | 5.000 | $(count) | $(force) | .* | wider | 9.000 | 5.000 | $(count --set gap=9cm) | $(force --set gap=9cm) |"
+"$THUD" run "$tmp/own.yaml" -o "$tmp/drawn" --format svg --quiet >/dev/null
+is "figures drawn before" report 0 "$tmp/own.yaml" --samples 0 --figures "$tmp/drawn/loop.svg,$tmp/drawn"
+is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*. .*: total floor acceleration (g); .*[^.]\.  '
+is "as they were drawn" cmp "$tmp/r/further-1.svg" "$tmp/drawn/loop.svg"
+is "all of them" [ "$(find "$tmp/r" -name 'further-*.svg' | wc -l)" -eq $(($(find "$tmp/drawn" -name '*.svg' | wc -l) + 1)) ]
+is "what is no picture is said before anything is run" report 3 "$tmp/own.yaml" --figures "$tmp/own.yaml"
+is "and how one is made" says 'is no SVG picture; `--format svg` draws one'
 is "has no shares" not_in_text 'samples of the uncertain'
 
 is "without a folder" gives 2 report towers

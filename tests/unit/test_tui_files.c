@@ -536,8 +536,6 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
-static void use_program(char *path, size_t size, const char *script);
-
 /* Two buildings of one's own, a suite of two motions, two variants of the gap with names, fragility over the suite, and the
  * report of the one that is chosen. */
 START_TEST(the_walk_to_a_report)
@@ -556,7 +554,7 @@ START_TEST(the_walk_to_a_report)
     f.tui->options.gnuplot = "/nowhere/gnuplot";
     ck_assert_int_eq(chdir(f.folder), 0);
     fixture_write(&f, "another.csv", "time_s,acceleration_g\n0,0\n0.1,0.2\n0.2,-0.3\n0.3,0.1\n0.4,0\n");
-    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
+    fixture_program(&f, program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
     for (size_t i = 0; i < sizeof walk / sizeof *walk; i++) {
         fixture_keys(&f, walk[i]);
         keys += count_keys(walk[i]);
@@ -628,25 +626,13 @@ START_TEST(new_scenes_of_every_kind)
 }
 END_TEST
 
-/* A program that is this shell script. */
-static void use_program(char *path, size_t size, const char *script)
-{
-    snprintf(path, size, "%s/thud.sh", f.folder);
-    FILE *file = fopen(path, "w");
-    ck_assert_ptr_nonnull(file);
-    fprintf(file, "#!/bin/sh\n%s\n", script);
-    ck_assert_int_eq(fclose(file), 0);
-    ck_assert_int_eq(chmod(path, 0755), 0);
-    f.tui->options.program = path;
-}
-
 /* The form has the command's own options; what is filled in is what the command gets, on the file that is open. Progress is
  * said while it runs, then the files or what it prints. */
 START_TEST(commands_have_forms)
 {
     char program[200], expected[300];
     ck_assert_int_eq(chdir(f.folder), 0);
-    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
+    fixture_program(&f, program, sizeof program, "printf '[%s]' \"$@\" >said; : >report.html; echo report.html");
     fixture_keys(&f, ":set gap 3 cm<Enter>R");
     fixture_expect(&f, "w saves them first");
     fixture_keys(&f, "uR");
@@ -668,17 +654,17 @@ START_TEST(commands_have_forms)
     snprintf(expected, sizeof expected, "[report][%s/towers.yaml][-o][towers-report][--project][Two towers]", f.folder);
     ck_assert_str_eq(said, expected);
     free(said);
-    use_program(program, sizeof program, "printf '[%s]' \"$@\" >said; echo ' a table'; echo 'of two rows'");
+    fixture_program(&f, program, sizeof program, "printf '[%s]' \"$@\" >said; echo ' a table'; echo 'of two rows'");
     fixture_keys(&f, ":export opensees --case none<Enter>");
     fixture_expect(&f, "of two rows");
     said = fixture_file(&f, "said");
     snprintf(expected, sizeof expected, "[export][opensees][%s/towers.yaml][--case][none]", f.folder);
     ck_assert_str_eq(said, expected);
     free(said);
-    use_program(program, sizeof program, "echo 'half of it' >&2; exit 3");
+    fixture_program(&f, program, sizeof program, "echo 'half of it' >&2; exit 3");
     fixture_keys(&f, "<Esc>:gap<Enter><Enter>");
     fixture_expect(&f, "! thud gap: half of it");
-    use_program(program, sizeof program, "echo working >&2; exec sleep 1000");
+    fixture_program(&f, program, sizeof program, "echo working >&2; exec sleep 1000");
     fixture_expect(&f, "thud gap");
     thud_tui_command(f.tui, "gap -j 1");
     while (strcmp(f.tui->said.text, "thud gap: working") != 0)

@@ -37,9 +37,11 @@ static void use_gnuplot(const char *script)
     f.tui->options.gnuplot = fake;
 }
 
-static int count_files(const char *ending)
+static int count_files_in(const char *name, const char *ending)
 {
-    DIR *folder = opendir(f.folder);
+    char path[200];
+    snprintf(path, sizeof path, "%s/%s", f.folder, name);
+    DIR *folder = opendir(path);
     int n = 0;
     for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
         size_t length = strlen(entry->d_name), end = strlen(ending);
@@ -48,6 +50,11 @@ static int count_files(const char *ending)
     if (folder)
         closedir(folder);
     return n;
+}
+
+static int count_files(const char *ending)
+{
+    return count_files_in("", ending);
 }
 
 START_TEST(the_figure_shown)
@@ -147,6 +154,37 @@ START_TEST(figures_are_marked_on_the_shelf)
 }
 END_TEST
 
+/* R on the shelf draws what is marked into a folder of its own, and the report gets it. */
+START_TEST(marked_figures_go_into_the_report)
+{
+    char program[200], first[200];
+    ck_assert_int_eq(chdir(f.folder), 0);
+    fixture_program(&f, program, sizeof program, "printf '[%s]' \"$@\" >said");
+    fixture_keys(&f, "F");
+    fixture_keys(&f, "<Down> <Down> R");
+    fixture_expect(&f, "thud report");
+    ck_assert_int_eq(count_files_in("towers-figures", ".svg"), 2);
+    ck_assert_int_eq(count_files_in("towers-figures", ".csv"), 2);
+    fixture_keys(&f, "<Enter>");
+    char *said = fixture_file(&f, "said");
+    ck_assert_ptr_nonnull(said);
+    snprintf(first, sizeof first, "[--figures][%s/towers-figures]", f.folder);
+    ck_assert_msg(strstr(said, first) != NULL, "%s", said);
+    free(said);
+    fixture_keys(&f, "R<Enter>"); /* those were for that report alone */
+    said = fixture_file(&f, "said");
+    ck_assert_ptr_null(strstr(said, "--figures"));
+    free(said);
+    fixture_keys(&f, "F");
+    fixture_keys(&f, "R");
+    fixture_keys(&f, "<Esc>");
+    ck_assert_int_eq(count_files_in("towers-figures-2", ".svg"), 2); /* the scene may be another since */
+    fixture_keys(&f, ":set gap 3 cm<Enter>F");
+    fixture_keys(&f, "R");
+    fixture_expect(&f, "w saves them first");
+}
+END_TEST
+
 /* The screens go on while gnuplot works: here it draws one figure and then hangs. */
 START_TEST(stopping)
 {
@@ -230,6 +268,7 @@ Suite *thud_suite(void)
     tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, figures_are_marked_on_the_shelf);
+    tcase_add_test(pictures, marked_figures_go_into_the_report);
     tcase_add_test(pictures, stopping);
     tcase_add_test(pictures, a_drawing_leaves_the_end_to_be_seen);
     tcase_add_test(pictures, quitting_stops_it);

@@ -73,6 +73,16 @@ void fixture_write(struct fixture *f, const char *name, const char *text)
     ck_assert_int_eq(fclose(file), 0);
 }
 
+void fixture_program(struct fixture *f, char *path, size_t size, const char *script)
+{
+    char text[2048];
+    snprintf(path, size, "%s/thud.sh", f->folder);
+    snprintf(text, sizeof text, "#!/bin/sh\n%s\n", script);
+    fixture_write(f, "thud.sh", text);
+    ck_assert_int_eq(chmod(path, 0755), 0);
+    f->tui->options.program = path;
+}
+
 /* Three seconds of a sine with a period near the towers' own. */
 void fixture_write_pulse(struct fixture *f)
 {
@@ -121,21 +131,19 @@ static void remove_files(const char *name)
     for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;) {
         char path[1024];
         snprintf(path, sizeof path, "%s/%s", name, entry->d_name);
-        if (*entry->d_name != '.')
-            unlink(path);
+        if (*entry->d_name != '.' && unlink(path) != 0)
+            remove_files(path);
     }
     if (folder)
         closedir(folder);
+    rmdir(name);
 }
 
 void fixture_close(struct fixture *f)
 {
     thud_tui_free(f->tui);
     thud_text_clear(&f->script.raw);
-    remove_files(f->paths.presets);
-    rmdir(f->paths.presets);
     remove_files(f->folder);
-    rmdir(f->folder);
 }
 
 void fixture_keys(struct fixture *f, const char *keys)

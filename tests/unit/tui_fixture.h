@@ -30,4 +30,6 @@ char *fixture_file(struct fixture *f, const char *name);
 void fixture_write_pulse(struct fixture *f); /* pulse.csv */
 /* The record is gone from the disk, and looked for again. */
 void fixture_take_record(struct fixture *f);
+/* A program in place of thud's own that is this shell script; its path. */
+void fixture_program(struct fixture *f, char *path, size_t size, const char *script);
 void fixture_write(struct fixture *f, const char *name, const char *text);

@@ -277,6 +277,8 @@ static void clear(struct site *site)
     thud_uncertainty_study_clear(&site->samples);
     thud_uncertainty_free(site->uncertainty);
     thud_site_suite_clear(site);
+    for (int i = 0; i < site->ndrawn; i++)
+        thud_text_clear(&site->drawn[i]);
     thud_document_clear(&site->document);
 }
 
@@ -290,6 +292,8 @@ enum thud_status thud_site_report(struct thud_session *session, const struct thu
     site->session = session;
     site->scene = &session->scene;
     enum thud_status status = thud_scene_check(site->scene, err);
+    if (status == THUD_OK)
+        status = thud_site_drawn_read(site, err);
     const bool by_suite = !session->scene.record.file[0] && options->records && options->records->n > 0;
     if (status == THUD_OK && !by_suite)
         status = thud_session_read_record(session, err);

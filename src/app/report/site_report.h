@@ -12,6 +12,7 @@ struct thud_site_report_options {
     const struct thud_made_by *by;          /* the folder, and whose results its are */
     const char *command;                    /* as typed, to repeat it */
     const char *beside;                     /* presets to compare with, with commas; NULL: none */
+    const char *drawn;                      /* SVG files, or folders of them, for its end, likewise */
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
     const struct thud_inputs *inputs;       /* that are uncertain */
     size_t samples;                         /* of them; 0: none are drawn */

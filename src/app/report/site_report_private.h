@@ -39,7 +39,7 @@ struct site_suite {
 };
 
 /* A preset beside the scene, which is the first of them. */
-enum { SITE_VARIANTS_MAX = 16 };
+enum { SITE_VARIANTS_MAX = 16, SITE_DRAWN_MAX = 64 };
 struct site_variant {
     char name[THUD_NAME_MAX];
     double gap_m, bumper_m; /* the smallest; the thickest, 0: there is none */
@@ -65,6 +65,8 @@ struct site {
     struct site_suite suite;
     struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
     int nvariants;                                  /* 0: none are asked for */
+    struct thud_text drawn[SITE_DRAWN_MAX];         /* (ndrawn) SVG pictures that were drawn before */
+    int ndrawn;
     struct {
         const char *method;
         int values, counts; /* compared, 0: it was given up; impact counts that differ */
@@ -116,6 +118,12 @@ void thud_site_suite_section(struct site *site);
 /* Errors: those of opening and running a preset. */
 enum thud_status thud_site_variants_run(struct site *site, struct thud_error *err);
 void thud_site_variants(struct site *site);
+
+/* ---- figures that were drawn before ---- */
+
+/* Reads them. Errors: THUD_INPUT (a file that is no SVG picture), THUD_USAGE (too many). */
+enum thud_status thud_site_drawn_read(struct site *site, struct thud_error *err);
+void thud_site_drawn(struct site *site);
 
 /* ---- how sure it is ---- */
 

@@ -94,8 +94,9 @@ static bool begin(struct thud_picture_work *work)
 }
 
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
-                                         const char *program, const struct thud_picture_screen *screen,
-                                         struct thud_picture_work **out, struct thud_error *err)
+                                         enum thud_picture_format format, const char *program,
+                                         const struct thud_picture_screen *screen, struct thud_picture_work **out,
+                                         struct thud_error *err)
 {
     struct thud_picture_work *work = calloc(1, sizeof *work);
     if (!work) {
@@ -109,6 +110,8 @@ enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int 
     strncpy(work->folder, folder, sizeof work->folder - 1);
     work->options.cancel = &work->cancel;
     work->options.program = program;
+    work->options.format = format;
+    work->options.no_title = format == THUD_SVG; /* a caption says it */
     work->screen = *screen;
     pthread_mutex_init(&work->mutex, NULL);
     if (begin(work)) {

@@ -15,11 +15,12 @@ struct thud_picture_screen {
     int width_px, height_px; /* 0: none is wanted */
 };
 
-/* Begins to write figures (count of them, at most THUD_PICTURES_MAX) into a folder and takes them over, also on
+/* Begins to write figures (count of them, at most THUD_PICTURES_MAX) into a folder in this format and takes them over, also on
  * failure. `program`: gnuplot; NULL: from PATH. Errors: THUD_MEMORY. */
 enum thud_status thud_picture_work_start(struct thud_figure *const *figure, int count, const char *folder,
-                                         const char *program, const struct thud_picture_screen *screen,
-                                         struct thud_picture_work **out, struct thud_error *err);
+                                         enum thud_picture_format format, const char *program,
+                                         const struct thud_picture_screen *screen, struct thud_picture_work **out,
+                                         struct thud_error *err);
 int thud_picture_work_fd(const struct thud_picture_work *work); /* readable when something has changed */
 /* How many are written of how many; false: it has come to its end. Takes what made the file readable: one place looks,
  * and what it saw is kept. */

@@ -173,6 +173,8 @@ struct thud_files {
     enum thud_image picture;           /* one covers the screen, in this way, until the next key */
     char written[700];                 /* what is written then */
     bool pictures_wanted;              /* once the run has its histories */
+    char for_report[512];              /* the folder of figures drawn for the report; empty: there is none */
+    bool report_wanted;                /* its form, once they are drawn */
     enum thud_action whole_wanted;     /* what is done once it has them whole: PICTURE or EXPORT */
 };
 
@@ -310,6 +312,8 @@ struct thud_shelved {
 };
 /* Takes figures over (at most THUD_PICTURES_MAX), and writes one after the other while the screens go on. */
 void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int count);
+/* Likewise, as SVG into a folder of their own; then the report is asked for. */
+void thud_tui_figures_of_report(struct thud_tui *tui, const struct thud_shelved *item, int count);
 void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure); /* one, copied */
 void thud_tui_writing_look(struct thud_tui *tui); /* says so when the figures are written */
 void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */

@@ -111,11 +111,13 @@ void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_c
     file_name(tui, thud_tui_view(tui)->many, what, of_case, name, size);
 }
 
-void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int count)
+/* Takes figures over and writes them into a folder, renamed, with what their motions are. */
+static bool start(struct thud_tui *tui, const struct thud_shelved *item, int count, enum thud_picture_format format,
+                  const char *folder)
 {
     struct thud_error err;
     struct thud_figure *figure[THUD_PICTURES_MAX];
-    char name[200], first[200], motions[64];
+    char name[200], motions[64];
     for (int i = 0; i < count; i++) {
         const struct thud_view *view = tui->view[item[i].screen];
         const struct thud_record *record = view->moved ? tui->doc.record : NULL; /* a study's have their words */
@@ -127,26 +129,41 @@ void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int
         thud_figure_rename(figure[i], name);
         thud_figure_title_add(figure[i], motions);
     }
-    snprintf(first, sizeof first, "%s", count > 0 && figure[0] ? figure[0]->name : ""); /* the writer frees it */
+    if (count == 1 && figure[0])
+        snprintf(tui->files.written, sizeof tui->files.written, "%s/%.100s.png, .gp (draws it again) and .csv", folder,
+                 figure[0]->name);
+    else
+        snprintf(tui->files.written, sizeof tui->files.written, "%d figures into %s: .%s, .gp and .csv of each", count,
+                 folder, thud_picture_suffix(format));
     struct thud_picture_screen screen = {.format = THUD_PNG};
-    if (count == 1)
+    if (count == 1 && format == THUD_PNG)
         screen = thud_tui_picture_screen(tui);
     tui->files.screen = tui->screen;
-    if (thud_picture_work_start(figure, count, thud_tui_folder(tui), tui->options.gnuplot, &screen, &tui->files.work,
-                                &err) != THUD_OK) {
+    if (thud_picture_work_start(figure, count, folder, format, tui->options.gnuplot, &screen, &tui->files.work, &err) !=
+        THUD_OK) {
         thud_tui_say_error(tui, &err);
-        return;
+        return false;
     }
     tui->backend->also = thud_picture_work_fd(tui->files.work);
     tui->files.done = 0;
     tui->files.count = count;
-    if (count == 1)
-        snprintf(tui->files.written, sizeof tui->files.written, "%s/%.100s.png, .gp (draws it again) and .csv",
-                 thud_tui_folder(tui), first);
-    else
-        snprintf(tui->files.written, sizeof tui->files.written, "%d figures into %s: .png, .gp and .csv of each", count,
-                 thud_tui_folder(tui));
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Writing %s", tui->files.written);
+    return true;
+}
+
+void thud_tui_figures(struct thud_tui *tui, const struct thud_shelved *item, int count)
+{
+    start(tui, item, count, THUD_PNG, thud_tui_folder(tui));
+}
+
+void thud_tui_figures_of_report(struct thud_tui *tui, const struct thud_shelved *item, int count)
+{
+    char *folder = tui->files.for_report;
+    const size_t size = sizeof tui->files.for_report;
+    snprintf(folder, size, "%.300s/%s-figures", thud_tui_folder(tui), tui->doc.scene.name);
+    for (int i = 2; i < 10000 && access(folder, F_OK) == 0; i++) /* what stands in an older one is of an older scene */
+        snprintf(folder, size, "%.300s/%s-figures-%d", thud_tui_folder(tui), tui->doc.scene.name, i);
+    tui->files.report_wanted = start(tui, item, count, THUD_SVG, folder);
 }
 
 void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure)
@@ -172,6 +189,7 @@ void thud_tui_writing_look(struct thud_tui *tui)
     enum thud_status status = thud_picture_work_finish(tui->files.work, &done, &picture, &err);
     tui->files.work = NULL;
     tui->backend->also = -1;
+    tui->files.report_wanted = tui->files.report_wanted && status == THUD_OK;
     if (status == THUD_OK && picture.size > 0 && tui->dialog.mode == THUD_MODE_NORMAL &&
         tui->files.screen == tui->screen)
         thud_tui_show_picture(tui, &picture);

@@ -78,8 +78,10 @@ static void mark(struct thud_tui *tui, const struct thud_shelved *item)
     }
 }
 
+typedef void deliver(struct thud_tui *tui, const struct thud_shelved *item, int count);
+
 /* Takes all figures over: writes the marked ones, where none of them is marked all. */
-static void write_figures(struct thud_tui *tui, struct thud_shelved *item, int n)
+static void write_figures(struct thud_tui *tui, struct thud_shelved *item, int n, deliver *to)
 {
     int kept = 0, any = 0;
     for (int i = 0; i < n; i++)
@@ -90,7 +92,7 @@ static void write_figures(struct thud_tui *tui, struct thud_shelved *item, int n
         else
             thud_figure_free(item[i].figure);
     if (kept > 0)
-        thud_tui_figures(tui, item, kept);
+        to(tui, item, kept);
     else
         thud_tui_say(tui, THUD_ROLE_WARN, "There is no figure yet: r runs");
 }
@@ -105,7 +107,7 @@ void thud_tui_pictures(struct thud_tui *tui)
         thud_tui_run(tui);
         return;
     }
-    write_figures(tui, item, collect(tui, all ? -1 : tui->screen, item));
+    write_figures(tui, item, collect(tui, all ? -1 : tui->screen, item), thud_tui_figures);
 }
 
 /* ---- over the screen ---- */
@@ -192,27 +194,43 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
         thud_chart_figure(&in, shelf->item[shelf->at].figure, shelf->panel - 1, &chart);
 }
 
+/* Writes the marked ones, or all, and leaves the shelf; the report is of the marked ones alone. */
+static void deliver_all(struct thud_tui *tui, struct shelf *shelf, enum thud_action action)
+{
+    const bool report = action == THUD_DO_REPORT;
+    if (report && !*tui->files.marked) {
+        thud_tui_verb_form(tui, THUD_COMMAND_REPORT); /* in place of the shelf */
+        return;
+    }
+    const char *why = tui->files.work ? thud_tui_cannot(tui, THUD_DO_PICTURES)
+                      : report        ? thud_tui_cannot(tui, action)
+                                      : NULL;
+    if (why) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "%s", why);
+        return;
+    }
+    struct thud_shelved item[THUD_PICTURES_MAX];
+    const int n = shelf->n;
+    memcpy(item, shelf->item, (size_t)n * sizeof *item);
+    shelf->n = 0;
+    thud_tui_normal(tui);
+    write_figures(tui, item, n, report ? thud_tui_figures_of_report : thud_tui_figures);
+}
+
 static void take_key(struct thud_tui *tui, int key)
 {
     struct shelf *shelf = tui->dialog.own;
     const struct thud_figure *figure = shelf->at < shelf->n ? shelf->item[shelf->at].figure : NULL;
     int page = tui->canvas.height / 2, step = 0, panels = figure ? figure->rows * figure->columns : 0;
-    switch (thud_key_action(THUD_AT_SHELF, key)) {
+    enum thud_action action = thud_key_action(THUD_AT_SHELF, key);
+    switch (action) {
     case THUD_DO_CANCEL:
         empty(shelf);
         thud_tui_normal(tui);
         break;
     case THUD_DO_PICTURES:
-        if (tui->files.work) {
-            thud_tui_say(tui, THUD_ROLE_WARN, "%s", thud_tui_cannot(tui, THUD_DO_PICTURES));
-            break;
-        }
-        thud_tui_normal(tui);
-        write_figures(tui, shelf->item, shelf->n);
-        shelf->n = 0;
-        break;
     case THUD_DO_REPORT:
-        thud_tui_verb_form(tui, THUD_COMMAND_REPORT); /* in place of the shelf */
+        deliver_all(tui, shelf, action);
         return;
     case THUD_DO_MARK:
         if (shelf->at < shelf->n)
@@ -233,7 +251,7 @@ static void take_key(struct thud_tui *tui, int key)
         break;
     case THUD_DO_NEXT_CONTACT:
     case THUD_DO_PREVIOUS_CONTACT:
-        shelf->panel += thud_key_action(THUD_AT_SHELF, key) == THUD_DO_NEXT_CONTACT ? 1 : panels;
+        shelf->panel += action == THUD_DO_NEXT_CONTACT ? 1 : panels;
         shelf->panel %= panels + 1;
         return;
     default:

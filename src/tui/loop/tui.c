@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "app/run/command.h"
 #include "tui/document/command_work.h"
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
@@ -377,6 +378,10 @@ bool thud_tui_turn(struct thud_tui *tui, bool wait)
     int key = tui->backend->key(tui->backend, timeout);
     if (tui->files.work)
         thud_tui_writing_look(tui);
+    if (tui->files.report_wanted && !tui->files.work && tui->dialog.mode == THUD_MODE_NORMAL) {
+        tui->files.report_wanted = false;
+        thud_tui_verb_form(tui, THUD_COMMAND_REPORT);
+    }
     if (tui->files.command)
         thud_tui_verb_look(tui);
     if (key != THUD_KEY_NONE)

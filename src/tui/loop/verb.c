@@ -278,6 +278,9 @@ void thud_tui_verb_form(struct thud_tui *tui, int id)
                 thud_line_set(&form->value[form->n], folder);
             if (strcmp(option->name, "beside") == 0)
                 named_states(tui, &form->value[form->n]);
+            if (strcmp(option->name, "figures") == 0)
+                thud_line_set(&form->value[form->n], tui->files.for_report);
             form->option[form->n++] = option;
         }
+    tui->files.for_report[0] = '\0'; /* the next one may be of another scene */
 }
