@@ -257,8 +257,9 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     if (status == THUD_OK)
         status = thud_made_by_scene(args, "uncertainty", scene, motions, suite ? records.n : 1, asked, &by, err);
     if (status == THUD_OK)
-        status = thud_uncertainty_create(scene, session->record, (const struct thud_record *const *)records.record,
-                                         records.n, which, &inputs, &u, err);
+        status = thud_uncertainty_create(scene, suite ? NULL : session->record,
+                                         (const struct thud_record *const *)records.record, records.n, which, &inputs,
+                                         &u, err);
     study.uncertainty = u;
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);

@@ -309,6 +309,32 @@ START_TEST(a_motion_of_a_suite)
 }
 END_TEST
 
+/* Without a motion of the scene's own the nominal one is that of the median needed gap, which a factor on a motion
+ * multiplies where nothing yields. */
+START_TEST(the_nominal_motion_of_a_suite)
+{
+    static const double factor[] = {3, 0.5, 2, 1, 4};
+    struct thud_inputs inputs;
+    struct thud_uncertainty *u;
+    struct thud_record *suite[5];
+    thud_inputs_init(&inputs);
+    for (int i = 0; i < 5; i++) {
+        ck_assert_int_eq(thud_record_create(motion->a_mps2, motion->samples, motion->dt_s, &suite[i], &error), THUD_OK);
+        thud_record_scale(suite[i], factor[i]);
+    }
+    for (int n = 2; n <= 5; n++) { /* of 3 0.5 | 2 | 1 | 4 the lower median is 0.5, 2, 1, 2 */
+        static const int median[] = {1, 2, 3, 2};
+        ck_assert_int_eq(thud_uncertainty_create(scene, NULL, (const struct thud_record *const *)suite, n,
+                                                 THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                         THUD_OK);
+        ck_assert(thud_uncertainty_record(u, NAN) == suite[median[n - 2]]);
+        thud_uncertainty_free(u);
+    }
+    for (int i = 0; i < 5; i++)
+        thud_record_free(suite[i]);
+}
+END_TEST
+
 /* Of one input: of the structure or interface `of`, or of all of them. */
 static void change(struct thud_scene *to, enum thud_input input, int of, double size, double u, double *factor)
 {
@@ -424,6 +450,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, inputs_by_name);
     tcase_add_test(tcase, inputs_of_each_building);
     tcase_add_test(tcase, a_motion_of_a_suite);
+    tcase_add_test(tcase, the_nominal_motion_of_a_suite);
     tcase_add_test(tcase, changes_of_a_scene);
     tcase_add_test(tcase, samples_are_runs);
     suite_add_tcase(suite, tcase);

@@ -105,7 +105,8 @@ struct thud_uncertainty {
 };
 
 /* `which`: THUD_CASE_AS_WRITTEN and a scene without bumper: that alone; with one: none and bumper; else none and `which`.
- * `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one. Errors: THUD_INPUT (nothing is
+ * `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one, and without a `record` the
+ * nominal one is that whose required separation is the median. Errors: those of thud_needed_gap_run, THUD_INPUT (nothing is
  * uncertain; a size of what is not there), THUD_MEMORY. */
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_record *const *suite, int nsuite, enum thud_case which,

@@ -14,10 +14,8 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_SOLVE] = {"solve", "PRESET", "which value makes something hold", THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_FRAGILITY] = {"fragility", "PRESET", "how likely, against intensity and against gap",
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
-    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET",
-                                  "how sure a result is: inputs "
-                                  "by name and size",
-                                  THUD_WORD_PRESET, THUD_WORD_NONE},
+    [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "propagation of the inputs' uncertainty", THUD_WORD_PRESET,
+                                  THUD_WORD_NONE},
     [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
                               THUD_WORD_FIGURE, THUD_WORD_NONE},
     [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET,

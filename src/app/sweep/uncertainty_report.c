@@ -96,7 +96,7 @@ static void put_row(const struct thud_uncertainty *u, int q, const struct thud_u
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     char name[112];
     name_with_unit(quantity, name);
-    thud_text_append(out, "%-40.40s %8.4g", name, shown(quantity, t->nominal));
+    thud_text_append(out, "%-44.44s %8.4g", name, shown(quantity, t->nominal));
     if (!isnan(t->median))
         thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
                          shown(quantity, t->high));
@@ -112,7 +112,7 @@ static void put_most(const struct thud_uncertainty_study *study, int q, const st
     char name[112];
     name_with_unit(quantity, name);
     double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
-    thud_text_append(out, "%-40.40s %-17s %.4g to %.4g\n", name, u->input[most].name,
+    thud_text_append(out, "%-44.44s %-17s %.4g to %.4g\n", name, u->input[most].name,
                      shown(quantity, fmin(least, greatest)), shown(quantity, fmax(least, greatest)));
 }
 
@@ -181,21 +181,31 @@ static void put_between(const struct thud_uncertainty *u, int q, const struct th
     if (isnan(t->between))
         return;
     name_with_unit(&u->quantity[q], name);
-    thud_text_append(out, "%-40.40s %5.0f %% %5.0f %%\n", name, 100 * t->between, 100 * (1 - t->between));
+    thud_text_append(out, "%-44.44s %5.0f %% %5.0f %%\n", name, 100 * t->between, 100 * (1 - t->between));
+}
+
+/* Of a suite the nominal values and those of the tornado are of one of its motions. */
+static void put_nominal(const struct thud_uncertainty *u, struct thud_text *out)
+{
+    for (int r = 0; r < u->nsuite && u->nsuite > 1; r++)
+        if (u->suite[r] == u->record)
+            thud_text_append(out, "nominal and tornado: under %.60s,\nthe median of the %d motions' needed gaps\n\n",
+                             thud_path_name(u->record->file), u->nsuite);
 }
 
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
     put_inputs(u, out);
-    thud_text_append(out, "%-40s %8s%s\n", "", "nominal", study->samples > 0 ? "      5 %   median     95 %" : "");
+    put_nominal(u, out);
+    thud_text_append(out, "%-44s %8s%s\n", "", "nominal", study->samples > 0 ? "      5 %   median     95 %" : "");
     for (int q = 0; q < u->nquantities; q++)
         put_row(u, q, &study->told[q], out);
-    thud_text_append(out, "\n%-40s %s\n", "one input at a time", "moved most by");
+    thud_text_append(out, "\n%-44s %s\n", "tornado", "governed by");
     for (int q = 0; q < u->nquantities; q++)
         put_most(study, q, &study->told[q], out);
     if (u->nsuite > 1 && study->samples > 0)
-        thud_text_append(out, "\n%-40s between  within\n", "variance, by ground motion");
+        thud_text_append(out, "\n%-44s between  within\n", "variance, by ground motion");
     for (int q = 0; q < u->nquantities; q++)
         put_between(u, q, &study->told[q], out);
     if (study->samples > 0)

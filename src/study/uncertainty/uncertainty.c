@@ -520,6 +520,29 @@ static void add_quantities(struct thud_uncertainty *u)
     }
 }
 
+/* The motion of a suite that asks for the median of its required separations, the lower of two; the first where it has
+ * none. */
+static enum thud_status find_median(struct thud_uncertainty *u, struct thud_error *err)
+{
+    double *need_m = calloc((size_t)u->nsuite, sizeof *need_m);
+    enum thud_status status = need_m ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < u->nsuite && status == THUD_OK; r++) {
+        struct thud_needed_gap *gap = NULL;
+        status = thud_needed_gap_run(&u->scene, u->suite[r], &gap, err);
+        need_m[r] = gap ? thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL) : NAN;
+        free(gap);
+    }
+    for (int r = 0; r < u->nsuite && status == THUD_OK; r++) {
+        int below = 0;
+        for (int i = 0; i < u->nsuite; i++)
+            below += need_m[i] < need_m[r] || (need_m[i] == need_m[r] && i < r);
+        if (below == (u->nsuite - 1) / 2)
+            u->record = u->suite[r];
+    }
+    free(need_m);
+    return status;
+}
+
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_record *const *suite, int nsuite, enum thud_case which,
                                          const struct thud_inputs *inputs, struct thud_uncertainty **out,
@@ -551,8 +574,13 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
         return status;
     }
     add_quantities(u);
-    *out = u;
-    return THUD_OK;
+    if (!record && nsuite > 1)
+        status = find_median(u, err);
+    if (status == THUD_OK)
+        *out = u;
+    else
+        thud_uncertainty_free(u);
+    return status;
 }
 
 void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
