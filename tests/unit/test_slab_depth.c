@@ -1,11 +1,15 @@
 /* What meets what where slabs have a depth, held against rules written here and against the mirrored scene. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/random.h"
+#include "core/model/model.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 #include "suite.h"
+#include "towers.h"
 
 static void building(struct thud_structure *s, const char *name, int storeys, double height_m, double depth_m,
                      double base_m)
@@ -199,6 +203,124 @@ START_TEST(walls_and_bodies)
 }
 END_TEST
 
+/* Every number of two results. */
+static void same_result(const struct thud_scene *a, const struct thud_scene *b, const int *contact, int n)
+{
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_solution x, y;
+    ck_assert_int_eq(thud_scene_solve(a, record, NULL, &x, NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_solve(b, record, NULL, &y, NULL), THUD_OK);
+    const struct thud_result *p = thud_run_result(x.run), *q = thud_run_result(y.run);
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < q->structure[s].floors; i++)
+            ck_assert_mem_eq(&p->structure[s].floor[i], &q->structure[s].floor[i], sizeof q->structure[s].floor[i]);
+    for (int c = 0; c < n; c++) {
+        ck_assert_int_gt(q->contact[c].impacts, 0);
+        ck_assert_int_eq(p->contact[contact[c]].impacts, q->contact[c].impacts);
+        ck_assert_double_eq(p->contact[contact[c]].force.value, q->contact[c].force.value);
+        ck_assert_double_eq(p->contact[contact[c]].indentation.value, q->contact[c].indentation.value);
+    }
+    thud_solution_clear(&x);
+    thud_solution_clear(&y);
+    thud_record_free(record);
+}
+
+static void set(struct thud_scene *scene, const char *key, const char *text)
+{
+    struct thud_error err = {0};
+    ck_assert_msg(thud_scene_set(scene, key, text, &err) == THUD_OK && thud_scene_check(scene, &err) == THUD_OK,
+                  "%s=%s: %s", key, text, err.what);
+}
+
+/* The same value at every level is the one value, to the last bit. */
+START_TEST(one_value_at_every_level)
+{
+    static struct thud_scene one, many;
+    static const int each[] = {2, 3}; /* levels 3 and 4, which strike */
+    thud_test_towers(&one);
+    one.interface[0].has_bumper = _i > 0;
+    many = one;
+    set(&many, "gap-by-level", "[10 cm, none, 10 cm, none]");
+    set(&many, "gap", _i == 0 ? "5 cm" : "10 cm");
+    set(&many, "gap-by-level", "[10 cm, 10 cm, 10 cm, 10 cm]");
+    if (_i > 0) {
+        set(&many, "bumper.thickness", _i == 1 ? "5 cm" : "2 cm");
+        set(&many, "bumper.thickness-by-level", "[5 cm, 5 cm, 5 cm, 5 cm]");
+    }
+    struct thud_model *model[2];
+    ck_assert_int_eq(thud_scene_assemble(&one, &model[0], NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_assemble(&many, &model[1], NULL), THUD_OK);
+    for (int c = 0; c < 4; c++)
+        ck_assert_double_eq(model[0]->contact[c].clearance_m, model[1]->contact[c].clearance_m);
+    thud_model_free(model[0]);
+    thud_model_free(model[1]);
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_solution x, y;
+    ck_assert_int_eq(thud_scene_solve(&one, record, NULL, &x, NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_solve(&many, record, NULL, &y, NULL), THUD_OK);
+    const struct thud_result *p = thud_run_result(x.run), *q = thud_run_result(y.run);
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < p->structure[s].floors; i++)
+            ck_assert_mem_eq(&p->structure[s].floor[i], &q->structure[s].floor[i], sizeof p->structure[s].floor[i]);
+    for (int c = 0; c < 2; c++) {
+        ck_assert_int_gt(p->contact[each[c]].impacts, 0);
+        ck_assert_double_eq(p->contact[each[c]].force.value, q->contact[each[c]].force.value);
+    }
+    thud_solution_clear(&x);
+    thud_solution_clear(&y);
+    thud_record_free(record);
+}
+END_TEST
+
+/* Two pairs of which one is 5 m apart strike as the other alone does, where heights leave that one alone. */
+START_TEST(one_level_that_can_strike)
+{
+    static struct thud_scene alone, two;
+    const int only = _i;
+    thud_test_towers(&alone);
+    for (int s = 0; s < 2; s++) {
+        char key[40];
+        snprintf(key, sizeof key, "structures.%d.storeys", s + 1);
+        set(&alone, key, "2");
+        alone.structure[s].stiffness_npm[0] = alone.structure[s].stiffness_npm[1] = s ? 60e6 : 140e6;
+    }
+    set(&alone, "levels", "aligned");
+    alone.interface[0].has_bumper = false;
+    two = alone;
+    set(&alone, "gap", "6 cm");
+    set(&alone, "structures.2.height", only ? "[3.5 m, 2.5 m]" : "[3 m, 3.5 m]");
+    set(&two, "gap", "5 m");
+    set(&two, "gap-by-level", only ? "[none, 6 cm]" : "[6 cm, none]");
+    same_result(&two, &alone, &only, 1);
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_scene_set(&two, "gap-by-level", "[6 cm]", &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_check(&two, &err), THUD_INPUT);
+    ck_assert_str_eq(err.key, "interfaces.1.gap-by-level");
+}
+END_TEST
+
+/* A bumper at the top alone is where the bare laws have the bumper's clearance elsewhere too. */
+START_TEST(a_bumper_at_the_top_alone)
+{
+    static struct thud_scene scene;
+    struct thud_model *model;
+    thud_test_towers(&scene);
+    set(&scene, "bumper.cavity", "1 cm");
+    set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, none, 8 cm]");
+    ck_assert_int_eq(thud_scene_assemble(&scene, &model, NULL), THUD_OK);
+    static const double clearance_m[] = {0.1, 0.1, 0.06, 0.1 - 0.08 + 0.016}; /* the cavity goes with the thickness */
+    for (int c = 0; c < 4; c++) {
+        ck_assert_double_eq_tol(model->contact[c].clearance_m, clearance_m[c], 1e-12);
+        ck_assert_str_eq(model->contact[c].law->name, c < 2 ? scene.interface[0].contact.law->name : "rubber");
+    }
+    thud_model_free(model);
+    struct thud_error err = {0};
+    ck_assert_int_eq(thud_scene_set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, 0 cm, 14 cm]", &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.what, "the bumper at 4-4 sticks out by 11.2 cm into a gap of 10 cm"));
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -208,6 +330,9 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, without_depth, 0, 200);
     tcase_add_loop_test(tcase, random_depths_and_the_mirror, 0, 200);
     tcase_add_test(tcase, walls_and_bodies);
+    tcase_add_loop_test(tcase, one_value_at_every_level, 0, 3);
+    tcase_add_loop_test(tcase, one_level_that_can_strike, 0, 2);
+    tcase_add_test(tcase, a_bumper_at_the_top_alone);
     suite_add_tcase(suite, tcase);
     return suite;
 }

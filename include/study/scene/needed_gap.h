@@ -24,6 +24,8 @@ struct thud_needed_gap {
  * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
+/* The index of a level (from 0) among those of its interface. */
+int thud_needed_gap_level(const struct thud_gap_level *level, int i);
 /* The widest over the levels of an interface (0: of all); -1 where there are none, NaN where the rule has no value at
  * one. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);

@@ -110,13 +110,23 @@ struct thud_law_choice {
 /* What meets at an interface: floors at the same level and slabs against columns, or the former alone. */
 enum thud_levels { THUD_LEVELS_ALL, THUD_LEVELS_ALIGNED };
 
+/* One value for each pair of floors, or of slab and columns, that can meet at an interface, from the lowest up (n 0: not
+ * given); NaN: that of the interface. */
+enum { THUD_LEVELS_MAX = 64 };
+struct thud_by_level {
+    int n;
+    double value_m[THUD_LEVELS_MAX];
+};
+
 struct thud_interface {
-    double gap_m;  /* concrete to concrete */
+    double gap_m; /* concrete to concrete */
+    struct thud_by_level gap;
     double levels; /* enum thud_levels */
     struct thud_law_choice contact;
     bool has_bumper;
     struct thud_law_choice bumper;
     double bumper_thickness_m, bumper_cavity_m;
+    struct thud_by_level thickness; /* 0: no bumper there */
 };
 
 /* What ties a floor of one structure to one of its neighbour, in place of a bumper. */
@@ -356,6 +366,21 @@ const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity",
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
 
+/* What holds at a level of an interface (from 0), or for those that have nothing of their own (-1). The cavity goes with
+ * the thickness. */
+struct thud_level_values {
+    double gap_m;
+    bool has_bumper;
+    double thickness_m, cavity_m; /* 0: no bumper */
+};
+struct thud_level_values thud_interface_level(const struct thud_interface *interface, int level);
+double thud_level_clearance(const struct thud_level_values *level);
+/* The smallest and the largest gap of its levels. */
+void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
+/* "10 cm", "8 to 12 cm by level" */
+void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size);
+/* Multiplies every gap, and leaves no less than its bumper takes. */
+void thud_interface_scale_gap(struct thud_interface *interface, double factor);
 /* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
 /* Of the bumper; NaN where there is none, or its law has no max-strain. */

@@ -8,7 +8,8 @@
 /* The model of a scene as written (apply thud_scene_case first). Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err);
 /* Law, its values and the clearance of every contact of an interface: a bumper covers all of its levels. */
-void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to);
+/* level: as thud_interface_level. */
+void thud_interface_contact(const struct thud_interface *interface, int level, struct thud_contact_input *to);
 
 /* Run options from scene->analysis. Errors: THUD_INPUT (unknown method). */
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,

@@ -53,12 +53,14 @@ void thud_site_scene(struct site *site)
                      "Elevation of the buildings, levels in metres, and the model that is computed.");
     add_structure_rows(site);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
+        char gap[64];
         const struct thud_interface *f = &site->scene->interface[i];
+        thud_interface_gap_text(f, gap, sizeof gap);
         if (f->has_bumper)
-            thud_document_item(
-                d, "Clearance between %s and %s: %.4g cm (gap %.4g cm, bumper %.4g cm thick, cavity %.4g cm).",
-                thud_site_name(site, i), thud_site_name(site, i + 1), 100 * thud_interface_clearance(f), 100 * f->gap_m,
-                100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
+            thud_document_item(d,
+                               "Clearance between %s and %s: %.4g cm (gap %s, bumper %.4g cm thick, cavity %.4g cm).",
+                               thud_site_name(site, i), thud_site_name(site, i + 1), 100 * thud_interface_clearance(f),
+                               gap, 100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
     }
     for (int i = 0; i < site->scene->nlinks; i++) {
         const struct thud_link_result *l = &site->own->result->link[i];

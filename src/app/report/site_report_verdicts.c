@@ -52,6 +52,22 @@ static void gap_rows(struct site *site, int i)
         row(site, what, text);
         return;
     }
+    if (f->gap.n > 0 || (f->has_bumper && f->thickness.n > 0)) { /* each level against its own */
+        char given[64];
+        int too_small = 0, levels = 0;
+        for (int l = 0; l < site->gap->nlevels; l++) {
+            const struct thud_level_values at = thud_interface_level(f, thud_needed_gap_level(site->gap->level, l));
+            if (site->gap->level[l].interface != i)
+                continue;
+            levels++;
+            too_small += thud_level_clearance(&at) < site->gap->level[l].relative_displacement_m;
+        }
+        thud_interface_gap_text(f, given, sizeof given);
+        snprintf(text, sizeof text, "%s given; clearance not enough at %d of %d levels under this motion", given,
+                 too_small, levels);
+        row(site, what, text);
+        return;
+    }
     size_t n = (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm needed between bare faces under this motion",
                                 100 * f->gap_m, thud_summary_gap_cm(needed));
     if (stands_out > 0)

@@ -25,13 +25,16 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
         thud_text_append(out, "ground motion  none\n");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *f = &scene->interface[i];
-        thud_text_append(out, "interface %d    gap %.4g cm", i + 1, 100 * f->gap_m);
+        char gap[64];
+        thud_interface_gap_text(f, gap, sizeof gap);
+        thud_text_append(out, "interface %d    gap %s", i + 1, gap);
         if (f->has_bumper)
             thud_text_append(out, ", %s bumper of %.4g cm in a cavity of %.4g cm", f->bumper.law->name,
                              100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
         else
             thud_text_append(out, ", %s", f->contact.law->name);
-        thud_text_append(out, ": clearance %.4g cm\n", 100 * thud_interface_clearance(f));
+        thud_text_append(out, ": clearance %.4g cm%s\n", 100 * thud_interface_clearance(f),
+                         f->gap.n > 0 || (f->has_bumper && f->thickness.n > 0) ? ", other levels have their own" : "");
     }
 }
 
@@ -45,8 +48,10 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
-        struct thud_summary_line line = {.gap_m = scene->interface[i - 1].gap_m, .need_m = NAN};
+        struct thud_summary_line line = {.need_m = NAN};
         char text[160];
+        double most;
+        thud_interface_gaps(&scene->interface[i - 1], &line.gap_m, &most);
         for (int c = 0; c < r->ncontacts; c++)
             if (r->contact[c].interface == i) {
                 line.impacts += r->contact[c].impacts;

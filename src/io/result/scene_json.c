@@ -36,7 +36,7 @@ static void put_list(struct thud_text *out, char *list)
 static void put_value(struct writer *w, struct thud_section section, const char *path, const char *key)
 {
     bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
-                 section.group == THUD_GROUP_STUDY;
+                 section.group == THUD_GROUP_STUDY || strstr(key, "-by-level");
     thud_json_string(w->out, key);
     thud_text_append(w->out, ": ");
     if (lists && w->value[0] == '[' && strcmp(key, "name") != 0)

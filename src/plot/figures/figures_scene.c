@@ -199,18 +199,20 @@ static void contacts(const struct drawing *d, int i)
         const int s = left ? i : i + 1, floor = left ? pair[k].left_floor : pair[k].right_floor;
         double z = elevation(d, s, floor - 1), depth = thud_structure_depth(&d->scene->structure[s], floor - 1);
         double y = z - 0.5 * depth;
-        if (interface->has_bumper) {
-            double face = from - d->wider * interface->bumper_cavity_m;
-            rectangle(d->elevation, "bumper", BUMPER, (double[]){face, face + d->wider * interface->bumper_thickness_m},
-                      y - half, y + half);
+        const struct thud_level_values at = thud_interface_level(interface, k);
+        if (at.has_bumper) {
+            double face = from - d->wider * at.cavity_m;
+            rectangle(d->elevation, "bumper", BUMPER, (double[]){face, face + d->wider * at.thickness_m}, y - half,
+                      y + half);
         }
         if (pair[k].struck)
             dot(d->elevation, "columns are struck here", STRUCK, pair[k].struck < 0 ? from : to, y);
-        spring(d->model, interface->has_bumper ? "contact with bumper and gap" : "contact with gap", CONTACT, d->at[i],
-               y, d->at[i + 1], y, 0, 0.012 * d->high);
+        spring(d->model, at.has_bumper ? "contact with bumper and gap" : "contact with gap", CONTACT, d->at[i], y,
+               d->at[i + 1], y, 0, 0.012 * d->high);
     }
-    char text[64];
-    snprintf(text, sizeof text, "gap %.4g cm", 100 * interface->gap_m);
+    char gap[64], text[80];
+    thud_interface_gap_text(interface, gap, sizeof gap);
+    snprintf(text, sizeof text, "gap %s", gap);
     thud_panel_label(d->elevation, 0.5 * (from + to), d->foot - 0.06 * (d->high - d->low), 0, text);
 }
 

@@ -104,13 +104,14 @@ static enum thud_status fill_matrix(struct assembly *a, const struct thud_scene 
     return thud_structure_lateral(scene, index, a->matrix_npm[index], err);
 }
 
-void thud_interface_contact(const struct thud_interface *interface, struct thud_contact_input *to)
+void thud_interface_contact(const struct thud_interface *interface, int level, struct thud_contact_input *to)
 {
-    const struct thud_law_choice *law = interface->has_bumper ? &interface->bumper : &interface->contact;
+    const struct thud_level_values at = thud_interface_level(interface, level);
+    const struct thud_law_choice *law = at.has_bumper ? &interface->bumper : &interface->contact;
     to->law = law->law;
     memcpy(to->setup.value, law->value, sizeof to->setup.value);
-    to->setup.thickness_m = interface->has_bumper ? interface->bumper_thickness_m : 0;
-    to->clearance_m = thud_interface_clearance(interface);
+    to->setup.thickness_m = at.thickness_m;
+    to->clearance_m = thud_level_clearance(&at);
 }
 
 /* The struck columns of a storey, from the floor above them (from 1). */
@@ -128,7 +129,7 @@ static struct thud_struck_input columns(const struct thud_structure *s, int floo
     return out;
 }
 
-static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index,
+static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index, int level,
                         const struct thud_contact_pair *meeting)
 {
     if (a->ncontacts == a->capacity) {
@@ -145,7 +146,7 @@ static bool add_contact(struct assembly *a, const struct thud_scene *scene, int 
                                       .right_floor = meeting->right_floor,
                                       .left_structure = index,
                                       .right_structure = index + 1};
-    thud_interface_contact(&scene->interface[index], to);
+    thud_interface_contact(&scene->interface[index], level, to);
     if (meeting->struck < 0)
         to->struck = columns(&scene->structure[index], meeting->left_floor, meeting);
     else if (meeting->struck > 0)
@@ -157,7 +158,7 @@ static bool join(struct assembly *a, const struct thud_scene *scene, int index)
 {
     int n = thud_interface_contact_pairs(scene, index, a->meeting);
     for (int i = 0; i < n; i++)
-        if (!add_contact(a, scene, index, &a->meeting[i]))
+        if (!add_contact(a, scene, index, i, &a->meeting[i]))
             return false;
     return true;
 }

@@ -182,12 +182,22 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
     return most;
 }
 
+int thud_needed_gap_level(const struct thud_gap_level *level, int i)
+{
+    int first = i;
+    while (first > 0 && level[first - 1].interface == level[i].interface)
+        first--;
+    return i - first;
+}
+
 /* How much of its clearance the level uses up that uses most; INFINITY: a motion uses up a clearance of nothing. */
 static double used_up(const struct thud_scene *scene, const struct thud_needed_gap *gap)
 {
     double most = 0;
     for (int i = 0; i < gap->nlevels; i++) {
-        double clearance = thud_interface_clearance(&scene->interface[gap->level[i].interface - 1]);
+        const struct thud_level_values at =
+            thud_interface_level(&scene->interface[gap->level[i].interface - 1], thud_needed_gap_level(gap->level, i));
+        double clearance = thud_level_clearance(&at);
         if (gap->level[i].relative_displacement_m > 0)
             most = fmax(most, clearance > 0 ? gap->level[i].relative_displacement_m / clearance : INFINITY);
     }

@@ -1,5 +1,4 @@
 /* Cases: the same scene without bumper, with it flush on the wall, or set in a cavity. */
-#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -109,20 +108,4 @@ void thud_scene_drop_contacts(struct thud_scene *scene)
         scene->interface[i].has_bumper = false;
         thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
     }
-}
-
-double thud_interface_clearance(const struct thud_interface *interface)
-{
-    static const double picometres = 1e12;
-    double clearance = interface->gap_m, most = clearance;
-    if (interface->has_bumper) {
-        clearance -= interface->bumper_thickness_m - interface->bumper_cavity_m;
-        most += interface->bumper_thickness_m;
-    }
-    /* 5 cm - (5 cm - 1 cm) may miss 1 cm by the last digit, and 0 by more of them: what can be a whole number of
-     * picometres is one, so that the same clearance has the same bits however it came about */
-    double whole = round(clearance * picometres) / picometres;
-    if (fabs(clearance - whole) <= 4 * DBL_EPSILON * most || fabs(clearance) * picometres < 1)
-        return whole;
-    return clearance;
 }

@@ -293,17 +293,21 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
 static enum thud_status check_impulses(const struct thud_scene *scene, int i, struct thud_error *err)
 {
     const struct thud_interface *at = &scene->interface[i];
-    const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
     struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
-    int n = law->flags & THUD_LAW_IMPULSIVE ? thud_interface_contact_pairs(scene, i, meeting) : 0;
+    const bool impulses = (at->contact.law->flags | (at->has_bumper ? at->bumper.law->flags : 0)) & THUD_LAW_IMPULSIVE;
+    int n = impulses ? thud_interface_contact_pairs(scene, i, meeting) : 0;
     for (int k = 0; k < n; k++) {
+        const bool bumper = thud_interface_level(at, k).has_bumper;
+        const struct thud_law *law = bumper ? at->bumper.law : at->contact.law;
+        if (!(law->flags & THUD_LAW_IMPULSIVE))
+            continue;
         bool left = meeting[k].struck < 0;
         const struct thud_structure *s = &scene->structure[i + !left];
         int storey = (left ? meeting[k].left_floor : meeting[k].right_floor) - 1 - (s->kind == THUD_ISOLATED);
         if (meeting[k].struck == 0 || isnan(thud_column_ei(s, storey)))
             continue;
         char key[64];
-        snprintf(key, sizeof key, "interfaces.%d.%s.law", i + 1, at->has_bumper ? "bumper" : "contact");
+        snprintf(key, sizeof key, "interfaces.%d.%s.law", i + 1, bumper ? "bumper" : "contact");
         thud_error_set(err, THUD_INPUT, "%s has impulses, and columns that give need a contact force", law->name);
         return refuse(err, key, "another law, or columns without EI and stiffness");
     }
@@ -323,6 +327,8 @@ static enum thud_status check_interface(const struct thud_scene *scene, int i, s
         status = check_bumper(at, i, err);
     if (status == THUD_OK && at->has_bumper)
         status = check_law(&at->bumper, at->bumper_thickness_m, i, "bumper", err);
+    if (status == THUD_OK)
+        status = thud_levels_check(scene, i, err);
     return status == THUD_OK ? check_impulses(scene, i, err) : status;
 }
 

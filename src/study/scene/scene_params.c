@@ -218,11 +218,13 @@ static const struct thud_place foundation_places[] = {
 
 static const struct thud_param interface_params[] = {
     {NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+    {NUMBER("gap-by-level", "gap by level", "A list, from the lowest pair that can meet up, for setbacks; none: that of `gap`.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
     CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
            levels, THUD_LEVELS_ALL),
 };
 static const struct thud_place interface_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, gap_m)},
+    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, gap)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, levels)},
 };
 static const struct thud_param contact_params[] = {
@@ -234,11 +236,13 @@ static const struct thud_place contact_places[] = {
 static const struct thud_param bumper_params[] = {
     WORD("law", "impact law of the bumper", "One of `thud laws`; the keys after it are the law's own."),
     {NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
+    {NUMBER("thickness-by-level", "thickness by level", "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity goes with it.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
     {NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
 };
 static const struct thud_place bumper_places[] = {
     {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, bumper)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_thickness_m)},
+    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, thickness)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_cavity_m)},
 };
 

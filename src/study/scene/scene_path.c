@@ -183,7 +183,7 @@ static enum thud_status find_interface(const struct thud_scene *scene, int inter
         return n == 2 ? find_law_key(scene, interface, bumper, part[1], out, err) : wrong_depth(err);
     int i = find_in_group(THUD_GROUP_INTERFACE, part[0], 0);
     if (i < 0) {
-        static const struct thud_words words = {{"gap", "levels", "contact", "bumper"}, 4};
+        static const struct thud_words words = {{"gap", "gap-by-level", "levels", "contact", "bumper"}, 5};
         return thud_words_unknown(&words, "key", part[0], err);
     }
     fill(out, THUD_GROUP_INTERFACE, i,
@@ -246,8 +246,9 @@ static enum thud_status find_link(const struct thud_scene *scene, char **part, i
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
     static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "links",
-                                             "analysis", "study", "document", "gap", "levels", "contact", "bumper"},
-                                            13};
+                                             "analysis", "study", "document", "gap", "gap-by-level", "levels",
+                                             "contact", "bumper"},
+                                            14};
     return thud_words_unknown(&words, "key", key, err);
 }
 

@@ -13,6 +13,7 @@ enum thud_store {
     THUD_STORE_SWITCH, /* bool: the first and second of its choices */
     THUD_STORE_TEXT,
     THUD_STORE_FLOORS,  /* double[storeys]; optional: 0 stands for not given */
+    THUD_STORE_LEVELS,  /* struct thud_by_level */
     THUD_STORE_STOREYS, /* int, and the length of the lists */
     THUD_STORE_KIND,
     THUD_STORE_LAW,
@@ -79,6 +80,11 @@ static inline bool thud_floor_may_lack(const struct thud_param *param, const str
 /* Values of one kind each; the text is trimmed. Errors: THUD_INPUT. */
 enum thud_status thud_floors_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                                  struct thud_error *err);
+enum thud_status thud_levels_set(struct thud_by_level *levels, const struct thud_param *param, const char *text,
+                                 struct thud_error *err);
+void thud_levels_get(const struct thud_by_level *levels, const char *unit, char *text, size_t size);
+/* Errors: THUD_INPUT with key. */
+enum thud_status thud_levels_check(const struct thud_scene *scene, int interface, struct thud_error *err);
 enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys);
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind);
 enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,

@@ -113,6 +113,9 @@ static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
         return true;
     case THUD_STORE_FLOORS:
         return unset_floors(scene, slot);
+    case THUD_STORE_LEVELS:
+        *(struct thud_by_level *)thud_slot_at(scene, slot) = (struct thud_by_level){0};
+        return true;
     case THUD_STORE_LINK:
         return thud_link_law_set(scene, slot, "", NULL) == THUD_OK;
     default:
@@ -210,6 +213,8 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
         return status == THUD_OK ? read_text(slot, text, at, err) : status;
     case THUD_STORE_FLOORS:
         return thud_floors_set(scene, slot, text, err);
+    case THUD_STORE_LEVELS:
+        return thud_levels_set(at, slot->param, text, err);
     case THUD_STORE_STOREYS:
         status = read_count(slot->param, text, &which, err);
         return status == THUD_OK ? thud_storeys_set(&scene->structure[slot->structure], which) : status;
@@ -349,6 +354,9 @@ void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot
             get_floors(slot, value, n, unit, text, size);
         break;
     }
+    case THUD_STORE_LEVELS:
+        thud_levels_get(at, unit, text, size);
+        break;
     case THUD_STORE_STOREYS:
         snprintf(text, size, "%d", *(const int *)at);
         break;

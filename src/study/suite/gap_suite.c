@@ -76,6 +76,8 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = thud_scene_case(scene, thud_scene_bare(scene), at, err);
     for (int i = 0; i + 1 < scene->nstructures; i++)
+        at->interface[i].gap = (struct thud_by_level){0};
+    for (int i = 0; i + 1 < scene->nstructures; i++)
         at->interface[i].gap_m = gap_at(scene, ruled, i);
     const bool refused = status == THUD_OK && thud_scene_check(at, NULL) == THUD_INPUT; /* a law without force, say */
     if (status == THUD_OK && !refused)

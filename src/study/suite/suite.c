@@ -149,7 +149,9 @@ static void put_clearances(const struct thud_scene *cased, const struct thud_swe
     value[THUD_SUITE_SHORT] = -INFINITY;
     for (int c = 0; c < point->ncontacts; c++) {
         double closing = point->level[c].relative_displacement_m;
-        double clearance = thud_interface_clearance(&cased->interface[point->level[c].interface - 1]);
+        const struct thud_level_values at = thud_interface_level(&cased->interface[point->level[c].interface - 1],
+                                                                 thud_needed_gap_level(point->level, c));
+        double clearance = thud_level_clearance(&at);
         if (closing > 0)
             value[THUD_SUITE_USED] = fmax(value[THUD_SUITE_USED], clearance > 0 ? closing / clearance : INFINITY);
         value[THUD_SUITE_SHORT] = fmax(value[THUD_SUITE_SHORT], closing - clearance);

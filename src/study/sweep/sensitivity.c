@@ -61,12 +61,8 @@ void thud_sensitivity_free(struct thud_sensitivity *s)
 
 static void change_gaps(struct thud_scene *scene, double factor)
 {
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
-        struct thud_interface *f = &scene->interface[i];
-        f->gap_m *= factor;
-        if (f->has_bumper)
-            f->gap_m = fmax(f->gap_m, f->bumper_thickness_m - f->bumper_cavity_m);
-    }
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        thud_interface_scale_gap(&scene->interface[i], factor);
 }
 
 static void change_stiffness(struct thud_scene *scene, int first, double factor)

@@ -63,8 +63,14 @@ static void mix_contacts(struct key *key, const struct thud_scene *cased)
     if (cased->nlinks > 0) /* what they are is the group's */
         mix(key, cased->nlinks);
     for (int i = 0; i + 1 < cased->nstructures; i++) {
+        const struct thud_interface *at = &cased->interface[i];
         struct thud_contact_input contact = {0};
-        thud_interface_contact(&cased->interface[i], &contact);
+        for (int l = 0; l < at->gap.n || l < at->thickness.n; l++) { /* has_bumper: the law */
+            const struct thud_level_values level = thud_interface_level(at, l);
+            mix(key, thud_level_clearance(&level));
+            mix(key, level.thickness_m);
+        }
+        thud_interface_contact(at, -1, &contact);
         mix(key, contact.clearance_m);
         mix(key, contact.setup.thickness_m);
         for (const char *p = contact.law->name; *p; p++)

@@ -266,14 +266,21 @@ static unsigned long long hash_choice(unsigned long long h, const struct thud_la
     return choice->law ? thud_hash(h, choice->value, (size_t)choice->law->nparams * sizeof(double)) : h;
 }
 
+static unsigned long long hash_levels(unsigned long long h, const struct thud_by_level *levels)
+{
+    return levels->n > 0 ? hash_numbers(h, levels->value_m, (size_t)levels->n) : h;
+}
+
 static unsigned long long hash_interface(unsigned long long h, const struct thud_interface *i)
 {
     h = thud_hash(h, &i->gap_m, sizeof i->gap_m);
+    h = hash_levels(h, &i->gap);
     h = thud_hash(h, &i->levels, sizeof i->levels);
     h = hash_choice(h, &i->contact);
     if (!i->has_bumper)
         return h;
     h = hash_choice(h, &i->bumper);
+    h = hash_levels(h, &i->thickness);
     h = thud_hash(h, &i->bumper_thickness_m, sizeof i->bumper_thickness_m);
     return thud_hash(h, &i->bumper_cavity_m, sizeof i->bumper_cavity_m);
 }

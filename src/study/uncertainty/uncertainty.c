@@ -242,11 +242,8 @@ static void change_interfaces(struct thud_scene *scene, enum thud_input input, i
         struct thud_interface *f = &scene->interface[i];
         if (of >= 0 && of != i)
             continue;
-        if (input == THUD_INPUT_GAP) {
-            f->gap_m = changed(input, f->gap_m, size, u);
-            if (f->has_bumper)
-                f->gap_m = fmax(f->gap_m, f->bumper_thickness_m - f->bumper_cavity_m);
-        }
+        if (input == THUD_INPUT_GAP)
+            thud_interface_scale_gap(f, changed(input, 1, size, u));
         if (input == THUD_INPUT_CONTACT_STIFFNESS)
             change_law(&f->contact, "stiffness", input, size, u);
         if (input == THUD_INPUT_RESTITUTION)

@@ -30,7 +30,8 @@ static void words_of(const struct thud_tui *tui, int columns, char *text, size_t
     *pounds = line.impacts > 0;
     if (tui->interface + 1 >= scene->nstructures)
         return;
-    line.gap_m = scene->interface[tui->interface].gap_m;
+    double most_m;
+    thud_interface_gaps(&scene->interface[tui->interface], &line.gap_m, &most_m);
     bool free_body =
         scene->structure[tui->interface].kind == THUD_RIGID || scene->structure[tui->interface + 1].kind == THUD_RIGID;
     if (!free_body) { /* that goes on for ever */

@@ -122,6 +122,8 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     int y = 0;
     snprintf(key, sizeof key, "interfaces.%d.gap", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "gap", key);
+    snprintf(key, sizeof key, "interfaces.%d.gap-by-level", tui->interface + 1);
+    thud_field_row(tui, FORM, pane, y++, "gap by level", key);
     snprintf(key, sizeof key, "interfaces.%d.levels", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "levels", key);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
@@ -133,6 +135,8 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
         return beside_rows(tui, pane, link_rows(tui, pane, y));
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "thickness", key);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness-by-level", tui->interface + 1);
+    thud_field_row(tui, FORM, pane, y++, "by level", key);
     snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", tui->interface + 1);
     thud_field_row(tui, FORM, pane, y++, "cavity", key);
     return beside_rows(tui, pane, link_rows(tui, pane, law_rows(tui, pane, y, "bumper", at->bumper.law)));

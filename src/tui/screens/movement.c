@@ -97,7 +97,9 @@ static void extent(const struct thud_structure *structure, double *base_m, doubl
 
 static double bounded_gap(const struct thud_scene *scene, int i)
 {
-    return fmax(0.0, scene->interface[i].gap_m);
+    double least, most;
+    thud_interface_gaps(&scene->interface[i], &least, &most);
+    return fmax(0.0, least);
 }
 
 /* Scales such that everything stays inside for the whole run. */

@@ -1,0 +1,175 @@
+/* Gaps and bumpers of single levels of an interface: from text, to text, held against what can meet there. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "base/text.h"
+#include "study/scene/level.h"
+#include "study/scene/scene_slot.h"
+#include "study/scene/scene_words.h"
+
+static const double rounding_m = 1e-12;
+
+struct thud_level_values thud_interface_level(const struct thud_interface *at, int level)
+{
+    struct thud_level_values out = {.gap_m = at->gap_m, .has_bumper = at->has_bumper};
+    if (level >= 0 && level < at->gap.n && !isnan(at->gap.value_m[level]))
+        out.gap_m = at->gap.value_m[level];
+    if (!at->has_bumper)
+        return out;
+    out.thickness_m = at->bumper_thickness_m;
+    out.cavity_m = at->bumper_cavity_m;
+    if (level >= 0 && level < at->thickness.n && !isnan(at->thickness.value_m[level])) {
+        out.thickness_m = at->thickness.value_m[level];
+        out.cavity_m *= out.thickness_m / at->bumper_thickness_m;
+        out.has_bumper = out.thickness_m > 0;
+    }
+    return out;
+}
+
+double thud_level_clearance(const struct thud_level_values *level)
+{
+    static const double picometres = 1e12;
+    double clearance = level->gap_m, most = clearance;
+    if (level->has_bumper) {
+        clearance -= level->thickness_m - level->cavity_m;
+        most += level->thickness_m;
+    }
+    /* 5 cm - (5 cm - 1 cm) may miss 1 cm by the last digit, and 0 by more of them: what can be a whole number of
+     * picometres is one, so that the same clearance has the same bits however it came about */
+    double whole = round(clearance * picometres) / picometres;
+    if (fabs(clearance - whole) <= 4 * DBL_EPSILON * most || fabs(clearance) * picometres < 1)
+        return whole;
+    return clearance;
+}
+
+double thud_interface_clearance(const struct thud_interface *interface)
+{
+    const struct thud_level_values all = thud_interface_level(interface, -1);
+    return thud_level_clearance(&all);
+}
+
+void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m)
+{
+    *least_m = *most_m = thud_interface_level(interface, interface->gap.n > 0 ? 0 : -1).gap_m;
+    for (int l = 0; l < interface->gap.n; l++) {
+        const double gap = thud_interface_level(interface, l).gap_m;
+        *least_m = fmin(*least_m, gap);
+        *most_m = fmax(*most_m, gap);
+    }
+}
+
+void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size)
+{
+    double least, most;
+    thud_interface_gaps(interface, &least, &most);
+    if (most > least)
+        snprintf(text, size, "%.4g to %.4g cm by level", 100 * least, 100 * most);
+    else
+        snprintf(text, size, "%.4g cm", 100 * least);
+}
+
+void thud_interface_scale_gap(struct thud_interface *interface, double factor)
+{
+    for (int l = 0; l < interface->gap.n; l++) {
+        const struct thud_level_values at = thud_interface_level(interface, l);
+        if (!isnan(interface->gap.value_m[l]))
+            interface->gap.value_m[l] = fmax(factor * at.gap_m, at.thickness_m - at.cavity_m);
+    }
+    interface->gap_m *= factor;
+    if (interface->has_bumper)
+        interface->gap_m = fmax(interface->gap_m, interface->bumper_thickness_m - interface->bumper_cavity_m);
+}
+
+enum thud_status thud_levels_set(struct thud_by_level *levels, const struct thud_param *param, const char *text,
+                                 struct thud_error *err)
+{
+    struct thud_by_level out = {0};
+    char copy[4096], *item[THUD_LEVELS_MAX] = {copy};
+    snprintf(copy, sizeof copy, "%s", text);
+    out.n = text[0] == '[' ? thud_list_split(copy, item, THUD_LEVELS_MAX) : 1;
+    if (out.n < 1 || out.n > THUD_LEVELS_MAX || strlen(text) >= sizeof copy) {
+        thud_error_set(err, THUD_INPUT, "that is no list of up to %d levels", THUD_LEVELS_MAX);
+        thud_error_allow(err, "[5 cm, none, 8 cm], from the lowest up");
+        return THUD_INPUT;
+    }
+    for (int l = 0; l < out.n; l++) {
+        out.value_m[l] = NAN;
+        enum thud_status status = strcmp(item[l], THUD_FLOOR_NONE) == 0
+                                      ? THUD_OK
+                                      : thud_quantity_read(param, NULL, item[l], &out.value_m[l], err);
+        if (status != THUD_OK)
+            return status;
+    }
+    *levels = out;
+    return THUD_OK;
+}
+
+void thud_levels_get(const struct thud_by_level *levels, const char *unit, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int l = 0; l < levels->n && used < size; l++) {
+        char item[96] = THUD_FLOOR_NONE;
+        if (!isnan(levels->value_m[l]))
+            thud_quantity_format(levels->value_m[l], unit, item, sizeof item);
+        used +=
+            (size_t)snprintf(text + used, size - used, "%s%s%s", l ? ", " : "[", item, l == levels->n - 1 ? "]" : "");
+    }
+}
+
+static enum thud_status refuse(int interface, const char *key, struct thud_error *err)
+{
+    char path[64];
+    snprintf(path, sizeof path, "interfaces.%d.%s", interface + 1, key);
+    thud_error_key(err, path);
+    return THUD_INPUT;
+}
+
+/* "1-1, 2-2, 3-c4" */
+static void add_pairs(const struct thud_contact_pair *pair, int n, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < n && used < size; i++) {
+        char name[24];
+        thud_contact_pair_name(pair[i].left_floor, pair[i].right_floor, pair[i].struck, name, sizeof name);
+        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "", name);
+    }
+}
+
+enum thud_status thud_levels_check(const struct thud_scene *scene, int interface, struct thud_error *err)
+{
+    const struct thud_interface *at = &scene->interface[interface];
+    const struct thud_by_level *const list[] = {&at->gap, &at->thickness};
+    static const char *const key[] = {"gap-by-level", "bumper.thickness-by-level"};
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    if (at->gap.n == 0 && at->thickness.n == 0)
+        return THUD_OK;
+    const int n = thud_interface_contact_pairs(scene, interface, pair);
+    for (int k = 0; k < 2; k++) {
+        char names[160];
+        if (list[k]->n == 0 || list[k]->n == n)
+            continue;
+        add_pairs(pair, n, names, sizeof names);
+        thud_error_set(err, THUD_INPUT, "the list has %d value%s, and %d pair%s can meet", list[k]->n,
+                       list[k]->n == 1 ? "" : "s", n, n == 1 ? "" : "s");
+        thud_error_allow(err, "from the lowest up: %s", names);
+        return refuse(interface, key[k], err);
+    }
+    for (int l = 0; l < n && at->has_bumper; l++) {
+        const struct thud_level_values v = thud_interface_level(at, l);
+        char out[48], gap[48], name[160];
+        if (!v.has_bumper || v.thickness_m - v.cavity_m <= v.gap_m + rounding_m)
+            continue;
+        add_pairs(&pair[l], 1, name, sizeof name);
+        thud_quantity_format(rint((v.thickness_m - v.cavity_m) * 1e9) / 1e9, "cm", out, sizeof out);
+        thud_quantity_format(v.gap_m, "cm", gap, sizeof gap);
+        thud_error_set(err, THUD_INPUT, "the bumper at %s sticks out by %s into a gap of %s", name, out, gap);
+        thud_error_allow(err, "thickness - cavity <= gap");
+        return refuse(interface, key[at->thickness.n > 0], err);
+    }
+    return THUD_OK;
+}
