@@ -113,11 +113,13 @@ static void write_axis(const char *key, const char *unit, double from, double to
     }
 }
 
+/* Where a value is not possible (a bumper thicker than the gap) nothing changes. */
 static void find_changes(struct thud_solve *solve)
 {
     solve->changes = 0;
     for (int i = 0; i + 1 < solve->n; i++)
-        if (holds(solve, &solve->tried[i]) != holds(solve, &solve->tried[i + 1]) &&
+        if (solve->tried[i].n > 0 && solve->tried[i + 1].n > 0 &&
+            holds(solve, &solve->tried[i]) != holds(solve, &solve->tried[i + 1]) &&
             solve->changes < THUD_SOLVE_CHANGES_MAX)
             solve->change[solve->changes++] = i;
 }
@@ -190,20 +192,32 @@ const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve)
 
 void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
 {
-    const struct thud_solve_try *answer = thud_solve_answer(solve), *last = &solve->tried[solve->n - 1];
+    const struct thud_solve_try *answer = thud_solve_answer(solve), *first = solve->tried,
+                                *last = &solve->tried[solve->n - 1];
     const char *text = solve->criterion.text;
-    if (solve->n > 0 && solve->changes == 0)
+    while (first < last && first->n == 0)
+        first++;
+    while (last > first && last->n == 0)
+        last--;
+    if (first->n == 0)
+        thud_text_append(out, "no value of %s from %s to %s is possible", solve->key, solve->tried[0].text,
+                         solve->tried[solve->n - 1].text);
+    else if (solve->changes == 0)
         thud_text_append(out, "%s %s at every value of %s tried from %s to %s", text,
-                         holds(solve, last) ? "holds" : "does not hold", solve->key, solve->tried[0].text, last->text);
+                         holds(solve, last) ? "holds" : "does not hold", solve->key, first->text, last->text);
     else if (answer) {
         bool below = answer == &solve->tried[solve->change[0]];
         thud_text_append(out, "%s holds %s %s = %s (not at %s)", text, below ? "up to" : "from", solve->key,
                          answer->text, below ? answer[1].text : answer[-1].text);
     } else
         thud_text_append(out, "%s is not monotone in %s: it changes %d times or more from %s to %s", text, solve->key,
-                         solve->changes, solve->tried[0].text, last->text);
+                         solve->changes, first->text, last->text);
     if (solve->nrecords > 1)
         thud_text_append(out, ", under %g %% of %d ground motions", 100 * solve->share, solve->nrecords);
+    if (first->n > 0 && first > solve->tried)
+        thud_text_append(out, "; below %s it is not possible", first->text);
+    if (first->n > 0 && last < &solve->tried[solve->n - 1])
+        thud_text_append(out, "; %s and more is not possible", last[1].text);
     thud_text_append(out, "\n");
     for (int i = 0; !answer && i < solve->changes; i++) {
         const struct thud_solve_try *below = &solve->tried[solve->change[i]];
