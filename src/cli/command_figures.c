@@ -47,7 +47,7 @@ static enum thud_status list_files(const struct thud_args *args, unsigned which,
                              thud_picture_suffix(options->format));
     }
     if (which & THUD_PAPER_REPORT)
-        thud_text_append(&text, "%s/report.md\n%s/study.json\n", folder, folder);
+        thud_text_append(&text, "%s/report.html\n%s/report.md\n%s/study.json\n", folder, folder, folder);
     return thud_cli_print_files(args, &text, err);
 }
 

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/run/figure_files.h"
@@ -9,6 +10,7 @@
 #include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
 
+enum { PATH_MOST = 4200, PICTURE_MOST = 32 << 20 };
 enum { FIG2, FIG3, FIG4, FIG5, FIG6, FIG7, FIG8, FIG9, FIG10 };
 static const char *const names[THUD_PAPER_FIGURES] = {"fig2", "fig3", "fig4", "fig5", "fig6",
                                                       "fig7", "fig8", "fig9", "fig10"};
@@ -83,14 +85,36 @@ static enum thud_status make(int index, const struct thud_paper_study *study, st
     }
 }
 
-static enum thud_status write_report(const struct thud_paper_study *study, const char *folder,
-                                     const struct thud_picture_options *options, struct thud_error *err)
+/* What the report says of a figure, before the figure goes. */
+static void keep_words(const struct thud_figure *figure, const char *suffix, struct thud_paper_picture *out)
+{
+    snprintf(out->file, sizeof out->file, "%s.%s", figure->name, suffix);
+    snprintf(out->caption, sizeof out->caption, "%s.", figure->title);
+    thud_figure_words(figure, &out->alt);
+}
+
+/* The drawn picture, of a format that a page can show. */
+static void keep_bytes(const char *folder, const struct thud_picture_options *options, struct thud_paper_picture *out)
+{
+    char path[PATH_MOST], *bytes = NULL;
+    size_t size = 0;
+    if (options->format == THUD_PDF)
+        return;
+    int n = snprintf(path, sizeof path, "%s/%s", *folder ? folder : ".", out->file);
+    if (n < (int)sizeof path && thud_file_read(path, PICTURE_MOST, &bytes, &size, NULL) == THUD_OK)
+        thud_text_bytes(&out->bytes, bytes, size);
+    free(bytes);
+}
+
+static enum thud_status write_report(const struct thud_paper_study *study, struct thud_paper_picture *picture,
+                                     const char *folder, struct thud_error *err)
 {
     struct thud_paper_pair pair[THUD_PAPER_PAIRS];
     struct thud_paper_collision collision[THUD_PAPER_COLLISIONS];
     assert(study);
     struct thud_paper_study whole = *study;
     struct thud_text text = {0};
+    struct thud_document document = {0};
     enum thud_status status = thud_paper_pairs(pair, err);
     if (status == THUD_OK)
         status = thud_paper_collisions(collision, err);
@@ -98,13 +122,37 @@ static enum thud_status write_report(const struct thud_paper_study *study, const
         return status;
     whole.pair = pair;
     whole.collision = collision;
-    whole.suffix = thud_picture_suffix(options->format);
+    whole.picture = picture;
     thud_paper_study_json(&whole, &text);
     status = thud_text_write_in(&text, folder, "study.json", err);
-    if (status != THUD_OK)
+    thud_paper_report(&whole, &document);
+    if (status == THUD_OK)
+        status = thud_document_deliver(&document, folder, err);
+    thud_document_clear(&document);
+    return status;
+}
+
+/* One figure into the folder. */
+static enum thud_status save(int i, const struct thud_paper_study *study, const char *folder,
+                             const struct thud_picture_options *options, struct thud_paper_picture *picture,
+                             enum thud_status before, struct thud_error *err)
+{
+    struct thud_figure *figure = NULL;
+    enum thud_status status = make(i, study, &figure, err);
+    if (status != THUD_OK) {
+        thud_figure_free(figure);
         return status;
-    thud_paper_report(&whole, &text);
-    return thud_text_write_in(&text, folder, "report.md", err);
+    }
+    if (1u << i & NEED_STUDY) {
+        char motions[64];
+        thud_synthetic_text(thud_paper_synthetic(study), study->table->nrecords, motions, sizeof motions);
+        thud_figure_title_add(figure, motions);
+    }
+    keep_words(figure, thud_picture_suffix(options->format), picture);
+    status = thud_figure_deliver(figure, folder, options, before, err);
+    if (status == THUD_OK)
+        keep_bytes(folder, options, picture);
+    return status;
 }
 
 enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper_study *study, const char *folder,
@@ -112,29 +160,20 @@ enum thud_status thud_paper_figures_save(unsigned which, const struct thud_paper
 {
     assert(study || !thud_paper_needs_study(which));
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_PAPER_FIGURES && (status == THUD_OK || status == THUD_GNUPLOT); i++) {
-        struct thud_figure *figure = NULL;
-        if (!(which >> i & 1u))
-            continue;
-        enum thud_status made = make(i, study, &figure, err);
-        if (made != THUD_OK) {
-            thud_figure_free(figure);
-            return made;
-        }
-        if (1u << i & NEED_STUDY) {
-            char motions[64];
-            thud_synthetic_text(thud_paper_synthetic(study), study->table->nrecords, motions, sizeof motions);
-            thud_figure_title_add(figure, motions);
-        }
-        status = thud_figure_deliver(figure, folder, options, status, err);
+    struct thud_paper_picture picture[THUD_PAPER_FIGURES] = {0};
+    for (int i = 0; i < THUD_PAPER_FIGURES && (status == THUD_OK || status == THUD_GNUPLOT); i++)
+        if (which >> i & 1u)
+            status = save(i, study, folder, options, &picture[i], status, err);
+    if (which & THUD_PAPER_REPORT && (status == THUD_OK || status == THUD_GNUPLOT)) {
+        struct thud_error now = {0};
+        enum thud_status written = write_report(study, picture, folder, &now);
+        if (written != THUD_OK && err)
+            *err = now;
+        status = written == THUD_OK ? status : written;
     }
-    struct thud_error now = {0};
-    if (!(which & THUD_PAPER_REPORT) || (status != THUD_OK && status != THUD_GNUPLOT))
-        return status;
-    enum thud_status written = write_report(study, folder, options, &now);
-    if (written == THUD_OK)
-        return status;
-    if (err)
-        *err = now;
-    return written;
+    for (int i = 0; i < THUD_PAPER_FIGURES; i++) {
+        thud_text_clear(&picture[i].alt);
+        thud_text_clear(&picture[i].bytes);
+    }
+    return status;
 }

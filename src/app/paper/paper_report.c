@@ -1,91 +1,118 @@
 #include <math.h>
+#include <stdio.h>
 
 #include "app/paper/paper_report.h"
 #include "base/version.h"
 #include "io/file/json.h"
 #include "io/result/scene_json.h"
 
-static const char heading[] =
-    "# A parametric study of rubber shock-absorbers, computed again\n"
-    "\n"
-    "After Polycarpou and Komodromos, *A parametric study for the investigation of the effectiveness of rubber\n"
-    "shock-absorbers as a mitigation measure for earthquake-induced structural poundings*, COMPDYN 2011 (here: the "
-    "paper).\n"
-    "Made by thud " THUD_VERSION
-    ". Every figure stands beside this file as a picture, as a gnuplot script with its data inside, and as CSV.\n";
+static const char *const difference[] = {
+    "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as the "
+    "paper has it, the bodies leave faster: 0.632 for a coefficient of 0.6. The preset keeps the paper's way (damping: "
+    "paper); contact.damping=exact makes the bodies part with 0.6.",
+    "Restitution of rubber. Eq. (7) is a fit and its units do not cancel; with the mass in kg and the speed in m/s it "
+    "gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.",
+    "Eq. (1) is taken as a force law, not as a rule that uses the step before: that would create energy, and the "
+    "result "
+    "would depend on the step. Impacts are located in time.",
+    "Eq. (5) as printed lets the force drop where the motion turns past the ultimate strain. Where the structures go "
+    "on "
+    "pushing with a force between both branches, the contact sticks until that force leaves the interval.",
+    "Peaks are those of the continuous history, not of stored samples.",
+    "What the paper leaves open: the sign of the records (here as recorded), the storey height (here 3 m; levels need "
+    "only agree), the speed and the coefficients of Fig. 3 (here 1.2 m/s; 0.3, 0.5, 0.7), the impact speed of a "
+    "contact "
+    "that begins at rest with clearance 0 (here at least 1 mm/s in Eq. (7)), free vibration after the record.",
+};
 
-static const char differences[] =
-    "\n## What differs from the paper, and why\n"
-    "\n"
-    "- **Restitution of concrete.** Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as "
-    "the paper\n"
-    "  has it, the bodies leave faster: 0.632 for a coefficient of 0.6. The preset keeps the paper's way (`damping: "
-    "paper`);\n"
-    "  `contact.damping=exact` makes the bodies part with 0.6.\n"
-    "- **Restitution of rubber.** Eq. (7) is a fit and its units do not cancel; with the mass in kg and the speed in "
-    "m/s it\n"
-    "  gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.\n"
-    "- **Eq. (1) is taken as a force law**, not as a rule that uses the step before: that would create energy, and "
-    "the\n"
-    "  result would depend on the step. Impacts are located in time.\n"
-    "- **Eq. (5) as printed** lets the force drop where the motion turns past the ultimate strain. Where the "
-    "structures go on\n"
-    "  pushing with a force between both branches, the contact sticks until that force leaves the interval.\n"
-    "- **Peaks** are those of the continuous history, not of stored samples.\n"
-    "- **What the paper leaves open**: the sign of the records (here as recorded), the storey height (here 3 m; levels "
-    "need\n"
-    "  only agree), the speed and the coefficients of Fig. 3 (here 1.2 m/s; 0.3, 0.5, 0.7), the impact speed of a "
-    "contact\n"
-    "  that begins at rest with clearance 0 (here at least 1 mm/s in Eq. (7)), free vibration after the record.\n";
+/* By the paper's number. */
+static void put_figure(const struct thud_paper_study *study, int number, struct thud_document *d)
+{
+    struct thud_paper_picture *picture = &study->picture[number - 2];
+    char caption[sizeof picture->caption + 40];
+    if (!*picture->file)
+        return;
+    snprintf(caption, sizeof caption, "(Fig. %d of the paper) %s", number, picture->caption);
+    thud_document_figure(d, picture->file, caption, picture->alt.data ? picture->alt.data : caption, &picture->bytes);
+}
 
 /* ---- parameters ---- */
 
-static void parameters(const struct thud_paper_study *study, struct thud_text *out)
+static void motions(const struct thud_paper_study *study, struct thud_document *d)
 {
-    thud_text_append(
-        out, "\n## Parameters\n\nTable 1 of the paper; interfaces and gaps concrete to concrete.\n\n"
-             "| | no bumper | with bumper |\n|---|---|---|\n"
-             "| impact model | linear viscoelastic, no tension | non-linear with hysteretic damping |\n"
-             "| exponent | 1 | 2.65 |\n| impact stiffness | 2500 kN/mm | 0.36 kN/mm^2.65 |\n"
-             "| coefficient of restitution | 0.6 | 0.5 |\n| thickness | - | 5 cm |\n"
-             "| ultimate strain | - | 0.8 |\n| stiffness past it | - | 2500 kN/mm |\n\n"
-             "| building | storeys | floors (t) | storey stiffness (MN/m) | damping (%%) |\n|---|---|---|---|---|\n");
-    for (int i = 0; i < study->scene->nstructures; i++) {
-        const struct thud_structure *s = &study->scene->structure[i];
-        if (s->storeys > 0)
-            thud_text_append(out, "| %s | %d | %.6g, top %.6g | %.6g | %.6g |\n", s->name, s->storeys,
-                             1e-3 * s->mass_kg[0], 1e-3 * s->mass_kg[s->storeys - 1], 1e-6 * s->stiffness_npm[0],
-                             1e2 * s->damping);
-    }
-    thud_text_append(out, "\n![Fig. 6](fig6.%s)\n\n![Fig. 2](fig2.%s)\n\n![Fig. 9](fig9.%s)\n", study->suffix,
-                     study->suffix, study->suffix);
-    thud_text_append(out, "\n| ground motion | file | peak in the file (g) | times | peak (g) | step (s) | samples | "
-                          "|\n|---|---|---|---|---|---|---|---|\n");
+    thud_document_table(d, "Ground motions");
+    thud_document_head(d, "ground motion|file|peak in the file, g|factor|peak, g|step, s|samples|sign|kind");
     for (int r = 0; r < study->table->nrecords; r++) {
         const struct thud_paper_record *record = &study->record[r];
-        thud_text_append(out, "| %s | `%s` | %.4g | %.5g | %.4g | %.6g | %zu | %s%s |\n", record->name, record->file,
-                         record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY, record->scale,
-                         record->peak_mps2 / THUD_GRAVITY, record->dt_s, record->samples,
-                         record->surrogate ? "synthetic, not the recorded motion; " : "",
-                         record->scale < 0 ? "reversed" : "sign as in the file");
+        thud_document_cell(d, "%s", record->name);
+        thud_document_cell(d, "%s", record->file);
+        thud_document_cell(d, "%.3f", record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY);
+        thud_document_cell(d, "%.4f", fabs(record->scale));
+        thud_document_cell(d, "%.3f", record->peak_mps2 / THUD_GRAVITY);
+        thud_document_cell(d, "%.4g", record->dt_s);
+        thud_document_cell(d, "%zu", record->samples);
+        thud_document_cell(d, "%s", record->scale < 0 ? "reversed" : "as in the file");
+        thud_document_cell(d, "%s", record->surrogate ? "synthetic, not the recorded motion" : "recorded");
+        thud_document_row(d);
     }
+}
+
+static void parameters(const struct thud_paper_study *study, struct thud_document *d)
+{
+    thud_document_heading(d, "Inputs");
+    thud_document_table(d, "Impact parameters, Table 1 of the paper; interfaces and gaps are concrete to concrete");
+    thud_document_head(d, "parameter|no bumper|with bumper");
+    thud_document_head(d, "impact model|linear viscoelastic, no tension|non-linear with hysteretic damping");
+    thud_document_head(d, "exponent|1|2.65");
+    thud_document_head(d, "impact stiffness|2500 kN/mm|0.36 kN/mm^2.65");
+    thud_document_head(d, "coefficient of restitution|0.6|0.5");
+    thud_document_head(d, "thickness|-|5 cm");
+    thud_document_head(d, "ultimate strain|-|0.8");
+    thud_document_head(d, "stiffness past it|-|2500 kN/mm");
+    thud_document_table(d, "Buildings");
+    thud_document_head(d, "building|storeys|floors, t|top floor, t|storey stiffness, MN/m|damping, %");
+    for (int i = 0; i < study->scene->nstructures; i++) {
+        const struct thud_structure *s = &study->scene->structure[i];
+        if (s->storeys == 0)
+            continue;
+        thud_document_cell(d, "%s", s->name);
+        thud_document_cell(d, "%d", s->storeys);
+        thud_document_cell(d, "%.6g", 1e-3 * s->mass_kg[0]);
+        thud_document_cell(d, "%.6g", 1e-3 * s->mass_kg[s->storeys - 1]);
+        thud_document_cell(d, "%.6g", 1e-6 * s->stiffness_npm[0]);
+        thud_document_cell(d, "%.6g", 1e2 * s->damping);
+        thud_document_row(d);
+    }
+    motions(study, d);
+    put_figure(study, 6, d);
+    put_figure(study, 2, d);
+    put_figure(study, 9, d);
 }
 
 /* ---- two bodies ---- */
 
-static void pairs(const struct thud_paper_study *study, struct thud_text *out)
+static void pairs(const struct thud_paper_study *study, struct thud_document *d)
 {
-    thud_text_append(out, "\n## Two rigid bodies of 320 t\n\n"
-                          "| case | closing (m/s) | largest force (kN) | indentation (mm) | contact (ms) | restitution "
-                          "asked for | restitution obtained | residual (mm) |\n|---|---|---|---|---|---|---|---|\n");
+    thud_document_heading(d, "Two rigid bodies of 320 t");
+    thud_document_table(d, "Two bodies that collide");
+    thud_document_head(
+        d,
+        "case|approach velocity, m/s|largest force, MN|indentation, mm|contact, ms|restitution asked for|restitution "
+        "obtained|residual, mm");
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
         const struct thud_paper_pair *p = &study->pair[i];
-        thud_text_append(out, "| %s | %.1f | %.1f | %.4f | %.3f | %.1f | %.5f | %.4f |\n", p->name, p->approach_mps,
-                         1e-3 * p->force_n, 1e3 * p->indentation_m, 1e3 * p->duration_s, p->nominal, p->restitution,
-                         1e3 * p->residual_m);
+        thud_document_cell(d, "%s", p->name);
+        thud_document_cell(d, "%.1f", p->approach_mps);
+        thud_document_cell(d, "%.2f", 1e-6 * p->force_n);
+        thud_document_cell(d, "%.2f", 1e3 * p->indentation_m);
+        thud_document_cell(d, "%.1f", 1e3 * p->duration_s);
+        thud_document_cell(d, "%.1f", p->nominal);
+        thud_document_cell(d, "%.3f", p->restitution);
+        thud_document_cell(d, "%.2f", 1e3 * p->residual_m);
+        thud_document_row(d);
     }
-    thud_text_append(out, "\n![Fig. 3](fig3.%s)\n\n![Fig. 4](fig4.%s)\n\n![Fig. 5](fig5.%s)\n", study->suffix,
-                     study->suffix, study->suffix);
+    for (int number = 3; number <= 5; number++)
+        put_figure(study, number, d);
 }
 
 /* ---- amplification ---- */
@@ -121,60 +148,70 @@ static struct extremes extremes_of(const struct thud_sweep_table *table, int rec
     return e;
 }
 
-static void extremes_row(struct thud_text *out, const struct extremes *e)
+static void extremes_cells(struct thud_document *d, const struct extremes *e)
 {
-    if (e->n == 0)
-        thud_text_append(out, " - | - | - |");
-    else
-        thud_text_append(out, " %.3f at %.4g cm | %.3f at %.4g cm | %d of %d |", e->least, 1e2 * e->least_gap_m,
-                         e->most, 1e2 * e->most_gap_m, e->below, e->n);
+    if (e->n == 0) {
+        for (int i = 0; i < 3; i++)
+            thud_document_cell(d, "-");
+        return;
+    }
+    thud_document_cell(d, "%.2f at %.4g", e->least, 1e2 * e->least_gap_m);
+    thud_document_cell(d, "%.2f at %.4g", e->most, 1e2 * e->most_gap_m);
+    thud_document_cell(d, "%d of %d", e->below, e->n);
 }
 
-static void by_floor(const struct thud_paper_study *study, struct thud_text *out)
+#define RATIOS                                                                                                         \
+    "least ratio of accelerations, at gap, cm|largest|gaps below 1|least ratio of drifts, at gap, cm|largest|gaps "    \
+    "below 1"
+
+static void by_floor(const struct thud_paper_study *study, struct thud_document *d)
 {
     const struct thud_sweep_table *table = study->table;
-    thud_text_append(out,
-                     "\n## %s, floor by floor (Fig. 7)\n\nRatio with the bumper over without it at the same gap; below "
-                     "1 the bumper helps. Gaps are counted where it does so by more than 0.1 %%.\n\n| building | floor "
-                     "| least acceleration ratio | largest | gaps below 1 | least deflection ratio | largest | gaps "
-                     "below 1 |\n|---|---|---|---|---|---|---|---|\n",
-                     table->record[0]);
+    char caption[THUD_NAME_MAX + 200];
+    thud_document_heading(d, "Results");
+    thud_document_paragraph(
+        d, "Each ratio is a peak with the bumper over the same peak without it, at the same gap; below "
+           "1 the bumper helps. Gaps are counted as below 1 where it lowers the peak by more than "
+           "0.1 %%. Accelerations are those of the floors, drifts those of the storeys below them.");
+    snprintf(caption, sizeof caption, "Ratios floor by floor under %.150s", table->record[0]);
+    thud_document_table(d, caption);
+    thud_document_head(d, "building|floor|" RATIOS);
     for (int s = 0; s < table->nstructures && s < study->scene->nstructures; s++) {
         for (int f = study->scene->structure[s].storeys; f >= 1; f--) {
-            thud_text_append(out, "| %s | %d |", table->structure[s], f);
+            thud_document_cell(d, "%s", table->structure[s]);
+            thud_document_cell(d, "%d", f);
             for (int drift = 0; drift < 2; drift++) {
                 struct extremes e = extremes_of(table, 0, THUD_CASE_BUMPER, s, f, drift == 1);
-                extremes_row(out, &e);
+                extremes_cells(d, &e);
             }
-            thud_text_append(out, "\n");
+            thud_document_row(d);
         }
     }
-    thud_text_append(out, "\n![Fig. 7](fig7.%s)\n", study->suffix);
+    put_figure(study, 7, d);
 }
 
-static void means(const struct thud_paper_study *study, enum thud_case which, const char *title, int figure,
-                  struct thud_text *out)
+static void means(const struct thud_paper_study *study, enum thud_case which, const char *caption, int figure,
+                  struct thud_document *d)
 {
     const struct thud_sweep_table *table = study->table;
-    thud_text_append(out,
-                     "\n## %s (Fig. %d)\n\n| building | ground motion | least acceleration ratio | largest | gaps "
-                     "below 1 | least deflection ratio | largest | gaps below 1 |\n|---|---|---|---|---|---|---|---|\n",
-                     title, figure);
+    thud_document_table(d, caption);
+    thud_document_head(d, "building|ground motion|" RATIOS);
     for (int s = 0; s < table->nstructures; s++) {
         for (int r = 0; r < table->nrecords; r++) {
-            thud_text_append(out, "| %s | %s |", table->structure[s], table->record[r]);
+            thud_document_cell(d, "%s", table->structure[s]);
+            thud_document_cell(d, "%s", table->record[r]);
             for (int drift = 0; drift < 2; drift++) {
                 struct extremes e = extremes_of(table, r, which, s, 0, drift == 1);
-                extremes_row(out, &e);
+                extremes_cells(d, &e);
             }
-            thud_text_append(out, "\n");
+            thud_document_row(d);
         }
     }
-    thud_text_append(out, "\n![Fig. %d](fig%d.%s)\n", figure, figure, study->suffix);
+    put_figure(study, figure, d);
 }
 
 /* The widest gap that any level needs, for each ground motion, beside the rules of the codes. */
-static void needs(const struct thud_paper_study *study, struct thud_text *out)
+static void needs(const struct thud_paper_study *study, struct thud_document *d)
 {
     const struct thud_sweep_table *table = study->table;
     bool any = false;
@@ -182,17 +219,23 @@ static void needs(const struct thud_paper_study *study, struct thud_text *out)
         any |= table->need && table->need[r].interface > 0;
     if (!any)
         return;
-    thud_text_append(
-        out,
-        "\n## The gap at which there is no contact\n\nLargest relative displacement of two floors that move without "
-        "contact under each other, at the level that needs most, and what the rules of the codes ask for there.\n\n"
-        "| ground motion | floor | needed (cm) | ABS (cm) | SRSS (cm) | DDC (cm) |\n|---|---|---|---|---|---|\n");
+    thud_document_heading(d, "Required gap");
+    thud_document_paragraph(d,
+                            "The required gap is the largest relative displacement of two floors that move without "
+                            "contact, at the level that needs most; beside it stands what three rules of combination "
+                            "ask for there.");
+    thud_document_table(d, "Required gap, cm");
+    thud_document_head(d, "ground motion|floor|required|ABS|SRSS|DDC");
     for (int r = 0; r < table->nrecords; r++) {
         const struct thud_sweep_need_row *most = &table->need[r];
-        if (most->interface > 0)
-            thud_text_append(out, "| %s | %d | %.2f | %.2f | %.2f | %.2f |\n", table->record[r], most->left_floor,
-                             1e2 * most->relative_displacement_m, 1e2 * most->abs_m, 1e2 * most->srss_m,
-                             1e2 * most->ddc_m);
+        if (most->interface <= 0)
+            continue;
+        thud_document_cell(d, "%s", table->record[r]);
+        thud_document_cell(d, "%d", most->left_floor);
+        const double cell[] = {most->relative_displacement_m, most->abs_m, most->srss_m, most->ddc_m};
+        for (int i = 0; i < 4; i++)
+            thud_document_cell(d, "%.1f", 1e2 * cell[i]);
+        thud_document_row(d);
     }
 }
 
@@ -204,38 +247,46 @@ int thud_paper_synthetic(const struct thud_paper_study *study)
     return synthetic;
 }
 
-static void record_difference(const struct thud_paper_study *study, struct thud_text *out)
+static void differences(const struct thud_paper_study *study, struct thud_document *d)
 {
     int surrogates = thud_paper_synthetic(study);
+    thud_document_heading(d, "What differs from the paper, and why");
+    for (size_t i = 0; i < sizeof difference / sizeof *difference; i++)
+        thud_document_item(d, "%s", difference[i]);
     if (surrogates > 0)
-        thud_text_append(
-            out,
-            "- **Ground motions.** %d of the %d are synthetic motions with the peak and the main pulse of the recorded "
-            "ones and nothing else of them; the curves of Figs. 7, 8 and 10 are theirs. `--records` takes files\n"
-            "  with the recorded ones.\n",
-            surrogates, study->table->nrecords);
+        thud_document_item(d,
+                           "Ground motions. %d of the %d are synthetic motions with the peak and the main pulse of the "
+                           "recorded ones and nothing else of them; the curves of Figs. 7, 8 and 10 are theirs. "
+                           "--records takes files with the recorded ones.",
+                           surrogates, study->table->nrecords);
     else
-        thud_text_append(out, "- **Ground motions.** The files above, with the peaks above. Other processings of the "
-                              "same records differ, and impacts amplify small differences.\n");
+        thud_document_item(d, "Ground motions. The files above, with the peaks above. Other processings of the same "
+                              "records differ, and impacts amplify small differences.");
+    if (study->unanswered > 0)
+        thud_document_item(
+            d,
+            "Runs without a result. In %d of the runs the integration failed; the curves have gaps there, "
+            "and the tables leave these gaps out.",
+            study->unanswered);
 }
 
-void thud_paper_report(const struct thud_paper_study *study, struct thud_text *out)
+void thud_paper_report(const struct thud_paper_study *study, struct thud_document *d)
 {
-    thud_text_append(out, "%s", heading);
-    parameters(study, out);
-    pairs(study, out);
-    by_floor(study, out);
-    means(study, THUD_CASE_BUMPER, "All ground motions, means over the floors", 8, out);
-    means(study, THUD_CASE_CAVITY, "The same with the bumper in a cavity", 10, out);
-    needs(study, out);
-    thud_paper_statements(study, out);
-    thud_text_append(out, "%s", differences);
-    record_difference(study, out);
-    if (study->unanswered > 0)
-        thud_text_append(out,
-                         "- **Runs without a result.** In %d of the runs the integration failed; the curves have gaps "
-                         "there, and the tables leave these gaps out.\n",
-                         study->unanswered);
+    thud_document_title(d, "A parametric study of rubber shock-absorbers, computed again");
+    thud_document_paragraph(
+        d,
+        "After P. C. Polycarpou and P. Komodromos, A parametric study for the investigation of the effectiveness of "
+        "rubber shock-absorbers as a mitigation measure for earthquake-induced structural poundings, COMPDYN 2011 "
+        "(here: the paper). Made by thud " THUD_VERSION ". Every figure also stands beside this file as a picture, as "
+        "a gnuplot script with its data inside, and as CSV.");
+    thud_paper_statements(study, d);
+    parameters(study, d);
+    pairs(study, d);
+    by_floor(study, d);
+    means(study, THUD_CASE_BUMPER, "Ratios of the means over the floors, bumper on the wall", 8, d);
+    means(study, THUD_CASE_CAVITY, "Ratios of the means over the floors, bumper in a cavity of 1 cm", 10, d);
+    needs(study, d);
+    differences(study, d);
 }
 
 void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out)

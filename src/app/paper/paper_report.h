@@ -1,8 +1,9 @@
-/* report.md: the paper's study in words, tables and figures. */
+/* report.html, report.md: the paper's study in words, tables and figures. */
 #pragma once
 
 #include <stdatomic.h>
 
+#include "app/report/document.h"
 #include "app/sweep/sweep_jobs.h"
 #include "app/sweep/sweep_table.h"
 #include "base/text.h"
@@ -55,6 +56,13 @@ struct thud_paper_record {
     bool surrogate; /* computed, not recorded */
 };
 
+enum { THUD_PAPER_FIGURES = 9 };
+/* One as it was drawn: its file's name, caption, what is to be seen in it, and its bytes where a page can show them. */
+struct thud_paper_picture {
+    char file[32], caption[400];
+    struct thud_text alt, bytes;
+};
+
 struct thud_paper_study {
     const struct thud_scene *scene;               /* the preset the study was made from */
     const struct thud_sweep_table *table;         /* cases none, bumper, cavity over the gap */
@@ -63,16 +71,16 @@ struct thud_paper_study {
     const struct thud_paper_runs *runs;           /* (2) beside it, as given and reversed; NULL: no report is made */
     const struct thud_paper_pair *pair;           /* (THUD_PAPER_PAIRS) */
     const struct thud_paper_collision *collision; /* (THUD_PAPER_COLLISIONS) */
+    struct thud_paper_picture *picture;           /* (THUD_PAPER_FIGURES); the report takes their bytes */
     int unanswered;                               /* runs whose integration failed */
-    const char *suffix;                           /* of the pictures: "png" */
 };
 
 /* Motions of it that are synthetic. */
 int thud_paper_synthetic(const struct thud_paper_study *study);
 /* study.json: the motions, the scene, what was varied. */
 void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out);
-/* Look at out->failed. */
-void thud_paper_report(const struct thud_paper_study *study, struct thud_text *out);
+/* Look at d->failed. */
+void thud_paper_report(const struct thud_paper_study *study, struct thud_document *d);
 
 /* ---- What the paper says in words, each with what was found ---- */
 
@@ -80,7 +88,7 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_text *o
 #define THUD_PAPER_CHANGE 1e-3
 
 /* A table of the report, with study->pair. */
-void thud_paper_statements(const struct thud_paper_study *study, struct thud_text *out);
+void thud_paper_statements(const struct thud_paper_study *study, struct thud_document *d);
 
 /* ---- The paper's parametric study: the preset `towers`, three ground motions, its gaps and cases ---- */
 
@@ -105,11 +113,7 @@ void thud_paper_work_free(struct thud_paper_work *work);
 
 /* ---- The paper's figures by name, and the report that holds them all ---- */
 
-enum {
-    THUD_PAPER_FIGURES = 9,
-    THUD_PAPER_ALL = (1 << THUD_PAPER_FIGURES) - 1,
-    THUD_PAPER_REPORT = 1 << THUD_PAPER_FIGURES
-};
+enum { THUD_PAPER_ALL = (1 << THUD_PAPER_FIGURES) - 1, THUD_PAPER_REPORT = 1 << THUD_PAPER_FIGURES };
 
 /* "fig2" to "fig10". */
 const char *thud_paper_figure_name(int index);

@@ -592,27 +592,33 @@ static const struct statement {
      true, storeys},
 };
 
-static void put(const struct statement *x, const struct view view[2], struct thud_text *out)
+static void put(const struct statement *x, const struct view view[2], struct thud_document *d)
 {
     static const char *const word[] = {"no", "partly", "yes"};
     char text[2][TEXT] = {"-", "-"};
+    struct thud_text said = {0};
     bool both = x->both && view[1].table;
     enum verdict verdict[2] = {x->find(&view[0], text[0])};
     verdict[1] = both ? x->find(&view[1], text[1]) : verdict[0];
-    enum verdict said = verdict[0] == verdict[1] ? verdict[0] : PARTLY;
-    thud_text_append(out, "| ");
     for (const char *c = x->said; *c; c++)
         if (*c == '%') {
-            thud_text_append(out, "%s", *++c == 's' ? view[0].table->record[0] : "%");
+            thud_text_append(&said, "%s", *++c == 's' ? view[0].table->record[0] : "%");
         } else {
-            thud_text_bytes(out, c, 1);
+            thud_text_bytes(&said, c, 1);
         }
-    thud_text_append(out, " | %s | %s | %s | **%s** |\n", x->criterion, text[0], text[1], word[said]);
+    d->failed = d->failed || said.failed;
+    thud_document_cell(d, "%s", said.data ? said.data : "");
+    thud_document_cell(d, "%s", x->criterion);
+    for (int i = 0; i < 2; i++)
+        thud_document_cell(d, "%s", text[i]);
+    thud_document_cell(d, "%s", word[verdict[0] == verdict[1] ? verdict[0] : PARTLY]);
+    thud_document_row(d);
+    thud_text_clear(&said);
 }
 
 /* ---- besides ---- */
 
-static void put_forces(const struct view *v, const char *what, struct thud_text *out)
+static void put_forces(const struct view *v, const char *what, struct thud_document *d)
 {
     int harder = 0, n = 0, past = 0;
     for (size_t i = 0; i < v->table->npoints; i++) {
@@ -624,13 +630,13 @@ static void put_forces(const struct view *v, const char *what, struct thud_text 
         harder += with->force_n > none->force_n;
         past += with->force_n > none->force_n && with->indentation_m > v->strained_m;
     }
-    thud_text_append(out,
-                     "- Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with "
-                     "pounding; at %d of those it is pressed past its largest strain, where concrete acts.\n",
-                     what, harder, n, past);
+    thud_document_item(d,
+                       "Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with "
+                       "pounding; at %d of those it is pressed past its ultimate strain, where concrete acts.",
+                       what, harder, n, past);
 }
 
-void thud_paper_statements(const struct thud_paper_study *study, struct thud_text *out)
+void thud_paper_statements(const struct thud_paper_study *study, struct thud_document *d)
 {
     const struct thud_sweep_table *table = study->table;
     const struct thud_interface *at = &study->scene->interface[0];
@@ -640,24 +646,24 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_tex
     double strained_m = thud_interface_max_strain(at) * at->bumper_thickness_m;
     const struct view view[2] = {{study, table, &study->runs[0], strained_m},
                                  {study, study->turned, &study->runs[1], strained_m}};
-    thud_text_append(out,
-                     "\n## What the paper says, and what was found\n\n"
-                     "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, "
-                     "but where no pounding is said; those within 0.1 %% of 1 are no change. Motions as given and "
-                     "turned round are judged apart: where they differ, the statement is borne out partly.\n\n"
-                     "| the paper | criterion | motions as given | motions reversed | borne out |\n"
-                     "|---|---|---|---|---|\n");
+    thud_document_heading(d, "What the paper says, and what was found");
+    thud_document_paragraph(
+        d, "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, except where "
+           "no pounding is said; those within 0.1 %% of 1 count as no change. Motions as given and with reversed "
+           "polarity are judged apart: where they differ, the statement is borne out partly.");
+    thud_document_table(d, "Statements of the paper, their criteria and what was found");
+    thud_document_head(d, "the paper|criterion|motions as given|motions reversed|borne out");
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
-        put(&statements[i], view, out);
-    thud_text_append(out, "\n### Found besides\n\n");
-    put_forces(&view[0], "as given", out);
+        put(&statements[i], view, d);
+    thud_document_heading(d, "Found besides");
+    put_forces(&view[0], "as given", d);
     if (!study->turned)
         return;
-    put_forces(&view[1], "reversed", out);
-    thud_text_append(
-        out,
-        "- The sign of a motion, which the paper does not give, changes these counts: under %s with reversed polarity "
-        "the 4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.\n",
+    put_forces(&view[1], "reversed", d);
+    thud_document_item(
+        d,
+        "The sign of a motion, which the paper does not give, changes these counts: under %s with reversed polarity "
+        "the 4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.",
         table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
         of_floor(&view[0], 0, 4, NULL).above);
 }

@@ -5,11 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/file/file.h"
+
 enum kind { TITLE, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
 
 struct thud_document_piece {
     enum kind kind;
-    struct thud_text text, file, alt, svg; /* all but text: of a figure */
+    struct thud_text text, file, alt, picture; /* all but text: of a figure */
 };
 
 enum { SENTENCES_MAX = 4000 };
@@ -91,18 +93,18 @@ void thud_document_head(struct thud_document *document, const char *cells)
 }
 
 void thud_document_figure(struct thud_document *document, const char *file, const char *caption, const char *alt,
-                          struct thud_text *svg)
+                          struct thud_text *picture)
 {
     struct thud_document_piece *piece = add(document, FIGURE, caption);
     if (!piece) {
-        thud_text_clear(svg);
+        thud_text_clear(picture);
         return;
     }
     thud_text_append(&piece->file, "%s", file);
     thud_text_append(&piece->alt, "%s", alt);
-    piece->svg = *svg;
-    *svg = (struct thud_text){0};
-    document->failed = document->failed || piece->file.failed || piece->alt.failed || piece->svg.failed;
+    piece->picture = *picture;
+    *picture = (struct thud_text){0};
+    document->failed = document->failed || piece->file.failed || piece->alt.failed || piece->picture.failed;
 }
 
 const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file)
@@ -110,7 +112,7 @@ const struct thud_text *thud_document_picture(const struct thud_document *docume
     for (size_t k = 0; k < document->n; k++)
         if (document->piece[k].kind == FIGURE && i-- == 0) {
             *file = document->piece[k].file.data;
-            return &document->piece[k].svg;
+            return &document->piece[k].picture;
         }
     return NULL;
 }
@@ -120,7 +122,7 @@ void thud_document_take(struct thud_document *document, size_t n, size_t count)
     size_t end = n + count < document->n ? n + count : document->n;
     for (size_t i = n; i < end; i++) {
         struct thud_document_piece *piece = &document->piece[i];
-        struct thud_text *const text[] = {&piece->text, &piece->file, &piece->alt, &piece->svg};
+        struct thud_text *const text[] = {&piece->text, &piece->file, &piece->alt, &piece->picture};
         for (size_t k = 0; k < sizeof text / sizeof *text; k++)
             thud_text_clear(text[k]);
     }
@@ -237,13 +239,13 @@ static const char style[] =
     "body { max-width: 190mm; margin: 8mm auto; padding: 0 4mm }\n"
     "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em; string-set: title content() }\n"
     "h2 { font-size: 1.2em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid }\n"
-    "main > div { overflow-x: auto } tbody th { max-width: 22em; overflow-wrap: anywhere }\n"
+    "main > div { overflow-x: auto } tbody th { max-width: 22em; overflow-wrap: break-word }\n"
     "p, li { margin: .4em 0 } ul { padding-left: 1.4em }\n"
     "table { border-collapse: collapse; margin: .8em 0; font-size: .9em; width: 100% }\n"
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
     "tabular-nums }\n"
-    "td.words, thead th.words { text-align: left }\n"
+    "td.words, thead th.words { text-align: left } td:not(.words) { white-space: nowrap }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
@@ -251,7 +253,8 @@ static const char style[] =
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
     ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
-    "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } pre { background: none; "
+    "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } figure img { max-height: "
+    "150mm; object-fit: contain } pre { background: none; "
     "border: 1px solid #aaa } }\n";
 
 /* Where the writer stands: in a list, in a table, in which of its rows and columns. */
@@ -309,6 +312,21 @@ static bool is_long(const struct thud_document *document, size_t table)
     return rows > ROWS_TOGETHER;
 }
 
+/* A picture of a format that pages do not show is a link to its file. */
+static void html_figure(struct thud_text *out, const struct thud_document_piece *piece)
+{
+    const char *file = piece->file.data ? piece->file.data : "", *dot = strrchr(file, '.');
+    if (piece->picture.size > 0) {
+        html_element(out, "<figure><img alt=\"", piece->alt.data ? piece->alt.data : "", "\" src=\"data:image/");
+        thud_text_append(out, "%s;base64,", dot && strcmp(dot, ".png") == 0 ? "png" : "svg+xml");
+        base64(out, &piece->picture);
+        thud_text_append(out, "\"><figcaption>");
+    } else {
+        html_element(out, "<figure><a href=\"", file, "\">");
+        html_element(out, "", file, "</a><figcaption>");
+    }
+}
+
 static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
     const struct thud_document_piece *piece = &document->piece[i];
@@ -347,10 +365,7 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         place->column = 0;
         break;
     case FIGURE:
-        html_element(out, "<figure><img alt=\"", piece->alt.data ? piece->alt.data : "",
-                     "\" src=\"data:image/svg+xml;base64,");
-        base64(out, &piece->svg);
-        thud_text_append(out, "\"><figcaption>");
+        html_figure(out, piece);
         put_number(document, i, out);
         html_element(out, "", text_of(piece), "</figcaption></figure>\n");
         break;
@@ -457,4 +472,17 @@ void thud_document_markdown(const struct thud_document *document, struct thud_te
     struct place place = {0};
     for (size_t i = 0; i < document->n; i++)
         markdown_piece(out, &place, document, i);
+}
+
+enum thud_status thud_document_deliver(const struct thud_document *document, const char *folder, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    if (document->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_document_markdown(document, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, "report.md", err);
+    if (status != THUD_OK)
+        return status;
+    thud_document_html(document, &text);
+    return thud_text_write_in(&text, folder, "report.html", err);
 }

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "base/status.h"
 #include "base/text.h"
 
 struct thud_document {
@@ -30,13 +31,16 @@ void thud_document_cell(struct thud_document *document, const char *fmt, ...) TH
 /* A row of cells parted by `|`. */
 void thud_document_head(struct thud_document *document, const char *cells);
 void thud_document_row(struct thud_document *document);
-/* A picture in SVG, also written beside the Markdown as `file`; the caption says what it is, `alt` what is to
- * be seen in it. Takes the bytes of `svg`. */
+/* A picture in SVG or PNG, also beside the Markdown as `file`; without bytes the page links to that file. The caption
+ * says what it is, `alt` what is to be seen in it. Takes the bytes of `picture`. */
 void thud_document_figure(struct thud_document *document, const char *file, const char *caption, const char *alt,
-                          struct thud_text *svg);
+                          struct thud_text *picture);
 
 void thud_document_html(const struct thud_document *document, struct thud_text *out);
 void thud_document_markdown(const struct thud_document *document, struct thud_text *out);
 /* The i-th figure from 0; NULL past the last. */
 const struct thud_text *thud_document_picture(const struct thud_document *document, int i, const char **file);
+/* report.md and report.html in a folder. Errors: THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_document_deliver(const struct thud_document *document, const char *folder,
+                                       struct thud_error *err);
 void thud_document_clear(struct thud_document *document);

@@ -249,14 +249,8 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
         thud_text_bytes(&text, picture->data, picture->size);
         status = thud_text_write_in(&text, folder, file, err);
     }
-    if (status == THUD_OK) {
-        thud_document_markdown(&site->document, &text);
-        status = thud_text_write_in(&text, folder, "report.md", err);
-    }
-    if (status == THUD_OK) {
-        thud_document_html(&site->document, &text);
-        status = thud_text_write_in(&text, folder, "report.html", err);
-    }
+    if (status == THUD_OK)
+        status = thud_document_deliver(&site->document, folder, err);
     if (status == THUD_OK && site->options->pdf) {
         tell(site, "report.pdf");
         status = thud_report_pdf(folder, site->options->pictures ? site->options->pictures->cancel : NULL, err);
