@@ -86,9 +86,9 @@ is "and so does a ground motion" cmp "$tmp/wanted" "$tmp/got"
 refused 2 - </dev/null
 why=$(sh tests/tools/no-terminal.sh script)
 if [ -z "$why" ]; then # kinds, storeys, then the usual values but for the gap
-    printf '\n\n3\n5\n\n\n\n\n\n\n\n\n8\n\n' | script -qec "'$THUD' new '$tmp/asked.yaml'" /dev/null >"$tmp/out" 2>"$tmp/err"
+    printf '\n\n3\n5\n\n\n\n\n\n\n\n\n8\n\n180\n\n3000\n' | script -qec "'$THUD' new '$tmp/asked.yaml'" /dev/null >"$tmp/out" 2>"$tmp/err"
     is "new asks at a terminal" shows 'right storeys \[6\]: '
-    is "and takes the answers" [ "$(grep -c -e '^    storeys: [35]$' -e '^  - gap: 8 cm ' "$tmp/asked.yaml")" -eq 3 ]
+    is "and takes the answers" [ "$(grep -c -e '^    storeys: [35]$' -e '^  - gap: 8 cm ' -e 'vs: 180 m/s' -e 'damping: 3000 kN s/m' "$tmp/asked.yaml")" -eq 6 ]
 else
     echo "ok - new asks at a terminal # SKIP $why"
 fi

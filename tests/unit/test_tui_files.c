@@ -603,15 +603,22 @@ START_TEST(new_scenes_of_every_kind)
         bool matrix = strcmp(kind, "matrix") == 0, modes = strcmp(kind, "modes") == 0;
         snprintf(keys, sizeof keys,
                  ":new name: n%d; kind: %s, shear; storeys: 2; mass: 250 t; stiffness: %s, 500; gap: 2 cm; "
-                 "record: pulse.csv<Enter>",
+                 "record: pulse.csv; soil: %s; damper: 3000<Enter>",
                  i, kind,
                  matrix  ? "k.tab"
                  : modes ? "m.tab"
-                         : "500");
+                         : "500",
+                 matrix || modes ? ", 200" : "200");
         fixture_keys(&f, keys);
         fixture_expect(&f, "each value can be changed here now");
         ck_assert_int_eq((int)f.tui->run.live.which[THUD_LIVE_NONE].state, (int)THUD_LIVE_DONE);
         const struct thud_structure *s = &now->structure[0];
+        ck_assert_double_eq_tol(now->structure[1].soil_vs_mps, 200.0, 1e-9); /* under the right one, which is shear */
+        const bool building = thud_kind_is_building(s->kind);
+        ck_assert_int_eq(now->nlinks, building);
+        if (building)
+            ck_assert_double_eq_tol(now->link[0].damping_nspm, 3e6, 1e-3);
+        ck_assert_int_eq(s->soil_vs_mps > 199.0, building && s->kind != THUD_ISOLATED && !matrix && !modes);
         if (strcmp(kind, "lead-rubber") == 0) {
             ck_assert_double_eq_tol(s->isolator_strength_n, 0.05 * 750e3 * 9.80665, 1e-3 * s->isolator_strength_n);
             ck_assert_double_eq_tol(s->isolator_post_yield_npm, 750e3 * 6.3165, 1e-3 * s->isolator_post_yield_npm);

@@ -149,10 +149,12 @@ START_TEST(the_list_of_records_follows)
     fixture_write(&f, "quake.csv", "time_s,acceleration_g\n0,0.1\n0.01,-0.1\n0.02,0\n");
     fixture_write(&f, "towers-impact-force.csv", "Time (s),Force (MN)\n0,0\n1,1\n");
     fixture_write(&f, "towers-impact-force.gp", "# thud\n");
+    fixture_write(&f, "towers.frame.csv", "Story,1,2\n,kN/m,kN/m\n1,2e5,-1e5\n2,-1e5,1e5\n"); /* of the preset */
     fixture_keys(&f, "3");
     ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record pulse.csv");
     fixture_expect(&f, "quake.csv");
     fixture_expect_not(&f, "towers-impact-force");
+    fixture_expect_not(&f, "towers.frame");
     fixture_keys(&f, ":record quake.csv<Enter>");
     ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record quake.csv");
     fixture_keys(&f, "u");

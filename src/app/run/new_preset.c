@@ -25,7 +25,11 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false},
     [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true},
     [THUD_NEW_RECORD] = {"record", "ground motion", "",
-                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true}};
+                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true},
+    [THUD_NEW_SOIL] = {"soil", "soil", "m/s",
+                       "Speed of its shear waves, m/s, under a disk of 9 m; empty: the ground is rigid", false},
+    [THUD_NEW_DAMPER] = {"damper", "damper", "kN s/m",
+                         "A dashpot between their topmost common floors, kN s/m; empty: none", true}};
 static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "lead-rubber",
                                     "pendulum", "matrix",   "modes", "estimated", NULL};
 
@@ -57,7 +61,7 @@ const char *thud_new_kind(int i)
 void thud_new_preset_init(struct thud_new_preset *preset)
 {
     static const char *const usual[THUD_NEW_ROWS] = {
-        "buildings", "shear", "4, 6", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", "kobe-surrogate.csv"};
+        "buildings", "shear", "4, 6", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", "kobe-surrogate.csv", "", ""};
     memset(preset, 0, sizeof *preset);
     for (int row = 0; row < THUD_NEW_ROWS; row++)
         thud_new_preset_put(preset, (enum thud_new_row)row, usual[row]);
@@ -80,12 +84,31 @@ void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, 
     put(right, strlen(right), preset->text[row][1]);
 }
 
+/* The topmost storey that both have; 0: one of them has none. */
+static int common_floor(const struct thud_new_preset *preset)
+{
+    int common = THUD_STOREYS_MAX;
+    for (int side = 0; side < 2; side++) {
+        const char *end;
+        double n = 0;
+        if (!thud_new_applies(preset, THUD_NEW_STOREYS, side) ||
+            thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
+            return 0;
+        common = n < common ? (int)n : common;
+    }
+    return common;
+}
+
 bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side)
 {
     const char *k = preset->text[THUD_NEW_KIND][side];
     bool building = strcmp(k, "shear") == 0 || is_isolated(k) || is_read(k) || is_estimated(k);
+    if (row == THUD_NEW_DAMPER)
+        return side == 0 && common_floor(preset) > 0;
     if (about[row].single)
         return side == 0;
+    if (row == THUD_NEW_SOIL)
+        return building && !is_isolated(k);
     return row == THUD_NEW_KIND || building || (row == THUD_NEW_MASS && strcmp(k, "rigid") == 0);
 }
 
@@ -184,6 +207,32 @@ static enum thud_status estimated(const struct thud_new_preset *preset, int side
     return THUD_OK;
 }
 
+/* Of a surface foundation on a half-space, with usual values of the rest. */
+static void soil(const struct thud_new_preset *preset, int side, struct thud_text *out)
+{
+    char vs[THUD_NEW_TEXT + 16];
+    if (!thud_new_applies(preset, THUD_NEW_SOIL, side) || !*preset->text[THUD_NEW_SOIL][side])
+        return;
+    value_of(preset, THUD_NEW_SOIL, side, vs, sizeof vs);
+    thud_text_append(out,
+                     "    foundation:\n      mass: 400 t\n      vs: %s # of the soil's shear waves\n"
+                     "      density: 1.9 t/m3\n      poisson: 0.4\n      radius: 9 m # of a disk as large\n",
+                     vs);
+}
+
+static void damper(const struct thud_new_preset *preset, struct thud_text *out)
+{
+    char damping[THUD_NEW_TEXT + 16];
+    const int floor = common_floor(preset);
+    if (!*preset->text[THUD_NEW_DAMPER][0] || floor == 0)
+        return;
+    value_of(preset, THUD_NEW_DAMPER, 0, damping, sizeof damping);
+    thud_text_append(out,
+                     "links:\n  - law: spring\n    from: A.%d\n    to: B.%d\n"
+                     "    stiffness: 0 MN/m # a tie has some\n    damping: %s\n",
+                     floor, floor, damping);
+}
+
 static enum thud_status structure(const struct thud_new_preset *preset, int side, struct thud_text *out,
                                   struct thud_error *err)
 {
@@ -259,16 +308,18 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
         thud_text_append(out, " # also: peak: 0.3 g, to scale it");
     }
     thud_text_append(out, "\nstructures: # from left to right\n");
-    enum thud_status status = structure(preset, 0, out, err);
-    if (status == THUD_OK)
-        status = structure(preset, 1, out, err);
-    if (status != THUD_OK)
-        return status;
+    for (int side = 0; side < 2; side++) {
+        enum thud_status status = structure(preset, side, out, err);
+        if (status != THUD_OK)
+            return status;
+        soil(preset, side, out);
+    }
     value_of(preset, THUD_NEW_GAP, 0, text, sizeof text);
     thud_text_append(out,
                      "interfaces:\n  - gap: %s # at rest\n    contact:\n"
                      "      law: kelvin-voigt-no-tension # one of `thud laws`\n"
                      "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
                      text);
+    damper(preset, out);
     return out->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : THUD_OK;
 }

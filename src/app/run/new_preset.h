@@ -16,6 +16,8 @@ enum thud_new_row {
     THUD_NEW_DAMPING,
     THUD_NEW_GAP,
     THUD_NEW_RECORD,
+    THUD_NEW_SOIL,   /* under a building; empty: rigid ground */
+    THUD_NEW_DAMPER, /* between the two; empty: none */
     THUD_NEW_ROWS
 };
 enum { THUD_NEW_TEXT = 256 };

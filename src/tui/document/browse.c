@@ -30,8 +30,6 @@ static bool fits(enum thud_browse_kind kind, const char *name)
     const char *suffix = strrchr(name, '.');
     if (kind == THUD_BROWSE_PRESETS)
         return suffix && strcmp(suffix, ".yaml") == 0;
-    if (strstr(name, ".expected.csv")) /* of a preset */
-        return false;
     for (size_t i = 0; suffix && i < sizeof others / sizeof *others; i++)
         if (strcmp(suffix, others[i]) == 0)
             return false;
@@ -64,13 +62,14 @@ static struct thud_browse_item *add(struct thud_browse *browse, const char *name
     return item;
 }
 
-/* Numbers of a figure have the script that draws it beside them. */
-static bool is_of_figure(const char *path)
+/* Numbers of a figure have the script that draws it beside them, those of a preset (NAME.what.csv) the preset. */
+static bool is_of_another(const char *path)
 {
-    char script[1100];
-    const char *suffix = strrchr(path, '.');
+    char script[1100], preset[1100];
+    const char *suffix = strrchr(path, '.'), *slash = strrchr(path, '/'), *stem = strchr(slash ? slash + 1 : path, '.');
     snprintf(script, sizeof script, "%.*s.gp", suffix ? (int)(suffix - path) : 0, path);
-    return access(script, F_OK) == 0;
+    snprintf(preset, sizeof preset, "%.*s.yaml", stem ? (int)(stem - path) : 0, path);
+    return access(script, F_OK) == 0 || (stem != suffix && access(preset, F_OK) == 0);
 }
 
 /* What is in `folder`, asked for with `before` in front. A shipped preset goes by its name without `.yaml`. */
@@ -90,7 +89,7 @@ static void add_folder(struct thud_browse *browse, const char *folder, const cha
             continue;
         if (shipped && preset)
             name[strlen(name) - 5] = '\0';
-        struct thud_browse_item *item = !preset && !is_folder && is_of_figure(path) ? NULL : add(browse, name);
+        struct thud_browse_item *item = !preset && !is_folder && is_of_another(path) ? NULL : add(browse, name);
         if (!item)
             continue;
         memcpy(item->path, path, sizeof path);

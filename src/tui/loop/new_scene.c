@@ -325,7 +325,7 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
             thud_tui_normal(tui);
             thud_tui_say(tui, THUD_ROLE_ERROR,
                          "! new: \"%.40s\" is none of name, kind, storeys, mass, stiffness, height, "
-                         "damping, gap, record",
+                         "damping, gap, record, soil, damper",
                          part);
             return;
         }
