@@ -8,7 +8,7 @@ tmp=$(mktemp -d) || exit 1
 # a program that is killed or cannot write leaves its counts of coverage whole for the others
 export GCOV_PREFIX="$tmp/counts"
 trap 'rm -rf "$tmp"' EXIT
-POINTS=${FAULT_POINTS:-100} # calls tried for each command and kind, spread over all of them
+POINTS=${FAULT_POINTS:-40} # calls tried for each command and kind, spread over all of them
 FILE_POINTS=${FAULT_FILE_POINTS:-10}
 
 preload=${BUILD:-build/release}/faults.so # LD_PRELOAD takes no blank in a path

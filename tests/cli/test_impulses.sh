@@ -31,13 +31,13 @@ gains() { # the least energy lost by what happens at one moment, J
 }
 lost() { "$THUD" run "$tmp/$1.yaml" --method "$2" --json --quiet 2>/dev/null | grep -o '"contact_j": [0-9.e+-]*' | awk '{ printf "%.5g", $2 }'; }
 for method in exact dormand-prince rk4 newmark; do
-    is "$method: a slab on columns parts a floor that rests" gives 0 run "$tmp/two.yaml" --method $method -o "$tmp/$method" --quiet
+    is "$method: a slab on columns parts a floor that rests" gives 0 run "$tmp/two.yaml" --method $method -o "$tmp/$method" --quiet --no-figures
     is "$method: no blow gives energy" test "$(gains "$tmp/$method")" = 0.000
 done
 peaks two exact >"$tmp/exact.txt"
 peaks two dormand-prince >"$tmp/other.txt"
 is "two methods agree on it" cmp -s "$tmp/exact.txt" "$tmp/other.txt"
 # the ground stops at the motion's end, and what pressed the body to the wall with it: m 1 m/s2 is gone at once
-is "a body at rest at a wall" gives 0 run "$tmp/wall.yaml" -o "$tmp/rest" --quiet
+is "a body at rest at a wall" gives 0 run "$tmp/wall.yaml" -o "$tmp/rest" --quiet --no-figures
 is "stays there when the ground stops" test "$(gains "$tmp/rest")" = 0.000
 is "by two methods" test "$(lost wall exact)" = "$(lost wall dormand-prince)"

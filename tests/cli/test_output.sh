@@ -58,7 +58,7 @@ general_json() {
 two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
 "$THUD" sweep towers --to 3s --records "$two" --vary bumper.thickness=2cm,3cm --cases bumper --json --quiet -o "$tmp/suite" >"$tmp/sweep.json" 2>/dev/null
 "$THUD" bench rigid-concrete --quiet -o "$tmp/bench" >/dev/null 2>&1
-"$THUD" stability rigid-bumper --quiet -o "$tmp/stability" >/dev/null 2>&1
+"$THUD" stability rigid-bumper --quiet --json -o "$tmp/stability" >"$tmp/stability.json" 2>/dev/null
 "$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 >"$tmp/spectrum.csv" 2>/dev/null
 "$THUD" record convert kobe-surrogate.csv >"$tmp/record.csv" 2>/dev/null
 "$THUD" run towers-linked --to 3s --quiet --no-figures -o "$tmp/linked" >/dev/null 2>&1
@@ -169,6 +169,6 @@ records record info kobe-surrogate.csv northridge-surrogate.csv
 spectra/points record spectrum kobe-surrogate.csv --periods 0.1s:1s:3
 presets/checks verify rigid-concrete rigid-bumper --quiet
 examples/values verify --published
-verdicts stability rigid-bumper --quiet
 END
+    is "stability: CSV and JSON have one content" python3 tests/cli/same_rows.py "$tmp/stability/verdicts.csv" "$tmp/stability.json" verdicts
 fi

@@ -125,8 +125,9 @@ START_TEST(against_dormand_prince)
 {
     struct thud_record *record = march_motion(1);
     struct thud_model *model = model_of(&slabs[_i]);
+    const double tolerance = _i == 2 ? 1e-8 : 1e-12; /* strong dashpots bind its steps, not the tolerance */
     struct march a = march_run(model, record, "exact", 0, 0, true, 1);
-    struct march b = march_run(model, record, "dormand-prince", 0, 1e-12, true, 1);
+    struct march b = march_run(model, record, "dormand-prince", 0, tolerance, true, 1);
     ck_assert_int_eq(a.status, THUD_OK);
     ck_assert_int_eq(b.status, THUD_OK);
     ck_assert_double_lt(march_peaks_apart(a.result, b.result, 0.01), 1e-7);

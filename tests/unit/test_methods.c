@@ -256,8 +256,7 @@ START_TEST(every_law_in_every_method)
                                : strcmp(name, "rubber") == 0                   ? rubber()
                                                              : march_law(name, "stiffness", 2.5e9, NULL);
         for (int isolated = 0; isolated < 2; isolated++)
-            for (double gap = 0; gap < 0.03; gap += 0.02)
-                every_method(&law, gap, isolated);
+            every_method(&law, (i + isolated) % 2 ? 0 : 0.02, isolated);
     }
 }
 END_TEST

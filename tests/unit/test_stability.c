@@ -197,22 +197,28 @@ START_TEST(located_central_difference_gains_by_its_last_step_alone)
 }
 END_TEST
 
-static struct thud_stability *judged(void)
+/* The whole study of the towers, made once for the tests that read it. */
+static struct thud_stability *judged;
+
+static void judge(void)
 {
     static struct thud_scene scene;
-    struct thud_stability *s = NULL;
     struct thud_record *record = thud_test_motion(1);
     thud_test_towers(&scene);
-    ck_assert_int_eq(thud_stability_create(&scene, record, &s, NULL), THUD_OK);
-    while (s->done < s->ncells)
-        ck_assert_int_eq(thud_stability_next(s, NULL), THUD_OK);
+    ck_assert_int_eq(thud_stability_create(&scene, record, &judged, NULL), THUD_OK);
+    while (judged->done < judged->ncells)
+        ck_assert_int_eq(thud_stability_next(judged, NULL), THUD_OK);
     thud_record_free(record);
-    return s;
+}
+
+static void free_judged(void)
+{
+    thud_stability_free(judged);
 }
 
 START_TEST(free_vibration_is_bounded_up_to_the_limit)
 {
-    struct thud_stability *s = judged();
+    const struct thud_stability *s = judged;
     int beyond = 0;
     for (int i = 0; i < s->ncells; i++) {
         const struct thud_stability_cell *c = &s->cell[i];
@@ -225,7 +231,6 @@ START_TEST(free_vibration_is_bounded_up_to_the_limit)
                 ck_assert_int_eq(c->verdict[k], THUD_BOUNDED);
     }
     ck_assert_int_gt(beyond, 10);
-    thud_stability_free(s);
 }
 END_TEST
 
@@ -245,7 +250,7 @@ static const struct thud_stability_cell *cell_of(const struct thud_stability *s,
 /* One start would call these bounded: the worst of several gains energy tens of times over. */
 START_TEST(worst_start_at_the_wall_decides)
 {
-    struct thud_stability *s = judged();
+    const struct thud_stability *s = judged;
     static const double gaining[] = {2.7, 2.9, 3.6};
     for (int i = 0; i < 3; i++) {
         const struct thud_stability_cell *c = cell_of(s, "newmark", false, gaining[i]);
@@ -256,7 +261,6 @@ START_TEST(worst_start_at_the_wall_decides)
     /* below the limit 2 of the linear system, with contacts that open and close */
     ck_assert_int_eq(cell_of(s, "central-difference", false, 1.9)->verdict[THUD_STABILITY_WALL], THUD_BLOWN_UP);
     ck_assert_int_eq(cell_of(s, "central-difference", false, 0.12)->verdict[THUD_STABILITY_WALL], THUD_BOUNDED);
-    thud_stability_free(s);
 }
 END_TEST
 
@@ -264,7 +268,7 @@ END_TEST
  * it loses is what it stores when it leaves the wall. */
 START_TEST(located_newmark_gains_from_no_start)
 {
-    struct thud_stability *s = judged();
+    const struct thud_stability *s = judged;
     int n = 0;
     for (int i = 0; i < s->ncells; i++)
         if (strcmp(s->cell[i].how.method->name, "newmark") == 0 && s->cell[i].how.locate) {
@@ -272,13 +276,12 @@ START_TEST(located_newmark_gains_from_no_start)
             n++;
         }
     ck_assert_int_eq(n, 11);
-    thud_stability_free(s);
 }
 END_TEST
 
 START_TEST(exact_alone_keeps_the_energy)
 {
-    struct thud_stability *s = judged();
+    const struct thud_stability *s = judged;
     int off = 0;
     const struct thud_stability_cell *exact = cell_of(s, "exact", true, NAN);
     NEAR(exact->growth[THUD_STABILITY_WALL], 1, 1e-9);
@@ -290,7 +293,6 @@ START_TEST(exact_alone_keeps_the_energy)
             off += !(fabs(c->end_most - 1) < 0.02 && fabs(c->end_least - 1) < 0.02);
     }
     ck_assert_int_gt(off, 40);
-    thud_stability_free(s);
 }
 END_TEST
 
@@ -350,6 +352,7 @@ Suite *thud_suite(void)
     tcase_add_test(drift, located_alpha_methods_lose_by_their_damping_alone);
     tcase_add_test(drift, located_central_difference_gains_by_its_last_step_alone);
     tcase_set_timeout(maps, 300);
+    tcase_add_unchecked_fixture(maps, judge, free_judged);
     tcase_add_test(maps, free_vibration_is_bounded_up_to_the_limit);
     tcase_add_test(maps, what_is_done_is_shown);
     tcase_add_test(maps, exact_alone_keeps_the_energy);

@@ -116,8 +116,8 @@ START_TEST(every_size)
         f.script.height = 24;
         fixture_keys(&f, keys);
         ck_assert_int_eq((int)f.tui->screen, screen);
-        for (int h = 2; h <= 60; h += h < 26 ? 3 : 17)
-            for (int w = 5; w <= 200; w += w < 84 ? 7 : 37) {
+        for (int h = 2; h <= 60; h += h < 26 ? 4 : 17)
+            for (int w = 5; w <= 200; w += w < 84 ? 13 : 53) {
                 f.script.width = w;
                 f.script.height = h;
                 thud_tui_draw(f.tui);
