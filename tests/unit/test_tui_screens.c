@@ -169,8 +169,13 @@ START_TEST(fields_say_what_they_are)
     fixture_expect(&f, "KEY=FROM:TO:STEP");
     fixture_keys(&f, "1");
     fixture_expect(&f, "estimated: by area.");
-    fixture_keys(&f, "n");
+    fixture_keys(&f, "<Enter>"); /* the list of its values */
+    fixture_expect(&f, "estimated: by area.");
+    fixture_keys(&f, "<Esc><C-p>gap");
     fixture_expect_not(&f, "estimated: by area.");
+    fixture_keys(&f, "<Esc>n");
+    fixture_expect_not(&f, "estimated: by area.");
+    ck_assert_uint_eq(f.tui->canvas.cell[10 * 80].glyph, ' '); /* nor its frame */
     fixture_keys(&f, "<Esc>");
 }
 END_TEST

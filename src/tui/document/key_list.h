@@ -129,7 +129,7 @@ THUD_KEY(TYPING, ACCEPT_UP, THUD_KEY_UP, 0, "Up", "", "take it and edit the fiel
 THUD_KEY_AGAIN(CHOOSING, ACCEPT, THUD_KEY_ENTER, 0, "Enter", "choose", "take the marked line")
 THUD_KEY_AGAIN(CHOOSING, CANCEL, THUD_KEY_ESC, 0, "Esc", "cancel", "leave everything as it was")
 THUD_KEY_AGAIN(CHOOSING, UP, THUD_KEY_UP, 0, "Up", "", "up")
-THUD_KEY_AGAIN(CHOOSING, DOWN, THUD_KEY_DOWN, 0, "Down", "move", "down")
+THUD_KEY_AGAIN(CHOOSING, DOWN, THUD_KEY_DOWN, 0, "Down", "~Up/Down move", "down")
 THUD_KEY_AGAIN(CHOOSING, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "a page up")
 THUD_KEY_AGAIN(CHOOSING, PAGE_DOWN, THUD_KEY_PAGE_DOWN, 0, "PgDn", "", "a page down")
 THUD_KEY_AGAIN(CHOOSING, CLEAR, THUD_CTRL('u'), 0, "^U", "clear", "clear what was typed to narrow the list")
@@ -139,7 +139,7 @@ THUD_KEY_AGAIN(NEW, CANCEL, THUD_KEY_ESC, 0, "Esc", "cancel", "back to what was 
 THUD_KEY_AGAIN(NEW, ACCEPT_NEXT, THUD_KEY_TAB, 0, "Tab", "next",
                "the next value; on the ground motion the first file that fits what was typed")
 THUD_KEY_AGAIN(NEW, ACCEPT_PREVIOUS, THUD_KEY_BACKTAB, 0, "S-Tab", "", "the value before")
-THUD_KEY_AGAIN(NEW, ACCEPT_DOWN, THUD_KEY_DOWN, 0, "Down", "down", "the value below")
+THUD_KEY_AGAIN(NEW, ACCEPT_DOWN, THUD_KEY_DOWN, 0, "Down", "~Up/Down move", "the value below")
 THUD_KEY_AGAIN(NEW, ACCEPT_UP, THUD_KEY_UP, 0, "Up", "", "the value above")
 THUD_KEY_AGAIN(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take its mark away")
 THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")

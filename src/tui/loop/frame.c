@@ -123,8 +123,9 @@ static void field_words(struct thud_tui *tui, char *text, size_t size)
     int floor;
     *text = '\0';
     const struct thud_view *view = thud_tui_view(tui);
-    if (tui->dialog.mode == THUD_MODE_OVER) /* a form of its own stands over the screen */
-        return;
+    const bool list = tui->dialog.mode == THUD_MODE_CHOOSING;
+    if (tui->dialog.mode == THUD_MODE_OVER || (list && (!field || strcmp(tui->dialog.chooser.title, field->path) != 0)))
+        return; /* a form or a list of something else stands over the screen */
     if (field && field->kind == THUD_FIELD_ROW && view->hint)
         snprintf(text, size, "%s", view->hint(field));
     const struct thud_panel *panel = !field && view->read ? view->read(tui) : NULL;

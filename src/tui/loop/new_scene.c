@@ -242,7 +242,7 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
     int w = area->w < 78 ? area->w : 78,
         h = area->h < THUD_NEW_ROWS + LIST_ROWS + 3 ? area->h : THUD_NEW_ROWS + LIST_ROWS + 3;
     struct thud_pane box = thud_pane_inside(area, (area->w - w) / 2, (area->h - h) / 2, w, h);
-    thud_pane_blank(&box);
+    thud_pane_blank(area);
     struct thud_pane in = thud_pane_frame(&box, "New scene: two neighbours", true);
     int scroll = f->row >= in.h ? f->row - in.h + 1 : 0;
     for (int row = 0; row < THUD_NEW_ROWS; row++) {
