@@ -20,6 +20,6 @@ bool thud_record_is_vertical(const struct thud_record *record);
 /* Of one event, or of one station in it, as both say; false where one does not say. */
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b);
 bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b);
-/* The same motion but for a factor: equal steps after resampling, and samples that differ by less than 1 % of the peak
- * once both have a peak of 1. */
+/* The same motion but for a factor, where it begins, and how it was processed: at the best lag of up to 5 s the
+ * correlation coefficient of the two is above 0.9. */
 bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b);

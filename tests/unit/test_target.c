@@ -219,6 +219,33 @@ START_TEST(remarks)
 }
 END_TEST
 
+/* One motion is found again delayed by 3 s, reversed, of another step and with another correction (a slow wave on it);
+ * another motion is not, nor one of as much energy and peak. */
+START_TEST(one_motion_processed_twice)
+{
+    struct thud_record *a = motion(1, 5, "", ""), *b = motion(2, 5, "", ""), *later;
+    const size_t behind = (size_t)(3 / a->dt_s), n = a->samples + behind;
+    double *x = calloc(2 * n, sizeof *x);
+    for (size_t i = 0; i < 2 * a->samples - 1; i++) /* every half step */
+        x[2 * behind + i] = -0.5 * (a->a_mps2[i / 2] + a->a_mps2[(i + 1) / 2]) +
+                            0.1 * thud_record_peak(a) * sin(0.3 * (double)i * a->dt_s);
+    ck_assert_int_eq(thud_record_create(x, 2 * n - 1, 0.5 * a->dt_s, &later, &error), THUD_OK);
+    ck_assert(thud_record_same_motion(a, later) && thud_record_same_motion(later, a));
+    ck_assert(thud_record_same_motion(a, a) && !thud_record_same_motion(a, b) && !thud_record_same_motion(later, b));
+    thud_record_scale(a, -3);
+    ck_assert(thud_record_same_motion(a, later));
+    thud_record_free(later);
+    for (size_t i = 0; i < a->samples; i++) /* backwards: the same energy and peak */
+        x[i] = a->a_mps2[a->samples - 1 - i];
+    ck_assert_int_eq(thud_record_create(x, a->samples, a->dt_s, &later, &error), THUD_OK);
+    ck_assert(!thud_record_same_motion(a, later));
+    thud_record_free(a);
+    thud_record_free(b);
+    thud_record_free(later);
+    free(x);
+}
+END_TEST
+
 START_TEST(vertical_words)
 {
     static const char *const up[][2] = {{"UP", "a"},  {"U-D", "a"}, {"BMR.BNZ.AK.--", "a"}, {"", "rsn6-elc-up.at2"},
@@ -248,6 +275,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, three_motions_by_hand, 0, 2);
     tcase_add_test(tcase, what_may_be_chosen);
     tcase_add_test(tcase, remarks);
+    tcase_add_test(tcase, one_motion_processed_twice);
     tcase_add_test(tcase, vertical_words);
     suite_add_tcase(suite, tcase);
     return suite;
