@@ -53,10 +53,15 @@ enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *
     return status;
 }
 
+enum thud_written thud_cli_form(const struct thud_args *args)
+{
+    return thud_args_has(args, "json") ? THUD_AS_JSON : thud_args_has(args, "csv") ? THUD_AS_CSV : THUD_AS_TEXT;
+}
+
 enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,
                                    struct thud_error *err)
 {
-    bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
+    bool data = thud_cli_form(args) != THUD_AS_TEXT;
     if (before != THUD_OK && before != THUD_GNUPLOT) {
         thud_text_clear(text);
         return before;

@@ -151,7 +151,9 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
 {
     struct thud_bench_jobs jobs = {
         .repeats = THUD_BENCH_REPEATS, .patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
+    static const char *const asked[] = {"case", NULL};
     struct thud_picture_choice unused;
+    struct thud_made_by by;
     if (thud_progress_start(args))
         jobs.progress = show_progress;
     enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
@@ -165,10 +167,11 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
-        status = thud_scene_file_write(args, scene, session->record, err);
-    if (status == THUD_OK)
-        status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
-    return status;
+        status = thud_made_by_scene_file(args, "bench", session, scene, asked, &by, err);
+    if (status != THUD_OK)
+        return status;
+    status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
+    return thud_made_by_finish(args, &by, status, err);
 }
 
 enum thud_status thud_command_bench(const struct thud_args *args, struct thud_error *err)

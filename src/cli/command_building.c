@@ -1,4 +1,5 @@
 /* thud building import: what a file of a building's stiffness, or of its periods and shapes, says. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,6 +8,8 @@
 #include "cli/commands.h"
 #include "core/model/lateral.h"
 #include "io/building/building_file.h"
+#include "io/file/json.h"
+#include "io/result/study_rows.h"
 #include "study/scene/building.h"
 
 enum { KEY = 160 };
@@ -35,9 +38,23 @@ static enum thud_status assign(const struct thud_args *args, struct thud_scene *
     return status;
 }
 
-static void add_content(const struct thud_building_table *t, const char *path, struct thud_text *out)
+static const char *const content[] = {"stiffness matrix", "flexibility matrix", "periods and shapes"};
+
+static void add_content(const struct thud_building_table *t, const char *path, enum thud_written form,
+                        struct thud_text *out)
 {
-    static const char *const content[] = {"stiffness matrix", "flexibility matrix", "periods and shapes"};
+    if (form == THUD_AS_JSON) {
+        thud_text_append(out, "{");
+        thud_json_head(out, NULL);
+        thud_text_append(out, ", \"file\": ");
+        thud_json_string(out, path);
+        thud_text_append(out, ", \"content\": \"%s\", \"unit\": ", content[t->content]);
+        thud_json_string(out, t->unit);
+        thud_text_append(out, ", \"floors\": %d, \"roof_first\": %s, ", t->floors, t->reversed ? "true" : "false");
+        thud_json_field(out, "asymmetry", t->content == THUD_CONTENT_PERIODS ? NAN : t->asymmetry);
+    }
+    if (form != THUD_AS_TEXT)
+        return;
     thud_text_append(out, "%s\n%s, %s; %d floors", path, content[t->content], t->unit, t->floors);
     if (t->content == THUD_CONTENT_PERIODS)
         thud_text_append(out, ", %d mode%s", t->rows, t->rows == 1 ? "" : "s");
@@ -49,16 +66,35 @@ static void add_content(const struct thud_building_table *t, const char *path, s
         thud_text_append(out, "symmetric\n");
 }
 
+static void make_mode(const void *of, int i, void *row)
+{
+    *(struct thud_mode_row *)row = ((const struct thud_mode_row *)of)[i];
+}
+
+static void put_modes(const struct thud_rows *rows, double total_kg, int n, double last_s, struct thud_text *out)
+{
+    thud_text_append(out, "mass %.6g t\n\n", 1e-3 * total_kg);
+    thud_rows_table(rows, out);
+    if (rows->n < n)
+        thud_text_append(out,
+                         "%d of %d modes: what the shapes leave out swings in %.4g s, ten times faster than the "
+                         "fastest of them\n",
+                         rows->n, n, last_s);
+}
+
 /* Periods, and the part of the mass that moves in each mode. */
 static enum thud_status add_modes(const struct thud_scene *scene, const struct thud_building_table *t,
-                                  struct thud_text *out, struct thud_error *err)
+                                  enum thud_written form, struct thud_text *out, struct thud_error *err)
 {
     const struct thud_structure *s = &scene->structure[0];
     const int n = t->floors;
+    struct thud_mode_row *row = calloc((size_t)n, sizeof *row);
     const size_t square = (size_t)n * (size_t)n;
     double *k = malloc((square + 2 * (size_t)n) * sizeof *k), *period_s, *kg, total = 0, sum = 0;
-    if (!k)
+    if (!k) {
+        free(row);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
     period_s = k + square;
     kg = period_s + n;
     enum thud_status status = thud_structure_lateral(scene, 0, k, err);
@@ -66,27 +102,27 @@ static enum thud_status add_modes(const struct thud_scene *scene, const struct t
         status = thud_lateral_modes(n, s->mass_kg, k, period_s, kg, err);
     for (int i = 0; i < n; i++)
         total += s->mass_kg[i];
-    thud_text_append(out,
-                     "mass %.6g t\n\nmode    period    frequency   mass in it   of all so far\n"
-                     "             s           Hz            %%               %%\n",
-                     1e-3 * total);
     const int modes = t->content == THUD_CONTENT_PERIODS ? t->rows : n;
+    if (!row && n > 0)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int j = 0; j < modes && status == THUD_OK; j++) {
         sum += kg[j];
-        thud_text_append(out, "%4d %9.5g %12.5g %12.2f %15.2f\n", j + 1, period_s[j], 1 / period_s[j],
-                         100 * kg[j] / total, 100 * sum / total);
+        row[j] = (struct thud_mode_row){j + 1, period_s[j], 1 / period_s[j], kg[j], kg[j] / total, sum / total};
     }
-    if (modes < n && status == THUD_OK)
-        thud_text_append(out,
-                         "%d of %d modes: what the shapes leave out swings in %.4g s, ten times faster than the "
-                         "fastest of them\n",
-                         modes, n, period_s[n - 1]);
+    const struct thud_rows rows = {&thud_mode_schema, 0, status == THUD_OK ? modes : 0, make_mode, row};
+    if (form == THUD_AS_JSON)
+        thud_json_list("modes", &rows, out);
+    else if (form == THUD_AS_CSV)
+        thud_rows_csv(&rows, out);
+    else if (status == THUD_OK)
+        put_modes(&rows, total, n, period_s[n - 1], out);
+    free(row);
     free(k);
     return status;
 }
 
 static enum thud_status work(const struct thud_args *args, struct thud_scene *scene, struct thud_building_table *t,
-                             struct thud_text *out, struct thud_error *err)
+                             enum thud_written form, struct thud_text *out, struct thud_error *err)
 {
     const char *path = args->operand[1];
     struct thud_structure *s = &scene->structure[0];
@@ -110,18 +146,22 @@ static enum thud_status work(const struct thud_args *args, struct thud_scene *sc
         status = thud_structure_keep_shape(scene, 0, t->rows, t->value, err);
     if (status != THUD_OK)
         return status;
-    add_content(t, path, out);
+    add_content(t, path, form, out);
+    if (!(s->mass_kg[0] > 0) && form != THUD_AS_TEXT)
+        return form == THUD_AS_CSV ? thud_error_refuse(err, THUD_USAGE, "--csv", "--set mass=\"320 t\"",
+                                                       "there are no modes to list without masses")
+                                   : THUD_OK;
     if (!(s->mass_kg[0] > 0)) {
         thud_text_append(out, "periods and participating mass follow with the masses: --set mass=\"320 t\", or "
                               "--set mass=\"[320 t, ..., 250 t]\" from the lowest floor up\n");
         return THUD_OK;
     }
-    if (t->content == THUD_CONTENT_PERIODS && t->rows > 1) {
+    if (t->content == THUD_CONTENT_PERIODS && t->rows > 1 && form == THUD_AS_TEXT) {
         double overlap = thud_lateral_overlap(t->floors, t->rows, s->mass_kg, t->value, &a, &b);
         thud_text_append(out, "shapes overlap by %.2g %% at most, those of modes %d and %d (allowed: %g %%)\n",
                          100 * overlap, a + 1, b + 1, 100 * THUD_OVERLAP_MOST);
     }
-    return add_modes(scene, t, out, err);
+    return add_modes(scene, t, form, out, err);
 }
 
 enum thud_status thud_command_building(const struct thud_args *args, struct thud_error *err)
@@ -133,10 +173,10 @@ enum thud_status thud_command_building(const struct thud_args *args, struct thud
     struct thud_scene *scene = calloc(1, sizeof *scene);
     if (!scene)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = work(args, scene, &table, &text, err);
-    if (status == THUD_OK)
-        status = thud_cli_print(&text, err);
-    thud_text_clear(&text);
+    const enum thud_written form = thud_cli_form(args);
+    enum thud_status status = work(args, scene, &table, form, &text, err);
+    thud_text_append(&text, form == THUD_AS_JSON ? "}\n" : "");
+    status = thud_cli_print_as(args, &text, status, err);
     thud_building_table_clear(&table);
     free(scene);
     return status;

@@ -6,7 +6,22 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "io/file/file.h"
+#include "io/file/json.h"
 #include "io/result/opensees.h"
+
+/* The script as a member of an object. */
+static enum thud_status print_json(const struct thud_scene *scene, struct thud_text *script, struct thud_error *err)
+{
+    struct thud_text out = {0};
+    thud_text_append(&out, "{");
+    thud_json_head(&out, scene->name);
+    thud_text_append(&out, ", \"program\": \"opensees\", \"script\": ");
+    thud_json_string(&out, script->data ? script->data : "");
+    thud_text_append(&out, "}\n");
+    out.failed |= script->failed;
+    thud_text_clear(script);
+    return thud_cli_print_data(&out, err);
+}
 
 static enum thud_status deliver(const struct thud_args *args, const struct thud_session *session,
                                 const struct thud_scene *scene, struct thud_text *text, struct thud_error *err)
@@ -15,6 +30,8 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     struct thud_made_by by;
     const char *folder = thud_args_value(args, "o");
     char name[THUD_NAME_MAX + 16];
+    if (!folder && thud_cli_form(args) == THUD_AS_JSON)
+        return print_json(scene, text, err);
     if (!folder)
         return thud_cli_print(text, err);
     snprintf(name, sizeof name, "%s.opensees.py", scene->name[0] ? scene->name : "scene");
@@ -25,7 +42,13 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     if (status == THUD_OK)
         status = thud_text_write_in(text, folder, name, err);
     thud_text_clear(text);
-    return status == THUD_OK ? thud_made_by_keep(&by, err) : status;
+    if (status == THUD_OK)
+        status = thud_made_by_keep(&by, err);
+    thud_text_append(text, "%s/%s\n", folder, name);
+    if (status == THUD_OK && thud_cli_form(args) == THUD_AS_JSON)
+        return thud_cli_print_files(args, text, err);
+    thud_text_clear(text);
+    return status;
 }
 
 static enum thud_status opensees(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,

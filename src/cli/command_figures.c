@@ -4,6 +4,8 @@
 #include "app/paper/paper_report.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "io/file/made_by.h"
+#include "io/result/schemas.h"
 
 static enum thud_status make_study(const struct thud_args *args, bool report, struct thud_paper_work **work,
                                    struct thud_paper_study *study, struct thud_error *err)
@@ -51,6 +53,18 @@ static enum thud_status list_files(const struct thud_args *args, unsigned which,
     return thud_cli_print_files(args, &text, err);
 }
 
+/* Beside figures that are there already, whichever they are. */
+static enum thud_status save(unsigned which, const struct thud_paper_study *study, const char *folder,
+                             const struct thud_picture_options *options, bool replace, struct thud_error *err)
+{
+    const unsigned long long paper = thud_hash_text(THUD_HASH_START, "figures");
+    const struct thud_made_by by = {folder, "figures", "figures of the paper", paper, paper, replace, thud_schema_at};
+    enum thud_status status = thud_made_by_begin(&by, err);
+    if (status != THUD_OK)
+        return status;
+    return thud_made_by_end(&by, thud_paper_figures_save(which, study, folder, options, err), err);
+}
+
 enum thud_status thud_command_figures(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_picture_choice picture;
@@ -72,7 +86,7 @@ enum thud_status thud_command_figures(const struct thud_args *args, struct thud_
         fprintf(stderr, "thud: %d runs have no result, because their integration failed; the curves have gaps there\n",
                 study.unanswered);
     if (status == THUD_OK)
-        status = thud_paper_figures_save(which, work ? &study : NULL, folder, &picture.options, err);
+        status = save(which, work ? &study : NULL, folder, &picture.options, thud_args_has(args, "replace"), err);
     thud_paper_work_free(work);
     if (status == THUD_OK && (!thud_args_has(args, "quiet") || thud_args_has(args, "json")))
         status = list_files(args, which, folder, &picture.options, err);

@@ -55,16 +55,11 @@ static void title_of(const struct thud_record *record, char *title, size_t size)
         snprintf(title, size, "%s", name ? name + 1 : record->file);
 }
 
-static enum thud_written form_of(const struct thud_args *args)
-{
-    return thud_args_has(args, "json") ? THUD_AS_JSON : thud_args_has(args, "csv") ? THUD_AS_CSV : THUD_AS_TEXT;
-}
-
 static enum thud_status print(const struct thud_args *args, struct thud_text *text, enum thud_status status,
                               struct thud_error *err)
 {
     if (status == THUD_OK)
-        return (form_of(args) ? thud_cli_print_data : thud_cli_print)(text, err);
+        return (thud_cli_form(args) ? thud_cli_print_data : thud_cli_print)(text, err);
     thud_text_clear(text);
     return status;
 }
@@ -76,7 +71,7 @@ static enum thud_status info_of(const struct thud_args *args, const struct thud_
     struct thud_intensity intensity = thud_intensity_of(record);
     struct thud_motion_info_row row;
     thud_motion_info_fill(record, &intensity, &row);
-    if (form_of(args))
+    if (thud_cli_form(args))
         thud_list_add(list, &row, NULL, 0);
     else
         thud_record_info_table(record, &intensity, list->out);
@@ -95,8 +90,8 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
     struct thud_record_treatment treatment;
     struct thud_text text = {0};
     enum thud_status status = need_files(args, "info", THUD_OPERANDS_MAX, err);
-    struct thud_list list = {&text, &thud_motion_info_schema, NULL, form_of(args) == THUD_AS_JSON, 0};
-    if (form_of(args))
+    struct thud_list list = {&text, &thud_motion_info_schema, NULL, thud_cli_form(args) == THUD_AS_JSON, 0};
+    if (thud_cli_form(args))
         thud_list_begin(&list, "records");
     if (!status)
         status = thud_record_options_read(args, &treatment, err);
@@ -107,7 +102,7 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
             status = info_of(args, motions.record[k], &list, err);
         thud_record_list_clear(&motions);
     }
-    if (form_of(args))
+    if (thud_cli_form(args))
         thud_list_end(&list);
     return print(args, &text, status, err);
 }
@@ -232,13 +227,13 @@ static enum thud_status list(const struct thud_args *args, struct thud_error *er
     struct thud_record_list motions;
     enum thud_status status;
     if (!thud_record_is_list(name)) {
-        status = thud_record_list(name, form_of(args), &text, err);
+        status = thud_record_list(name, thud_cli_form(args), &text, err);
     } else {
         struct thud_record_treatment treatment;
         thud_record_treatment_init(&treatment);
         status = thud_record_list_open(name, &treatment, &motions, err);
         if (!status)
-            thud_record_rows(name, motions.record, motions.n, form_of(args), &text);
+            thud_record_rows(name, motions.record, motions.n, thud_cli_form(args), &text);
         thud_record_list_clear(&motions);
     }
     return print(args, &text, status, err);

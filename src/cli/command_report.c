@@ -49,12 +49,15 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_record_list records = {0};
     struct thud_text text = {0};
     const char *folder = thud_args_value(args, "o");
+    int threads = 0;
     (void)scene;
     if (!folder)
         return thud_error_refuse(err, THUD_USAGE, NULL, "-o DIR", "thud report needs a folder to write into");
     enum thud_status status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_inputs_option_read(args, SAMPLES, &inputs, err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &threads, err);
     if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
     if (status != THUD_OK)
@@ -79,6 +82,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .command = text.data,
                                                .beside = thud_args_value(args, "beside"),
                                                .drawn = thud_args_value(args, "figures"),
+                                               .threads = threads,
                                                .pdf = thud_args_has(args, "pdf"),
                                                .records = &records,
                                                .inputs = &inputs.inputs,

@@ -14,7 +14,7 @@
 static enum thud_status save(const struct thud_stability *stability, const char *folder,
                              const struct thud_picture_options *options, struct thud_error *err)
 {
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = THUD_OK;
     for (int i = 0; status == THUD_OK && i < THUD_STABILITY_TABLES; i++) {
         struct thud_text text = {0};
         const struct thud_rows rows = thud_stability_rows(stability, i);
@@ -73,7 +73,9 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
 {
     struct thud_stability *plan = NULL;
     struct thud_picture_choice picture;
+    static const char *const asked[] = {"case", NULL};
     struct thud_text text = {0};
+    struct thud_made_by by;
     const char *folder = thud_args_value(args, "o");
     const atomic_int *cancel = thud_interrupt_watch();
     enum thud_status status = thud_picture_options_read(args, &picture, err);
@@ -82,7 +84,8 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
-        status = thud_scene_file_write(args, scene, session->record, err);
+        status = thud_made_by_scene_file(args, "stability", session, scene, asked, &by, err);
+    const bool begun = status == THUD_OK;
     if (status == THUD_OK)
         status = thud_stability_create(scene, session->record, &plan, err);
     if (status == THUD_OK)
@@ -98,7 +101,7 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
             status = saved != THUD_OK ? saved : printed;
     }
     thud_stability_free(plan);
-    return status;
+    return begun ? thud_made_by_finish(args, &by, status, err) : status;
 }
 
 enum thud_status thud_command_stability(const struct thud_args *args, struct thud_error *err)

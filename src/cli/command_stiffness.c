@@ -5,9 +5,30 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "io/file/json.h"
+#include "io/result/study_rows.h"
 #include "study/scene/stiffness.h"
 
-enum { PARTS_MAX = 3 };
+enum { PARTS_MAX = 3, SPRINGS_MAX = 2 + 1 + 3, RUNS_MAX = 2 * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
+
+/* What is told, as text or as rows. */
+struct told {
+    enum thud_written form;
+    struct thud_text text;
+    int nsprings, nruns;
+    struct thud_spring_row spring[SPRINGS_MAX];
+    struct thud_stiffness_fields run[RUNS_MAX];
+};
+
+static void make_spring(const void *of, int i, void *row)
+{
+    *(struct thud_spring_row *)row = ((const struct told *)of)->spring[i];
+}
+
+static void make_run(const void *of, int i, void *row)
+{
+    *(struct thud_stiffness_fields *)row = ((const struct told *)of)->run[i];
+}
 
 /* "4 m2, 15 m, 30 GPa": quantities of these dimensions, all above 0. */
 static enum thud_status read_parts(const char *option, const char *text, const enum thud_dimension *dimension, int n,
@@ -42,8 +63,9 @@ static enum thud_status read_parts(const char *option, const char *text, const e
 }
 
 /* k of one slab against the same, or of the two given. */
-static enum thud_status add_slabs(const struct thud_args *args, struct thud_text *out, struct thud_error *err)
+static enum thud_status add_slabs(const struct thud_args *args, struct told *told, struct thud_error *err)
 {
+    struct thud_text *out = &told->text;
     static const enum thud_dimension dimension[] = {THUD_AREA, THUD_LENGTH, THUD_PRESSURE};
     const char *text;
     double k[2];
@@ -57,12 +79,14 @@ static enum thud_status add_slabs(const struct thud_args *args, struct thud_text
         if (status != THUD_OK)
             return status;
         k[n] = thud_stiffness_slab(v[0], v[1], v[2]);
+        told->spring[told->nsprings++] = (struct thud_spring_row){"slab", NAN, 1, k[n]};
         thud_text_append(out, "slab %d            E A/L = %.4g GPa x %.4g m2 / %.4g m = %.4g kN/mm\n", n + 1,
                          1e-9 * v[2], v[0], v[1], 1e-6 * k[n]);
     }
     if (n == 0)
         return THUD_OK;
     double both = thud_stiffness_series(k[0], k[n - 1]);
+    told->spring[told->nsprings++] = (struct thud_spring_row){"contact", NAN, 1, both};
     thud_text_append(out,
                      "contact           %s in series: k = %.4g kN/mm\n"
                      "                  --set contact.stiffness=%.4gkN/mm\n",
@@ -71,7 +95,7 @@ static enum thud_status add_slabs(const struct thud_args *args, struct thud_text
 }
 
 /* k of a bumper by eq. (6), over the range of alpha. */
-static enum thud_status add_pad(const struct thud_args *args, struct thud_text *out, struct thud_error *err)
+static enum thud_status add_pad(const struct thud_args *args, struct told *told, struct thud_error *err)
 {
     static const enum thud_dimension dimension[] = {THUD_AREA, THUD_PRESSURE, THUD_LENGTH};
     static const double alpha[] = {2, 2.25, 2.5}, exponent = 2.65, kn_per_mm = 1e6;
@@ -86,17 +110,30 @@ static enum thud_status add_pad(const struct thud_args *args, struct thud_text *
     for (int i = 0; i < 3; i++) {
         double k = thud_stiffness_rubber(alpha[i], v[0], v[1], v[2], exponent);
         double shown = k / kn_per_mm * pow(1e-3, exponent - 1);
+        told->spring[told->nsprings++] = (struct thud_spring_row){"pad", alpha[i], exponent, k};
         thud_text_append(
-            out, "bumper            alpha A K_r/d^n = %.4g x %.4g m2 x %.4g MPa / (%.4g mm)^2.65 = %.4g kN/mm^2.65\n",
+            &told->text,
+            "bumper            alpha A K_r/d^n = %.4g x %.4g m2 x %.4g MPa / (%.4g mm)^2.65 = %.4g kN/mm^2.65\n",
             alpha[i], v[0], 1e-6 * v[1], 1e3 * v[2], shown);
     }
     return THUD_OK;
 }
 
 static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, const struct thud_stiffness_row *row,
-                     int n, struct thud_text *out)
+                     int n, struct told *told)
 {
     const char *name = which == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
+    struct thud_text *out = &told->text;
+    for (int i = 0; i < n; i++)
+        for (int s = 0; s < scene->nstructures; s++)
+            if (scene->structure[s].kind != THUD_WALL)
+                told->run[told->nruns++] = (struct thud_stiffness_fields){name,
+                                                                          row[i].factor,
+                                                                          row[i].impacts,
+                                                                          row[i].force_n,
+                                                                          scene->structure[s].name,
+                                                                          row[i].acceleration_mps2[s],
+                                                                          row[i].drift_m[s]};
     thud_text_append(out, "\n%-10s %8s %12s", name, "impacts", "force");
     for (int s = 0; s < scene->nstructures; s++)
         if (scene->structure[s].kind != THUD_WALL)
@@ -115,23 +152,37 @@ static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, 
     }
 }
 
-static enum thud_status stiffness(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
-                                  struct thud_error *err)
+/* In place of the text what the rows hold. */
+static void put_rows(const struct thud_scene *scene, struct told *told)
 {
-    struct thud_text text = {0};
-    enum thud_status status = add_slabs(args, &text, err);
-    bool moved = false;
-    if (status == THUD_OK)
-        status = add_pad(args, &text, err);
-    const struct thud_error *lacks = thud_preset_unfinished(session->preset);
-    if (status == THUD_OK && lacks) { /* which the values above may be for */
-        char line[1600];
-        thud_text_append(&text, "\nThe bumper of this scene is unfinished, so it is not run:\n%s\n",
-                         thud_error_text(lacks, line, sizeof line));
-        return thud_cli_print(&text, err);
+    const struct thud_rows springs = {&thud_spring_schema, 0, told->nsprings, make_spring, told},
+                           runs = {&thud_stiffness_schema, 0, told->nruns, make_run, told};
+    if (told->form == THUD_AS_TEXT)
+        return;
+    thud_text_clear(&told->text);
+    if (told->form == THUD_AS_CSV) {
+        thud_rows_csv(&runs, &told->text);
+        return;
     }
-    if (status == THUD_OK)
-        status = thud_scene_options_of_case(args, session, scene, err);
+    thud_text_append(&told->text, "{");
+    thud_json_head(&told->text, scene->name);
+    thud_json_list("springs", &springs, &told->text);
+    thud_json_list("runs", &runs, &told->text);
+    thud_text_append(&told->text, "}\n");
+}
+
+static enum thud_status add_runs(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                 struct told *told, struct thud_error *err)
+{
+    bool moved = false;
+    const struct thud_error *lacks = thud_preset_unfinished(session->preset);
+    if (lacks) { /* which the values above may be for */
+        char line[1600];
+        thud_text_append(&told->text, "\nThe bumper of this scene is unfinished, so it is not run:\n%s\n",
+                         thud_error_text(lacks, line, sizeof line));
+        return THUD_OK;
+    }
+    enum thud_status status = thud_scene_options_of_case(args, session, scene, err);
     if (status == THUD_OK)
         status = thud_scene_check(scene, err);
     if (status == THUD_OK)
@@ -141,15 +192,26 @@ static enum thud_status stiffness(const struct thud_args *args, struct thud_sess
         int n;
         status = thud_stiffness_rows(scene, session->record, (enum thud_stiffness)which, row, &n, err);
         if (status == THUD_OK && n > 0)
-            add_rows(scene, (enum thud_stiffness)which, row, n, &text);
+            add_rows(scene, (enum thud_stiffness)which, row, n, told);
         moved = moved || n > 0;
     }
     if (status == THUD_OK && !moved)
-        thud_text_append(&text, "The laws of this scene have no stiffness.\n");
-    if (status == THUD_OK)
-        return thud_cli_print(&text, err);
-    thud_text_clear(&text);
+        thud_text_append(&told->text, "The laws of this scene have no stiffness.\n");
     return status;
+}
+
+static enum thud_status stiffness(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                  struct thud_error *err)
+{
+    struct told told = {.form = thud_cli_form(args)};
+    enum thud_status status = add_slabs(args, &told, err);
+    if (status == THUD_OK)
+        status = add_pad(args, &told, err);
+    if (status == THUD_OK)
+        status = add_runs(args, session, scene, &told, err);
+    if (status == THUD_OK)
+        put_rows(&session->scene, &told);
+    return thud_cli_print_as(args, &told.text, status, err);
 }
 
 enum thud_status thud_command_stiffness(const struct thud_args *args, struct thud_error *err)

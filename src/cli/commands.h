@@ -8,6 +8,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "cli/args.h"
+#include "io/file/schema.h"
 
 #define THUD_COMMAND(ID, name)                                                                                         \
     enum thud_status thud_command_##name(const struct thud_args *args, struct thud_error *err);
@@ -20,6 +21,8 @@ enum thud_status thud_cli_print(struct thud_text *text, struct thud_error *err);
 /* Rows and objects for another program: byte for byte, but on a terminal as above. */
 enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *err);
 
+/* By --json and --csv. */
+enum thud_written thud_cli_form(const struct thud_args *args);
 /* As data with --json or --csv, else for people. `before`: what files came to, which is given back; nothing is printed
  * after a failure but that of gnuplot, whose message stands. */
 enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,

@@ -26,10 +26,14 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
 enum thud_status thud_made_by_study(const struct thud_args *args, const struct thud_sweep_plan *plan,
                                     struct thud_made_by *out, struct thud_error *err);
 
-/* Makes the folder of -o before the work begins, and writes the scene into it as scene.json, for commands whose results
- * are not one run's. Nothing without -o. Errors: THUD_OUTPUT, THUD_MEMORY. */
-enum thud_status thud_scene_file_write(const struct thud_args *args, const struct thud_scene *scene,
-                                       const struct thud_record *record, struct thud_error *err);
+/* thud_made_by_scene and thud_made_by_begin, with the scene itself as scene.json, for commands whose results are not one
+ * run's. Nothing without -o. Errors: as those. */
+enum thud_status thud_made_by_scene_file(const struct thud_args *args, const char *group,
+                                         const struct thud_session *session, const struct thud_scene *scene,
+                                         const char *const *asked, struct thud_made_by *out, struct thud_error *err);
+/* thud_made_by_end, also of what a wish to stop left; without -o `before` alone. */
+enum thud_status thud_made_by_finish(const struct thud_args *args, const struct thud_made_by *by,
+                                     enum thud_status before, struct thud_error *err);
 
 /* ---- Rows of a study on standard output as they come ---- */
 

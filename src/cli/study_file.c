@@ -209,17 +209,28 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
     return status;
 }
 
-enum thud_status thud_scene_file_write(const struct thud_args *args, const struct thud_scene *scene,
-                                       const struct thud_record *record, struct thud_error *err)
+enum thud_status thud_made_by_scene_file(const struct thud_args *args, const char *group,
+                                         const struct thud_session *session, const struct thud_scene *scene,
+                                         const char *const *asked, struct thud_made_by *out, struct thud_error *err)
 {
-    const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
-    if (!folder)
+    if (!thud_args_has(args, "o"))
         return THUD_OK;
-    enum thud_status status = thud_folder_make(folder, err);
+    enum thud_status status = thud_made_by_scene(
+        args, group, &session->scene, (const struct thud_record *const *)&session->record, 1, asked, out, err);
+    if (status == THUD_OK)
+        status = thud_made_by_begin(out, err);
     if (status != THUD_OK)
         return status;
     put_head(&text, scene);
-    put_scene(&text, scene, record ? record->file : NULL);
-    return thud_text_write_in(&text, folder, "scene.json", err);
+    put_scene(&text, scene, session->record ? session->record->file : NULL);
+    return thud_text_write_in(&text, out->folder, "scene.json", err);
+}
+
+enum thud_status thud_made_by_finish(const struct thud_args *args, const struct thud_made_by *by,
+                                     enum thud_status before, struct thud_error *err)
+{
+    if (thud_args_has(args, "o") && before == THUD_CANCELLED) /* what was done stands there */
+        thud_made_by_keep(by, NULL);
+    return thud_args_has(args, "o") ? thud_made_by_end(by, before, err) : before;
 }

@@ -71,7 +71,7 @@ run bench towers --patience long
 is "a time that is none is wrong usage" [ "$code" -eq 2 ]
 run bench rigid-concrete -j 2
 is "runs that are timed are not made side by side" [ "$code" -eq 2 ]
-is "-j is says to be an option of others" says 'no option -j (it is one of thud run, sweep, gap, fragility, uncertainty, figures;'
+is "-j is says to be an option of others" says 'no option -j (it is one of thud run, sweep, gap, fragility, uncertainty, figures, report;'
 run stability rigid-concrete --case cavity
 is "stability takes a case: without a bumper there is no cavity" [ "$code" -eq 3 ]
 is "and says so" says 'cavity'

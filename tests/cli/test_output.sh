@@ -145,7 +145,7 @@ described() { # FOLDER: the columns of every table, in their order; but of names
         cmp "$tmp/named" "$tmp/written" || return 1
     done
 }
-for folder in run sweep suite gap fragility uncertainty; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
+for folder in run sweep suite gap fragility uncertainty bench stability cost; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
 is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Gap that is needed' "$tmp/gap/datapackage.json"
 is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"
 sum=$(sha256sum <records/kobe-surrogate.csv | cut -d ' ' -f 1)
@@ -169,6 +169,8 @@ records record info kobe-surrogate.csv northridge-surrogate.csv
 spectra/points record spectrum kobe-surrogate.csv --periods 0.1s:1s:3
 presets/checks verify rigid-concrete rigid-bumper --quiet
 examples/values verify --published
+runs stiffness towers --to 5s --quiet
+modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
     is "stability: CSV and JSON have one content" python3 tests/cli/same_rows.py "$tmp/stability/verdicts.csv" "$tmp/stability.json" verdicts
 fi

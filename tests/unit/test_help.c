@@ -77,8 +77,10 @@ START_TEST(each_option_is_where_it_makes_sense)
         const char *option, *commands;
     } matrix[] = {
         {"json",
-         "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve"},
-        {"csv", "run sweep gap fragility uncertainty bench stability verify record suite laws methods"},
+         "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve "
+         "export stiffness building"},
+        {"csv",
+         "run sweep gap fragility uncertainty bench stability verify record suite laws methods stiffness building"},
         {"quiet", all},
         {"help", all},
         {"no-figures", draws},
@@ -87,7 +89,8 @@ START_TEST(each_option_is_where_it_makes_sense)
         {"case", "run sweep fragility uncertainty bench stability export stiffness solve"},
         {"cases", "run sweep fragility"},
         {"o", "run sweep gap fragility uncertainty figures bench stability record suite report export"},
-        {"j", "run sweep gap fragility uncertainty figures"},
+        {"j", "run sweep gap fragility uncertainty figures report"},
+        {"replace", "run sweep gap fragility uncertainty figures bench stability report export"},
         {"font", "run sweep gap fragility uncertainty figures bench stability report"},
     };
     for (size_t i = 0; i < sizeof matrix / sizeof *matrix; i++)

@@ -4,7 +4,7 @@
 #include "io/file/schema.h"
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
-    thud_curve_schema, thud_best_schema;
+    thud_curve_schema, thud_best_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -43,4 +43,24 @@ struct thud_best_row {
     const char *record, *which;
     double ratio, drift_ratio, worst_ratio;
     const char *remark;
+};
+
+/* What a run with another stiffness gives, for each structure; and where a stiffness comes from. */
+struct thud_stiffness_fields {
+    const char *varied;
+    double factor;
+    int impacts;
+    double force_n;
+    const char *structure;
+    double acceleration_mps2, drift_m;
+};
+struct thud_spring_row {
+    const char *part;
+    double alpha, exponent, stiffness;
+};
+
+/* A mode of a building that was read. */
+struct thud_mode_row {
+    int mode;
+    double period_s, frequency_hz, mass_kg, mass_ratio, mass_ratio_sum;
 };

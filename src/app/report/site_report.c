@@ -175,6 +175,7 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
                                                     .samples = options->samples,
                                                     .sampling = options->sampling,
                                                     .seed = options->seed,
+                                                    .threads = options->threads,
                                                     .cancel = options->pictures ? options->pictures->cancel : NULL};
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&site->samples, &refused);

@@ -18,7 +18,8 @@ struct thud_site_report_options {
     size_t samples;                         /* of them; 0: none are drawn */
     enum thud_sampling sampling;
     unsigned long long seed;
-    bool pdf; /* report.pdf too */
+    int threads; /* 0: the processors that are online */
+    bool pdf;    /* report.pdf too */
     const struct thud_picture_options *pictures;
     void *context;
     void (*progress)(void *context, const char *what); /* may be NULL */

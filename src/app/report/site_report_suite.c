@@ -101,6 +101,7 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
     struct thud_sweep_jobs jobs = {.plan = &suite->plan,
                                    .step = 1,
                                    .count = thud_sweep_points(&suite->plan),
+                                   .threads = site->options->threads,
                                    .cancel = cancel,
                                    .context = suite,
                                    .take = take};

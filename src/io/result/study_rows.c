@@ -130,3 +130,44 @@ static const struct thud_column bests[] = {
     BEST(remark, "remark", "What to beware of: an end of the range, a bumper that is hardly struck; empty: nothing.")};
 const struct thud_schema thud_best_schema = THUD_SCHEMA(
     "best.csv", "Written by\n.Cm sweep Fl -best Fl o :\na row for each setting of the other keys.\n", bests);
+
+#define STIFFNESS(member, text)                                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_stiffness_fields, member, #member, text)                                               \
+    }
+static const struct thud_column stiffnesses[] = {STIFFNESS(varied, "contact or bumper: whose stiffness is multiplied."),
+                                                 STIFFNESS(factor, "By how much."),
+                                                 STIFFNESS(impacts, "Impacts of all contacts."),
+                                                 STIFFNESS(force_n, "Their largest force, N."),
+                                                 STIFFNESS(structure, "Name of the structure."),
+                                                 STIFFNESS(acceleration_mps2, "The largest of its floors, m/s2."),
+                                                 STIFFNESS(drift_m, "The largest of its storeys, m.")};
+const struct thud_schema thud_stiffness_schema =
+    THUD_SCHEMA("stiffness --csv",
+                "A row for each stiffness that is multiplied, factor and structure; with\n.Fl -json\nthe list\n"
+                ".Va runs .\n",
+                stiffnesses);
+
+#define SPRING(member, text)                                                                                           \
+    {                                                                                                                  \
+        THUD_COLUMN(struct thud_spring_row, member, #member, text)                                                     \
+    }
+static const struct thud_column springs[] = {SPRING(part, "slab, contact (of slabs in series) or pad."),
+                                             SPRING(alpha, "Of a pad."), SPRING(exponent, "Of the indentation."),
+                                             SPRING(stiffness, "In N/m^exponent.")};
+const struct thud_schema thud_spring_schema =
+    THUD_SCHEMA("stiffness --json of slabs and pads", "The list\n.Va springs .\n", springs);
+
+#define MODE(member, text) THUD_COLUMN(struct thud_mode_row, member, #member, text)
+static const struct thud_column modes[] = {
+    {MODE(mode, "Its number, from 1."), .shown = {"mode", NULL, 0, 4, 0, THUD_DIGITS_WORD}},
+    {MODE(period_s, "Period, s."), .shown = {"period", "s", 1, 10, 5, THUD_DIGITS_FREE}},
+    {MODE(frequency_hz, "Frequency, Hz."), .shown = {"frequency", "Hz", 1, 13, 5, THUD_DIGITS_FREE}},
+    {MODE(mass_kg, "Mass that moves in it, kg.")},
+    {MODE(mass_ratio, "The same over that of the building."),
+     .shown = {"mass in it", "%", 100, 13, 2, THUD_DIGITS_FIXED}},
+    {MODE(mass_ratio_sum, "Of this mode and those before it."),
+     .shown = {"of all so far", "%", 100, 16, 2, THUD_DIGITS_FIXED}}};
+const struct thud_schema thud_mode_schema =
+    THUD_SCHEMA("building import --csv",
+                "A row for each mode; with\n.Fl -json\nthe list\n.Va modes ,\nbehind what the file holds.\n", modes);
