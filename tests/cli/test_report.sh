@@ -110,14 +110,14 @@ is "without a program that makes a PDF" [ $? -eq 6 ]
 is "it is said" says 'neither weasyprint nor a headless browser'
 is "and the report is there" test -s "$tmp/p/report.html"
 
-is "a gap wide enough" report 0 "$tmp/own.yaml" --set gap=60cm
+is "a gap wide enough" report 0 "$tmp/own.yaml" --set gap=60cm --samples 0
 is "is said to be" in_text '| pounding without bumper | none |.*| pounding with the bumper | none |'
-is "a strong motion and a thin bumper" report 0 "$tmp/own.yaml" --set record.peak=1.2g --set bumper.thickness=3cm
+is "a strong motion and a thin bumper" report 0 "$tmp/own.yaml" --set record.peak=1.2g --set bumper.thickness=3cm --samples 0
 is "are cautioned about drifts" in_text 'Storeys of Nr 14 drift by more than 1 % of their height: .* with the bumper (storey [1-7])'
 is "and about compression" in_text 'compressed'
-is "no bumper" report 0 "$tmp/bare.yaml"
+is "no bumper" report 0 "$tmp/bare.yaml" --samples 0
 is "is said, and not compared" in_text 'The scene has no bumper'
-is "a word on the command line can be typed again" report 0 "$tmp/bare.yaml" --set "title=it's two words" --set gap=9cm
+is "a word on the command line can be typed again" report 0 "$tmp/bare.yaml" --set "title=it's two words" --set gap=9cm --samples 0
 is "with its quotes" in_text "'title=it'\\\\''s two words' --set gap=9cm"
 for preset in three-in-a-row isolated-moat rigid-concrete rigid-bumper; do
     is "a report on $preset" report 0 $preset
@@ -162,7 +162,7 @@ is "and a table of them" in_text 'Columns that slabs strike: largest shear and m
 sed 's/gap: 8 cm/gap: 9 cm/' "$tmp/own.yaml" >"$tmp/wider.yaml"
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0 --beside "$tmp/wider.yaml"
 is "a variant is run as its preset is written" in_text "| own | 8.000 | 5.000 | $(count) | $(force) | .* | wider | 9.000 | 5.000 | $(count --set gap=9cm) | $(force --set gap=9cm) |"
-"$THUD" run "$tmp/own.yaml" -o "$tmp/drawn" --format svg --quiet >/dev/null
+"$THUD" run "$tmp/own.yaml" --to 5s -o "$tmp/drawn" --format svg --quiet >/dev/null
 is "figures drawn before" report 0 "$tmp/own.yaml" --samples 0 --figures "$tmp/drawn/loop.svg,$tmp/drawn"
 is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*. .*: total floor acceleration (g); .*[^.]\.  '
 is "as they were drawn" cmp "$tmp/r/further-1.svg" "$tmp/drawn/loop.svg"
@@ -179,7 +179,7 @@ is "without gnuplot the exit status is 5" [ $? -eq 5 ]
 is "and the report is there, with what is not drawn" in_text '\\\[Not drawn: Response spectrum'
 is "in HTML too" in_html '</html>'
 : >"$tmp/file"
-is "a folder that is a file" gives 6 report "$tmp/own.yaml" -o "$tmp/file"
+is "a folder that is a file" gives 6 report "$tmp/own.yaml" --samples 0 -o "$tmp/file"
 is "a scene that cannot be" gives 3 report "$tmp/own.yaml" --set gap=2cm -o "$tmp/r"
 
 # what is said around the peaks: no rule is short by rounding, a turned motion that changes nothing, spectra with the
