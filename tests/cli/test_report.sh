@@ -77,6 +77,7 @@ is "a second method confirms it" in_text 'by the method "Dormand and Prince.*lar
 is "with equal impact counts" in_text 'all impact counts are equal'
 is "it says what it does not cover" in_text 'this one proves nothing about a gap'
 is "no title block unless it is asked for" sh -c "! grep -q 'Prepared by' '$tmp/r/report.md'"
+is "peaks in the verdicts say with or without bumper" grep -q '^| largest acceleration, with the bumper | [0-9.]* g, floor' "$tmp/r/report.md"
 is "no word of the program in the prose" sh -c "! sed '/^## Inputs/,/^## Load cases/d;/^    /d' '$tmp/r/report.md' | grep -n -e 'kelvin-voigt' -e 'damping paper' -e '_n\\b' -e 'contact[.][0-9]' -e '[0-9]-c[0-9]' >&2"
 is "a figure's words say how far its curves reach" in_text '!.[^]]*no bumper [0-9.]* to [0-9.]* MN, bumper 0 to [0-9.]* MN'
 is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
@@ -88,7 +89,7 @@ is "as in the files of the Markdown" [ "$(sed -n 's/.*](\(.*\.svg\))$/\1/p' "$tm
 is "floor spectra of the two floors struck hardest" [ "$(grep -c "^| [^|]*, floor [0-9]* |.* at .* s |.* at .* s |" "$tmp/r/report.md")" -eq 2 ]
 is "nothing is loaded from elsewhere" [ "$(sed 's/base64,[^"]*//' "$tmp/r/report.html" | grep -c -E 'https?:|<script|<link|<iframe|@import|url\(')" -eq 0 ]
 is "the title is a text" in_html '<h1>Pounding report: Offices &lt;b&gt;5 &amp; 7&lt;/b&gt; &quot;storeys&quot; | two</h1>'
-is "names are too" in_html '<th scope="row">Nr &lt;12&gt;</th>'
+is "names are too" in_html '<th scope="row" class="short">Nr &lt;12&gt;</th>'
 is "in Markdown too" in_text '| Nr \\<12\\> |'
 sed 's/base64,[^"]*//' "$tmp/r/report.html" | sed -n '/<body>/,/<\/body>/p' | grep -o -E '</?[a-z0-9]+' | awk '
     /^<img/ { next }

@@ -63,8 +63,8 @@ START_TEST(lists_and_tables_open_and_close)
     write_both();
     ck_assert(has(&html, "<ul>\n<li>one</li>\n<li>two</li>\n</ul>\n<div><table>\n<caption>Table 1. Peaks</caption>\n"
                          "<thead><tr><th scope=\"col\">0|</th><th scope=\"col\">1|</th></tr></thead>\n<tbody>\n"
-                         "<tr><th scope=\"row\">2|</th><td>3|</td></tr>\n"
-                         "<tr><th scope=\"row\">4|</th><td>5|</td></tr>\n</tbody></table></div>\n"
+                         "<tr><th scope=\"row\" class=\"short\">2|</th><td>3|</td></tr>\n"
+                         "<tr><th scope=\"row\" class=\"short\">4|</th><td>5|</td></tr>\n</tbody></table></div>\n"
                          "<div><table>\n<caption>Table 2. Empty</caption>\n</table></div>\n<h2>Next</h2>\n<ul>\n<li>- "
                          "three</li>\n</ul>\n"));
     ck_assert_str_eq(markdown.data,

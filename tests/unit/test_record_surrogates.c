@@ -85,6 +85,8 @@ START_TEST(the_recorded_one_is_geonets)
     ck_assert_uint_eq(record->samples, 2501);
     ck_assert_str_eq(record->station, "WTMC");
     ck_assert_str_eq(record->component, "N28W");
+    ck_assert_str_eq(record->event, "Kaikoura, New Zealand, 2016-11-13");
+    ck_assert_str_eq(record->licence, "CC BY 3.0 NZ (GeoNet)");
     struct thud_intensity intensity = thud_intensity_of(record);
     ck_assert_double_eq_tol(intensity.pgv_mps, 1.01655, 0.01 * 1.01655);
     ck_assert_double_eq_tol(intensity.pgd_m, 0.234852, 0.01 * 0.234852);

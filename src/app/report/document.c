@@ -245,7 +245,7 @@ static const char style[] =
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
     "tabular-nums }\n"
-    "td.words, thead th.words { text-align: left } td:not(.words) { white-space: nowrap }\n"
+    "td.words, thead th.words { text-align: left } td:not(.words), th.short { white-space: nowrap }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
@@ -283,6 +283,9 @@ static void html_element(struct thud_text *out, const char *open, const char *te
     thud_text_append(out, "%s", close);
 }
 
+/* The name of a row that is kept on one line. */
+enum { SHORT_MOST = 32 };
+
 static void html_cell(struct thud_text *out, struct place *place, const struct thud_document *document,
                       const char *text)
 {
@@ -294,7 +297,8 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
                                                                              : "<th scope=\"col\">",
                      text, "</th>");
     else if (place->column == 1)
-        html_element(out, "<th scope=\"row\">", text, "</th>");
+        html_element(out, strlen(text) <= SHORT_MOST ? "<th scope=\"row\" class=\"short\">" : "<th scope=\"row\">",
+                     text, "</th>");
     else
         html_element(out, column_is_words(document, place->at, place->column - 1) ? "<td class=\"words\">" : "<td>",
                      text, "</td>");

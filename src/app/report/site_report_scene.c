@@ -117,7 +117,8 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     for (int r = 0; r < n; r++) {
         thud_document_cell(d, "%d", r + 1);
         thud_document_cell(d, "%s", thud_path_name(record[r]->file));
-        thud_document_cell(d, "%s", said(record[r]->licence));
+        thud_document_cell(d, "%s",
+                           *record[r]->licence || !record[r]->synthetic ? said(record[r]->licence) : "none: synthetic");
         thud_document_cell(d, "%s", said(record[r]->sha256));
         thud_document_row(d);
     }

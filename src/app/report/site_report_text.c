@@ -433,7 +433,7 @@ static void floors(struct site *site)
         }
         thud_document_row(d);
     }
-    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.4 * s->nfloors,
+    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.3 * s->nfloors,
                      "Floor spectra of the floors struck hardest, 5 % damping.");
 }
 

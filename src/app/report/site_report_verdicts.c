@@ -133,13 +133,20 @@ static void bumper_row(struct site *site)
     row(site, "bumper of use", text);
 }
 
+/* Of the scene as written; with which of its cases that is. */
+static const char *own_words(const struct site *site, const char *what, char *name, size_t size)
+{
+    snprintf(name, size, "%s, %s bumper", what, thud_scene_has_bumper(site->scene) ? "with the" : "without");
+    return name;
+}
+
 /* The floor with the largest acceleration and the storey with the largest drift of the scene as written. */
 static void governing_rows(struct site *site)
 {
     const struct thud_result *r = site->own->result;
     double most = 0, drift = 0;
     int at[2] = {0, 0}, under[2] = {0, 0};
-    char text[300];
+    char text[300], name[64];
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_structure *p = &site->scene->structure[s];
         const int slab = p->kind == THUD_ISOLATED;
@@ -159,7 +166,7 @@ static void governing_rows(struct site *site)
     if (most > 0) {
         snprintf(text, sizeof text, "%s g, floor %d of %s", thud_site_number(most / THUD_GRAVITY, 3).text, at[1] + 1,
                  thud_site_name(site, at[0]));
-        row(site, "largest acceleration", text);
+        row(site, own_words(site, "largest acceleration", name, sizeof name), text);
     }
     if (drift > 0) {
         const struct thud_structure_result *b = &r->structure[under[0]];
@@ -171,7 +178,7 @@ static void governing_rows(struct site *site)
         if (yields)
             snprintf(text + n, sizeof text - (size_t)n, "; ductility %s",
                      thud_site_number(b->storey[under[1]].ductility, 3).text);
-        row(site, "largest drift", text);
+        row(site, own_words(site, "largest drift", name, sizeof name), text);
     }
 }
 
