@@ -456,6 +456,34 @@ START_TEST(buildings_stand_at_their_elevations)
 }
 END_TEST
 
+/* Linked buildings have the shapes and periods of their system: five modes of two and three floors. */
+START_TEST(linked_buildings_have_modes_of_both)
+{
+    char text[40], number[24];
+    fixture_keys(&f, "<Size 250x60>:link add 1<Enter>:set links.1.stiffness 50 MN/m<Enter>1");
+    thud_tui_forget_run(f.tui); /* as before it is made: the case without pounding has no links */
+    thud_tui_draw(f.tui);
+    const struct thud_model *model = thud_tui_model(f.tui); /* of the scene as written */
+    ck_assert_int_eq(model->structure[0].modes, 5);
+    for (int j = 0; j < 5; j++) {
+        snprintf(text, sizeof text, "%d: %s s", j + 1,
+                 thud_tui_number(2.0 * 3.14159265358979 / model->omega[model->structure[0].first_mode + j], number));
+        fixture_expect(&f, text);
+    }
+}
+END_TEST
+
+/* A floor that another screen asked for may be of a structure that was taken away since. */
+START_TEST(a_floor_that_is_gone_is_not_shown)
+{
+    fixture_keys(&f, "5");
+    f.tui->look_at = (struct thud_look_at){.wanted = true, .structure = 7};
+    fixture_keys(&f, "r");
+    ck_assert(!f.tui->look_at.wanted);
+    fixture_expect(&f, "Impact force");
+}
+END_TEST
+
 /* Work of the shear along the drift as the figure has them: what was lost in yielding, but for the little that the springs
  * keep. */
 START_TEST(the_loop_of_a_storey_holds_what_it_lost)
@@ -650,6 +678,8 @@ Suite *thud_suite(void)
     tcase_add_test(views, commands_of_the_command_line);
     tcase_add_test(views, the_cursor_leads_to_every_column_of_floors);
     tcase_add_test(views, buildings_stand_at_their_elevations);
+    tcase_add_test(views, linked_buildings_have_modes_of_both);
+    tcase_add_test(views, a_floor_that_is_gone_is_not_shown);
     tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
     tcase_add_test(views, a_pane_scrolls_behind_its_last_field);
     tcase_add_test(views, remarks_are_counted_and_lead_to_their_fields);

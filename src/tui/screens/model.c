@@ -369,7 +369,8 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
     for (int j = 0; j < m->modes && BUILDING + (j + 1) * SHAPE <= area.w; j++) {
         char text[32], number[24];
         draw_shape(&dots, &e, structure, m, j, look);
-        snprintf(text, sizeof text, "%d: %s s", j + 1, thud_tui_number(2.0 * THUD_PI / m->omega[j], number));
+        snprintf(text, sizeof text, "%d: %s s", j + 1,
+                 thud_tui_number(2.0 * THUD_PI / model->omega[m->first_mode + j], number));
         thud_pane_put(pane, 1 + BUILDING + j * SHAPE, pane->h - 1, faint, text);
     }
     thud_dots_put(&dots);

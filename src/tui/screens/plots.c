@@ -88,6 +88,10 @@ static void look_at(struct thud_tui *tui)
     const struct thud_live_case *c = &tui->run.live.which[THUD_LIVE_NONE];
     if (!at->wanted || (!at->impact && c->state != THUD_LIVE_DONE))
         return;
+    if (!at->impact && at->structure >= c->model->nstructures) { /* it was taken away since */
+        tui->look_at.wanted = false;
+        return;
+    }
     p->plot = at->impact ? THUD_PLOT_FORCE : THUD_PLOT_ACCELERATION;
     p->opened = true;
     tui->window[THUD_SCREEN_PLOTS] = at->impact

@@ -69,6 +69,8 @@ static void number_ticks(struct ticks *ticks, const struct thud_range *range)
 
 static void decade_ticks(struct ticks *ticks, const struct thud_range *range)
 {
+    if (!(range->least > 0.0) || !isfinite(range->most))
+        return; /* it has no decades */
     int first = (int)ceil(log10(range->least) - 1e-9), last = (int)floor(log10(range->most) + 1e-9);
     static const double between[] = {1.0, 2.0, 5.0};
     bool few = last - first < 2; /* decades: 2 and 5 of each besides */
