@@ -78,8 +78,7 @@ static void put_head(struct thud_text *out, const struct thud_scene *scene)
 
 static void put_scene(struct thud_text *out, const struct thud_scene *scene, const char *record)
 {
-    thud_text_append(out, "  \"scene\": ");
-    thud_scene_json(scene, record, 4, out);
+    thud_scene_members_json(scene, record, out);
     thud_text_append(out, "\n}\n");
 }
 

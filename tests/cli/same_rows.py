@@ -30,6 +30,8 @@ with open(sys.argv[2], encoding="utf-8") as file:
     rows = list(flat(json.load(file)[path[0]], path[1:]))
 with open(sys.argv[1], encoding="utf-8", newline="") as file:
     table = list(csv.reader(line for line in file if not line.startswith("#")))
+if path[0] == "structures":  # what is told of the whole structure is in the JSON alone
+    rows = [{n: {**r, "structure": r["name"]}[n] for n in table[0]} for r in rows]
 names = list(rows[0])
 names = names[len(names) - len(table[0]):] if path[0] == "spectra" else names  # the file and the damping are comments
 assert table[0] == names, (table[0], names)

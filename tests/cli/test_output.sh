@@ -12,7 +12,7 @@ page() { awk -v s="$1" 'NR == FNR { if (/^\.S[sh] /) on = $0 == ".Ss " s; if (on
     /^\.S[sh] / { on = $0 == ".Ss " s || substr($0, 5) in other } on && /^\.It Va / { print $3 }' man/thud-output.5 man/thud-output.5 | sort -u; }
 columns() { grep -v '^#' "$1" | head -1 | tr , '\n' | tr -d '"' | sed -E 's/^(A|B)\.[0-9]+\./NAME.FLOOR./; s/^(A|B)\.storey\.[0-9]+\./NAME.storey.FLOOR./; s/^contact\.[0-9]+\.(c?[0-9]+-c?[0-9]+)\./contact.I.L-R./; s/^column\.[0-9]+\.(A|B)\.[0-9]+\./column.I.NAME.F./; s/^bumper\.thickness(_m)?$/KEY/' | sort -u; }
 keys() { # FILE...: but those of a scene, which is a preset
-    for file in "$@"; do sed '/^  "scene": /,$d' "$file"; done | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
+    for file in "$@"; do sed '/^  "scene\(_si\)\{0,1\}": /,$d' "$file"; done | grep -o '"[^"]*": ' | tr -d '": ' | sort -u
 }
 agree() { # SECTION, or several with | between them: with $tmp/written
     echo "$1" | tr '|' '\n' | while read -r section; do page "$section"; done | sort -u >"$tmp/page"
@@ -155,6 +155,7 @@ is "a ground motion is told by the SHA-256 of its file" grep -q "\"file\": \"[^\
 if ! command -v python3 >/dev/null 2>&1; then
     echo "ok - CSV and JSON have one content # SKIP no python3"
 else
+    "$THUD" run towers --to 5s --quiet --csv >"$tmp/floors.csv" && "$THUD" run towers --to 5s --quiet --json >"$tmp/floors.json"
     while read -r path words; do
         # shellcheck disable=SC2086 # several words
         "$THUD" $words --csv >"$tmp/answer.csv" 2>/dev/null
@@ -172,5 +173,9 @@ examples/values verify --published
 runs stiffness towers --to 5s --quiet
 modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
+    is "run: the floors of the CSV are those of the JSON" python3 tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
+    for folder in run sweep suite gap fragility uncertainty bench stability cost; do
+        is "$folder: every table reads as datapackage.json says, scenes are SI too" python3 tests/cli/read_tables.py "$tmp/$folder"
+    done
     is "stability: CSV and JSON have one content" python3 tests/cli/same_rows.py "$tmp/stability/verdicts.csv" "$tmp/stability.json" verdicts
 fi

@@ -8,3 +8,5 @@
  * the lines after the first are indented by `indent`. `file`: the ground motion as it was found; NULL: as the scene
  * names it. */
 void thud_scene_json(const struct thud_scene *scene, const char *file, int indent, struct thud_text *out);
+/* Two members: "scene_si", numbers in SI under keys that end with their unit, and "scene", as above. */
+void thud_scene_members_json(const struct thud_scene *scene, const char *file, struct thud_text *out);

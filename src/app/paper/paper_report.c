@@ -321,7 +321,7 @@ void thud_paper_study_json(const struct thud_paper_study *study, struct thud_tex
         thud_text_append(out, ", \"samples\": %zu, \"synthetic\": %s}", record->samples,
                          record->surrogate ? "true" : "false");
     }
-    thud_text_append(out, "\n  ],\n  \"scene\": ");
-    thud_scene_json(study->scene, NULL, 4, out);
+    thud_text_append(out, "\n  ],\n");
+    thud_scene_members_json(study->scene, NULL, out);
     thud_text_append(out, "\n}\n");
 }

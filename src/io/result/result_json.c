@@ -202,7 +202,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     }
     if (report->sensitivity)
         add_sensitivity(report, out);
-    thud_text_append(out, ",\n  \"scene\": ");
-    thud_scene_json(report->scene, report->record ? report->record->file : NULL, 4, out);
+    thud_text_append(out, ",\n");
+    thud_scene_members_json(report->scene, report->record ? report->record->file : NULL, out);
     thud_text_append(out, "\n}\n");
 }

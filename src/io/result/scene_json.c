@@ -5,25 +5,40 @@
 #include <string.h>
 
 #include "io/file/json.h"
+#include "io/file/schema.h"
 #include "io/preset/preset_private.h"
 
 struct writer {
     const struct thud_scene *scene;
     const char *file;
     int indent;
+    bool si; /* numbers in SI, their keys with the unit */
     struct thud_text *out;
     char *value; /* THUD_VALUE_MAX */
 };
 
-/* "[[5 cm, 6 cm], [on]]" with every item as a string. */
-static void put_list(struct thud_text *out, char *list)
+/* "0.1" of "10 cm" in SI; what is no number as a string. */
+static void put_item(struct writer *w, const struct thud_param *param, const char *text)
 {
+    struct thud_quantity quantity;
+    const bool number = param && (param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER);
+    if (number && thud_quantity_parse(text, param->kind == THUD_PARAM_QUANTITY ? param->dimension : THUD_NUMBER, NULL,
+                                      &quantity, NULL) == THUD_OK)
+        thud_json_number(w->out, quantity.value);
+    else
+        thud_json_string(w->out, text);
+}
+
+/* "[[5 cm, 6 cm], [on]]", item by item. */
+static void put_list(struct writer *w, const struct thud_param *param, char *list)
+{
+    struct thud_text *out = w->out;
     for (char *at = list; *at;) {
         size_t n = strcspn(at, "[],");
         if (n > 0) {
             char end = at[n];
             at[n] = '\0';
-            thud_json_string(out, at);
+            put_item(w, param, at);
             at[n] = end;
             at += n;
         } else {
@@ -37,12 +52,16 @@ static void put_value(struct writer *w, struct thud_section section, const char 
 {
     bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
                  section.group == THUD_GROUP_STUDY || strstr(key, "-by-level");
-    thud_json_string(w->out, key);
+    int floor;
+    const struct thud_param *param = w->si ? thud_scene_param(w->scene, path, &floor) : NULL;
+    char name[THUD_NAME_MAX];
+    snprintf(name, sizeof name, "%s%s", key, param ? thud_si_suffix(param) : "");
+    thud_json_string(w->out, name);
     thud_text_append(w->out, ": ");
     if (lists && w->value[0] == '[' && strcmp(key, "name") != 0)
-        put_list(w->out, w->value);
+        put_list(w, param, w->value);
     else
-        thud_json_string(w->out, strcmp(path, "record.file") == 0 && w->file ? w->file : w->value);
+        put_item(w, param, strcmp(path, "record.file") == 0 && w->file ? w->file : w->value);
 }
 
 /* The keys of a section, separated by commas; their count. */
@@ -98,9 +117,9 @@ static void put_group(struct writer *w, enum thud_group group, bool after)
     thud_text_append(w->out, "}");
 }
 
-void thud_scene_json(const struct thud_scene *scene, const char *file, int indent, struct thud_text *out)
+static void put_scene(const struct thud_scene *scene, const char *file, int indent, bool si, struct thud_text *out)
 {
-    struct writer w = {scene, file, indent, out, malloc(THUD_VALUE_MAX)};
+    struct writer w = {scene, file, indent, si, out, malloc(THUD_VALUE_MAX)};
     if (!w.value) {
         out->failed = 1;
         return;
@@ -123,4 +142,17 @@ void thud_scene_json(const struct thud_scene *scene, const char *file, int inden
         put_group(&w, THUD_GROUP_DOCUMENT, true);
     thud_text_append(out, "}");
     free(w.value);
+}
+
+void thud_scene_json(const struct thud_scene *scene, const char *file, int indent, struct thud_text *out)
+{
+    put_scene(scene, file, indent, false, out);
+}
+
+void thud_scene_members_json(const struct thud_scene *scene, const char *file, struct thud_text *out)
+{
+    thud_text_append(out, "  \"scene_si\": ");
+    put_scene(scene, file, 4, true, out);
+    thud_text_append(out, ",\n  \"scene\": ");
+    put_scene(scene, file, 4, false, out);
 }
