@@ -34,6 +34,13 @@
     is "with the nearest" says 'unknown key "radios"; did you mean "radius"'
     is "walls have no foundation" gives 3 run isolated-moat --set structures.1.foundation.mass=3t
     is "and say so" says 'a wall has no foundation'
+    is "the soil in a report" gives 0 report towers-on-soil -o "$tmp/r" --quiet
+    is "its equations" grep -q 'sways by u.*_f and rocks by t: springs and dashpots act under it' "$tmp/r/report.md"
+    is "its inputs" grep -q '^| foundation.vs | shear-wave velocity | 200 m/s |' "$tmp/r/report.md"
+    is "what is left out" grep -q 'Soil that yields, foundations that lift off' "$tmp/r/report.md"
+    is "its drawing" grep -q 'a drawing of foundation on soil, soil against rocking, soil against sway' "$tmp/r/report.md"
+    is "soil that is not known" gives 0 uncertainty towers-on-soil --samples 0 --case none
+    is "is an input" shows 'soil-stiffness.B by a factor of 1.5'
     is "OpenSees is refused" gives 3 export opensees towers-on-soil
     is "with the reason" says 'structures.1.foundation: OpenSees has modal damping of whole models alone'
 }

@@ -4,12 +4,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/quantity.h"
 #include "core/model/lateral.h"
 #include "core/model/model.h"
 #include "io/building/building_file.h"
+#include "io/file/file.h"
+#include "io/preset/preset.h"
 #include "plane_frame.h"
 #include "study/scene/building.h"
 #include "study/scene/solution.h"
@@ -502,6 +505,51 @@ START_TEST(what_was_read_stays_with_its_building)
 }
 END_TEST
 
+/* A preset saved in another folder still has its files, and its comments. */
+START_TEST(files_go_with_a_preset_that_is_saved_elsewhere)
+{
+    static const char text[] =
+        "structures:\n  - kind: matrix # from the frame program\n    storeys: 2\n    mass: 200 t\n"
+        "    stiffness-matrix: k.csv # kN/m\n  - {kind: shear, storeys: 1, mass: 300 t, stiffness: 600 MN/m}\n"
+        "interfaces:\n  - gap: 5 cm # the line\n    contact: {law: linear, stiffness: 2 kN/m}\n";
+    char folder[] = "/tmp/thud-XXXXXX", own[80], file[80], elsewhere[80], expected[200], *saved;
+    size_t size;
+    struct thud_preset *preset;
+    struct thud_error err = {0};
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(own, sizeof own, "%s/a.yaml", folder);
+    snprintf(file, sizeof file, "%s/k.csv", folder);
+    snprintf(elsewhere, sizeof elsewhere, "%s/sub", folder);
+    ck_assert_int_eq(mkdir(elsewhere, 0700), 0);
+    snprintf(elsewhere, sizeof elsewhere, "%s/sub/b.yaml", folder);
+    ck_assert_int_eq(thud_file_write(own, text, strlen(text), NULL), THUD_OK);
+    static const char matrix[] = "Story (kN/m),1,2\n1,500000,-200000\n2,-200000,200000\n";
+    ck_assert_int_eq(thud_file_write(file, matrix, strlen(matrix), NULL), THUD_OK);
+    ck_assert_msg(thud_preset_read(own, &preset, &err) == THUD_OK, "%s", err.what);
+    scene = *thud_preset_scene(preset);
+    ck_assert_int_eq(thud_preset_save(preset, &scene, own, NULL), THUD_OK);
+    ck_assert_int_eq(thud_file_read(own, 1 << 20, &saved, &size, NULL), THUD_OK);
+    ck_assert(size == strlen(text) && memcmp(saved, text, size) == 0); /* where it was */
+    free(saved);
+    ck_assert_int_eq(thud_preset_save(preset, &scene, elsewhere, NULL), THUD_OK);
+    thud_preset_free(preset);
+    ck_assert_msg(thud_preset_read(elsewhere, &preset, &err) == THUD_OK, "%s", err.what);
+    thud_preset_free(preset);
+    ck_assert_int_eq(thud_file_read(elsewhere, 1 << 20, &saved, &size, NULL), THUD_OK);
+    snprintf(expected, sizeof expected, "    stiffness-matrix: %s # kN/m\n", file);
+    ck_assert_ptr_nonnull(strstr(saved, expected));
+    ck_assert_ptr_nonnull(strstr(saved, "kind: matrix # from the frame program\n"));
+    ck_assert_ptr_nonnull(strstr(saved, "- gap: 5 cm # the line\n"));
+    free(saved);
+    remove(own);
+    remove(file);
+    remove(elsewhere);
+    snprintf(elsewhere, sizeof elsewhere, "%s/sub", folder);
+    rmdir(elsewhere);
+    rmdir(folder);
+}
+END_TEST
+
 /* The codes' tables by hand, powers by logarithms. */
 START_TEST(an_estimated_building)
 {
@@ -591,6 +639,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, files_that_are_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_loop_test(tcase, files_as_programs_write_them, 0, (int)(sizeof spelled / sizeof *spelled));
     tcase_add_test(tcase, a_flexibility_and_its_order);
+    tcase_add_test(tcase, files_go_with_a_preset_that_is_saved_elsewhere);
     tcase_add_loop_test(tcase, an_estimated_building, 0, 4);
     tcase_add_loop_test(tcase, the_gap_over_the_periods_of_estimated_buildings, 0, 2);
     tcase_add_test(tcase, what_was_read_stays_with_its_building);

@@ -220,6 +220,20 @@ START_TEST(plus_and_minus_step)
 }
 END_TEST
 
+/* The first value of a foundation brings usual ones for the rest; without its mass there is none. */
+START_TEST(a_foundation_is_typed)
+{
+    fixture_keys(&f, ":structures.1.foundation.vs=150m/s<Enter>");
+    ck_assert(thud_structure_on_soil(&scene()->structure[0]) && !thud_structure_on_soil(&scene()->structure[1]));
+    ck_assert_double_eq(scene()->structure[0].soil_vs_mps, 150);
+    ck_assert_double_eq_tol(scene()->structure[0].foundation_mass_kg, scene()->structure[0].mass_kg[0], 1e-6);
+    fixture_expect(&f, "radius  9 m");
+    fixture_keys(&f, ":structures.1.foundation.mass=<Enter>");
+    ck_assert(!thud_structure_on_soil(&scene()->structure[0]));
+    ck_assert(!thud_doc_unsaved(&f.tui->doc));
+}
+END_TEST
+
 START_TEST(a_floor_for_all_floors)
 {
     fixture_keys(&f, "/structures.2.mass<Enter><Enter>500<Enter>");
@@ -366,6 +380,7 @@ Suite *thud_suite(void)
     tcase_add_test(edit, a_dimension_is_named);
     tcase_add_test(edit, soft_bounds_warn);
     tcase_add_test(edit, plus_and_minus_step);
+    tcase_add_test(edit, a_foundation_is_typed);
     tcase_add_test(edit, a_floor_for_all_floors);
     tcase_add_test(edit, undo_goes_all_the_way_and_says_what);
     tcase_add_test(edit, structures_and_storeys);

@@ -503,8 +503,8 @@ static int count_keys(const char *keys)
 START_TEST(the_walk_of_an_engineer)
 {
     static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500<Tab>550<Down><Down><Down>8<Down>pul<Enter>",
-                                       "<Down><Down><Down><Down><Enter>250<Enter>", /* the roof of the left one */
-                                       "<Tab><Down><Down><Down><Down><Enter>260<Enter>",
+                                       "<Down><Down><Down><Enter>250<Enter>", /* the roof of the left one */
+                                       "<Tab><Down><Down><Down><Enter>260<Enter>",
                                        "P",
                                        "w",
                                        "obuil<Enter>"};

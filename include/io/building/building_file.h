@@ -33,6 +33,9 @@ enum thud_status thud_building_file_read(const char *path, const struct thud_bui
                                          struct thud_building_table *out, struct thud_error *err);
 void thud_building_table_clear(struct thud_building_table *table);
 
+/* A scene that moves from one preset to another (paths): files that the new one would not find, or would find others in
+ * place of, get their whole path, where there is room for it. */
+void thud_building_files_move(struct thud_scene *scene, const char *from, const char *to);
 /* Reads what the structures of a scene name and have not yet: looked for from the working folder and beside the preset
  * (path; NULL: none). Errors: also the key. */
 enum thud_status thud_building_files_read(struct thud_scene *scene, const char *preset, struct thud_error *err);

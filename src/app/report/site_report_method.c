@@ -35,6 +35,24 @@ static bool has_isolators(const struct site *site)
             return true;
     return false;
 }
+static bool has_soil(const struct site *site)
+{
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (thud_structure_on_soil(&site->scene->structure[s]))
+            return true;
+    return false;
+}
+static bool no_soil(const struct site *site)
+{
+    return !has_soil(site);
+}
+static bool is_estimated(const struct site *site)
+{
+    for (int s = 0; s < site->scene->nstructures; s++)
+        if (site->scene->structure[s].kind == THUD_ESTIMATED)
+            return true;
+    return false;
+}
 static bool has_suite(const struct site *site)
 {
     return site->suite.runs != NULL;
@@ -74,6 +92,18 @@ static const struct phrase model[] = {
     {has_isolators,
      "An isolated building stands on a base slab of its own mass; its isolators are one storey below the "
      "slab, with a stiffness and a damping ratio of their own."},
+    {has_soil,
+     "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and rocks by "
+     "t: "
+     "springs and dashpots act under it, given or of a rigid disk of radius a on an elastic half-space (K_x = 8 G a/(2 "
+     "- "
+     "nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. Gazetas, Formulas and charts for "
+     "impedances "
+     "of surface and embedded foundations, 1991). Displacements count from the free field; the drift of a storey is "
+     "without the rocking, contacts see the whole motion, and the building's damping acts on its deformation."},
+    {is_estimated,
+     "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN 1998-1:2004, "
+     "4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates."},
     {has_p_delta,
      "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by "
      "a tenth of its height has collapsed."},
@@ -97,8 +127,13 @@ static const struct phrase unmade[] = {
      "same in every sample."},
     {is_elastic, "Yielding: the storeys are elastic."},
     {yields, "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength."},
-    {always, "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, soil and "
-             "foundations, and different ground motions under the buildings."},
+    {no_soil, "Soil and foundations: the ground under the buildings is rigid."},
+    {has_soil,
+     "Soil that yields, foundations that lift off, and waves between neighbouring foundations: the springs and "
+     "dashpots are linear, and each building has its own."},
+    {always,
+     "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, and different "
+     "ground motions under the buildings."},
     {no_columns, "Slabs striking columns: in this scene floors meet floors."},
     {has_columns, "Failure of struck columns: they stay elastic and whole, also above their capacity."},
     {always, "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "

@@ -8,6 +8,7 @@
 #include "base/ascii.h"
 #include "core/model/lateral.h"
 #include "io/building/building_cells.h"
+#include "io/file/file.h"
 #include "io/file/paths.h"
 #include "study/scene/building.h"
 
@@ -374,4 +375,25 @@ enum thud_status thud_building_files_read(struct thud_scene *scene, const char *
     for (int s = 0; s < scene->nstructures && status == THUD_OK; s++)
         status = read_structure(scene, s, preset, err);
     return status;
+}
+
+void thud_building_files_move(struct thud_scene *scene, const char *from, const char *to)
+{
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        char *const file[] = {p->stiffness_file, p->flexibility_file, p->periods_file};
+        for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+            char was[1024], is[1024], *whole;
+            if (!thud_kind_is_read(p->kind) || !*file[i] ||
+                thud_paths_beside(from, file[i], was, sizeof was, NULL) != THUD_OK ||
+                (thud_paths_beside(to, file[i], is, sizeof is, NULL) == THUD_OK && thud_file_is_same(was, is)))
+                continue;
+            whole = realpath(was, NULL);
+            if (whole && strlen(whole) < sizeof p->periods_file) {
+                memset(file[i], 0, sizeof p->periods_file);
+                memcpy(file[i], whole, strlen(whole));
+            }
+            free(whole);
+        }
+    }
 }

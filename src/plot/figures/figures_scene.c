@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/model/model.h"
+#include "study/scene/building.h"
 #include "study/scene/level.h"
 
 /* Widths on the drawing, m. */
@@ -89,8 +91,8 @@ static void lay(struct drawing *d)
         }
     }
     d->foot = d->low;
-    for (int s = 0; s < scene->nstructures; s++) /* isolators stand below their slab */
-        if (scene->structure[s].kind == THUD_ISOLATED)
+    for (int s = 0; s < scene->nstructures; s++) /* isolators stand below their slab, foundations below the ground */
+        if (scene->structure[s].kind == THUD_ISOLATED || thud_structure_on_soil(&scene->structure[s]))
             d->foot = d->low - 0.1 * (d->high - d->low);
 }
 
@@ -135,6 +137,34 @@ static void building(const struct drawing *d, int s)
     }
 }
 
+static void number(const struct drawing *d, int s, double y, double value, const char *unit)
+{
+    char text[48];
+    snprintf(text, sizeof text, "%.4g %s", value, unit);
+    const int side = s > 0 || d->scene->nstructures == 1 ? 1 : -1;
+    const bool between = s > 0 && s + 1 < d->scene->nstructures; /* contacts to both sides: above their line */
+    thud_panel_label(d->model, d->at[s] + 0.4 * side, y + (between ? 0.025 * d->high : 0), side, text);
+}
+
+/* From the ground that the building stands on down to the foot of the drawing. */
+static void foundation(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const struct thud_foundation_input f = thud_structure_foundation(p);
+    const double x = d->at[s], top = p->base_m, high = d->high - d->low, under = top - 0.03 * high;
+    rectangle(d->elevation, "foundation on soil", STRUCK, (double[]){d->left[s] - 0.3, d->right[s] + 0.3}, under, top);
+    rectangle(d->model, "foundation on soil", STRUCK, (double[]){x - 0.5, x + 0.5}, under, top);
+    for (int side = -1; side < 2; side += 2)
+        spring(d->model, "soil against rocking", STRUCK, x + 0.4 * side, d->foot, x + 0.4 * side, under, 0.1, 0);
+    const int numbers = s > 0 || d->scene->nstructures == 1 ? 1 : -1; /* the side of number() */
+    char text[48];
+    spring(d->model, "soil against sway", STRUCK, x - 0.5 * numbers, 0.5 * (under + top), x - 1.3 * numbers,
+           0.5 * (under + top), 0, 0.01 * high);
+    snprintf(text, sizeof text, "%.4g MN/m", 1e-6 * f.sway_npm);
+    thud_panel_label(d->model, x + 0.6 * numbers, 0.5 * (under + top), numbers, text);
+    number(d, s, d->foot - 0.04 * high, 1e-9 * f.rocking_nmprad, "GN m/rad");
+}
+
 static void in_elevation(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];
@@ -151,21 +181,14 @@ static void in_elevation(const struct drawing *d, int s)
                      0, p->name);
 }
 
-static void number(const struct drawing *d, int s, double y, double value, const char *unit)
-{
-    char text[48];
-    snprintf(text, sizeof text, "%.4g %s", value, unit);
-    const int side = s > 0 || d->scene->nstructures == 1 ? 1 : -1;
-    const bool between = s > 0 && s + 1 < d->scene->nstructures; /* contacts to both sides: above their line */
-    thud_panel_label(d->model, d->at[s] + 0.4 * side, y + (between ? 0.025 * d->high : 0), side, text);
-}
-
 static void in_model(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];
     const int floors = thud_structure_floors(p), slab = p->kind == THUD_ISOLATED,
               every = 1 + (floors - 1) / LABELS_MOST;
     const double x = d->at[s];
+    if (thud_structure_on_soil(p))
+        foundation(d, s);
     if (p->kind == THUD_WALL)
         rectangle(d->model, "wall, moves with the ground", FRAME, (double[]){x - 0.3, x + 0.3}, d->foot,
                   top_of_wall(d, s));

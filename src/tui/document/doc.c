@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/scan.h"
 #include "io/building/building_file.h"
 #include "io/file/file.h"
 #include "io/record/record_file.h"
@@ -118,6 +119,7 @@ enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct th
 {
     char to[512];
     snprintf(to, sizeof to, "%s", path ? path : doc->path);
+    thud_building_files_move(&doc->scene, doc->path, to);
     enum thud_status status = thud_preset_save(doc->preset, &doc->scene, to, err);
     if (status != THUD_OK)
         return status;
@@ -183,10 +185,39 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     return THUD_OK;
 }
 
+/* A foundation has several values that stand together, so the first one that is typed brings usual ones for the rest, on
+ * stiff soil; without its mass there is none. */
+static void set_soil(struct thud_scene *next, const char *key, const char *text)
+{
+    static const char *const usual[][2] = {{"vs", "250 m/s"}, {"density", "1.9 t/m3"}, {"radius", "9 m"}};
+    int s = 0, count;
+    char path[THUD_PATH_MAX], mass[64];
+    const char *rest = key;
+    if (!thud_scan_word(&rest, "structures.") || !thud_scan_count(&rest, &s) || s < 1 || s > next->nstructures ||
+        !thud_scan_word(&rest, ".foundation.") || !thud_kind_is_building(next->structure[s - 1].kind))
+        return;
+    const bool on_soil = thud_structure_on_soil(&next->structure[s - 1]);
+    const struct thud_param *param = thud_group_params(THUD_GROUP_FOUNDATION, &count);
+    for (int i = 0; i < count && on_soil && !*text && strcmp(rest, "mass") == 0; i++) {
+        snprintf(path, sizeof path, "structures.%d.foundation.%s", s, param[i].name);
+        thud_scene_set(next, path, "", NULL);
+    }
+    if (on_soil || !*text)
+        return;
+    snprintf(mass, sizeof mass, "%.17g kg", next->structure[s - 1].mass_kg[0]);
+    snprintf(path, sizeof path, "structures.%d.foundation.mass", s);
+    thud_scene_set(next, path, mass, NULL);
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) {
+        snprintf(path, sizeof path, "structures.%d.foundation.%s", s, usual[i][0]);
+        thud_scene_set(next, path, usual[i][1], NULL);
+    }
+}
+
 /* A kind that is read from a file may have its name behind it: "matrix k.csv". */
 static enum thud_status set_value(struct thud_scene *next, const char *key, const char *text, struct thud_error *err)
 {
     char structure[THUD_PATH_MAX], kind[16];
+    set_soil(next, key, text);
     const char *end = strrchr(key, '.'), *file = strchr(text, ' ');
     if (!file || !end || strcmp(end, ".kind") != 0 || (size_t)(file - text) >= sizeof kind)
         return thud_scene_set(next, key, text, err);

@@ -247,13 +247,14 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
 #undef ON_SOIL
 #undef LEFT
 #undef RIGHT
+    const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 0;
+    int rows = 0;
     if (structure->kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(structure);
         thud_pane_print(pane, 1, 5, thud_look(THUD_ROLE_MUTED, 0), "EN 1998 %.3g s (used), ASCE 7 %.3g s", e.en1998_s,
                         e.asce7_s);
+        rows = rows_of_kind(structure);
     }
-    const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 1;
-    int rows = 0;
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         const int y = field[i].y + (field[i].kinds & SOIL ? kind_rows : 0);
         if (!(field[i].kinds & kinds) || (field[i].kinds & SOIL && field[i].y >= soil_rows))
@@ -286,7 +287,7 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         const struct thud_structure *structure = &tui->doc.scene.structure[s];
         if (!thud_kind_is_building(structure->kind))
             continue;
-        int table = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 1) + 1 +
+        int table = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 0) + 1 +
                     structure->storeys + 2,
             rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
