@@ -79,39 +79,74 @@ static struct thud_style shown_style(const struct shown *of, enum thud_series_ki
         .kind = kind, .color = thud_live_color((enum thud_live_which)which), .thin = of->pinned, .dashed = of->pinned};
 }
 
-/* A curve of the case against what the caller fills in. */
-static struct thud_series *add_lines(struct thud_panel *panel, const struct shown *of, int which,
-                                     const struct thud_history *h)
-{
-    char name[48];
-    return thud_panel_add(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h->rows, NULL, NULL);
-}
+/* What a case has of a plot: columns of its histories, or the drift below a floor. */
+struct curve {
+    int x, y, minus;           /* columns; x < 0: time; minus < 0: nothing is taken off y */
+    double x_factor, y_factor; /* to what is shown */
+    bool touching;             /* only where y is not 0 */
+    bool drift;                /* of the sight's floor, mm, in place of y */
+};
 
-/* A column of the history, less another one where `minus` is not negative, times a factor. */
-static void add_history(struct thud_panel *panel, const struct shown *of, int which, int column, int minus,
-                        double factor)
+static void add_curve(struct thud_panel *panel, struct thud_style style, const char *name, const struct thud_history *h,
+                      const struct curve *c, const struct thud_model_structure *storeys, int floor)
 {
-    const struct thud_history *h = history_of(of->live, which);
-    struct thud_series *series = add_lines(panel, of, which, h);
+    struct thud_series *series = thud_panel_add(panel, style, name, h->rows, NULL, NULL);
     for (size_t i = 0; series && i < h->rows; i++) {
         const double *row = h->value + i * (size_t)h->columns;
-        series->x[i] = h->time_s[i];
-        series->y[i] = factor * (row[column] - (minus >= 0 ? row[minus] : 0.0));
+        const bool shown = !c->touching || row[c->y] != 0.0;
+        series->x[i] = !shown ? NAN : c->x < 0 ? h->time_s[i] : c->x_factor * row[c->x];
+        series->y[i] =
+            !shown     ? NAN
+            : c->drift ? 1e3 * thud_model_drift(storeys, row + thud_history_displacement(h, storeys->first), 1, floor)
+                       : c->y_factor * (row[c->y] - (c->minus >= 0 ? row[c->minus] : 0.0));
     }
 }
 
-/* The drift of the storey below a floor, mm. */
-static void add_drift(struct thud_panel *panel, const struct shown *of, int which, const struct thud_model *model,
-                      int dof)
+static bool is_of_contact(enum thud_plot plot)
 {
-    const struct thud_history *h = history_of(of->live, which);
-    const struct thud_model_structure *p = &model->structure[model->dof_structure[dof]];
-    struct thud_series *series = add_lines(panel, of, which, h);
-    for (size_t i = 0; series && i < h->rows; i++) {
-        const double *row = h->value + i * (size_t)h->columns + thud_history_displacement(h, p->first);
-        series->x[i] = h->time_s[i];
-        series->y[i] = 1e3 * thud_model_drift(p, row, 1, dof - p->first);
+    return plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH || plot == THUD_PLOT_LOOP;
+}
+
+/* False: the case has none; another scene may have fewer floors and contacts. */
+static bool curve_of(enum thud_plot plot, const struct thud_sight *sight, const struct thud_model *model,
+                     const struct thud_history *h, bool pounds, struct curve *c)
+{
+    *c = (struct curve){.x = -1, .minus = -1, .y_factor = 1.0};
+    if (is_of_contact(plot) ? sight->contact >= model->npairs : sight->dof >= model->ndof)
+        return false;
+    if (plot == THUD_PLOT_FORCE || plot == THUD_PLOT_LOOP) {
+        if (sight->contact >= h->ncontacts || !pounds)
+            return false;
+        c->y = thud_history_force(h, sight->contact);
+        c->y_factor = 1e-6;
+        c->touching = plot == THUD_PLOT_LOOP;
+        c->x = c->touching ? thud_history_indentation(h, sight->contact) : -1;
+        c->x_factor = 1e3;
+    } else if (plot == THUD_PLOT_APPROACH) {
+        const struct thud_model_contact *contact = &model->contact[sight->contact];
+        const int left = contact->left_dof, right = contact->right_dof;
+        if (left < 0 && right < 0)
+            return false;
+        c->y = thud_history_velocity(h, left >= 0 ? left : right);
+        c->minus = left >= 0 && right >= 0 ? thud_history_velocity(h, right) : -1;
+        c->y_factor = left >= 0 ? 1.0 : -1.0;
+    } else if (plot == THUD_PLOT_HYSTERESIS) {
+        const int storey = thud_model_yielding(model, sight->dof);
+        if (storey < 0)
+            return false;
+        c->x = thud_history_storey_drift(h, storey);
+        c->x_factor = 1e3;
+        c->y = thud_history_storey_shear(h, storey);
+        c->y_factor = 1e-6;
+    } else if (plot == THUD_PLOT_ACCELERATION) {
+        c->y = thud_history_acceleration(h, sight->dof);
+    } else if (plot == THUD_PLOT_DRIFT) {
+        c->drift = true;
+    } else {
+        c->y = thud_history_displacement(h, sight->dof);
+        c->y_factor = 1e3;
     }
+    return true;
 }
 
 static void add_case(struct thud_panel *panel, const struct shown *of, int which, enum thud_plot plot,
@@ -119,27 +154,14 @@ static void add_case(struct thud_panel *panel, const struct shown *of, int which
 {
     const struct thud_history *h = history_of(of->live, which);
     const struct thud_model *model = of->live->which[which].model;
-    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH;
-    if (!h || (of_contact ? sight->contact >= model->npairs : sight->dof >= model->ndof))
-        return; /* another scene may have fewer */
-    if (plot == THUD_PLOT_FORCE) {
-        if (sight->contact < h->ncontacts && which != THUD_LIVE_FREE)
-            add_history(panel, of, which, thud_history_force(h, sight->contact), -1, 1e-6);
-    } else if (plot == THUD_PLOT_APPROACH) {
-        const struct thud_model_contact *contact = &model->contact[sight->contact];
-        int left = contact->left_dof, right = contact->right_dof;
-        if (left >= 0)
-            add_history(panel, of, which, thud_history_velocity(h, left),
-                        right >= 0 ? thud_history_velocity(h, right) : -1, 1.0);
-        else if (right >= 0)
-            add_history(panel, of, which, thud_history_velocity(h, right), -1, -1.0);
-    } else if (plot == THUD_PLOT_ACCELERATION) {
-        add_history(panel, of, which, thud_history_acceleration(h, sight->dof), -1, 1.0);
-    } else if (plot == THUD_PLOT_DRIFT) {
-        add_drift(panel, of, which, model, sight->dof);
-    } else {
-        add_history(panel, of, which, thud_history_displacement(h, sight->dof), -1, 1e3);
-    }
+    struct curve curve;
+    char name[48];
+    if (!h || !curve_of(plot, sight, model, h, which != THUD_LIVE_FREE, &curve))
+        return;
+    const struct thud_model_structure *storeys =
+        curve.drift ? &model->structure[model->dof_structure[sight->dof]] : NULL;
+    add_curve(panel, shown_style(of, THUD_LINES, which), shown_name(of, which, name), h, &curve, storeys,
+              storeys ? sight->dof - storeys->first : 0);
 }
 
 /* Whether these two floors stay apart in every case. */
@@ -153,113 +175,57 @@ static bool never_meet(const struct thud_live *live, int contact)
     return true;
 }
 
-static struct thud_figure *histories(const struct thud_live *live, const struct thud_live *pinned,
-                                     const struct thud_scene *scene, enum thud_plot plot,
-                                     const struct thud_sight *sight, const char **why)
+/* Why there is nothing to show; NULL: there is. */
+static const char *lacks(const struct thud_live *live, enum thud_plot plot, const struct thud_sight *sight)
+{
+    if (is_of_contact(plot))
+        return sight->contact < 0                                               ? "No two floors can meet here"
+               : plot != THUD_PLOT_APPROACH && never_meet(live, sight->contact) ? "no contact at this gap"
+                                                                                : NULL;
+    if (plot == THUD_PLOT_HYSTERESIS)
+        return sight->dof < 0 || thud_model_yielding(live->which[THUD_LIVE_NONE].model, sight->dof) < 0
+                   ? "This storey is elastic: ] and [ lead to those that yield"
+                   : NULL;
+    return sight->dof < 0 ? "There is no floor" : NULL;
+}
+
+static struct thud_figure *curves(const struct thud_live *live, const struct thud_live *pinned,
+                                  const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
+                                  const char **why)
 {
     static const struct {
-        const char *label, *unit;
-    } axis[] = {[THUD_PLOT_FORCE] = {"Force", "MN"},
-                [THUD_PLOT_APPROACH] = {"Approach velocity", "m/s"},
-                [THUD_PLOT_ACCELERATION] = {"Acceleration", "m/s2"},
-                [THUD_PLOT_DRIFT] = {"Drift", "mm"},
-                [THUD_PLOT_DISPLACEMENT] = {"Displacement", "mm"}};
+        const char *along, *along_unit, *label, *unit;
+    } axis[] = {[THUD_PLOT_FORCE] = {"Time", "s", "Force", "MN"},
+                [THUD_PLOT_APPROACH] = {"Time", "s", "Approach velocity", "m/s"},
+                [THUD_PLOT_ACCELERATION] = {"Time", "s", "Acceleration", "m/s2"},
+                [THUD_PLOT_DRIFT] = {"Time", "s", "Drift", "mm"},
+                [THUD_PLOT_DISPLACEMENT] = {"Time", "s", "Displacement", "mm"},
+                [THUD_PLOT_LOOP] = {"Indentation", "mm", "Force", "MN"},
+                [THUD_PLOT_HYSTERESIS] = {"Drift", "mm", "Shear", "MN"}};
     const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
-    bool of_contact = plot == THUD_PLOT_FORCE || plot == THUD_PLOT_APPROACH;
-    *why = of_contact && sight->contact < 0                              ? "No two floors can meet here"
-           : plot == THUD_PLOT_FORCE && never_meet(live, sight->contact) ? "no contact at this gap"
-           : !of_contact && sight->dof < 0                               ? "There is no floor"
-                                                                         : NULL;
-    if (*why)
+    char title[200], where[140] = "";
+    if ((*why = lacks(live, plot, sight)) != NULL)
         return NULL;
-    char title[200], where[140];
-    if (of_contact)
+    if (plot == THUD_PLOT_HYSTERESIS) {
+        const int s = model->dof_structure[sight->dof];
+        snprintf(where, sizeof where, "%.40s, storey %d", scene->structure[s].name,
+                 sight->dof - model->structure[s].first + 1);
+    } else if (is_of_contact(plot))
         contact_name(model, scene, sight->contact, where, sizeof where);
     else
         dof_name(model, scene, sight->dof, where, sizeof where);
-    snprintf(title, sizeof title, "%s, %s", thud_plot_title(plot), where);
+    if (plot == THUD_PLOT_LOOP)
+        snprintf(title, sizeof title, "%s", thud_plot_title(plot));
+    else
+        snprintf(title, sizeof title, "%s, %s", thud_plot_title(plot), where);
     struct thud_figure *figure = thud_figure_create(file_name(plot), title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_X, axis[plot].along, axis[plot].along_unit);
     thud_panel_axis(panel, THUD_Y, axis[plot].label, axis[plot].unit);
-    for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
+    for (int which = plot == THUD_PLOT_HYSTERESIS ? 0 : THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
         add_case(panel, &(struct shown){pinned, sight->pinned}, which, plot, sight);
     for (int which = 0; which < THUD_LIVE_CASES; which++)
         add_case(panel, &(struct shown){live, NULL}, which, plot, sight);
-    return figure;
-}
-
-static void add_loop(struct thud_panel *panel, const struct shown *of, int which, int contact)
-{
-    const struct thud_history *h = history_of(of->live, which);
-    if (!h || contact >= h->ncontacts)
-        return;
-    int force = thud_history_force(h, contact), depth = thud_history_indentation(h, contact);
-    struct thud_series *series = add_lines(panel, of, which, h);
-    for (size_t i = 0; series && i < h->rows; i++) {
-        const double *row = h->value + i * (size_t)h->columns;
-        bool in_contact = row[force] != 0.0;
-        series->x[i] = in_contact ? 1e3 * row[depth] : NAN;
-        series->y[i] = in_contact ? 1e-6 * row[force] : NAN;
-    }
-}
-
-static struct thud_figure *loops(const struct thud_live *live, const struct thud_live *pinned,
-                                 const struct thud_sight *sight, const char **why)
-{
-    if (sight->contact < 0) {
-        *why = "No two floors can meet here";
-        return NULL;
-    }
-    if (never_meet(live, sight->contact)) {
-        *why = "no contact at this gap";
-        return NULL;
-    }
-    struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_LOOP), thud_plot_title(THUD_PLOT_LOOP), 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    thud_panel_axis(panel, THUD_X, "Indentation", "mm");
-    thud_panel_axis(panel, THUD_Y, "Force", "MN");
-    for (int i = pinned ? 0 : 1; i < 2; i++)
-        for (int which = THUD_LIVE_NONE; which < THUD_LIVE_CASES; which++)
-            add_loop(panel, &(struct shown){i ? live : pinned, i ? NULL : sight->pinned}, which, sight->contact);
-    return figure;
-}
-
-static void add_hysteresis(struct thud_panel *panel, const struct shown *of, int which, int dof)
-{
-    const struct thud_history *h = history_of(of->live, which);
-    const struct thud_model *model = of->live->which[which].model;
-    int storey = h && dof < model->ndof ? thud_model_yielding(model, dof) : -1;
-    if (storey < 0)
-        return;
-    int drift = thud_history_storey_drift(h, storey), shear = thud_history_storey_shear(h, storey);
-    struct thud_series *series = add_lines(panel, of, which, h);
-    for (size_t i = 0; series && i < h->rows; i++) {
-        const double *row = h->value + i * (size_t)h->columns;
-        series->x[i] = 1e3 * row[drift];
-        series->y[i] = 1e-6 * row[shear];
-    }
-}
-
-static struct thud_figure *hysteresis(const struct thud_live *live, const struct thud_live *pinned,
-                                      const struct thud_scene *scene, const struct thud_sight *sight, const char **why)
-{
-    const struct thud_model *model = live->which[THUD_LIVE_NONE].model;
-    char title[160];
-    if (sight->dof < 0 || thud_model_yielding(model, sight->dof) < 0) {
-        *why = "This storey is elastic: ] and [ lead to those that yield";
-        return NULL;
-    }
-    int s = model->dof_structure[sight->dof];
-    snprintf(title, sizeof title, "%s, %.40s, storey %d", thud_plot_title(THUD_PLOT_HYSTERESIS),
-             scene->structure[s].name, sight->dof - model->structure[s].first + 1);
-    struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_HYSTERESIS), title, 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    thud_panel_axis(panel, THUD_X, "Drift", "mm");
-    thud_panel_axis(panel, THUD_Y, "Shear", "MN");
-    for (int i = pinned ? 0 : 1; i < 2; i++)
-        for (int which = 0; which < THUD_LIVE_CASES; which++)
-            add_hysteresis(panel, &(struct shown){i ? live : pinned, i ? NULL : sight->pinned}, which, sight->dof);
     return figure;
 }
 
@@ -313,14 +279,9 @@ static struct thud_figure *energies(const struct thud_live *live, const struct t
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Time", "s");
     thud_panel_axis(panel, THUD_Y, "Energy", "kJ");
-    for (int e = 0; e < THUD_HISTORY_ENERGIES; e++) {
-        struct thud_series *series =
-            thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = e}, name[e], h->rows, NULL, NULL);
-        for (size_t i = 0; series && i < h->rows; i++) {
-            series->x[i] = h->time_s[i];
-            series->y[i] = 1e-3 * h->value[i * (size_t)h->columns + (size_t)thud_history_energy(h, e)];
-        }
-    }
+    for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
+        add_curve(panel, (struct thud_style){.kind = THUD_LINES, .color = e}, name[e], h,
+                  &(struct curve){.x = -1, .y = thud_history_energy(h, e), .minus = -1, .y_factor = 1e-3}, NULL, 0);
     return figure;
 }
 
@@ -343,14 +304,10 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
     }
     if (envelope)
         figure = envelopes(live, pinned, scene, plot, sight);
-    else if (plot == THUD_PLOT_LOOP)
-        figure = loops(live, pinned, sight, why);
-    else if (plot == THUD_PLOT_HYSTERESIS)
-        figure = hysteresis(live, pinned, scene, sight, why);
     else if (plot == THUD_PLOT_ENERGY)
         figure = energies(live, sight, why);
     else
-        figure = histories(live, pinned, scene, plot, sight, why);
+        figure = curves(live, pinned, scene, plot, sight, why);
     if (figure && thud_figure_check(figure, NULL) == THUD_OK)
         return figure;
     thud_figure_free(figure);
