@@ -191,6 +191,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
         const char *name;
         void (*put)(const struct thud_uncertainty_study *study, struct thud_text *out);
     } file[] = {{"uncertainty.csv", thud_uncertainty_csv},
+                {"effects.csv", thud_uncertainty_effects_csv},
                 {"uncertainty.json", thud_uncertainty_json},
                 {"samples.csv", thud_uncertainty_samples_csv},
                 {"indices.csv", thud_uncertainty_indices_csv}};

@@ -37,7 +37,7 @@ listed() { # "SECTION|SECTION" "LIST..." FILE: rows in lists, behind format and 
 # general names of columns and keys: those of inputs, varied keys, cases and quantities
 general() {
     sed -E 's/^(record[.]peak|bumper[.]thickness)(_m|_mps2)?$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
-        s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)(_least|_most|_first|_total|_first_low|_first_high|_total_low|_total_high)?$/INPUT\2/
+        s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)$/INPUT/
         s/^(theta|theta_low|theta_high|median_above|median_below|exact_p16|exact_median|exact_p84|exact_median_low|exact_median_high)_mps2$/\1UNIT/
         s/^((none|bumper)[.].*|needed_gap_m$)/QUANTITY/' "$1" | sort -u >"$tmp/written"
 }
@@ -122,6 +122,7 @@ is "in one order" [ "$(order sweep)" = "$(order gap)" ]
 general_csv gap-rules.csv "$tmp/gap/gap-rules.csv"
 json "gap --json" "$tmp/gap/needed-gaps.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"
+general_csv effects.csv "$tmp/uncertainty/effects.csv"
 general_csv samples.csv "$tmp/uncertainty/samples.csv"
 general_csv indices.csv "$tmp/uncertainty/indices.csv"
 general_json uncertainty.json "$tmp/uncertainty/uncertainty.json"

@@ -282,10 +282,10 @@ strata() { awk -F, 'NR > 1 { if (NR <= 13) for (i = 1; i <= 8; i++) hit[i, int($
 is "samples.csv: every stratum once" strata
 # a second way: an input alone at its most is a run with that value
 alone() { "$THUD" run towers --case none --set gap=12cm --set contact.stiffness="5000 kN/mm" --json | grep '"contacts"' -A 12 | tr ',' '\n' | awk '/"force_n"/ { if ($2 + 0 > m) m = $2 + 0 } END { printf "%.6e", m }'; }
-told() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "contact-stiffness_most") c = i } $1 == "none.force_n" { printf "%.6e", $c }' "$tmp/sure/uncertainty.csv"; }
+told() { awk -F, '$1 == "none.force_n" && $2 == "contact-stiffness" { printf "%.6e", $5 }' "$tmp/sure/effects.csv"; }
 is "an input at its most is a run with it" test "$(alone)" = "$(told)"
 # a third way: the indices from the runs they rest on, by their formulas
-computed() { awk -F, -v q="none.force_n" 'FNR == NR { if (FNR == 1) for (i = 1; i <= NF; i++) h[$i] = i; else if ($1 == q) for (k in h) told[k] = $h[k]; next }
+computed() { awk -F, -v q="none.force_n" 'FNR == NR { if (FNR == 1) for (i = 1; i <= NF; i++) h[$i] = i; else if ($1 == q) for (k in h) told[$2 "_" k] = $h[k]; next }
     FNR == 1 { for (i = 1; i <= NF; i++) if ($i == q) c = i; next }
     { f[$1, $2, $3] = $c; if ($1 == "A") n++; if ($1 == "AB") input[$2] = 1 }
     END { for (r = 1; r <= n; r++) m += (f["A", "", r] + f["B", "", r]) / (2 * n)
@@ -293,7 +293,7 @@ computed() { awk -F, -v q="none.force_n" 'FNR == NR { if (FNR == 1) for (i = 1; 
         for (i in input) { s = t = 0; inputs++
             for (r = 1; r <= n; r++) { d = f["AB", i, r] - f["A", "", r]; s += (f["B", "", r] - m) * d / n; t += d * d / (2 * n) }
             if ((s / v - told[i "_first"]) ^ 2 > 1e-16 || (t / v - told[i "_total"]) ^ 2 > 1e-16 || !(told[i "_first_low"] <= told[i "_first_high"])) bad = 1 }
-        exit bad || inputs != 8 || n != 12 }' "$tmp/sure/uncertainty.csv" "$tmp/sure/indices.csv"; }
+        exit bad || inputs != 8 || n != 12 }' "$tmp/sure/effects.csv" "$tmp/sure/indices.csv"; }
 is "indices.csv: anybody can compute them again" computed
 is "with their intervals" shows "gap  *-*[0-9.]* (-*[0-9.]* to -*[0-9.]*)  *-*[0-9.]* ("
 # two equal towers never touch when both are stiffer or softer, and do when each is on its own

@@ -4,7 +4,8 @@
 #include "io/file/schema.h"
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
-    thud_curve_schema, thud_best_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema;
+    thud_curve_schema, thud_best_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
+    thud_quantity_schema, thud_effect_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -64,3 +65,15 @@ struct thud_mode_row {
     int mode;
     double period_s, frequency_hz, mass_kg, mass_ratio, mass_ratio_sum;
 };
+
+/* What the samples of uncertain inputs make of a quantity, and an input alone. */
+struct thud_quantity_row {
+    const char *quantity, *which, *structure, *measure;
+    double nominal, p5, median, p95, below_1_share, between_motions_share;
+};
+enum { THUD_EFFECTS = 8 };
+struct thud_effect_row {
+    const char *quantity, *input;
+    double size, of[THUD_EFFECTS];
+};
+enum { THUD_ROW_DRAWN = 1, THUD_ROW_INDICES = 2 }; /* marks: motions are drawn; Sobol indices are told */

@@ -4,7 +4,7 @@
 
 #include "app/sweep/uncertainty_study.h"
 #include "io/file/json.h"
-#include "io/file/schema.h"
+#include "io/result/study_rows.h"
 
 /* Shown units: m/s2, cm, MN, ratios and numbers without factor. */
 static double shown(const struct thud_quantity_of_run *q, double value)
@@ -235,91 +235,90 @@ static void put_number(double value, struct thud_text *out)
         thud_text_number(out, value);
 }
 
-static const char *const each[THUD_OF_INPUTS] = {
-    [THUD_INPUT_LEAST] = "least",           [THUD_INPUT_MOST] = "most",
-    [THUD_INPUT_FIRST] = "first",           [THUD_INPUT_FIRST_LOW] = "first_low",
-    [THUD_INPUT_FIRST_HIGH] = "first_high", [THUD_INPUT_TOTAL] = "total",
-    [THUD_INPUT_TOTAL_LOW] = "total_low",   [THUD_INPUT_TOTAL_HIGH] = "total_high"};
+/* ---- rows ---- */
 
-enum { HEADS = 6 };
-static const char *const heads[HEADS] = {"nominal", "p5", "median", "p95", "below_1_share", "between_motions_share"};
-
-static void head_values(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
-                        double value[HEADS])
+static void make_quantity(const void *of, int q, void *row)
 {
-    const double x[HEADS] = {t->nominal, t->low, t->median, t->high, u->quantity[q].ratio ? t->below : NAN, t->between};
-    memcpy(value, x, sizeof x);
+    const struct thud_uncertainty_study *study = of;
+    const struct thud_uncertainty *u = study->uncertainty;
+    const struct thud_quantity_of_run *quantity = &u->quantity[q];
+    const struct thud_uncertainty_told *t = &study->told[q];
+    const char *dot = strrchr(quantity->column, '.');
+    *(struct thud_quantity_row *)row =
+        (struct thud_quantity_row){quantity->column,
+                                   quantity->kind == THUD_OF_GAP ? NULL : thud_case_name(quantity->which),
+                                   quantity->structure < 0 ? NULL : u->scene.structure[quantity->structure].name,
+                                   dot ? dot + 1 : quantity->column,
+                                   t->nominal,
+                                   t->low,
+                                   t->median,
+                                   t->high,
+                                   quantity->ratio ? t->below : NAN,
+                                   t->between};
 }
 
-/* The last column is there where a suite is drawn from. */
-static int heads_of(const struct thud_uncertainty *u)
+/* Of every input in turn, of each quantity. */
+static void make_effect(const void *of, int i, void *row)
 {
-    return u->nsuite > 1 ? HEADS : HEADS - 1;
+    _Static_assert((int)THUD_OF_INPUTS == (int)THUD_EFFECTS, "a column each");
+    const struct thud_uncertainty_study *study = of;
+    const struct thud_uncertainty *u = study->uncertainty;
+    const int q = i / u->ninputs;
+    struct thud_effect_row *effect = row;
+    i %= u->ninputs;
+    *effect = (struct thud_effect_row){
+        .quantity = u->quantity[q].column, .input = u->input[i].name, .size = u->input[i].size};
+    for (int e = 0; e < THUD_EFFECTS; e++)
+        effect->of[e] = study->told[q].of[e][i];
+}
+
+static struct thud_rows quantities_of(const struct thud_uncertainty_study *study)
+{
+    const struct thud_uncertainty *u = study->uncertainty;
+    return (struct thud_rows){&thud_quantity_schema, u->nsuite > 1 ? THUD_ROW_DRAWN : 0u, u->nquantities, make_quantity,
+                              study};
+}
+
+static unsigned effect_marks(const struct thud_uncertainty_study *study)
+{
+    return study->indices ? THUD_ROW_INDICES : 0u;
 }
 
 void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
-    const struct thud_uncertainty *u = study->uncertainty;
-    double head[HEADS];
-    thud_text_append(out, "quantity");
-    for (int i = 0; i < heads_of(u); i++)
-        thud_text_append(out, ",%s", heads[i]);
-    for (int e = 0; e < THUD_OF_INPUTS; e++)
-        for (int i = 0; i < u->ninputs; i++) {
-            char name[128];
-            snprintf(name, sizeof name, "%s_%s", u->input[i].name, each[e]);
-            thud_text_append(out, ",");
-            thud_text_csv(out, name);
-        }
-    thud_text_append(out, "\n");
-    for (int q = 0; q < u->nquantities; q++) {
-        thud_text_csv(out, u->quantity[q].column);
-        head_values(u, q, &study->told[q], head);
-        for (int i = 0; i < heads_of(u); i++)
-            put_number(head[i], out);
-        for (int e = 0; e < THUD_OF_INPUTS; e++)
-            for (int i = 0; i < u->ninputs; i++)
-                put_number(study->told[q].of[e][i], out);
-        thud_text_append(out, "\n");
-    }
+    const struct thud_rows rows = quantities_of(study);
+    thud_rows_csv(&rows, out);
 }
 
-static void put_json_inputs(const char *key, const struct thud_uncertainty *u, const double *value,
-                            struct thud_text *out)
+void thud_uncertainty_effects_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
-    thud_text_append(out, ", \"%s\": {", key);
-    for (int i = 0; i < u->ninputs; i++) {
-        thud_text_append(out, i ? ", " : "");
-        thud_json_string(out, u->input[i].name);
-        thud_text_append(out, ": ");
-        thud_json_number(out, value[i]);
-    }
-    thud_text_append(out, "}");
+    const struct thud_uncertainty *u = study->uncertainty;
+    const struct thud_rows rows = {&thud_effect_schema, effect_marks(study), u->nquantities * u->ninputs, make_effect,
+                                   study};
+    thud_rows_csv(&rows, out);
 }
 
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    double size[THUD_DRAWN_MAX], head[HEADS];
+    const struct thud_rows rows = quantities_of(study);
     thud_text_append(out, "{");
     thud_json_head(out, u->scene.name);
-    thud_text_append(out, ", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu", thud_uncertainty_samples(study),
-                     thud_sampling_name(study->sampling), study->seed);
-    for (int i = 0; i < u->ninputs; i++)
-        size[i] = u->input[i].size;
-    put_json_inputs("sizes", u, size, out);
-    thud_text_append(out, ", \"quantities\": [");
+    thud_text_append(out, ", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu, \"quantities\": [",
+                     thud_uncertainty_samples(study), thud_sampling_name(study->sampling), study->seed);
     for (int q = 0; q < u->nquantities; q++) {
-        thud_text_append(out, "%s\n  {\"name\": ", q ? "," : "");
-        thud_json_string(out, u->quantity[q].column);
-        head_values(u, q, &study->told[q], head);
-        for (int i = 0; i < heads_of(u); i++) {
-            thud_text_append(out, ", ");
-            thud_json_field(out, heads[i], head[i]);
+        struct thud_row_room row;
+        rows.make(study, q, row.bytes);
+        thud_text_append(out, "%s\n  {", q ? "," : "");
+        thud_json_members(rows.schema, rows.marks, row.bytes, out);
+        thud_text_append(out, ", \"inputs\": [");
+        for (int i = 0; i < u->ninputs; i++) {
+            make_effect(study, q * u->ninputs + i, row.bytes);
+            thud_text_append(out, i ? ",\n    {" : "\n    {");
+            thud_json_members(&thud_effect_schema, effect_marks(study), row.bytes, out);
+            thud_text_append(out, "}");
         }
-        for (int e = 0; e < (study->indices ? (int)THUD_OF_INPUTS : (int)THUD_INPUT_FIRST); e++)
-            put_json_inputs(each[e], u, study->told[q].of[e], out);
-        thud_text_append(out, "}");
+        thud_text_append(out, "]}");
     }
     thud_text_append(out, "\n]}\n");
 }

@@ -62,9 +62,9 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
 void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
 
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* A row per quantity: nominal, 5, 50, 95 %, share below 1 (ratios), of the variance between the motions; then what is told
- * of every input. */
+/* A row for each quantity; and for each of them and every input. */
 void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
+void thud_uncertainty_effects_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out);
 /* A row per sample: place of every input (0 to 1; the ground motion by name), every quantity. */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);

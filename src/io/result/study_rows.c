@@ -171,3 +171,47 @@ static const struct thud_column modes[] = {
 const struct thud_schema thud_mode_schema =
     THUD_SCHEMA("building import --csv",
                 "A row for each mode; with\n.Fl -json\nthe list\n.Va modes ,\nbehind what the file holds.\n", modes);
+
+#define QUANTITY(member, key, text) THUD_COLUMN(struct thud_quantity_row, member, key, text)
+static const struct thud_column quantities[] = {
+    {QUANTITY(quantity, "quantity", "Case, structure and measure, as the columns of samples.csv are named.")},
+    {QUANTITY(which, "case", "Its case; empty: of none, as the needed gap.")},
+    {QUANTITY(structure, "structure", "Name of its structure; empty: of all contacts.")},
+    {QUANTITY(measure, "measure",
+              "A column of sweep.csv; force_n is the largest of all contacts; needed_gap_m the gap that is enough at "
+              "every level, as thud gap tells it.")},
+    {QUANTITY(nominal, "nominal", "Its value with every input nominal.")},
+    {QUANTITY(p5, "p5", "5 % of the samples are below.")},
+    {QUANTITY(median, "median", "Half of them are.")},
+    {QUANTITY(p95, "p95", "95 % of them are.")},
+    {QUANTITY(below_1_share, "below_1_share", "Of a ratio: share of the samples below 1.")},
+    {QUANTITY(between_motions_share, "between_motions_share",
+              "Share of the variance that lies between the means of the ground motions, with --records; the rest lies "
+              "within."),
+     .only = THUD_ROW_DRAWN}};
+const struct thud_schema thud_quantity_schema =
+    THUD_SCHEMA("uncertainty.csv",
+                "Written by\n.Cm uncertainty Fl o ,\nand by\n.Fl -csv :\na row for each quantity; with\n.Fl -json\n"
+                "the list\n.Va quantities .\n",
+                quantities);
+
+#define EFFECT(member, key, text) THUD_COLUMN(struct thud_effect_row, member, key, text)
+static const struct thud_column effects[] = {
+    {EFFECT(quantity, "quantity", "As in uncertainty.csv."), .only = THUD_ONLY_CSV},
+    {EFFECT(input, "input", "Its name.")},
+    {EFFECT(size, "size", "How far it goes.")},
+    {EFFECT(of[0], "least", "The quantity with this input alone at its least.")},
+    {EFFECT(of[1], "most", "The same at its most.")},
+    {EFFECT(of[2], "first", "Sobol index of first order; this and the following with --indices."),
+     .only = THUD_ROW_INDICES},
+    {EFFECT(of[3], "first_low", "Lower end of its 95 % interval (bootstrap over the rows of indices.csv)."),
+     .only = THUD_ROW_INDICES},
+    {EFFECT(of[4], "first_high", "Its upper end."), .only = THUD_ROW_INDICES},
+    {EFFECT(of[5], "total", "Total Sobol index."), .only = THUD_ROW_INDICES},
+    {EFFECT(of[6], "total_low", "Lower end of its 95 % interval."), .only = THUD_ROW_INDICES},
+    {EFFECT(of[7], "total_high", "Its upper end."), .only = THUD_ROW_INDICES}};
+const struct thud_schema thud_effect_schema =
+    THUD_SCHEMA("effects.csv",
+                "Written by\n.Cm uncertainty Fl o :\na row for each quantity and uncertain input; in JSON the list\n"
+                ".Va inputs\nof each quantity.\n",
+                effects);
