@@ -172,6 +172,7 @@ spectra/points record spectrum kobe-surrogate.csv --periods 0.1s:1s:3
 presets/checks verify rigid-concrete rigid-bumper --quiet
 examples/values verify --published
 runs stiffness towers --to 5s --quiet
+quantities uncertainty towers --to 5s --samples 3 --quiet
 modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
     is "run: the floors of the CSV are those of the JSON" python3 tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
