@@ -553,7 +553,7 @@ static enum thud_status hold_or_part(struct thud_state *state, struct thud_conta
         const bool held = x->role[i] == HELD || x->role[i] == HELD_AND_STRUCK;
         const int suppressed = fabs(thud_contact_rate(state, c)) > rest_speed(state) ? 1 : 2;
         if (x->force[i] >= 0) {
-            hold(state, log, c, x->role[i], x->force[i]);
+            hold(state, log, c, (enum role)x->role[i], x->force[i]);
         } else if (held) {
             note_release(state, log, c);
             status = open_contact(state, log, c, suppressed, err);
