@@ -145,7 +145,7 @@ static const struct {
     {"kind: shear", "kind: sheer",
      "p:9:11: structures.1.kind: unknown choice \"sheer\"; did you mean \"shear\"? (shear, rigid, isolated, wall, "
      "matrix, modes, estimated)"},
-    {"kind: shear", "kind: wall", "p:10:5: structures.1.mass: unknown key \"mass\" (name, kind, height)"},
+    {"kind: shear", "kind: wall", "p:10:11: structures.1.mass: a list stands where one value is wanted"},
     {"kind: shear", "kind: isolated",
      "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg)"},
     {"name: B", "name: A", "p:14:11: structures.2.name: \"A\" is the name of structure 1 too"},

@@ -28,6 +28,7 @@
  *     (f0 + k d)(1 + s v)               as c = s f0, D = s k, p = r = 1
  *     K d^p (1 + s v)                   as D = s K, r = p
  *     f0 + k d + K d^p                  f0, k, K not negative
+ *     K x/(1 + x/soft)                  x = d + shift, a hyperbola in place of a power, p = 1
  *     ... + c v + D d^r v               the same with dashpots, in approach and not negative */
 #pragma once
 
@@ -42,9 +43,10 @@
 
 struct thud_branch {
     double f0_n, k_npm, c_nspm;
-    double K, p;       /* K d^p, p > 0 */
-    double D, r;       /* D d^r v, r > 0 */
-    double column_npm; /* a spring in series with K d^p; 0: none */
+    double K, p;            /* K d^p, p > 0 */
+    double D, r;            /* D d^r v, r > 0 */
+    double column_npm;      /* a spring in series with K d^p; 0: none */
+    double soft_m, shift_m; /* where soft is not 0, K d^p is K x/(1 + x/soft) with x = d + shift */
 };
 
 enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
@@ -114,6 +116,8 @@ static inline bool thud_law_is_linear(const struct thud_law *law)
            (law->flags & (THUD_LAW_LINEAR | THUD_LAW_REVERSES)) == THUD_LAW_LINEAR;
 }
 
+/* Soil behind a wall (stiffness, strength, ratio): not of the list, as bodies that strike each other have none. */
+extern const struct thud_law thud_law_backfill;
 /* The list, NULL at its end: a program that links the library may define one of its own instead. */
 extern const struct thud_law *const thud_laws[];
 int thud_law_count(void);

@@ -73,7 +73,10 @@ struct thud_structure {
     double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
     double soil_vs_mps, soil_density_kgpm3, soil_poisson, foundation_radius_m;
     double velocity_mps; /* rigid only: at t = 0, to the right */
-    double base_m;       /* elevation of the ground that a building stands on */
+    /* Wall only: one that gives has a mass; NaN: not given. The soil behind it (core/laws/law_backfill.c), beyond a gap. */
+    double wall_mass_kg, wall_stiffness_npm, wall_damping;
+    double backfill_stiffness_npm, backfill_strength_n, backfill_ratio, backfill_gap_m;
+    double base_m; /* elevation of the ground that a building stands on */
     /* Of each floor, slab and beam at the face: it covers [z - depth, z] below the floor's level z. A base slab has the
      * depth of the lowest floor. */
     double slab_depth_m[THUD_STOREYS_MAX];
@@ -253,6 +256,10 @@ const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-r
 bool thud_isolator_slides(const struct thud_structure *structure);
 /* Whether a building stands on soil: anything is said of its foundation. */
 bool thud_structure_on_soil(const struct thud_structure *structure);
+/* Whether a wall moves against the ground, and whether it has soil behind it. */
+bool thud_wall_gives(const struct thud_structure *structure);
+bool thud_wall_has_backfill(const struct thud_structure *structure);
+double thud_wall_damping(const struct thud_structure *structure);
 /* Weight above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* With P-Delta a storey has collapsed where it drifts by this part of its height. */
@@ -267,6 +274,8 @@ bool thud_link_has(enum thud_link_law law, int param); /* of THUD_GROUP_LINK, by
 /* "A.4-B.4", and the word of its law, of link i of a result. */
 void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size);
 const char *thud_link_law_name(const struct thud_scene *scene, int i);
+/* Behind the scene's links a result has the soil behind walls: the structure whose soil link i is; -1: a link. */
+int thud_link_wall(const struct thud_scene *scene, int i);
 /* Whether both ends of link i are there, floors of neighbours. */
 bool thud_link_stands(const struct thud_scene *scene, int i);
 /* The ends that have a structure's old name get its new one. */
@@ -292,6 +301,7 @@ enum thud_group {
     THUD_GROUP_COLUMN,     /* of a structure with storeys */
     THUD_GROUP_ISOLATOR,   /* of an isolated building */
     THUD_GROUP_FOUNDATION, /* of a building on soil */
+    THUD_GROUP_BACKFILL,   /* of a wall that gives */
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
@@ -327,8 +337,8 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
-/* The groups nested in a structure: its columns, its isolators and its foundation; and whether anything is said of one. */
-enum { THUD_NESTED_GROUPS = 3 };
+/* The groups nested in a structure, columns, isolators, foundation and backfill, and whether anything is said of one. */
+enum { THUD_NESTED_GROUPS = 4 };
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
 /* Whether anything is said of a structure's columns. */

@@ -123,8 +123,21 @@ static double series_force(const struct thud_branch *b, double d, double v, doub
     return b->f0_n + b->k_npm * d + b->c_nspm * v + s.force + s.damper * v;
 }
 
+/* K x/(1 + x/soft), x = d + shift, beside f0 + k d + c v. */
+static double soft_force(const struct thud_branch *b, double d, double v, double *df_dd, double *df_dv)
+{
+    const double x = d + b->shift_m, over = 1 / (1 + x / b->soft_m);
+    if (df_dd)
+        *df_dd = b->k_npm + b->K * over * over;
+    if (df_dv)
+        *df_dv = b->c_nspm;
+    return b->f0_n + b->k_npm * d + b->c_nspm * v + b->K * x * over;
+}
+
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv)
 {
+    if (branch->soft_m > 0 && d_m >= 0)
+        return soft_force(branch, d_m, v_mps, df_dd, df_dv);
     if (branch->column_npm > 0 && d_m > 0)
         return series_force(branch, d_m, v_mps, df_dd, df_dv);
     const bool by_power = d_m > 0 && (branch->K != 0 || branch->D != 0);

@@ -19,6 +19,7 @@ void thud_section_path(struct thud_section section, char *path, size_t size)
     case THUD_GROUP_COLUMN:
     case THUD_GROUP_ISOLATOR:
     case THUD_GROUP_FOUNDATION:
+    case THUD_GROUP_BACKFILL:
         snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_STRUCTURE), section.index + 1, key);
         break;
     case THUD_GROUP_CONTACT:

@@ -106,12 +106,18 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     char key[64];
     for (int s = 0; s < scene->nstructures; s++) {
         snprintf(key, sizeof key, "structures.%d.kind", s + 1);
-        if (scene->structure[s].kind == THUD_ISOLATED)
+        const struct thud_structure *of = &scene->structure[s];
+        if (of->kind == THUD_ISOLATED && (of->damping > 0 || thud_structure_isolator(of).damping > 0))
             return refuse(err, key,
                           "has modal damping of whole buildings alone, not of the part above a damped isolator",
-                          "shear, matrix, modes, rigid, wall");
+                          "shear, matrix, modes, rigid, wall; or damping and isolation-damping of 0");
+        if (thud_wall_gives(of))
+            return refuse(err, key,
+                          "has soil behind a wall that, between its loops, is not the one of this model "
+                          "(HyperbolicGapMaterial), and no damping of one wall alone",
+                          "a wall without mass, which moves with the ground");
         snprintf(key, sizeof key, "structures.%d.foundation", s + 1);
-        if (thud_structure_on_soil(&scene->structure[s]))
+        if (thud_structure_on_soil(of))
             return refuse(err, key,
                           "has modal damping of whole models alone, not of the building above a damped foundation",
                           "buildings on rigid ground");

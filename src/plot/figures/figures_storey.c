@@ -29,7 +29,7 @@ static double force_of(const struct thud_figure_source *source, const struct pla
 /* Links that slip behind the n storeys that yield. */
 static int list_links(const struct thud_figure_source *source, struct place *place, int most, int n)
 {
-    for (int i = 0; i < source->result->nlinks; i++) {
+    for (int i = 0; i < source->scene->nlinks && i < source->result->nlinks; i++) {
         if (source->scene->link[i].law != THUD_LINK_FRICTION)
             continue;
         if (n < most)

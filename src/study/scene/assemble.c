@@ -22,7 +22,7 @@ struct assembly {
     double *matrix_npm[THUD_STRUCTURES_MAX]; /* (n x n) of a building by its matrix, else NULL */
     struct thud_contact_input *contact;
     int ncontacts, capacity;
-    struct thud_link_input link[THUD_LINKS_MAX];
+    struct thud_link_input link[THUD_LINKS_MAX + 2];
     int nlinks;
 };
 
@@ -69,6 +69,10 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
         mass[i] = s->mass_kg[i - base];
         stiffness[i] = s->stiffness_npm[i - base];
     }
+    if (thud_wall_gives(s)) {
+        mass[0] = s->wall_mass_kg;
+        stiffness[0] = s->wall_stiffness_npm;
+    }
     if (s->kind == THUD_RIGID) {
         to->velocity_mps = s->velocity_mps;
         return;
@@ -83,7 +87,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     }
     to->yield_m = a->yield_m[index];
     to->hardening = a->hardening[index];
-    to->damping = s->damping;
+    to->damping = thud_wall_gives(s) ? thud_wall_damping(s) : s->damping;
     to->isolated = base;
     to->isolation_damping = isolator.damping;
     if (p_delta && n > 0)
@@ -187,6 +191,23 @@ static void add_link(struct assembly *a, const struct thud_scene *scene, const s
     }
 }
 
+/* The soil behind a wall at an end of the row is a strut of the law `backfill` between it and the ground. */
+static void add_backfill(struct assembly *a, const struct thud_scene *scene, int index)
+{
+    const struct thud_structure *s = &scene->structure[index];
+    if (!thud_wall_has_backfill(s))
+        return;
+    struct thud_link_input *to = &a->link[a->nlinks++];
+    *to = (struct thud_link_input){.left_structure = index,
+                                   .left_floor = index > 0,
+                                   .right_structure = index,
+                                   .right_floor = index == 0,
+                                   .law = &thud_law_backfill,
+                                   .setup.value = {s->backfill_stiffness_npm, s->backfill_strength_n,
+                                                   isnan(s->backfill_ratio) ? 0.7 : s->backfill_ratio},
+                                   .clearance_m = isnan(s->backfill_gap_m) ? 0 : s->backfill_gap_m};
+}
+
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err)
 {
     *out = NULL;
@@ -206,6 +227,8 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int i = 0; status == THUD_OK && i < scene->nlinks; i++)
         add_link(a, scene, &scene->link[i]);
+    for (int s = 0; status == THUD_OK && s < scene->nstructures; s++)
+        add_backfill(a, scene, s);
     if (status == THUD_OK) {
         struct thud_model_input input = {.nstructures = scene->nstructures,
                                          .structure = a->structure,

@@ -21,6 +21,7 @@ int thud_structure_floors(const struct thud_structure *s)
     case THUD_RIGID:
         return 1;
     case THUD_WALL:
+        return thud_wall_gives(s);
     case THUD_KINDS:
         break;
     }
@@ -99,8 +100,8 @@ static int meet_wall(const struct row *row, const struct thud_structure *wall, b
     for (int i = 0; i < row->n; i++) {
         double top = wall->height_m[0], level = row->level_m[i];
         if (!(top < level - same_level_m) || top > level - row->depth_m[i] + rounding_m)
-            out[n++] = left ? (struct thud_contact_pair){.left_floor = i + 1}
-                            : (struct thud_contact_pair){.right_floor = i + 1};
+            out[n++] = left ? (struct thud_contact_pair){.left_floor = i + 1, .right_floor = thud_wall_gives(wall)}
+                            : (struct thud_contact_pair){.left_floor = thud_wall_gives(wall), .right_floor = i + 1};
     }
     return n;
 }

@@ -206,6 +206,37 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
     return THUD_OK;
 }
 
+/* A wall that gives has a mass and what holds it; soil stands behind one at an end of the row. */
+static enum thud_status check_wall(const struct thud_scene *scene, int s, struct thud_error *err)
+{
+    const struct thud_structure *wall = &scene->structure[s];
+    const bool soil = thud_structure_has_group(wall, THUD_GROUP_BACKFILL);
+    char key[64];
+    snprintf(key, sizeof key, "structures.%d.stiffness", s + 1);
+    if (thud_wall_gives(wall) && isnan(wall->wall_stiffness_npm)) {
+        thud_error_set(err, THUD_INPUT, "the wall has a mass, and no stiffness that holds it");
+        return refuse(err, key, "a stiffness, or no mass: a wall that moves with the ground");
+    }
+    snprintf(key, sizeof key, "structures.%d.mass", s + 1);
+    if (!thud_wall_gives(wall) && (soil || !isnan(wall->wall_stiffness_npm) || !isnan(wall->wall_damping))) {
+        thud_error_set(err, THUD_INPUT,
+                       "a wall without mass moves with the ground, and has no stiffness, damping and backfill");
+        return refuse(err, key, "a mass");
+    }
+    snprintf(key, sizeof key, "structures.%d.backfill", s + 1);
+    if (soil && s > 0 && s + 1 < scene->nstructures) {
+        thud_error_set(err, THUD_INPUT, "%.40s has a neighbour on either side, and no soil", wall->name);
+        return refuse(err, key, "of the first or the last structure");
+    }
+    snprintf(key, sizeof key, "structures.%d.backfill.%s", s + 1,
+             isnan(wall->backfill_stiffness_npm) ? "stiffness" : "strength");
+    if (soil && (isnan(wall->backfill_stiffness_npm) || isnan(wall->backfill_strength_n))) {
+        thud_error_set(err, THUD_INPUT, "the soil's %s is not given", strrchr(key, '.') + 1);
+        return refuse(err, key, isnan(wall->backfill_stiffness_npm) ? "e.g. 200 MN/m" : "e.g. 3 MN");
+    }
+    return THUD_OK;
+}
+
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
@@ -217,6 +248,8 @@ static enum thud_status check_structure(const struct thud_scene *scene, int s, s
         status = check_isolator(&scene->structure[s], s, err);
     if (status == THUD_OK && thud_structure_on_soil(&scene->structure[s]))
         status = thud_structure_check_foundation(&scene->structure[s], s, err);
+    if (status == THUD_OK && scene->structure[s].kind == THUD_WALL)
+        status = check_wall(scene, s, err);
     if (status == THUD_OK)
         status = check_yield(&scene->structure[s], s, err);
     if (status == THUD_OK)

@@ -17,9 +17,20 @@ void thud_link_init(struct thud_link *link, enum thud_link_law law)
     link->slip_n = law == THUD_LINK_FRICTION ? NAN : 0;
 }
 
+int thud_link_wall(const struct thud_scene *scene, int i)
+{
+    const int last = scene->nstructures - 1;
+    if (i < scene->nlinks)
+        return -1;
+    return i == scene->nlinks && thud_wall_has_backfill(&scene->structure[0]) ? 0 : last;
+}
+
 void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size)
 {
-    snprintf(text, size, "%s-%s", scene->link[i].from, scene->link[i].to);
+    if (i < scene->nlinks)
+        snprintf(text, size, "%s-%s", scene->link[i].from, scene->link[i].to);
+    else
+        snprintf(text, size, "%s-ground", scene->structure[thud_link_wall(scene, i)].name);
 }
 
 bool thud_scene_slips(const struct thud_scene *scene)
@@ -33,7 +44,8 @@ bool thud_scene_slips(const struct thud_scene *scene)
 const char *thud_link_law_name(const struct thud_scene *scene, int i)
 {
     int count;
-    return thud_group_params(THUD_GROUP_LINK, &count)->choices[(int)scene->link[i].law];
+    return i < scene->nlinks ? thud_group_params(THUD_GROUP_LINK, &count)->choices[(int)scene->link[i].law]
+                             : thud_law_backfill.name;
 }
 
 void thud_link_remove(struct thud_scene *scene, int i)

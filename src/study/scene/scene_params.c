@@ -125,6 +125,9 @@ static const struct thud_param structure_params[] = {
     {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
     {NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
+    {NUMBER("mass", "mass", "Of a wall that gives; else it moves with the ground.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 5e6)},
+    {NUMBER("stiffness", "stiffness", "Of a wall that gives, against the ground.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("damping", "damping ratio", "Of a wall that gives; 5 % where it is not given.", THUD_RATIO, "%", NAN), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.2},
 };
 #define AT(member) offsetof(struct thud_structure, member)
 static const struct thud_place structure_places[] = {
@@ -155,6 +158,9 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(velocity_mps), .kinds = RIGID},
+    {.store = THUD_STORE_NUMBER, .offset = AT(wall_mass_kg), .absent = NAN, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(wall_stiffness_npm), .absent = NAN, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(wall_damping), .absent = NAN, .kinds = WALL},
 };
 
 static const struct thud_param column_params[] = {
@@ -186,6 +192,19 @@ static const struct thud_place isolator_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = AT(isolator_yield_m), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolator_radius_m), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolator_friction), .absent = NAN, .kinds = ISOLATED},
+};
+
+static const struct thud_param backfill_params[] = {
+    {NUMBER("stiffness", "initial stiffness", "K_max of the soil behind the wall: F = x/(1/K_max + ratio x/strength), in compression alone; it unloads with K_max and leaves a gap.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("strength", "ultimate force", "F_ult of that soil.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("ratio", "failure ratio", "R_f of that soil: the force ends at strength/ratio; 0.7 where it is not given.", THUD_NUMBER, "", NAN), POSITIVE, UP_TO(1), USUAL(0.5, 1)},
+    {NUMBER("gap", "gap to the soil", "Between wall and soil; 0 where it is not given.", THUD_LENGTH, "mm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+};
+static const struct thud_place backfill_places[] = {
+    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_stiffness_npm), .absent = NAN, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_strength_n), .absent = NAN, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_ratio), .absent = NAN, .kinds = WALL},
+    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_gap_m), .absent = NAN, .kinds = WALL},
 };
 #undef AT
 
@@ -343,6 +362,7 @@ static const struct {
     [THUD_GROUP_COLUMN] = GROUP(column, "column"),
     [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator"),
     [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation"),
+    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill"),
     [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
     [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
     [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),

@@ -66,6 +66,8 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
         thud_words_add(&words, thud_group_key(THUD_GROUP_ISOLATOR));
     if (group == THUD_GROUP_STRUCTURE && thud_kind_is_building(scene->structure[item].kind))
         thud_words_add(&words, thud_group_key(THUD_GROUP_FOUNDATION));
+    if (group == THUD_GROUP_STRUCTURE && scene->structure[item].kind == THUD_WALL)
+        thud_words_add(&words, thud_group_key(THUD_GROUP_BACKFILL));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
@@ -96,7 +98,7 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
         if (strcmp(part[1], thud_group_key(thud_nested_group(i))) == 0)
             group = thud_nested_group(i);
     const bool column = group == THUD_GROUP_COLUMN, isolator = group == THUD_GROUP_ISOLATOR,
-               soil = group == THUD_GROUP_FOUNDATION;
+               soil = group == THUD_GROUP_FOUNDATION, backfill = group == THUD_GROUP_BACKFILL;
     if (n < 2 || n > 3 + column)
         return wrong_depth(err);
     int s = number(part[0]);
@@ -107,6 +109,9 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     }
     if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED)
         return thud_error_refuse(err, THUD_INPUT, NULL, "kind: isolated", "%.40s stands on no isolators",
+                                 scene->structure[s - 1].name);
+    if (backfill && scene->structure[s - 1].kind != THUD_WALL)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "kind: wall", "%.40s is no wall that soil could stand behind",
                                  scene->structure[s - 1].name);
     int keys = group == THUD_GROUP_STRUCTURE ? 1 : 2,
         i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);

@@ -68,6 +68,9 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
     structure->storeys = kind == THUD_WALL ? 0 : 1;
     if (kind == THUD_WALL) {
         structure->height_m[0] = INFINITY;
+        structure->wall_mass_kg = structure->wall_stiffness_npm = structure->wall_damping = NAN;
+        structure->backfill_stiffness_npm = structure->backfill_strength_n = structure->backfill_ratio =
+            structure->backfill_gap_m = NAN;
         return;
     }
     structure->mass_kg[0] = NAN;
@@ -159,10 +162,25 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
     return THUD_OK;
 }
 
+bool thud_wall_gives(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_WALL && isfinite(structure->wall_mass_kg);
+}
+
+double thud_wall_damping(const struct thud_structure *structure)
+{
+    return isnan(structure->wall_damping) ? fallback("damping", THUD_GROUP_STRUCTURE) : structure->wall_damping;
+}
+
+bool thud_wall_has_backfill(const struct thud_structure *structure)
+{
+    return thud_wall_gives(structure) && thud_structure_has_group(structure, THUD_GROUP_BACKFILL);
+}
+
 enum thud_group thud_nested_group(int i)
 {
     static const enum thud_group group[THUD_NESTED_GROUPS] = {THUD_GROUP_COLUMN, THUD_GROUP_ISOLATOR,
-                                                              THUD_GROUP_FOUNDATION};
+                                                              THUD_GROUP_FOUNDATION, THUD_GROUP_BACKFILL};
     return group[i];
 }
 
@@ -172,6 +190,9 @@ bool thud_structure_has_group(const struct thud_structure *s, enum thud_group gr
         return thud_structure_has_columns(s);
     if (group == THUD_GROUP_FOUNDATION)
         return thud_structure_on_soil(s);
+    if (group == THUD_GROUP_BACKFILL)
+        return s->kind == THUD_WALL && (isfinite(s->backfill_stiffness_npm) || isfinite(s->backfill_strength_n) ||
+                                        isfinite(s->backfill_ratio) || isfinite(s->backfill_gap_m));
     return s->kind == THUD_ISOLATED &&
            (thud_isolator_slides(s) || isfinite(s->isolator_strength_n) || isfinite(s->isolator_post_yield_npm) ||
             isfinite(s->isolator_yield_m) || isfinite(s->isolator_radius_m) || isfinite(s->isolator_friction));

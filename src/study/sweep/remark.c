@@ -97,7 +97,7 @@ static double worst_drift(const struct thud_structure *s, int floors, const doub
     double worst = 0;
     int slab = s->kind == THUD_ISOLATED;
     *storey = 0;
-    for (int f = slab; f < floors && s->kind != THUD_RIGID; f++) {
+    for (int f = slab; f < floors && thud_kind_is_building(s->kind); f++) {
         double ratio = drift_m[f] / s->height_m[f - slab];
         if (ratio > worst) {
             worst = ratio;

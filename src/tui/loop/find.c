@@ -93,6 +93,9 @@ void thud_tui_fill_fields(struct thud_tui *tui)
     for (int i = 0; i < scene->nstructures; i++) {
         snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
         add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
+        snprintf(prefix, sizeof prefix, "structures.%d.backfill", i + 1);
+        if (scene->structure[i].kind == THUD_WALL)
+            add_group(tui, THUD_GROUP_BACKFILL, prefix, i);
         if (!thud_kind_is_building(scene->structure[i].kind))
             continue;
         snprintf(prefix, sizeof prefix, "structures.%d.column", i + 1);

@@ -133,6 +133,7 @@ static void fields(struct thud_help_text *text, int columns, int screen, bool ot
                 {THUD_GROUP_COLUMN, THUD_SCREEN_MODEL, "Fields of the columns that a slab strikes"},
                 {THUD_GROUP_ISOLATOR, THUD_SCREEN_MODEL, "Fields of isolators"},
                 {THUD_GROUP_FOUNDATION, THUD_SCREEN_MODEL, "Fields of a foundation on soil"},
+                {THUD_GROUP_BACKFILL, THUD_SCREEN_MODEL, "Fields of the soil behind a wall"},
                 {THUD_GROUP_INTERFACE, THUD_SCREEN_CONTACT, "Fields of an interface"},
                 {THUD_GROUP_CONTACT, THUD_SCREEN_CONTACT, "Fields of the bare contact"},
                 {THUD_GROUP_BUMPER, THUD_SCREEN_CONTACT, "Fields of the bumper"},

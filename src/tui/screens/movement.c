@@ -336,6 +336,7 @@ static void draw_building(struct stage *stage, int s)
     double y0 = row_of(stage, base);
     if (structure->kind == THUD_WALL) { /* without a height it has no end */
         double top = isfinite(roof) ? fmin(y0 - 2.0, row_of(stage, roof)) : 1.0;
+        x0 += thud_wall_gives(structure) ? stage->shift[part->first] : 0.0;
         draw_box(stage, x0, fmax(1.0, top), x0 + right, y0, look);
         return;
     }
@@ -403,12 +404,30 @@ static double link_row(const struct stage *stage, int dof)
     return fmax(1.0, isfinite(level) ? row_of(stage, level) : stage->ground - 4.0);
 }
 
+/* Three strokes behind the wall, bright while it presses on its soil. */
+static void draw_soil(struct stage *stage, int s, double force)
+{
+    const int dof = stage->model->structure[s].first;
+    const bool first = s == 0;
+    const double x = stage->left[s] + stage->shift[dof] + (first ? -1.0 : stage->body);
+    const struct thud_look look =
+        fabs(force) > touch_n ? thud_look(THUD_ROLE_SERIES + 5, THUD_BOLD) : thud_look(THUD_ROLE_MUTED, 0);
+    for (int k = 0; k < 3; k++) {
+        const double y = fmax(1.0, stage->ground - 3.0 * k);
+        thud_dots_line(&stage->dots, x, y, x + (first ? -3.0 : 3.0), fmax(1.0, y - 2.0), 1, look);
+    }
+}
+
 /* From edge to edge; one-sided ones are bright while they act, and muted while they hang loose. */
 static void draw_link(struct stage *stage, int index)
 {
     const struct thud_model_link *link = &stage->model->link[index];
     const double force = value_at(stage->history, thud_history_link_force(stage->history, index), stage->t);
-    const int some = link->left_dof >= 0 ? link->left_dof : link->right_dof;
+    const int some = link->left_dof >= 0 ? link->left_dof : link->right_dof, wall = thud_link_wall(stage->scene, index);
+    if (wall >= 0) {
+        draw_soil(stage, wall, force);
+        return;
+    }
     const bool loose = link->contact >= 0 && fabs(force) <= touch_n;
     const double y0 = link_row(stage, link->left_dof >= 0 ? link->left_dof : some),
                  y1 = link_row(stage, link->right_dof >= 0 ? link->right_dof : some);

@@ -112,7 +112,7 @@ static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned
 
 static int floor_count(const struct thud_structure *structure)
 {
-    return structure->kind == THUD_WALL    ? 0
+    return structure->kind == THUD_WALL    ? thud_wall_gives(structure)
            : structure->kind == THUD_RIGID ? 1
                                            : structure->storeys + (structure->kind == THUD_ISOLATED);
 }

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Walls that give, and the soil behind them, as a user types them: keys and their errors, results.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+
+scene=isolated-moat-backfill
+unsaid() { ! says "$1"; }
+refused() { # WHAT KEY=VALUE PATTERN
+    is "--set: $1" gives 3 run $scene --set "$2"
+    is "is told: $3" says "$3"
+}
+refused "a wall without stiffness" structures.1.stiffness= 'structures.1.stiffness: the wall has a mass, and no stiffness that holds it (a stiffness, or no mass'
+refused "a wall without mass" structures.1.mass= 'structures.1.mass: a wall without mass moves with the ground'
+refused "a stiffness of 0" structures.1.stiffness=0MN/m 'structures.1.stiffness: .*> 0 MN/m'
+refused "soil without strength" structures.1.backfill.strength= "structures.1.backfill.strength: the soil's strength is not given"
+refused "a failure ratio above 1" structures.1.backfill.ratio=1.1 'structures.1.backfill.ratio: .*up to 1'
+refused "a gap below 0" structures.1.backfill.gap=-1mm 'structures.1.backfill.gap: .*0 mm to'
+refused "soil behind a building" structures.2.backfill.ratio=0.7 'structures.2.backfill.ratio: isolated is no wall that soil could stand behind (kind: wall)'
+is "soil between neighbours" gives 3 run three-in-a-row --set structures.2.kind=wall --set structures.2.mass=10t \
+    --set structures.2.stiffness=10MN/m --set structures.2.backfill.stiffness=10MN/m --set structures.2.backfill.strength=1MN
+is "is told: an end of the row" says 'structures.2.backfill: .* has a neighbour on either side, and no soil'
+
+is "walls that give" gives 0 run $scene --quiet
+is "have no storeys that could drift" unsaid 'moat drifts by'
+is "are floors" shows '^west moat: T1 0.1632 s; base shear'
+is "with their soil" shows 'west moat-gr backfill *[0-9.]* .* [1-9][0-9]*$'
+is "in JSON too" gives 0 run $scene --json --quiet
+is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
+is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'
+is "it holds" gives 0 verify $scene
+is "OpenSees is refused" gives 3 export opensees $scene
+is "with the reason" says 'structures.1.kind: OpenSees .*(a wall without mass'
+is "a wall that gives no more" gives 0 run $scene --set structures.1.mass= --set structures.1.stiffness= --set structures.1.damping= \
+    --set structures.1.backfill.stiffness= --set structures.1.backfill.strength= --set structures.1.backfill.ratio= --quiet
+is "moves with the ground" shows '^  1 wall-1 '
