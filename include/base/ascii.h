@@ -16,3 +16,7 @@ char thud_ascii_upper(char c);
 bool thud_ascii_same(const char *a, const char *b);
 /* `text`, of which `size` bytes may be read, begins with `word`, large or small. */
 bool thud_ascii_begins(const char *text, size_t size, const char *word);
+/* Where `part` stands in `text`, large or small, the first time; NULL: nowhere. */
+const char *thud_ascii_find(const char *text, const char *part);
+/* `text` ends with these very letters. */
+bool thud_ascii_ends(const char *text, const char *end);

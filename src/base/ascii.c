@@ -44,3 +44,17 @@ bool thud_ascii_same(const char *a, const char *b)
 {
     return strlen(a) == strlen(b) && thud_ascii_begins(a, strlen(a), b);
 }
+
+const char *thud_ascii_find(const char *text, const char *part)
+{
+    for (size_t size = strlen(text); !thud_ascii_begins(text, size, part); text++, size--)
+        if (size == 0)
+            return NULL;
+    return text;
+}
+
+bool thud_ascii_ends(const char *text, const char *end)
+{
+    const size_t n = strlen(text), m = strlen(end);
+    return n >= m && strcmp(text + n - m, end) == 0;
+}

@@ -61,6 +61,11 @@ START_TEST(letters_are_those_of_ascii)
     }
     ck_assert(thud_ascii_same("TIME in", "time IN"));
     ck_assert(!thud_ascii_same("time", "times"));
+    const char *text = "a Gap and a gap";
+    ck_assert_ptr_eq(thud_ascii_find(text, "gAP"), text + 2);
+    ck_assert_ptr_eq(thud_ascii_find(text, ""), text);
+    ck_assert_ptr_null(thud_ascii_find(text, "gaps"));
+    ck_assert(thud_ascii_ends(text, "a gap") && thud_ascii_ends(text, "") && !thud_ascii_ends("gap", "a gap"));
     ck_assert(thud_ascii_begins("Unit: g", 7, "unit"));
     ck_assert(!thud_ascii_begins("Unit", 3, "unit")); /* no further than may be read */
 }

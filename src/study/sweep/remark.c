@@ -1,4 +1,5 @@
 #include "study/sweep/remark.h"
+#include "base/ascii.h"
 
 #include <assert.h>
 #include <math.h>
@@ -363,16 +364,10 @@ bool thud_scene_change_remark(const struct thud_scene *before, const struct thud
     return false;
 }
 
-static bool ends_with(const char *text, const char *end)
-{
-    size_t n = strlen(text), m = strlen(end);
-    return n >= m && strcmp(text + n - m, end) == 0;
-}
-
 static bool varies(const struct thud_sweep_plan *plan, const char *end)
 {
     for (int a = 0; a < plan->naxes; a++)
-        if (ends_with(plan->axis[a].key, end))
+        if (thud_ascii_ends(plan->axis[a].key, end))
             return true;
     return false;
 }
@@ -381,7 +376,7 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
 {
     for (int a = 0; a < plan->naxes; a++) {
         const char *key = plan->axis[a].key;
-        bool thickness = ends_with(key, "bumper.thickness"), exponent = ends_with(key, "bumper.exponent");
+        bool thickness = thud_ascii_ends(key, "bumper.thickness"), exponent = thud_ascii_ends(key, "bumper.exponent");
         int i = 0, k;
         const char *rest = key;
         if (thud_scan_word(&rest, "interfaces.") && thud_scan_count(&rest, &i))

@@ -11,12 +11,6 @@
 #include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
 
-static bool ends_with(const char *text, const char *end)
-{
-    size_t n = strlen(text), m = strlen(end);
-    return n >= m && strcmp(text + n - m, end) == 0;
-}
-
 static double law_value(const struct thud_law_choice *choice, const char *name)
 {
     int i = choice->law ? thud_law_param(choice->law, name) : -1;
@@ -177,7 +171,7 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
         return strcmp(text, tui->doc.scene.record.file) == 0 || thud_tui_choose_record(tui, text);
     }
     char full[THUD_LINE_MAX + 64];
-    if (ends_with(key, ".kind") && (strcmp(text, "matrix") == 0 || strcmp(text, "modes") == 0)) {
+    if (thud_ascii_ends(key, ".kind") && (strcmp(text, "matrix") == 0 || strcmp(text, "modes") == 0)) {
         if (key != tui->dialog.target) /* the list's own */
             snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", key);
         thud_tui_prompt(tui, text[1] == 'o' ? &modes_file : &matrix_file, "");
@@ -186,8 +180,8 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     thud_tui_with_unit(tui, key, text, full, sizeof full);
     thud_tui_hush(tui);
     tui->kept.before_n = NAN;
-    bool done = ends_with(key, "bumper.exponent") ? set_exponent(tui, key, full, &err)
-                                                  : thud_doc_set(&tui->doc, key, full, &err) == THUD_OK;
+    bool done = thud_ascii_ends(key, "bumper.exponent") ? set_exponent(tui, key, full, &err)
+                                                        : thud_doc_set(&tui->doc, key, full, &err) == THUD_OK;
     if (!done) {
         thud_tui_say_error(tui, &err);
         return false;

@@ -3,14 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "core/methods/method.h"
 #include "tui/loop/loop.h"
-
-static bool ends_with(const char *text, const char *end)
-{
-    size_t n = strlen(text), m = strlen(end);
-    return n >= m && strcmp(text + n - m, end) == 0;
-}
 
 static void offer_laws(struct thud_tui *tui)
 {
@@ -30,7 +25,7 @@ static void offer_methods(struct thud_tui *tui)
 /* Whether a value is a word of a closed list. */
 static bool is_word(const char *key, const struct thud_param *param)
 {
-    return ends_with(key, ".law") || strcmp(key, "analysis.method") == 0 ||
+    return thud_ascii_ends(key, ".law") || strcmp(key, "analysis.method") == 0 ||
            (param->kind == THUD_PARAM_CHOICE && param->choices);
 }
 
@@ -50,7 +45,7 @@ static void chosen_value(struct thud_tui *tui, const char *value)
 /* A value with a closed list of words: a list to choose from. False: it has none. */
 static bool choose_value(struct thud_tui *tui, const char *key, const struct thud_param *param)
 {
-    bool law = ends_with(key, ".law"), method = strcmp(key, "analysis.method") == 0;
+    bool law = thud_ascii_ends(key, ".law"), method = strcmp(key, "analysis.method") == 0;
     if (!is_word(key, param))
         return false;
     char now[128] = "";
@@ -155,7 +150,7 @@ void thud_tui_step_value(struct thud_tui *tui, int steps)
     char key[THUD_PATH_MAX], text[128], unit[48], number[64];
     snprintf(key, sizeof key, "%s", field->path);
     const struct thud_param *param = thud_scene_param(&tui->doc.scene, key, &(int){0});
-    if (!param || param->kind == THUD_PARAM_TEXT || ends_with(key, ".law") || strcmp(key, "analysis.method") == 0)
+    if (!param || param->kind == THUD_PARAM_TEXT || thud_ascii_ends(key, ".law") || strcmp(key, "analysis.method") == 0)
         return;
     if (param->kind == THUD_PARAM_CHOICE) {
         if (param->choices)

@@ -94,25 +94,13 @@ static void go(struct thud_new_scene *f, int rows, int sides)
     }
 }
 
-static bool contains(const char *text, const char *part)
-{
-    size_t n = strlen(part), i;
-    for (; *text; text++) {
-        for (i = 0; i < n && thud_ascii_lower(text[i]) == thud_ascii_lower(part[i]);)
-            i++;
-        if (i == n)
-            return true;
-    }
-    return n == 0;
-}
-
 /* The i-th file whose name holds what was typed; -1: there are no more. Folders only once they were typed. */
 static int matching(const struct thud_new_scene *f, int i)
 {
     const char *typed = f->row == THUD_NEW_RECORD && f->line.selected ? "" : f->line.text, *slash = strrchr(typed, '/');
     for (int k = 0; k < f->files.n; k++) {
         const struct thud_browse_item *item = &f->files.item[k];
-        if (contains(thud_path_name(item->name), slash ? slash + 1 : typed) && i-- == 0)
+        if (thud_ascii_find(thud_path_name(item->name), slash ? slash + 1 : typed) && i-- == 0)
             return k;
     }
     return -1;

@@ -1,5 +1,4 @@
 #include "tui/screens/help_text.h"
-#include "tui/document/field.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -237,14 +236,8 @@ void thud_help_text_clear(struct thud_help_text *text)
 
 int thud_help_line_find(const struct thud_help_line *line, const char *word, int from)
 {
-    for (size_t at = (size_t)from; line->text[at]; at++) {
-        size_t i = 0;
-        while (word[i] && thud_ascii_lower(line->text[at + i]) == thud_ascii_lower(word[i]))
-            i++;
-        if (!word[i] && i > 0)
-            return (int)at;
-    }
-    return -1;
+    const char *at = *word ? thud_ascii_find(line->text + from, word) : NULL;
+    return at ? (int)(at - line->text) : -1;
 }
 
 int thud_help_text_find(const struct thud_help_text *text, const char *word, int from, int step)

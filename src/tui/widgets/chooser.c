@@ -32,19 +32,6 @@ void thud_chooser_add(struct thud_chooser *chooser, const char *value, const cha
     va_end(args);
 }
 
-static bool contains(const char *text, const char *part)
-{
-    size_t n = strlen(part);
-    for (; *text; text++) {
-        size_t i = 0;
-        while (i < n && text[i] && thud_ascii_lower(text[i]) == thud_ascii_lower(part[i]))
-            i++;
-        if (i == n)
-            return true;
-    }
-    return n == 0;
-}
-
 /* Whether the letters stand in one word of the text in their order. */
 static bool scattered(const char *text, const char *letters)
 {
@@ -63,7 +50,7 @@ static int fit(const struct thud_chooser *chooser, int index)
     snprintf(words, sizeof words, "%s", chooser->filter.text);
     for (char *word; (word = strtok_r(rest, " ", &rest)) != NULL;) {
         const char *text = chooser->choice[index].text;
-        if (contains(text, word))
+        if (thud_ascii_find(text, word))
             continue;
         if (!chooser->fuzzy || strlen(word) < 3 || !scattered(text, word))
             return -1;
