@@ -59,7 +59,7 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
         if (dashpot_acts(m, i, p->system))
             c->link[c->links++] = i;
     c->block =
-        calloc(2 * n * size + (size_t)(1 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
+        calloc(2 * n * size + (size_t)(2 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
                sizeof *c->block);
     part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
@@ -74,6 +74,7 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     c->now = c->work[1] + size;
     c->by_floor = c->now + 2 * size;
     c->shift = c->by_floor + (size_t)floors_of(m, p) * n;
+    c->input = c->shift + 2 * n;
     part->flow = part->block;
     part->temp = part->flow + size * size;
     part->rates = part->temp + size * size;
@@ -158,11 +159,37 @@ static void double_part(struct thud_coupled_motion *c, struct part *part)
     part->h_s *= 2;
 }
 
-/* The links' forms, of which half is read then. */
+/* By the ground accelerations at both ends of an interval in place of the first one and the change. */
+static void by_ends(int n, double *at, int apart)
+{
+    at[2 * n * apart] -= at[(2 * n + 1) * apart];
+}
+
+/* W as a form as L is; both by the ground accelerations at both ends. */
+static void finish_forms(struct thud_coupled_motion *c)
+{
+    const int n = c->n, size = c->size;
+    double *first = c->input + 2 * n * size, *last = first + size;
+    for (int i = 0; i < size; i++)
+        by_ends(n, c->loss + i * size, 1);
+    for (int j = 0; j < size; j++)
+        by_ends(n, c->loss + j, size);
+    memcpy(first, c->work[0], (size_t)size * sizeof *first);
+    memcpy(last, c->work[1], (size_t)size * sizeof *last);
+    by_ends(n, first, 1);
+    by_ends(n, last, 1);
+    for (int j = 0; j < size; j++)
+        by_ends(n, c->input + j, size);
+    for (int i = 0; i < size; i++)
+        for (int j = i + 1; j < size; j++)
+            c->input[i * size + j] += c->input[j * size + i];
+}
+
+/* The forms are symmetric: half of each is read then. */
 static void double_upper_part(struct thud_coupled_motion *c)
 {
     const int size = c->size;
-    for (int l = 1; l <= c->links; l++)
+    for (int l = 0; l <= c->links; l++)
         for (int i = 0; i < size; i++)
             for (int j = i + 1; j < size; j++) {
                 double *loss = c->loss + l * size * size;
@@ -191,6 +218,7 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     memcpy(motion->step, part.flow, 2 * (size_t)motion->n * (size_t)motion->size * sizeof(double));
     memset(motion->now, 0, 2 * (size_t)motion->size * sizeof(double));
     add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, motion->by_floor);
+    finish_forms(motion);
     double_upper_part(motion);
     free(part.block);
     return THUD_OK;
@@ -248,25 +276,47 @@ static const double *start_of(const struct thud_coupled_motion *c, const double 
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *c, int link, const double *q, const double *qd,
                                      int apart, const double *s, double ground, double after, int t)
 {
-    const int size = c->size;
     int l = 0;
     while (l < c->links && c->link[l] != link)
         l++;
     if (l == c->links)
         return 0;
-    const double *x = start_of(c, q, qd, apart, s, ground, after, t), *loss = c->loss + (l + 1) * size * size;
+    const double *x = start_of(c, q, qd, apart, s, ground, after, t), *loss = c->loss + (l + 1) * c->size * c->size;
     double sum = 0;
-    for (int i = 0; i < size; i++)
-        sum += x[i] * thud_dot(size - i, loss + i * size + i, x + i);
+    for (int i = 0; i < c->size; i++)
+        sum += x[i] * thud_dot(c->size - i, loss + i * c->size + i, x + i);
     return sum;
 }
 
-void thud_coupled_motion_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j)
+/* The sum over the intervals of x L x and x W: each product of two rows once, along the intervals. */
+static void add_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
+                     const double *ground, const double *after, int intervals, double *input_j, double *viscous_j)
 {
-    const int size = c->size;
-    const double *x = start_of(c, q, qd, apart, s, ground, after, t), b = after - ground;
-    for (int i = 0; i < size; i++)
-        *viscous_j += x[i] * thud_dot(size, c->loss + i * size, x);
-    *input_j += ground * thud_dot(size, c->work[0], x) + b * thud_dot(size, c->work[1], x);
+    const int n = c->n, size = c->size;
+    for (int i = 0; i < size; i++) {
+        const double *a = i < n ? q + i * apart : i < 2 * n ? qd + (i - n) * apart : i == 2 * n ? ground : after;
+        for (int j = i; j < size; j++) {
+            const double *b = j < n ? q + j * apart : j < 2 * n ? qd + (j - n) * apart : j == 2 * n ? ground : after;
+            const double product = thud_dot(intervals, a, b);
+            *viscous_j += c->loss[i * size + j] * product;
+            *input_j += c->input[i * size + j] * product;
+        }
+    }
+}
+
+void thud_coupled_motion_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
+                              const double *s, const double *ground, const double *after, int intervals,
+                              double *input_j, double *viscous_j)
+{
+    bool shifted = false;
+    for (int j = 0; j < c->n; j++)
+        shifted = shifted || s[j] != 0;
+    if (!shifted) {
+        add_work(c, q, qd, apart, ground, after, intervals, input_j, viscous_j);
+        return;
+    }
+    for (int t = 0; t < intervals; t++) {
+        const double *x = start_of(c, q, qd, apart, s, ground[t], after[t], t);
+        add_work(c, x, x + c->n, 1, ground + t, after + t, 1, input_j, viscous_j);
+    }
 }

@@ -19,8 +19,10 @@
 struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
-    double *step;     /* (2 n x size) to q and q' an interval later */
-    double *loss;     /* ((1 + links) x size x size) L, and the upper part of x^T L_l x of links with a dashpot */
+    double *step;  /* (2 n x size) to q and q' an interval later */
+    double *loss;  /* ((1 + links) x size x size) upper part of L by the accelerations at both ends, and of x^T L_l x of
+                         links with a dashpot */
+    double *input; /* (size x size) upper part of W, as a form by the accelerations at both ends */
     int links, *link; /* (links) these links in the model */
     double *work[2];  /* (size) W_a, W_b */
     double *by_floor; /* (floors x n) all floors' rows of Phi times D */
@@ -43,6 +45,7 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, 
 /* Loss in the dashpot of the link whose index in the model is this, in interval t; 0 where it has none. */
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link, const double *q,
                                      const double *qd, int apart, const double *s, double ground, double after, int t);
-/* Work of the ground and loss in damping in interval t of the same rows, where the modes rest at s. */
+/* Adds work of the ground and loss in damping in the intervals of the same rows, where the modes rest at s. */
 void thud_coupled_motion_work(const struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
-                              const double *s, double ground, double after, int t, double *input_j, double *viscous_j);
+                              const double *s, const double *ground, const double *after, int intervals,
+                              double *input_j, double *viscous_j);

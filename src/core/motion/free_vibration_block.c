@@ -305,8 +305,8 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
     for (int s = 0; s < f->nsystems; s++) {
         const struct thud_coupled_motion *c = &f->coupled[s];
         const int row = c->first_mode * ENDS;
-        for (int t = 0; t < intervals && c->size > 0; t++)
-            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0[t], a1[t], t,
+        if (c->size > 0)
+            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0, a1, intervals,
                                      &input, &viscous);
     }
     *input_j = input;
