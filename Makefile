@@ -60,7 +60,7 @@ THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 # What the environment calls by these names is not what the scripts are to get.
 unexport THUD UNITS
 
-.PHONY: all help deps demo test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-suite bench-peers install uninstall dist deb clean FORCE
+.PHONY: all help deps demo pictures test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-suite bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(B)/libthud.a $(B)/libthud.so $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
 
 help: ## this list
@@ -177,6 +177,10 @@ bench-suite: all ## a study of 59,040 runs: time, processor time, memory, and th
 bench-peers: all ## the towers by other integrators (CVODE, SciPy, OpenSeesPy, where installed), for measuring only
 	@$(MAKE) --no-print-directory $(PEERS)
 	@sh tests/bench/peers/peers.sh $(B) build/bench
+
+pictures: all ## the README's pictures (.github/pictures): towers, acceleration against gap, terminal (needs python3)
+	@for p in story impact; do python3 tests/tools/pictures.py $$p ./$(THUD) .github/pictures/$$p.svg || exit 1; done
+	@./$(THUD) towers --play .github/pictures/terminal.play >/dev/null
 
 install: all ## program, library, presets, records, manual pages, completions under DESTDIR PREFIX
 	@THUD=./$(THUD) BUILD=$(B) tests/tools/install.sh install '$(DESTDIR)$(PREFIX)'

@@ -2,6 +2,7 @@
 # thud --play: a session of the terminal interface without a terminal.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
+pictures=$(cd "$(dirname "$0")/../../.github/pictures" && pwd)
 cd "$tmp" || exit 1
 
 cat >session <<'END'
@@ -24,6 +25,18 @@ told=$(sed -n 's/^POUNDS at 12 cm: .* impacts, \([0-9.]*\) MN .*/\1/p' "$tmp/out
 is "the force is that of thud run" [ "$(awk -v a="$told" -v b="$expect" 'BEGIN { d = a * 1e6 / b - 1; print (d < 2e-3 && d > -2e-3) }')" = 1 ]
 "$THUD" sweep towers --set gap=12cm --vary gap=6cm:14cm:2cm --csv >sweep.csv 2>err
 is "the study is that of thud sweep" cmp -s sweep.csv tables/towers-sweep.csv
+
+printf 'open towers\nshow\nshow screen.svg\nshow no/screen.svg\n' >shot
+is "a picture into a folder that is not there is refused" gives 3 --play shot
+is "with its line" says '^shot:4: '
+sed -n 's|</text>$||; s|^<text [^>]*>||p' screen.svg | tr -d ' \n' | sed 's/&lt;/</g; s/&amp;/\&/g' >letters
+sed '1,/^> show$/d; /^> show screen/,$d' out | tr -d ' \n' >screen
+is "the screen as a picture has its letters" sh -c '[ -s letters ] && cmp letters screen'
+is "each look in its own colour" sh -c '[ "$(grep -o "fill=\"#[0-9a-f]*\"" screen.svg | sort -u | wc -l)" -ge 6 ]'
+
+sed 's|[.]github/pictures/||' "$pictures/terminal.play" >readme
+is "the README's terminal is played (make pictures)" gives 0 towers --play readme
+is "as a picture" grep -q '</svg>' terminal.svg
 
 printf 'set gap 5 cm\nset gap 5 kN\n' >wrong
 is "a refused command ends it" gives 3 towers --play wrong

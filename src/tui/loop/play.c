@@ -6,6 +6,7 @@
 #include "io/file/file.h"
 #include "tui/loop/play.h"
 #include "tui/loop/verdict.h"
+#include "tui/terminal/canvas_svg.h"
 
 enum { WIDTH = 100, HEIGHT = 40, BYTES_MAX = 1 << 20 };
 
@@ -43,6 +44,11 @@ static bool play_line(struct thud_tui *tui, const char *line, struct thud_text *
     if (strcmp(line, "show") == 0) {
         print_screen(tui, out);
         return true;
+    }
+    if (strncmp(line, "show ", 5) == 0) {
+        struct thud_text svg = {0};
+        thud_canvas_svg(&tui->canvas, &svg);
+        return thud_text_write(&svg, line + 5 + strspn(line + 5, " "), err) == THUD_OK;
     }
     tui->end.playing = true;
     thud_tui_command(tui, line);
