@@ -9,3 +9,12 @@ void thud_json_string(struct thud_text *out, const char *text);
 void thud_json_number(struct thud_text *out, double value);
 /* "key": value */
 void thud_json_field(struct thud_text *out, const char *key, double value);
+/* Several of them, parted by commas: THUD_JSON_FIELDS(out, {"key", value}, {"key", value}). */
+struct thud_json_pair {
+    const char *key;
+    double value;
+};
+void thud_json_fields(struct thud_text *out, const struct thud_json_pair *pair, size_t n);
+#define THUD_JSON_FIELDS(out, ...)                                                                                     \
+    thud_json_fields(out, (const struct thud_json_pair[]){__VA_ARGS__},                                                \
+                     sizeof((const struct thud_json_pair[]){__VA_ARGS__}) / sizeof(struct thud_json_pair))

@@ -66,6 +66,16 @@ enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 
 #define THUD_COLUMN(type, member, key, text)                                                                           \
     .name = key, .help = text, .kind = THUD_COLUMN_KIND(type, member), .at = offsetof(type, member)
 
+/* A field of it alone; with more members behind. */
+#define THUD_FIELD(type, member, key, text)                                                                            \
+    {                                                                                                                  \
+        THUD_COLUMN(type, member, key, text)                                                                           \
+    }
+#define THUD_FIELD_WITH(type, member, key, text, ...)                                                                  \
+    {                                                                                                                  \
+        THUD_COLUMN(type, member, key, text), __VA_ARGS__                                                              \
+    }
+
 struct thud_schema {
     const char *name;  /* "contacts.csv" */
     const char *about; /* sentences before its fields in thud-output(5), as mdoc */

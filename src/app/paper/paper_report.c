@@ -311,13 +311,8 @@ void thud_paper_study_json(const struct thud_paper_study *study, struct thud_tex
         thud_text_append(out, ", \"file\": ");
         thud_json_string(out, record->file);
         thud_text_append(out, ", ");
-        thud_json_field(out, "file_peak_mps2", record->peak_mps2 / fabs(record->scale));
-        thud_text_append(out, ", ");
-        thud_json_field(out, "scale", record->scale);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "peak_mps2", record->peak_mps2);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "dt_s", record->dt_s);
+        THUD_JSON_FIELDS(out, {"file_peak_mps2", record->peak_mps2 / fabs(record->scale)}, {"scale", record->scale},
+                         {"peak_mps2", record->peak_mps2}, {"dt_s", record->dt_s});
         thud_text_append(out, ", \"samples\": %zu, \"synthetic\": %s}", record->samples,
                          record->surrogate ? "true" : "false");
     }

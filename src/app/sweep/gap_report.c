@@ -475,13 +475,9 @@ void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *ou
 
 static void put_json_fractiles(const struct thud_fractiles *f, const char *column, bool exact, struct thud_text *out)
 {
-    const double value[] = {f->p16, f->median, f->p84, f->most, exact ? 0 : f->share};
-    static const char *const key[] = {"p16", "median", "p84", "largest", "falls_short_share"};
     thud_text_append(out, "\"%s\": {", column);
-    for (int i = 0; i < WHATS; i++) {
-        thud_text_append(out, i ? ", " : "");
-        thud_json_field(out, key[i], value[i]);
-    }
+    THUD_JSON_FIELDS(out, {"p16", f->p16}, {"median", f->median}, {"p84", f->p84}, {"largest", f->most},
+                     {"falls_short_share", exact ? 0 : f->share});
     thud_text_append(out, "}");
 }
 
@@ -491,15 +487,11 @@ static void put_json_ranges(const struct thud_gap_study *study, const struct thu
     const char *before = ",\n \"periods\": [";
     for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
         const struct thud_gap_range *x = &study->range[i];
-        const double value[] = {x->least_m, x->most_m, x->left_factor, x->right_factor};
-        static const char *const key[] = {"least_m", "most_m", "left_factor", "right_factor"};
         if (isnan(x->most_m))
             continue;
-        thud_text_append(out, "%s\n  {\"interface\": %d", before, i + 1);
-        for (int k = 0; k < 4; k++) {
-            thud_text_append(out, ", ");
-            thud_json_field(out, key[k], value[k]);
-        }
+        thud_text_append(out, "%s\n  {\"interface\": %d, ", before, i + 1);
+        THUD_JSON_FIELDS(out, {"least_m", x->least_m}, {"most_m", x->most_m}, {"left_factor", x->left_factor},
+                         {"right_factor", x->right_factor});
         thud_text_append(out, "}");
         before = ",";
     }

@@ -213,22 +213,11 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
     thud_json_string(out, study->has_target ? study->target.text : "");
     thud_text_append(out, ", \"scale\": \"%s\", \"chosen\": %d, ", study->scaling.common ? "common" : "each",
                      s->chosen);
-    const struct {
-        const char *name;
-        double value;
-    } all[] = {{"common_factor", s->common},
-               {"from_s", s->period_s[0]},
-               {"to_s", s->period_s[THUD_TARGET_PERIODS - 1]},
-               {"damping", study->target.damping},
-               {"least_ratio", s->ratio},
-               {"least_ratio_period_s", s->ratio_s},
-               {"mean_peak_mps2", s->mean_peak_mps2},
-               {"target_zero_mps2", s->zero_mps2}};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
-        thud_json_field(out, all[k].name, all[k].value);
-        thud_text_append(out, ", ");
-    }
-    thud_text_append(out, "\"motions\": [");
+    THUD_JSON_FIELDS(out, {"common_factor", s->common}, {"from_s", s->period_s[0]},
+                     {"to_s", s->period_s[THUD_TARGET_PERIODS - 1]}, {"damping", study->target.damping},
+                     {"least_ratio", s->ratio}, {"least_ratio_period_s", s->ratio_s},
+                     {"mean_peak_mps2", s->mean_peak_mps2}, {"target_zero_mps2", s->zero_mps2});
+    thud_text_append(out, ", \"motions\": [");
     for (int i = 0; i < study->records->n; i++) {
         const struct thud_motion_row row = row_of(study, i);
         thud_text_append(out, "%s\n  {", i ? "," : "");
@@ -236,9 +225,7 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
         thud_text_append(out, ", \"sa\": [");
         for (int k = 0; k < study->nmarks; k++) {
             thud_text_append(out, "%s{", k ? ", " : "");
-            thud_json_field(out, "period_s", study->mark[k].period_s);
-            thud_text_append(out, ", ");
-            thud_json_field(out, "sa_mps2", sa_at(study, i, k));
+            THUD_JSON_FIELDS(out, {"period_s", study->mark[k].period_s}, {"sa_mps2", sa_at(study, i, k)});
             thud_text_append(out, "}");
         }
         thud_text_append(out, "]}");

@@ -53,3 +53,11 @@ void thud_json_field(struct thud_text *out, const char *key, double value)
     thud_text_append(out, "\"%s\": ", key);
     thud_json_number(out, value);
 }
+
+void thud_json_fields(struct thud_text *out, const struct thud_json_pair *pair, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        thud_text_append(out, i > 0 ? ", " : "");
+        thud_json_field(out, pair[i].key, pair[i].value);
+    }
+}

@@ -9,10 +9,7 @@ struct bench_row {
     int located;
     struct thud_bench_point own;
 };
-#define BENCH(member, name, text)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct bench_row, member, name, text)                                                              \
-    }
+#define BENCH(member, name, text) THUD_FIELD(struct bench_row, member, name, text)
 static const struct thud_column bench_columns[] = {
     BENCH(method, "method", "Name of the method."),
     BENCH(located, "located", "1 where events are located."),
@@ -68,14 +65,8 @@ struct cost_row {
     const char *state;
     struct thud_cost_point own;
 };
-#define COST(member, name, text)                                                                                       \
-    {                                                                                                                  \
-        THUD_COLUMN(struct cost_row, member, name, text)                                                               \
-    }
-#define COST_AXIS(axis, name, text)                                                                                    \
-    {                                                                                                                  \
-        THUD_COLUMN(struct cost_row, own.size, name, text), .only = 1u << (axis)                                       \
-    }
+#define COST(member, name, text)    THUD_FIELD(struct cost_row, member, name, text)
+#define COST_AXIS(axis, name, text) THUD_FIELD_WITH(struct cost_row, own.size, name, text, .only = 1u << (axis))
 static const struct thud_column cost_columns[] = {
     COST_AXIS(THUD_COST_STOREYS, "storeys", "Of each of the two buildings; with --cost storeys."),
     COST_AXIS(THUD_COST_BUILDINGS, "buildings", "In the row; with --cost buildings."),
@@ -123,10 +114,7 @@ struct cell_row {
     double limit;
     struct thud_stability_cell own;
 };
-#define CELL(member, name, text)                                                                                       \
-    {                                                                                                                  \
-        THUD_COLUMN(struct cell_row, member, name, text), .infinite = true                                             \
-    }
+#define CELL(member, name, text) THUD_FIELD_WITH(struct cell_row, member, name, text, .infinite = true)
 static const struct thud_column verdict_columns[] = {
     CELL(method, "method", "Name."),
     CELL(located, "located", "1 where events are located."),
@@ -179,10 +167,7 @@ struct restitution_row {
     int located;
     struct thud_stability_restitution own;
 };
-#define RESTITUTION(member, name, text)                                                                                \
-    {                                                                                                                  \
-        THUD_COLUMN(struct restitution_row, member, name, text), .infinite = true                                      \
-    }
+#define RESTITUTION(member, name, text) THUD_FIELD_WITH(struct restitution_row, member, name, text, .infinite = true)
 static const struct thud_column restitution_columns[] = {
     RESTITUTION(law, "law", "Name of the law."),
     RESTITUTION(own.nominal, "nominal", "Nominal coefficient of restitution."),
@@ -201,10 +186,7 @@ static void make_restitution(const void *of, int i, void *out)
     *(struct restitution_row *)out = (struct restitution_row){r->law->name, r->how.method->name, r->how.locate, *r};
 }
 
-#define TEST_CASE(member, text)                                                                                        \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_test_case, member, #member, text), .infinite = true                                    \
-    }
+#define TEST_CASE(member, text) THUD_FIELD_WITH(struct thud_test_case, member, #member, text, .infinite = true)
 static const struct thud_column test_case_columns[] = {
     TEST_CASE(name, "Of the test case."),
     TEST_CASE(scene, "What is run."),

@@ -7,10 +7,7 @@
 
 /* ---- ground motions ---- */
 
-#define INFO(member, name, text)                                                                                       \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_motion_info_row, member, name, text)                                                   \
-    }
+#define INFO(member, name, text) THUD_FIELD(struct thud_motion_info_row, member, name, text)
 static const struct thud_column infos[] = {
     INFO(file, "file", "Where it was read."),
     INFO(format, "format", "Of the file."),
@@ -52,10 +49,7 @@ void thud_motion_info_fill(const struct thud_record *r, const struct thud_intens
         r->synthetic, r->samples, r->dt_s, r->scale, *intensity};
 }
 
-#define MOTION(member, text)                                                                                           \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_motion_list_row, member, #member, text)                                                \
-    }
+#define MOTION(member, text) THUD_FIELD(struct thud_motion_list_row, member, #member, text)
 static const struct thud_column motions[] = {MOTION(file, "Path."),
                                              MOTION(format, "Of the file."),
                                              MOTION(needs, "Option that is needed to read it."),
@@ -79,10 +73,7 @@ const struct thud_schema thud_spectrum_schema =
                 "each.\n",
                 spectra);
 
-#define POINT(member, text)                                                                                            \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_spectrum_point, member, #member, text)                                                 \
-    }
+#define POINT(member, text) THUD_FIELD(struct thud_spectrum_point, member, #member, text)
 static const struct thud_column points[] = {
     POINT(period_s, "Period, s."), POINT(acceleration_mps2, "Total acceleration (not the pseudo-acceleration), m/s2."),
     POINT(velocity_mps, "Relative to the ground (not the pseudo-velocity), m/s."),
@@ -102,10 +93,7 @@ struct thud_rows thud_spectrum_rows(const struct thud_spectrum_point *point, siz
 
 /* ---- expectations ---- */
 
-#define VERIFIED(member, text)                                                                                         \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_verified_row, member, #member, text)                                                   \
-    }
+#define VERIFIED(member, text) THUD_FIELD(struct thud_verified_row, member, #member, text)
 static const struct thud_column verified[] = {
     VERIFIED(preset, "Its name."),       VERIFIED(expectations, "Their file."),
     VERIFIED(cases, "How many cases."),  VERIFIED(holds, "How many hold."),
@@ -116,10 +104,7 @@ const struct thud_schema thud_verified_schema =
                 "columns before those of\n.Sx verify of each expectation .\n",
                 verified);
 
-#define CHECK(member, name, text)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_check_row, member, name, text)                                                         \
-    }
+#define CHECK(member, name, text) THUD_FIELD(struct thud_check_row, member, name, text)
 static const struct thud_column checks[] = {CHECK(which, "case", "Case."),
                                             CHECK(quantity, "quantity", "As in the file."),
                                             CHECK(expected, "expected", "Its value there, in SI units."),
@@ -130,10 +115,7 @@ static const struct thud_column checks[] = {CHECK(which, "case", "Case."),
 const struct thud_schema thud_check_schema = THUD_SCHEMA(
     "verify of each expectation", "A row for each expectation; with\n.Fl -json\nthe list\n.Va checks .\n", checks);
 
-#define FRESH(member, name, text)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_fresh_row, member, name, text)                                                         \
-    }
+#define FRESH(member, name, text) THUD_FIELD(struct thud_fresh_row, member, name, text)
 static const struct thud_column fresh[] = {
     FRESH(which, "case", "Case."), FRESH(quantity, "quantity", "As in the file."),
     FRESH(value, "value", "What stands in the new file, in SI units."), FRESH(tolerance, "tolerance", "Relative."),
@@ -144,10 +126,7 @@ const struct thud_schema thud_fresh_schema =
                 "agree on.\n",
                 fresh);
 
-#define PUBLISHED(member, text)                                                                                        \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_published_head, member, #member, text)                                                 \
-    }
+#define PUBLISHED(member, text) THUD_FIELD(struct thud_published_head, member, #member, text)
 static const struct thud_column published[] = {PUBLISHED(title, "Of the example."),
                                                PUBLISHED(source, "Book or manual."),
                                                PUBLISHED(skipped, "Whether a ground motion was missing."),
@@ -158,10 +137,7 @@ const struct thud_schema thud_published_schema =
                 "columns before those of\n.Sx verify --published of each value .\n",
                 published);
 
-#define VALUE(member, text)                                                                                            \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_published_row, member, #member, text)                                                  \
-    }
+#define VALUE(member, text) THUD_FIELD(struct thud_published_row, member, #member, text)
 static const struct thud_column values[] = {VALUE(quantity, "What it is."),
                                             VALUE(unit, "Its unit."),
                                             VALUE(published, "As printed."),
@@ -174,10 +150,7 @@ const struct thud_schema thud_published_value_schema = THUD_SCHEMA(
 
 /* ---- laws ---- */
 
-#define LAW(member, text)                                                                                              \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_law, member, #member, text)                                                            \
-    }
+#define LAW(member, text) THUD_FIELD(struct thud_law, member, #member, text)
 static const struct thud_column laws[] = {LAW(name, "As in a preset."), LAW(title, "For a person."),
                                           LAW(summary, "What it is."), LAW(reference, "Where it is from.")};
 const struct thud_schema thud_law_schema =
@@ -191,10 +164,7 @@ struct param_row {
     const char *name, *title, *help, *unit, *word;
     double fallback, least, most;
 };
-#define PARAM(member, name, text, marks)                                                                               \
-    {                                                                                                                  \
-        THUD_COLUMN(struct param_row, member, name, text), .only = (marks)                                             \
-    }
+#define PARAM(member, name, text, marks) THUD_FIELD_WITH(struct param_row, member, name, text, .only = (marks))
 static const struct thud_column params[] = {PARAM(name, "name", "As in a preset.", 0),
                                             PARAM(title, "title", "For a person.", 0),
                                             PARAM(help, "help", "What it is.", 0),
@@ -257,10 +227,7 @@ struct method_row {
     bool fixed_step, locates;
     double stability;
 };
-#define METHOD(member, name, text)                                                                                     \
-    {                                                                                                                  \
-        THUD_COLUMN(struct method_row, member, name, text), .infinite = true                                           \
-    }
+#define METHOD(member, name, text) THUD_FIELD_WITH(struct method_row, member, name, text, .infinite = true)
 static const struct thud_column methods[] = {
     METHOD(name, "name", "As in a preset."),
     METHOD(title, "title", "For a person."),

@@ -48,34 +48,22 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_json_number(out, r->period_s[i]);
     }
     thud_text_append(out, "], ");
-    thud_json_field(out, "base_shear_n", r->base_shear.value);
-    thud_text_append(out, ", ");
-    thud_json_field(out, "base_shear_time_s", r->base_shear.time_s);
+    THUD_JSON_FIELDS(out, {"base_shear_n", r->base_shear.value}, {"base_shear_time_s", r->base_shear.time_s});
     if (report->scene->structure[s].kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(&report->scene->structure[s]);
         thud_text_append(out, ", \"estimate\": {");
-        thud_json_field(out, "en1998_period_s", e.en1998_s);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "asce7_period_s", e.asce7_s);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "floor_mass_kg", report->scene->structure[s].mass_kg[0]);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "storey_stiffness_npm", report->scene->structure[s].stiffness_npm[0]);
+        THUD_JSON_FIELDS(out, {"en1998_period_s", e.en1998_s}, {"asce7_period_s", e.asce7_s},
+                         {"floor_mass_kg", report->scene->structure[s].mass_kg[0]},
+                         {"storey_stiffness_npm", report->scene->structure[s].stiffness_npm[0]});
         thud_text_append(out, "}");
     }
     if (r->foundation) {
         thud_text_append(out, ", \"foundation\": {");
-        thud_json_field(out, "rigid_period_s", r->rigid_period_s);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "damping", r->soil_damping);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "sway_m", r->foundation[0].displacement.value);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "sway_time_s", r->foundation[0].displacement.time_s);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "rotation_rad", r->foundation[1].displacement.value / r->arm_m);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "rotation_time_s", r->foundation[1].displacement.time_s);
+        THUD_JSON_FIELDS(out, {"rigid_period_s", r->rigid_period_s}, {"damping", r->soil_damping},
+                         {"sway_m", r->foundation[0].displacement.value},
+                         {"sway_time_s", r->foundation[0].displacement.time_s},
+                         {"rotation_rad", r->foundation[1].displacement.value / r->arm_m},
+                         {"rotation_time_s", r->foundation[1].displacement.time_s});
         thud_text_append(out, "}");
     }
     thud_text_append(out, ", \"floors\": [");
@@ -141,9 +129,7 @@ static void add_status(const struct thud_report *report, struct thud_text *out)
         thud_text_append(out, ", \"collapse\": {\"structure\": ");
         thud_json_string(out, s->name);
         thud_text_append(out, ", \"storey\": %d, ", collapse->floor + 1 - (s->kind == THUD_ISOLATED));
-        thud_json_field(out, "time_s", collapse->time_s);
-        thud_text_append(out, ", ");
-        thud_json_field(out, "drift_m", collapse->drift_m);
+        THUD_JSON_FIELDS(out, {"time_s", collapse->time_s}, {"drift_m", collapse->drift_m});
         thud_text_append(out, "}");
     }
     thud_text_append(out, ",\n");

@@ -453,10 +453,7 @@ struct thud_rows thud_event_rows(const struct thud_report *report)
 
 /* ---- what a run has once ---- */
 
-#define ENERGY(member, key, text)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_energy, member, key, text)                                                             \
-    }
+#define ENERGY(member, key, text) THUD_FIELD(struct thud_energy, member, key, text)
 static const struct thud_column energies[] = {
     ENERGY(initial_j, "initial_j", "At the beginning, J."),
     ENERGY(input_j, "input_j", "Work of the ground, J."),
@@ -475,10 +472,7 @@ static const struct thud_column energies[] = {
 const struct thud_schema thud_energy_schema =
     THUD_SCHEMA("energy", "In\n.Pa result.json :\nthe ledger of the run.\n", energies);
 
-#define TRUNCATION(member, text)                                                                                       \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_truncation, member, #member, text)                                                     \
-    }
+#define TRUNCATION(member, text) THUD_FIELD(struct thud_truncation, member, #member, text)
 static const struct thud_column truncations[] = {
     TRUNCATION(modes, "Modes of each structure that were kept."), TRUNCATION(left_out, "How many were left out."),
     TRUNCATION(acceleration, "Relative error."), TRUNCATION(drift, "Likewise."), TRUNCATION(force, "Likewise.")};
@@ -491,10 +485,7 @@ struct record_row {
     bool synthetic;
     size_t samples;
 };
-#define RECORD(member, text)                                                                                           \
-    {                                                                                                                  \
-        THUD_COLUMN(struct record_row, member, #member, text)                                                          \
-    }
+#define RECORD(member, text) THUD_FIELD(struct record_row, member, #member, text)
 static const struct thud_column record_fields[] = {
     RECORD(file, "Where it was read."),
     RECORD(peak_mps2, "Largest acceleration as it was used, m/s2."),
@@ -525,10 +516,7 @@ struct method_row {
     double tolerance, step_s;
     struct thud_work work;
 };
-#define METHOD(member, key, text)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct method_row, member, key, text)                                                              \
-    }
+#define METHOD(member, key, text) THUD_FIELD(struct method_row, member, key, text)
 static const struct thud_column method_fields[] = {
     METHOD(name, "name", "Of the method."),
     METHOD(reason, "reason", "Why the exact method was chosen or what it means."),

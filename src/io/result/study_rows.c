@@ -1,9 +1,6 @@
 #include "io/result/study_rows.h"
 
-#define RULE(member, text)                                                                                             \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_gap_rule_row, member, #member, text)                                                   \
-    }
+#define RULE(member, text) THUD_FIELD(struct thud_gap_rule_row, member, #member, text)
 static const struct thud_column rules[] = {
     RULE(interface, "Interface."),
     RULE(rule, "Its name."),
@@ -25,11 +22,8 @@ const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
     "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed first.\n",
     rules);
 
-#define MOTION(member, text, ...)                                                                                      \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_motion_row, member, #member, text), .shown = { __VA_ARGS__ }                           \
-    }
-#define GENERAL THUD_DIGITS_FREE
+#define MOTION(member, text, ...) THUD_FIELD_WITH(struct thud_motion_row, member, #member, text, .shown = {__VA_ARGS__})
+#define GENERAL                   THUD_DIGITS_FREE
 static const struct thud_column motions[] = {
     MOTION(file, "Where it was read.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
     MOTION(event, "As the file says.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
@@ -54,10 +48,7 @@ const struct thud_schema thud_motion_schema =
                 "of\nmean and target with its period, the mean peak, and the target at T = 0.\n",
                 motions);
 
-#define KEY(member, name, text)                                                                                        \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_curve_key, member, name, text)                                                         \
-    }
+#define KEY(member, name, text) THUD_FIELD(struct thud_curve_key, member, name, text)
 static const struct thud_column keys[] = {
     KEY(event, "event", "Event, as asked for."), KEY(which, "case", "Case."),
     KEY(against, "against", "The key that it is drawn against."),
@@ -70,10 +61,7 @@ const struct thud_schema thud_curve_key_schema =
                 ".Pa fragility.json .\n",
                 keys);
 
-#define STRIPE(member, text)                                                                                           \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_stripe_row, member, #member, text)                                                     \
-    }
+#define STRIPE(member, text) THUD_FIELD(struct thud_stripe_row, member, #member, text)
 static const struct thud_column stripes[] = {
     STRIPE(motions, "Ground motions with a result."),
     STRIPE(count, "Of those, how many show the event."),
@@ -91,10 +79,7 @@ const struct thud_schema thud_stripe_schema =
                 ".Sx fragility .\n",
                 stripes);
 
-#define CURVE(member, key, text)                                                                                       \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_curve_row, member, key, text)                                                          \
-    }
+#define CURVE(member, key, text) THUD_FIELD(struct thud_curve_row, member, key, text)
 static const struct thud_column curves[] = {
     CURVE(beta, "beta", "Standard deviation of the logarithm."),
     CURVE(beta_low, "beta_low", "Lower end of its band."),
@@ -113,10 +98,7 @@ const struct thud_schema thud_curve_schema =
     THUD_SCHEMA("fragility-curves.csv of each curve",
                 "Behind the medians in\n.Pa fragility-curves.csv ,\nand in\n.Pa fragility.json .\n", curves);
 
-#define BEST(member, key, text)                                                                                        \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_best_row, member, key, text)                                                           \
-    }
+#define BEST(member, key, text) THUD_FIELD(struct thud_best_row, member, key, text)
 static const struct thud_column bests[] = {
     BEST(record, "record", "Ground motion, as it was given; worst of all for the largest over them."),
     BEST(which, "case", "Case."),
@@ -131,10 +113,7 @@ static const struct thud_column bests[] = {
 const struct thud_schema thud_best_schema = THUD_SCHEMA(
     "best.csv", "Written by\n.Cm sweep Fl -best Fl o :\na row for each setting of the other keys.\n", bests);
 
-#define STIFFNESS(member, text)                                                                                        \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_stiffness_fields, member, #member, text)                                               \
-    }
+#define STIFFNESS(member, text) THUD_FIELD(struct thud_stiffness_fields, member, #member, text)
 static const struct thud_column stiffnesses[] = {STIFFNESS(varied, "contact or bumper: whose stiffness is multiplied."),
                                                  STIFFNESS(factor, "By how much."),
                                                  STIFFNESS(impacts, "Impacts of all contacts."),
@@ -148,10 +127,7 @@ const struct thud_schema thud_stiffness_schema =
                 ".Va runs .\n",
                 stiffnesses);
 
-#define SPRING(member, text)                                                                                           \
-    {                                                                                                                  \
-        THUD_COLUMN(struct thud_spring_row, member, #member, text)                                                     \
-    }
+#define SPRING(member, text) THUD_FIELD(struct thud_spring_row, member, #member, text)
 static const struct thud_column springs[] = {SPRING(part, "slab, contact (of slabs in series) or pad."),
                                              SPRING(alpha, "Of a pad."), SPRING(exponent, "Of the indentation."),
                                              SPRING(stiffness, "In N/m^exponent.")};
