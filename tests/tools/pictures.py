@@ -95,7 +95,7 @@ def curves(thud, left, top, width, height):
     out += text(left, top - 12, "largest floor acceleration (g)")
     x = at(need, 0)[0]
     out += f'<path d="M{x:.1f} {top}v{height}" stroke="#222" stroke-dasharray="2 3"/>\n'
-    for i, word in enumerate(("from here", "nothing", "touches")):
+    for i, word in enumerate(("no contact", "from here on")):
         out += text(x + 7, top + 14 + 16 * i, word, 12)
     for k, (color, dash, points, word) in enumerate((
             (GREY, "7 4", [at(5, free), at(25, free)], "no pounding"),
