@@ -130,7 +130,7 @@ general_json uncertainty.json "$tmp/uncertainty/uncertainty.json"
 is "no column stands twice" [ "$(head -1 "$tmp/cost/cost-impacts.csv" | tr , '\n' | sort | uniq -d | wc -l)" -eq 0 ]
 agree cost-AXIS.csv
 listed "verify --published" "examples values" "$tmp/published.json"
-is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,kind,Gap (cm),Peak acceleration ratio,Peak deflection ratio$' "$tmp/figures/fig8.csv"
+is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,kind,Gap (cm),Peak acceleration ratio,Peak drift ratio$' "$tmp/figures/fig8.csv"
 
 # a number is the same in CSV and JSON, and a folder says of each of its tables what its columns are
 grep '^  {"record"' "$tmp/sweep.json" | sed 's/"[^"]*": //g; s/^  {//; s/},*$//; s/, /,/g; s/null//g; s/"//g' >"$tmp/objects"

@@ -14,7 +14,7 @@ struct thud_floor_result {
     struct thud_peak acceleration; /* total, m/s2 */
     struct thud_peak displacement; /* relative to the ground, m */
     struct thud_peak velocity;     /* relative to the ground, m/s */
-    struct thud_peak drift;        /* interstorey deflection, m; 0 for a rigid body */
+    struct thud_peak drift;        /* interstorey drift, m; 0 for a rigid body */
     struct thud_peak shear;        /* of the storey below, N; 0 for a rigid body */
 };
 

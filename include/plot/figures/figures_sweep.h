@@ -11,7 +11,7 @@ const char *thud_case_title(enum thud_case which);
 void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis);
 double thud_varied_factor(const struct thud_sweep_axis *axis);
 
-/* Amplification of the peak floor accelerations and interstorey deflections against the first varied key, a curve per
+/* Amplification of the peak floor accelerations and interstorey drifts against the first varied key, a curve per
  * floor, a column of panels per structure, for one record and case; of case `none` over no pounding. `title` may be
  * NULL: made from record and case. */
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,

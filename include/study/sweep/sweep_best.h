@@ -9,7 +9,7 @@ struct thud_sweep_best {
     enum thud_case which;
     double other[THUD_VARY_MAX];  /* the other varied keys; NaN for the key itself */
     double best, ratio;           /* the key's value, and the ratio there */
-    double drift_ratio;           /* largest over the structures of the ratio of mean deflections, there */
+    double drift_ratio;           /* largest over the structures of the ratio of mean drifts, there */
     double flat_least, flat_most; /* around it, values whose ratio is at most 5 % above the best one's */
     double worst_ratio;           /* over the key's values */
     int values;                   /* how many had a result */

@@ -173,7 +173,7 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     int floors = result_of(cases, 0)->structure[s].floors, none = without(cases);
     if (floors == 0 || (drift && p->kind == THUD_RIGID))
         return;
-    thud_text_append(out, "\n%s, %s\n%5s", p->name, drift ? "interstorey deflection, mm" : "total acceleration, m/s2",
+    thud_text_append(out, "\n%s, %s\n%5s", p->name, drift ? "interstorey drift, mm" : "total acceleration, m/s2",
                      drift ? "" : "floor");
     for (int i = 0; i < cases->n; i++)
         thud_text_append(out, " %11s", cases->item[i].name);
@@ -267,7 +267,7 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
                 thud_text_append(&list, "%s%s %d (%+.0f %%)", n++ ? ", " : "", cases->item[0].scene.structure[s].name,
                                  f + 1, 100 * change);
         }
-    const char *what = drift ? "deflections" : "accelerations", *of = drift ? "storeys" : "floors";
+    const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
     const char *verb = cases->item[i].which == THUD_CASE_LINK ? (more ? "They raise" : "They lower")
                        : cases->item[i].which == THUD_CASE_CAVITY
                            ? (more ? "In a cavity it raises" : "In a cavity it lowers")

@@ -14,7 +14,7 @@ static const struct {
     double factor;
 } quantity[QUANTITIES] = {{"Total acceleration", "g", 1.0 / THUD_GRAVITY},
                           {"Displacement", "cm", 100.0},
-                          {"Deflection", "mm", 1000.0},
+                          {"Drift", "mm", 1000.0},
                           {"Drift ratio", "%", 100.0}};
 
 /* Height of the storey below a floor; NaN below a base slab. */
@@ -46,7 +46,7 @@ static double ground_peak(const struct thud_figure_source *source)
     return peak;
 }
 
-/* Floor values joined by lines, from the ground's own at the lowest; a deflection belongs to its whole storey. */
+/* Floor values joined by lines, from the ground's own at the lowest; a drift belongs to its whole storey. */
 static void envelope(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int q,
                      const char *name, int color)
 {

@@ -201,7 +201,7 @@ struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis,
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         struct thud_panel *panel = thud_figure_panel(figure, 0, c, plan->scene.structure[structure[c]].name);
-        thud_panel_axis(panel, THUD_X, "Largest interstorey deflection", "cm");
+        thud_panel_axis(panel, THUD_X, "Largest interstorey drift", "cm");
         thud_panel_results_on_x(panel);
         thud_panel_limits(panel, THUD_X, 0, NAN);
         thud_panel_varied(panel, THUD_Y, &plan->axis[axis]);

@@ -22,7 +22,7 @@ static const struct quantity {
     [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "g", 1.0 / THUD_GRAVITY},
     [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "floor displacement relative to the ground", "cm",
                                   100.0},
-    [THUD_FIGURE_DRIFT] = {"Interstorey deflection", "interstorey deflection", "mm", 1000.0},
+    [THUD_FIGURE_DRIFT] = {"Interstorey drift", "interstorey drift", "mm", 1000.0},
 };
 
 static double floor_peak(const struct thud_figure_source *source, int structure, int floor, enum thud_run_figure which)

@@ -12,8 +12,8 @@
 enum { CURVES_MAX = THUD_COLORS, COLUMNS_MAX = 4 };
 enum quantity { ACCELERATION, DRIFT };
 
-static const char *const ratio_label[] = {"Peak acceleration ratio", "Peak deflection ratio"};
-static const char *const quantity_title[] = {"accelerations", "deflections"};
+static const char *const ratio_label[] = {"Peak acceleration ratio", "Peak drift ratio"};
+static const char *const quantity_title[] = {"accelerations", "drifts"};
 
 /* The runs of a curve or a map: one of each point of a record. */
 struct wanted {
