@@ -78,7 +78,7 @@ static void walk(const char *preset, uint64_t seed, int keys, bool utf8)
     struct fixture f;
     fixture_open(&f, preset, 80, 24, utf8);
     ck_assert_int_eq(chdir(f.folder), 0); /* what is written without a folder */
-    f.script.tick = many ? 2e-3 : 1e-4; /* each look at the clock: runs are cut short */
+    f.script.tick = many ? 2e-3 : 1e-4;   /* each look at the clock: runs are cut short */
     for (int i = 0; i < keys; i++) {
         int key = random_key(&f, &seed);
         if (left_out(&f, key))
