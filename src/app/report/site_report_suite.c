@@ -328,9 +328,8 @@ static void add_figures(struct site *site)
     const char *note = thud_fragility_note(suite->runs->ndraws);
     for (int k = 0; k < suite->plan.ncases; k++)
         curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
-    thud_site_figure(
-        site, thud_figure_of_gaps(&suite->gaps.suite, site->scene->title), 0.62,
-        "The gap that is enough: over the height, and the share of the ground motions for which a gap is.");
+    thud_site_figure(site, thud_figure_of_gaps(&suite->gaps.suite, site->scene->title), 0.62,
+                     "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "How likely the buildings pound at this gap when all motions are so many times as strong.");
     if (suite->plan.ncases > 1 && suite->plan.cases[0] == THUD_CASE_NONE) {

@@ -9,7 +9,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_NEW] = {"new", "FILE", "a preset of two neighbours to start from", THUD_WORD_FILE, THUD_WORD_NONE},
     [THUD_COMMAND_SWEEP] = {"sweep", "PRESET", "a parametric study; by default the preset's own", THUD_WORD_PRESET,
                             THUD_WORD_NONE},
-    [THUD_COMMAND_GAP] = {"gap", "PRESET", "the gap that is enough, beside the codes' rules", THUD_WORD_PRESET,
+    [THUD_COMMAND_GAP] = {"gap", "PRESET", "the required gap, beside the codes' rules", THUD_WORD_PRESET,
                           THUD_WORD_NONE},
     [THUD_COMMAND_SOLVE] = {"solve", "PRESET", "which value makes something hold", THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_FRAGILITY] = {"fragility", "PRESET", "how likely, against intensity and against gap",

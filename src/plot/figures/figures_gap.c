@@ -84,7 +84,7 @@ static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *su
 struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, const char *title)
 {
     char text[384], note[256];
-    snprintf(text, sizeof text, "The gap that is enough: %.300s", title);
+    snprintf(text, sizeof text, "Required gap: %.300s", title);
     struct thud_figure *figure = thud_figure_create("needed-gap", text, 1, 2);
     struct thud_panel *height = thud_figure_panel(figure, 0, 0, suite->nrecords > 1 ? "By level: medians" : "By level"),
                       *share = thud_figure_panel(figure, 0, 1, "Ground motions that a gap keeps apart");
