@@ -32,6 +32,7 @@ is "with its line" says '^shot:4: '
 sed -n 's|</text>$||; s|^<text [^>]*>||p' screen.svg | tr -d ' \n' | sed 's/&lt;/</g; s/&amp;/\&/g' >letters
 sed '1,/^> show$/d; /^> show screen/,$d' out | tr -d ' \n' >screen
 is "the screen as a picture has its letters" sh -c '[ -s letters ] && cmp letters screen'
+# shellcheck disable=SC2016 # sh -c expands
 is "each look in its own colour" sh -c '[ "$(grep -o "fill=\"#[0-9a-f]*\"" screen.svg | sort -u | wc -l)" -ge 6 ]'
 
 sed 's|[.]github/pictures/||' "$pictures/terminal.play" >readme

@@ -169,6 +169,7 @@ is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*.
 is "as they were drawn" cmp "$tmp/r/further-1.svg" "$tmp/drawn/loop.svg"
 is "all of them" [ "$(find "$tmp/r" -name 'further-*.svg' | wc -l)" -eq $(($(find "$tmp/drawn" -name '*.svg' | wc -l) + 1)) ]
 is "what is no picture is said before anything is run" report 3 "$tmp/own.yaml" --figures "$tmp/own.yaml"
+# shellcheck disable=SC2016 # no command, a message
 is "and how one is made" says 'is no SVG picture; `--format svg` draws one'
 is "has no shares" not_in_text 'samples of the uncertain'
 

@@ -183,7 +183,8 @@ static struct thud_branch given_branch(const struct thud_law_setup *setup, const
     (void)memory;
     (void)past_ultimate;
     const double *v = setup->value + (phase == THUD_APPROACH ? 0 : 7);
-    return (struct thud_branch){v[0], v[1], v[2], v[3], v[4], v[5], v[6], 0};
+    return (struct thud_branch){
+        .f0_n = v[0], .k_npm = v[1], .c_nspm = v[2], .K = v[3], .p = v[4], .D = v[5], .r = v[6]};
 }
 
 static double at_zero(const struct thud_law_setup *setup, const struct thud_law_memory *memory, enum thud_phase phase)

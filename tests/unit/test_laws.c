@@ -234,7 +234,8 @@ START_TEST(derivatives)
 {
     static const double exponents[] = {1, 1.5, 0.25, 2.65, 6};
     for (int i = 0; i < 25; i++) {
-        struct thud_branch b = {-3, 5, 7, 11, exponents[i % 5], 13, exponents[i / 5], 0};
+        struct thud_branch b = {
+            .f0_n = -3, .k_npm = 5, .c_nspm = 7, .K = 11, .p = exponents[i % 5], .D = 13, .r = exponents[i / 5]};
         for (double d = 0.01; d < 2; d *= 3)
             for (double v = -2; v < 3; v += 1) {
                 double fd, fv, h = 1e-6 * d, none = thud_branch_force(&b, d, v, &fd, &fv);
@@ -263,7 +264,7 @@ static void check_edge(struct thud_branch b, double d, double v, double f, doubl
 /* At d = 0 the limit from the right, below it the linear part alone. */
 START_TEST(edges)
 {
-    struct thud_branch b = {1, 2, 3, 5, 1.5, 7, 0.25, 0};
+    struct thud_branch b = {.f0_n = 1, .k_npm = 2, .c_nspm = 3, .K = 5, .p = 1.5, .D = 7, .r = 0.25};
     check_edge(b, 0, 0, 1, 2, 3);
     check_edge(b, 0, 4, 13, INFINITY, 3);
     check_edge(b, 0, -4, -11, -INFINITY, 3);

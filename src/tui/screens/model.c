@@ -198,48 +198,53 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     {                                                                                                                  \
         "foundation." key, label, SOIL, row, side                                                                      \
     }
+#define OF_WALL(key, label, row)                                                                                       \
+    {                                                                                                                  \
+        key, label, WALL, row, WIDE                                                                                    \
+    }
+#define WIDE  1, 18
 #define LEFT  1, 9
 #define RIGHT 20, 28
     static const struct {
         const char *key, *label;
         int kinds, y, x, value;
     } field[] = {
-        {"kind", "kind", BUILDINGS | RIGID | WALL, 0, 1, 9},
-        {"name", "name", BUILDINGS | RIGID | WALL, 0, 20, 28},
-        {"storeys", "storeys", BUILDINGS, 1, 1, 9},
-        {"damping", "damping", BUILDINGS, 1, 20, 28},
-        {"base", "base", BUILDINGS, 2, 1, 9},
-        {"p-delta", "P-Delta", BUILDINGS, 2, 20, 28}, /* of the scene */
-        {"period-factor", "T times", READ | ESTIMATED, 3, 1, 9},
-        {"area", "area", ESTIMATED, 3, 20, 28},
+        {"kind", "kind", BUILDINGS | RIGID | WALL, 0, LEFT},
+        {"name", "name", BUILDINGS | RIGID | WALL, 0, RIGHT},
+        {"storeys", "storeys", BUILDINGS, 1, LEFT},
+        {"damping", "damping", BUILDINGS, 1, RIGHT},
+        {"base", "base", BUILDINGS, 2, LEFT},
+        {"p-delta", "P-Delta", BUILDINGS, 2, RIGHT}, /* of the scene */
+        {"period-factor", "T times", READ | ESTIMATED, 3, LEFT},
+        {"area", "area", ESTIMATED, 3, RIGHT},
         {"system", "system", ESTIMATED, 4, 1, 13},
         {"stiffness-matrix", "stiffness", MATRIX, 4, 1, 13},
         {"flexibility-matrix", "flexibility", MATRIX, 5, 1, 13},
-        {"unit", "unit", MATRIX, 6, 1, 9},
-        {"order", "order", MATRIX, 6, 20, 28},
-        {"mass", "mass", RIGID, 1, 1, 18},
+        {"unit", "unit", MATRIX, 6, LEFT},
+        {"order", "order", MATRIX, 6, RIGHT},
+        {"mass", "mass", RIGID, 1, WIDE},
         {"periods", "modes file", MODES, 4, 1, 13},
-        {"unit", "unit", MODES, 5, 1, 9},
-        {"order", "order", MODES, 5, 20, 28},
-        {"base-mass", "base mass", ISOLATED, 3, 1, 18},
-        {"isolator.law", "isolators", ISOLATED, 4, 1, 18},
-        {"isolation-damping", "isolator damping", ISOLATED, 5, 1, 18},
-        {"mass", "mass", WALL, 1, 1, 18},
-        {"height", "height", RIGID | WALL, 2, 1, 18},
-        {"stiffness", "stiffness", WALL, 3, 1, 18},
-        {"damping", "damping", WALL, 4, 1, 18},
-        {"backfill.stiffness", "soil K max", WALL, 5, 1, 18},
-        {"backfill.strength", "soil strength", WALL, 6, 1, 18},
-        {"backfill.ratio", "failure ratio", WALL, 7, 1, 18},
-        {"backfill.gap", "gap to soil", WALL, 8, 1, 18},
-        {"velocity", "velocity at 0", RIGID, 3, 1, 18},
-        {"isolation-stiffness", "isolator k", LINEAR, 6, 1, 18},
-        {"isolator.strength", "strength", LEAD_RUBBER, 6, 1, 18},
-        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, 1, 18},
-        {"isolator.yield", "yields at", LEAD_RUBBER, 8, 1, 18},
-        {"isolator.radius", "radius", PENDULUM, 6, 1, 18},
-        {"isolator.friction", "friction", PENDULUM, 7, 1, 18},
-        {"isolator.yield", "elastic give", PENDULUM, 8, 1, 18},
+        {"unit", "unit", MODES, 5, LEFT},
+        {"order", "order", MODES, 5, RIGHT},
+        {"base-mass", "base mass", ISOLATED, 3, WIDE},
+        {"isolator.law", "isolators", ISOLATED, 4, WIDE},
+        {"isolation-damping", "isolator damping", ISOLATED, 5, WIDE},
+        OF_WALL("mass", "mass", 1),
+        {"height", "height", RIGID | WALL, 2, WIDE},
+        OF_WALL("stiffness", "stiffness", 3),
+        OF_WALL("damping", "damping", 4),
+        OF_WALL("backfill.stiffness", "soil K max", 5),
+        OF_WALL("backfill.strength", "soil strength", 6),
+        OF_WALL("backfill.ratio", "failure ratio", 7),
+        OF_WALL("backfill.gap", "gap to soil", 8),
+        {"velocity", "velocity at 0", RIGID, 3, WIDE},
+        {"isolation-stiffness", "isolator k", LINEAR, 6, WIDE},
+        {"isolator.strength", "strength", LEAD_RUBBER, 6, WIDE},
+        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, WIDE},
+        {"isolator.yield", "yields at", LEAD_RUBBER, 8, WIDE},
+        {"isolator.radius", "radius", PENDULUM, 6, WIDE},
+        {"isolator.friction", "friction", PENDULUM, 7, WIDE},
+        {"isolator.yield", "elastic give", PENDULUM, 8, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),
@@ -252,6 +257,8 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         ON_SOIL("rocking-damping", "rock c", 4, RIGHT),
     };
 #undef ON_SOIL
+#undef OF_WALL
+#undef WIDE
 #undef LEFT
 #undef RIGHT
     const int kind_rows = rows_of_kind(structure), soil_rows = thud_structure_on_soil(structure) ? SOIL_ROWS : 0;
