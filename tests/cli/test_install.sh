@@ -82,7 +82,7 @@ if ! command -v bash >/dev/null 2>&1; then echo "ok - bash completes commands # 
     ok "bash completes commands, presets, options and their values" $?
     sed -n 5p "$tmp/out" | grep -q -x '1 a folder' && sed -n 6p "$tmp/out" | grep -q -x '1 a folder/of mine.yaml'
     ok "it goes into folders, also with blanks, and names files after a verb" $?
-    sed -n 7p "$tmp/out" | grep -q -x gap && sed -n 8p "$tmp/out" | grep -q -x svg
+    sed -n 7p "$tmp/out" | grep -q '^gap ' && sed -n 8p "$tmp/out" | grep -q -x svg
     ok "it knows a key alone and the choices of an option" $?
 fi
 for shell in zsh fish; do
