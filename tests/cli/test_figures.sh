@@ -11,7 +11,7 @@ holds() { # FOLDER NAMES...: exactly these files
 
 run figures fig3 fig4 fig5 -o "$tmp/pairs"
 is "the figures of two bodies are made" [ "$code" -eq 0 ]
-is "each as picture, script and data" holds "$tmp/pairs" fig3.png fig3.gp fig3.csv fig4.png fig4.gp fig4.csv fig5.png fig5.gp fig5.csv
+is "each as picture, script and data" holds "$tmp/pairs" fig3.png fig3.gp fig3.csv fig4.png fig4.gp fig4.csv fig5.png fig5.gp fig5.csv datapackage.json made-by.txt
 is "the picture is a whole PNG" is_png "$tmp/pairs/fig4.png"
 is "the files are named on standard output" grep -q "pairs/fig5.png" "$tmp/out"
 
@@ -46,13 +46,13 @@ export THUD_GNUPLOT
 run figures fig3 fig4 -o "$tmp/missing"
 is "without gnuplot the exit status is 5" [ "$code" -eq 5 ]
 is "the message names it" says "nowhere was not found"
-is "scripts and data of every figure are there all the same" holds "$tmp/missing" fig3.gp fig3.csv fig4.gp fig4.csv
+is "scripts and data of every figure are there all the same" holds "$tmp/missing" fig3.gp fig3.csv fig4.gp fig4.csv datapackage.json made-by.txt
 printf '#!/bin/sh\ncat >/dev/null\necho "\\"/dev/stdin\\" line 3: no such thing" >&2\nexit 1\n' >"$tmp/nowhere"
 chmod +x "$tmp/nowhere"
 run figures fig3 -o "$tmp/failing"
 is "a failing gnuplot: exit status 5" [ "$code" -eq 5 ]
 is "with its own words" says "line 3: no such thing"
-is "and no picture" holds "$tmp/failing" fig3.gp fig3.csv
+is "and no picture" holds "$tmp/failing" fig3.gp fig3.csv datapackage.json made-by.txt
 # a gnuplot that says when it has begun and then only waits, until it is stopped with its group
 mkfifo "$tmp/begun"
 printf '#!/bin/sh\necho begun >"%s"\nexec tail -f /dev/null\n' "$tmp/begun" >"$tmp/nowhere"

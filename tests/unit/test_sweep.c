@@ -273,9 +273,8 @@ START_TEST(levels_that_cannot_touch_are_left_out)
 {
     plan->scene.nstructures = 3;
     plan->scene.structure[2] = plan->scene.structure[1];
-    memset(&plan->scene.structure[1], 0, sizeof plan->scene.structure[1]);
+    thud_structure_init(&plan->scene.structure[1], THUD_WALL);
     strcpy(plan->scene.structure[1].name, "W");
-    plan->scene.structure[1].kind = THUD_WALL;
     plan->scene.structure[1].height_m[0] = INFINITY;
     plan->scene.interface[0].has_bumper = false;
     plan->scene.interface[1] = plan->scene.interface[0];
