@@ -25,10 +25,10 @@ const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
 #define MOTION(member, text, ...) THUD_FIELD_WITH(struct thud_motion_row, member, #member, text, .shown = {__VA_ARGS__})
 #define GENERAL                   THUD_DIGITS_FREE
 static const struct thud_column motions[] = {
-    MOTION(file, "Where it was read.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
-    MOTION(event, "As the file says.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
-    MOTION(station, "As the file says.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
-    MOTION(component, "As the file says.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
+    MOTION(file, "Where it was read.", 0),
+    MOTION(event, "As the file says.", 0),
+    MOTION(station, "As the file says.", 0),
+    MOTION(component, "As the file says.", 0),
     MOTION(dt_s, "Step, s.", "step s", NULL, 1, 7, 4, GENERAL),
     MOTION(duration_s, "Length, s.", "length s", NULL, 1, 10, 4, GENERAL),
     MOTION(pga_mps2, "Peak acceleration once scaled, m/s2.", "PGA g", NULL, 1 / THUD_GRAVITY, 9, 3, GENERAL),
@@ -39,8 +39,8 @@ static const struct thud_column motions[] = {
     MOTION(factor, "What the samples of the file are multiplied by in all.", "factor", NULL, 1, 10, 3, GENERAL),
     THUD_STANDS_FOR("sa_N_mps2", "For each building of --preset its spectral acceleration once scaled, m/s2."),
     THUD_STANDS_FOR("period_N_s", "At this period, s."),
-    MOTION(chosen, "Whether it is.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD),
-    MOTION(why, "Why not.", NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD)};
+    MOTION(chosen, "Whether it is.", 0),
+    MOTION(why, "Why not.", 0)};
 const struct thud_schema thud_motion_schema =
     THUD_SCHEMA("motions.csv",
                 "Of\n.Cm thud suite :\na row for each ground motion.\nWith\n.Fl -json\nthe same, the marked periods as "
