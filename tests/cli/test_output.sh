@@ -76,7 +76,8 @@ csv "record convert" "$tmp/record.csv"
 "$THUD" run towers --method central-difference --step 0.05s --set structures.1.stiffness=6000MN/m --json >"$tmp/diverged.json" 2>/dev/null
 "$THUD" run towers-yielding --case none --set p-delta=yes --set structures.1.hardening=0% --set structures.2.hardening=0% --json >"$tmp/collapsed.json" 2>/dev/null
 "$THUD" run towers-on-soil --json --quiet >"$tmp/soil.json" 2>/dev/null
-json result.json "$tmp/run/result.json" "$tmp/diverged.json" "$tmp/collapsed.json" "$tmp/soil.json"
+"$THUD" run beside-unknown --to 3s --json --quiet >"$tmp/estimated.json" 2>/dev/null
+json result.json "$tmp/run/result.json" "$tmp/diverged.json" "$tmp/collapsed.json" "$tmp/soil.json" "$tmp/estimated.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
@@ -120,7 +121,8 @@ agree fragility.json
 order() { head -1 "$tmp/$1/needed-gaps.csv" | cut -d, -f1-14; }
 is "in one order" [ "$(order sweep)" = "$(order gap)" ]
 general_csv gap-rules.csv "$tmp/gap/gap-rules.csv"
-json "gap --json" "$tmp/gap/needed-gaps.json"
+"$THUD" gap beside-unknown --to 3s --json --quiet >"$tmp/periods.json" 2>/dev/null
+json "gap --json" "$tmp/gap/needed-gaps.json" "$tmp/periods.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"
 general_csv effects.csv "$tmp/uncertainty/effects.csv"
 general_csv samples.csv "$tmp/uncertainty/samples.csv"
