@@ -82,12 +82,18 @@ is "no program at all" gives 2 export
 is "no preset" gives 2 export opensees
 is "and two" gives 2 export opensees towers towers
 
+for law in pendulum lead-rubber; do # without the dampings that OpenSees refuses
+    is "a building on isolators: $law" gives 0 export opensees isolated-$law --set structures.2.damping=0% --set structures.2.isolation-damping=0% \
+        --set interfaces.1.contact.law=linear --set interfaces.2.contact.law=linear
+    cp "$tmp/out" "$tmp/$law.py"
+done
+
 if ! command -v python3 >/dev/null 2>&1; then
     echo "ok - the scripts are Python # SKIP no python3"
 else
     PYTHONPYCACHEPREFIX=$tmp/cache
     export PYTHONPYCACHEPREFIX
-    python3 -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/yielding.py" "$tmp/words.py" >"$tmp/out" 2>"$tmp/err"
+    python3 -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/yielding.py" "$tmp/words.py" "$tmp/pendulum.py" "$tmp/lead-rubber.py" >"$tmp/out" 2>"$tmp/err"
     is "the scripts are Python" [ $? -eq 0 ]
     if ! python3 -c 'import openseespy.opensees' >/dev/null 2>&1; then
         echo "ok - OpenSeesPy gives the same peaks # SKIP no openseespy"
@@ -98,5 +104,10 @@ else
         python3 "$tmp/yielding.py" 2e-4 >"$tmp/out" 2>"$tmp/err"
         # shellcheck disable=SC2016 # a program of awk
         is "and of storeys that yield" awk '/^largest difference/ { found = 1; if ($3 > 2e-4) exit 1 } END { exit !found }' "$tmp/out"
+        for law in pendulum lead-rubber; do
+            python3 "$tmp/$law.py" >"$tmp/out" 2>"$tmp/err"
+            # shellcheck disable=SC2016 # a program of awk
+            is "and on isolators: $law" awk '/^largest difference/ { found = 1; if ($3 > 5e-4) exit 1 } END { exit !found }' "$tmp/out"
+        done
     fi
 fi
