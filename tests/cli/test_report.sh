@@ -171,6 +171,9 @@ is "all of them" [ "$(find "$tmp/r" -name 'further-*.svg' | wc -l)" -eq $(($(fin
 is "what is no picture is said before anything is run" report 3 "$tmp/own.yaml" --figures "$tmp/own.yaml"
 # shellcheck disable=SC2016 # no command, a message
 is "and how one is made" says 'is no SVG picture; `--format svg` draws one'
+mkfifo "$tmp/pipe.svg"
+is "nor does it wait for a pipe" report 3 "$tmp/own.yaml" --figures "$tmp/pipe.svg"
+is "and it says so" says 'is a pipe, and nothing was written into it'
 is "has no shares" not_in_text 'samples of the uncertain'
 
 is "without a folder" gives 2 report towers

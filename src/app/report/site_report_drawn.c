@@ -1,26 +1,27 @@
 /* Figures that were drawn before the report, such as those marked in the terminal: SVG pictures, as they are, each with
  * its title as its caption. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "io/file/file.h"
 #include "io/file/paths.h"
 
+enum { PICTURE_MOST = 32 << 20 }; /* bytes */
 static const char title_begin[] = "<title>";
 
 static enum thud_status read_one(const char *path, struct thud_text *out, struct thud_error *err)
 {
-    char bytes[8192];
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return thud_error_set(err, THUD_INPUT, "%s: there is no such picture", path);
-    for (size_t n; (n = fread(bytes, 1, sizeof bytes, file)) > 0;)
-        thud_text_bytes(out, bytes, n);
-    const bool failed = ferror(file) || memchr(out->data ? out->data : "", '\0', out->size);
-    fclose(file);
-    if (failed || !out->data || !strstr(out->data, "<svg"))
-        return thud_error_set(err, THUD_INPUT, "%s: is no SVG picture; `--format svg` draws one", path);
-    return THUD_OK;
+    char *bytes = NULL;
+    size_t size = 0;
+    enum thud_status status = thud_file_read(path, PICTURE_MOST, &bytes, &size, err);
+    if (status == THUD_OK && (memchr(bytes, '\0', size) || !strstr(bytes, "<svg")))
+        status = thud_error_set(err, THUD_INPUT, "%s: is no SVG picture; `--format svg` draws one", path);
+    if (status == THUD_OK)
+        thud_text_bytes(out, bytes, size);
+    free(bytes);
+    return status;
 }
 
 static enum thud_status read_next(struct site *site, const char *path, struct thud_error *err)
