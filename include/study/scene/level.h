@@ -9,6 +9,8 @@
 int thud_structure_floors(const struct thud_structure *structure);
 /* Of floor `floor` (from 0) of a building or rigid body; NaN for a rigid body without elevation. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
+/* The number of the storey below a floor (from 0) as presets and messages count them; 0: the isolators. */
+int thud_structure_storey(const struct thud_structure *structure, int floor);
 
 /* Depth of its slab: its face covers [z - depth, z]; 0 for a rigid body. */
 double thud_structure_depth(const struct thud_structure *structure, int floor);

@@ -271,8 +271,7 @@ static void put_collapses(const struct thud_gap_suite *suite, const struct thud_
     thud_text_append(out,
                      "%s %d of %.40s collapses without contact at %.3f s: what is needed is the gap\n"
                      "until then, and no gap prevents it.\n",
-                     suite->nrecords > 1 ? "storey" : "Storey", c->floor + 1 - (s->kind == THUD_ISOLATED), s->name,
-                     c->time_s);
+                     suite->nrecords > 1 ? "storey" : "Storey", thud_structure_storey(s, c->floor), s->name, c->time_s);
 }
 
 /* "A (0.25 to 0.49 s)" */

@@ -2,6 +2,7 @@
 #include "io/result/result_rows.h"
 #include "io/result/scene_json.h"
 #include "study/scene/building.h"
+#include "study/scene/level.h"
 #include "study/sweep/remark.h"
 
 static void add_record(const struct thud_report *report, struct thud_text *out)
@@ -128,7 +129,7 @@ static void add_status(const struct thud_report *report, struct thud_text *out)
         const struct thud_structure *s = &report->scene->structure[collapse->structure];
         thud_text_append(out, ", \"collapse\": {\"structure\": ");
         thud_json_string(out, s->name);
-        thud_text_append(out, ", \"storey\": %d, ", collapse->floor + 1 - (s->kind == THUD_ISOLATED));
+        thud_text_append(out, ", \"storey\": %d, ", thud_structure_storey(s, collapse->floor));
         THUD_JSON_FIELDS(out, {"time_s", collapse->time_s}, {"drift_m", collapse->drift_m});
         thud_text_append(out, "}");
     }

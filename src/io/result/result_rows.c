@@ -107,9 +107,8 @@ static void make_storey(const void *of, int i, void *out)
     const struct thud_floors *asked = of;
     struct thud_floor_row *row = out;
     make_floor(of, i, row);
-    /* isolators are below the first storey */
     snprintf(row->label_text, sizeof row->label_text, "%d",
-             row->floor - (asked->report->scene->structure[asked->structure].kind == THUD_ISOLATED));
+             thud_structure_storey(&asked->report->scene->structure[asked->structure], row->floor - 1));
     row->label = row->note ? row->note : row->label_text;
     row->note = row->yields ? NULL : "  elastic";
 }

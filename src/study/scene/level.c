@@ -28,6 +28,11 @@ int thud_structure_floors(const struct thud_structure *s)
     return 0;
 }
 
+int thud_structure_storey(const struct thud_structure *structure, int floor)
+{
+    return floor + 1 - (structure->kind == THUD_ISOLATED);
+}
+
 double thud_structure_elevation(const struct thud_structure *s, int floor)
 {
     if (!thud_kind_is_building(s->kind))

@@ -201,14 +201,13 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
     if (!c->happened)
         return false;
     const struct thud_structure *s = &scene->structure[c->structure];
-    const int base = s->kind == THUD_ISOLATED;
+    const int storey = thud_structure_storey(s, c->floor);
     char key[64];
     snprintf(key, sizeof key, "structures.%d", c->structure + 1);
     thud_error_set(out, THUD_OK,
                    "storey %d of %.40s collapses at %.3f s: its drift comes to %.4g mm, %.3g %% of its height, and the "
                    "run ends there",
-                   c->floor + 1 - base, s->name, c->time_s, 1e3 * c->drift_m,
-                   100 * c->drift_m / s->height_m[c->floor - base]);
+                   storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
     thud_error_key(out, key);
     return true;
 }

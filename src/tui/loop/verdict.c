@@ -1,4 +1,5 @@
 #include "tui/loop/verdict.h"
+#include "study/scene/level.h"
 #include "tui/loop/loop.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
         return;
     const struct thud_structure *s = &tui->doc.scene.structure[result->collapse.structure];
     snprintf(text, size, "%sCOLLAPSES at %.2f s: storey %d of %.20s", which == THUD_LIVE_BUMPER ? "bumper: " : "",
-             result->collapse.time_s, result->collapse.floor + 1 - (s->kind == THUD_ISOLATED), s->name);
+             result->collapse.time_s, thud_structure_storey(s, result->collapse.floor), s->name);
 }
 
 /* In at most `columns`; empty where there is nothing to say. *pounds: whether there is contact without a bumper. */
