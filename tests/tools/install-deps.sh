@@ -41,6 +41,7 @@ procps             procps-ng           procps-ng   procps             procps    
 locales            glibc-locale-source -           glibc-i18ndata     -           -                      localedef
 valgrind           valgrind            valgrind    valgrind           valgrind    -                      valgrind
 shellcheck         ShellCheck          shellcheck  ShellCheck         shellcheck  shellcheck             shellcheck
+clang              clang               clang       clang              clang       -                      clang
 clang-format       clang-tools-extra   clang       clang              clang-extra-tools clang-format     clang-format
 mandoc             mandoc              mandoc      mandoc             mandoc      mandoc                 mandoc
 END

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Static analysis with whatever is installed; each tool that is not is named.  FLAGS: the compiler's flags.
-# usage: lint.sh MAKE [CHECK...]     checks: house shellcheck format mandoc copies cppcheck gcc tidy mutants; all when none is named
+# usage: lint.sh MAKE [CHECK...]     checks: house shellcheck format mandoc copies cppcheck gcc clang tidy mutants; all when none is named
 # Sources that clang-tidy found clean are not read again before they or any header change (build/lint).
 # shellcheck disable=SC2317 # functions are called by name
 set -u
 make=$1
 shift
-wanted=${*:-house shellcheck format mandoc copies cppcheck gcc tidy mutants}
+wanted=${*:-house shellcheck format mandoc copies cppcheck gcc clang tidy mutants}
 status=0
 kept=build/lint
 mkdir -p $kept
@@ -50,6 +50,10 @@ by_cppcheck() {
         --suppress=missingIncludeSystem -Iinclude -Isrc -j 2 --file-list=-
 }
 by_gcc() { "$make" --no-print-directory -s -j2 VARIANT=analyze CC=gcc CI=1 objects; }
+by_clang() { # the other compiler's warnings; only reading, so that no second build is needed
+    # shellcheck disable=SC2086 # several flags
+    xargs -n 16 -P 2 clang $FLAGS -Werror -fsyntax-only
+}
 by_mutants() { # what `make mutants` takes out must still stand in the sources
     tests/tools/mutants.sh --fit
 }
@@ -71,6 +75,7 @@ lint mandoc mandoc "$(find man -name '*.[1-8]' 2>/dev/null | sort)"
 lint copies sim_c "$sources"
 lint cppcheck cppcheck "$sources"
 lint gcc gcc "$sources"
+lint clang clang "$sources"
 lint mutants awk "$(ls tests/mutants/*.txt)"
 lint tidy clang-tidy "$sources"
 exit $status
