@@ -32,6 +32,18 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "too" says 'structures.2.isolator.friction: .*up to 100 %'
     is "a pendulum without radius" gives 3 run isolated-moat --set structures.2.isolator.law=pendulum --set structures.2.isolator.friction=5%
     is "is told what is missing" says 'structures.2.isolator.radius: radius is not given'
+    in_file() { # WHAT PRESET LINE PLACE PATTERN: with another line, or without it
+        awk -v key="${3%%:*}:" -v line="$3" 'index($0, key) == 1 { if (line ~ /: ./) print line; next } { print }' \
+            "presets/isolated-$2.yaml" >"$tmp/i.yaml"
+        is "in a file: $1" gives 3 run "$tmp/i.yaml"
+        is "at its place: $5" says "i\\.yaml:$4: structures.2.isolator.$5"
+    }
+    in_file "a radius of 0" pendulum '      radius: 0 m' 20:15 'radius: 0 m is too small (> 0 m, up to 100 m)'
+    in_file "a friction above 1" pendulum '      friction: 1.2' 21:17 'friction: 1.2 is too large (> 0 %, up to 100 %)'
+    in_file "a negative friction" pendulum '      friction: -5 %' 21:17 'friction: -5 % is too small'
+    in_file "no friction" pendulum '      friction:' 19:7 'friction: friction coefficient is not given'
+    in_file "no give before yield" lead-rubber '      yield: 0 mm' 22:14 'yield: 0 mm is too small (> 0.001 mm, up to 1000 mm)'
+    in_file "no strength" lead-rubber '      strength:' 19:7 'strength: characteristic strength is not given'
     is "a linear one has none" gives 3 run isolated-moat --set structures.2.isolator.radius=2m
     is "for the reason" says 'linear isolators have no radius'
     is "another building has no isolators" gives 3 run towers --set structures.1.isolator.law=pendulum

@@ -17,6 +17,7 @@ in_file() { # WHAT OLD NEW PLACE PATTERN: of the preset's text
 refused "a link to itself" links.1.to=A.4 'the link ties A.4 to itself'
 refused "both ends of one building" links.1.to=A.3 'both ends are of A'
 refused "a floor that is not there" links.1.to=B.7 'B has no floor "7" (1 to 6)'
+refused "the ground of a building" links.1.to=B.0 'B has no floor "0" (1 to 6)'
 refused "a structure that is not there" links.1.from=C.1 'there is no structure "C.1"'
 refused "a building without a floor" links.1.from=A 'which floor of A is not said'
 refused "a link that is not there" links.3.damping=1kNs/m 'there is no link "3"'
@@ -25,12 +26,22 @@ refused "a negative dashpot" links.1.damping=-1kNs/m 'is too small (0 kN s/m'
 refused "a slack of what has none" links.1.slack=1cm 'unknown key "slack"'
 in_file "a floor that is not there" 'to: B.4' 'to: B.9' 40:9 'links.1.to: B has no floor "9"'
 in_file "a negative slack" 'law: spring' 'slack: -1 cm\n    law: restrainer' 38:12 'links.1.slack: -1 cm is too small'
+in_file "a restrainer with a dashpot" 'law: spring' 'law: restrainer' 42:5 'links.1.damping: unknown key "damping"'
+refused_law() { # LAW KEY=VALUE PATTERN
+    is "a $1 that holds nothing" gives 3 run $scene --case link --set links.1.law="$1" --set "$2"
+    is "is told" says "$3"
+}
+refused_law restrainer links.1.stiffness=0MN/m 'links.1.stiffness: it holds nothing with a stiffness of 0 (> 0 MN/m)'
+refused_law strut links.1.slack=-1cm 'links.1.slack: -1cm is too small (0 cm to 500 cm)'
 in_file "no law" '- law: spring' '- slack: 1 cm' 38:5 'links.1.law: the law of the link is not given'
 
 friction="--case link --set links.1.law=friction --set links.1.stiffness=500MN/m"
 # shellcheck disable=SC2086
 is "friction without a slip force" gives 3 run $scene $friction
 is "is told" says 'links.1.slip: slip force is not given (a force in'
+# shellcheck disable=SC2086
+is "friction with a slip force of 0" gives 3 run $scene $friction --set links.1.slip=0kN
+is "is told" says 'links.1.slip: 0kN is too small (> 0 kN'
 # shellcheck disable=SC2086
 is "friction that gives nothing before it slips" gives 3 run $scene $friction --set links.1.slip=0.1kN
 is "is told" says 'links.1.slip: friction gives by only 0.2 um before it slips (1 um or more'

@@ -19,6 +19,18 @@ refused "soil behind a building" structures.2.backfill.ratio=0.7 'structures.2.b
 is "soil between neighbours" gives 3 run three-in-a-row --set structures.2.kind=wall --set structures.2.mass=10t \
     --set structures.2.stiffness=10MN/m --set structures.2.backfill.stiffness=10MN/m --set structures.2.backfill.strength=1MN
 is "is told: an end of the row" says 'structures.2.backfill: .* has a neighbour on either side, and no soil'
+# shellcheck disable=SC2154 # tmp is program.sh's
+in_file() { # WHAT LINE PLACE PATTERN: the preset without its first such line, or with another in its place
+    awk -v key="${2%%:*}:" -v line="$2" 'index($0, key) == 1 && !done { done = 1; if (line ~ /: ./) print line; next } { print }' \
+        presets/$scene.yaml >"$tmp/p.yaml"
+    is "in a file: $1" gives 3 run "$tmp/p.yaml"
+    is "at its place: $4" says "p\\.yaml:$3: .*$4"
+}
+in_file "a wall without stiffness" '    stiffness:' 9:5 'structures.1.stiffness: the wall has a mass, and no stiffness'
+in_file "soil without strength" '      strength:' 16:7 "structures.1.backfill.strength: the soil's strength is not given"
+in_file "soil without stiffness" '      stiffness:' 16:7 "structures.1.backfill.stiffness: the soil's stiffness is not given"
+in_file "a strength of 0" '      strength: 0 kN' 17:17 'structures.1.backfill.strength: 0 kN is too small (> 0 kN'
+in_file "a failure ratio above 1" '      ratio: 1.1' 18:14 'structures.1.backfill.ratio: 1.1 is too large (> 0, up to 1)'
 
 is "walls that give" gives 0 run $scene --quiet
 is "have no storeys that could drift" unsaid 'moat drifts by'

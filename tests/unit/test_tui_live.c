@@ -41,7 +41,7 @@ static double answer_peak(enum thud_case which, int structure, bool drift)
 START_TEST(the_numbers_are_the_answers)
 {
     static const char *const edit[] = {"", "<A-2><Enter>1.5<Enter><A-1>", ":set structures.1.damping 10 %<Enter>",
-                                       ":peak 0.4 g<Enter>"};
+                                       ":peak 0.4 g<Enter>", ":set p-delta yes<Enter>"};
     for (size_t e = 0; e < sizeof edit / sizeof *edit; e++) {
         fixture_keys(&f, edit[e]);
         for (int s = 0; s < 2; s++)

@@ -83,9 +83,7 @@ static enum thud_status find_needs(struct thud_run_cases *cases, const struct th
         if (closing < cases->need_m[p->interface - 1])
             continue;
         cases->need_m[p->interface - 1] = closing;
-        cases->need_left[p->interface - 1] = p->left_floor;
-        cases->need_right[p->interface - 1] = p->right_floor;
-        cases->need_struck[p->interface - 1] = p->struck;
+        cases->need_pair[p->interface - 1] = c;
     }
     thud_baseline_free(baseline);
     return status;
@@ -280,21 +278,40 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
     thud_text_clear(&list);
 }
 
+/* The first contact pair of an interface (from 0). */
+static int first_pair(const struct thud_result *r, int interface)
+{
+    int first = 0;
+    while (r->contact[first].interface <= interface)
+        first++;
+    return first;
+}
+
+/* A building that collapses without contact is helped by no gap. */
 static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
 {
     const struct thud_scene *scene = &cases->item[0].scene;
+    const struct thud_result *r = result_of(cases, 0);
+    const struct thud_collapse *fall = &r->collapse;
+    if (fall->happened) {
+        const struct thud_structure *s = &scene->structure[fall->structure];
+        thud_text_append(out, "Storey %d of %s collapses without contact at %.3f s, and no gap prevents it.\n",
+                         thud_structure_storey(s, fall->floor), s->name, fall->time_s);
+    }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
-        int left = cases->need_left[i], right = cases->need_right[i], struck = cases->need_struck[i];
-        if (left + right == 0)
+        if (!(cases->need_m[i] > 0))
             continue;
-        thud_text_append(out,
-                         "%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ", scene->structure[i].name,
-                         scene->structure[i + 1].name, 100 * cases->need_m[i], 100 * scene->interface[i].gap_m);
-        if (struck != 0)
-            put_struck(&scene->structure[i], left, right, struck, out);
+        const struct thud_contact_result *c = &r->contact[cases->need_pair[i]];
+        const struct thud_level_values at =
+            thud_interface_level(&scene->interface[i], cases->need_pair[i] - first_pair(r, i));
+        thud_text_append(out, "%s%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ",
+                         fall->happened ? "Until then " : "", scene->structure[i].name, scene->structure[i + 1].name,
+                         100 * cases->need_m[i], 100 * at.gap_m);
+        if (c->struck != 0)
+            put_struck(&scene->structure[i], c->left_floor, c->right_floor, c->struck, out);
         else
-            thud_text_append(out, "floor %d", thud_slab_floor(left, right, 0));
-        thud_text_append(out, " need%s it.\n", struck ? "" : "s");
+            thud_text_append(out, "floor %d", thud_slab_floor(c->left_floor, c->right_floor, 0));
+        thud_text_append(out, " need%s it.\n", c->struck ? "" : "s");
     }
 }
 

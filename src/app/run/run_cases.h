@@ -18,10 +18,10 @@ struct thud_run_cases {
     const struct thud_record *record; /* the session's; NULL: there is none */
     int n;                            /* no pounding, then the cases asked for */
     struct thud_run_case item[THUD_RUN_CASES_MAX];
-    /* of each interface: the gap from which on there is no contact without bumper, and the floors that need it; 0:
-     * there are no two floors at one level */
+    /* of each interface: the gap from which on there is no contact without bumper, and the contact that needs it; 0:
+     * none comes closer */
     double need_m[THUD_STRUCTURES_MAX];
-    int need_left[THUD_STRUCTURES_MAX], need_right[THUD_STRUCTURES_MAX], need_struck[THUD_STRUCTURES_MAX];
+    int need_pair[THUD_STRUCTURES_MAX];
 };
 
 /* `text`: cases by name, `none,bumper`. Errors: THUD_USAGE, and those of thud_session_run. */

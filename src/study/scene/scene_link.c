@@ -135,7 +135,7 @@ enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, 
     if (*structure < 0)
         return no_structure(scene, end, err);
     floors = thud_structure_floors(&scene->structure[*structure]);
-    if (thud_scan_count(&count, floor) && !*count && *floor <= floors)
+    if (thud_scan_count(&count, floor) && !*count && *floor > 0 && *floor <= floors)
         return THUD_OK;
     thud_error_set(err, THUD_INPUT, "%.40s has no floor \"%.20s\"", scene->structure[*structure].name, dot + 1);
     if (floors > 0)

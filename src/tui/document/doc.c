@@ -168,7 +168,8 @@ void thud_doc_forget_kept(struct thud_doc *doc)
 bool thud_doc_runs_alike(const struct thud_scene *a, const struct thud_scene *b)
 {
     size_t from = offsetof(struct thud_scene, record), to = offsetof(struct thud_scene, study);
-    return memcmp((const char *)a + from, (const char *)b + from, to - from) == 0;
+    return a->p_delta == b->p_delta && memcmp((const char *)a + from, (const char *)b + from, to - from) == 0 &&
+           a->nlinks == b->nlinks && memcmp(a->link, b->link, sizeof a->link) == 0;
 }
 
 enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *next, const char *what,

@@ -137,9 +137,6 @@ void thud_tui_exchange(struct thud_tui *tui)
 
 const struct thud_model *thud_tui_model(struct thud_tui *tui)
 {
-    const struct thud_model *model = tui->run.live.which[THUD_LIVE_FREE].model;
-    if (model && tui->run.revision == tui->doc.revision)
-        return model;
     if (tui->run.model_of != tui->doc.revision) {
         thud_model_free(tui->run.model);
         tui->run.model = NULL;

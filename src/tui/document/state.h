@@ -281,7 +281,7 @@ void thud_tui_follow(struct thud_tui *tui);
 void thud_tui_run(struct thud_tui *tui);
 void thud_tui_forget_run(struct thud_tui *tui); /* its runs look at the ground motion, which goes */
 bool thud_tui_cancel(struct thud_tui *tui);     /* false: nothing was running */
-/* The model of the scene as it is, without contacts where a run has made one; NULL: it cannot be assembled. */
+/* The model of the scene as it is written; NULL: it cannot be assembled. */
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
 /* The cases to compare with; NULL: none, or not there yet. */
 const struct thud_live *thud_tui_pinned(const struct thud_tui *tui);
