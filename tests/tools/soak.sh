@@ -1,7 +1,7 @@
 #!/bin/sh
 # What takes too long for `make test`: memory over a long life, studies killed again and again, every call failing in turn,
 # random scenes by every way that must agree.
-# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS: how much of it.
+# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS, SOAK_MIXED: how much of it.
 set -u
 build=$1
 THUD=${THUD:-$PWD/thud}
@@ -24,8 +24,12 @@ log=$build/soak.log
     # floors of 1e-3 kg to 1e9 kg, walls, isolated buildings, dashpots up to the critical ones, first speeds: in every way
     "$build/cross" 1000000000 "${SOAK_WIDE:-100}" >"$build/wide.log" && echo "ok - wide random scenes agree" ||
         echo "not ok - wide random scenes agree (see $build/wide.log)"
+    "$build/cross" 9000000000 "${SOAK_SCENES:-300}" >"$build/cross_mixed.log" && echo "ok - isolators, walls that give, links and all else together" ||
+        echo "not ok - isolators, walls that give, links and all else together (see $build/cross_mixed.log)"
     "$build/pairs" 1 "${SOAK_PAIRS:-40}" >"$build/pairs.log" && echo "ok - exact and dormand-prince, where inputs do not explain it" ||
         echo "not ok - exact and dormand-prince, where inputs do not explain it (see $build/pairs.log)"
+    "$build/pairs" 1001 "${SOAK_MIXED:-300}" 9000000000 >"$build/pairs_mixed.log" && echo "ok - the same of all of it together" ||
+        echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh

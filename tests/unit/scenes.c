@@ -170,6 +170,29 @@ static bool draw_isolators(struct thud_scene *scene)
     return any;
 }
 
+/* Walls from such as hardly move to such as swing by themselves, with soil behind those at the ends of the row. */
+static bool draw_walls(struct thud_scene *scene, double mass)
+{
+    bool any = false;
+    for (int s = 0; s < scene->nstructures; s++) {
+        struct thud_structure *p = &scene->structure[s];
+        double w = 2 * THUD_PI / between_log(0.02, 0.5);
+        if (p->kind != THUD_WALL || chance(0.2))
+            continue;
+        any = true;
+        p->wall_mass_kg = mass * between_log(1e-3, 0.3);
+        p->wall_stiffness_npm = p->wall_mass_kg * w * w;
+        p->wall_damping = ONE_OF(NAN, 0, 0.02, 0.3);
+        if ((s > 0 && s + 1 < scene->nstructures) || scene->nstructures == 1 || chance(0.2))
+            continue;
+        p->backfill_stiffness_npm = p->wall_stiffness_npm * between_log(0.1, 10);
+        p->backfill_strength_n = mass * between_log(0.3, 30);
+        p->backfill_ratio = ONE_OF(NAN, 0.7, between(0.1, 0.99));
+        p->backfill_gap_m = chance(0.7) ? NAN : between_log(1e-4, 0.02);
+    }
+    return any;
+}
+
 /* From soil that hardly gives to such as has a building sway and rock by as much as it drifts; dashpots from none to twice
  * the critical ones; springs and dashpots given, or of the soil. */
 static void draw_soil(struct thud_structure *p)
@@ -445,19 +468,28 @@ static void give_matrix(struct thud_scene *scene, int index)
 static bool draw(struct scenes_one *one)
 {
     struct thud_scene *scene = &one->scene;
-    const bool soil = one->seed >= SCENES_SOIL, isolators = one->seed >= SCENES_ISOLATORS && !soil,
-               matrices = soil ? one->seed % 3 == 1 : one->seed >= SCENES_MATRICES && !isolators,
-               links = one->seed >= SCENES_LINKS && !isolators && !soil && (!matrices || one->seed % 3 == 1);
-    bool weights = soil ? one->seed % 2 == 0 : one->seed >= SCENES_P_DELTA && !links && !isolators,
-         columns = soil    ? one->seed % 4 < 3
-                   : links ? one->seed % 4 == 0
-                           : one->seed >= SCENES_COLUMNS && !weights && !isolators,
-         wide = one->seed >= SCENES_WIDE && one->seed < SCENES_YIELDING;
-    bool yields = one->seed >= SCENES_YIELDING && (soil        ? one->seed % 3 == 0
-                                                   : weights   ? one->seed % 2 == 0
-                                                   : isolators ? one->seed % 4 == 0
-                                                   : links     ? one->seed % 3 == 0
-                                                               : !columns || one->seed % 3 == 0);
+    const unsigned long long seed = one->seed;
+    const bool mixed = seed >= SCENES_MIXED, soil = mixed ? seed % 3 == 0 : seed >= SCENES_SOIL,
+               isolators = mixed || (seed >= SCENES_ISOLATORS && !soil),
+               matrices = mixed  ? seed % 7 == 0
+                          : soil ? seed % 3 == 1
+                                 : seed >= SCENES_MATRICES && !isolators,
+               links =
+                   mixed ? seed % 4 < 3 : seed >= SCENES_LINKS && !isolators && !soil && (!matrices || seed % 3 == 1);
+    bool weights = mixed  ? seed % 5 < 2
+                   : soil ? seed % 2 == 0
+                          : seed >= SCENES_P_DELTA && !links && !isolators,
+         columns = mixed   ? seed / 2 % 2 == 0
+                   : soil  ? seed % 4 < 3
+                   : links ? seed % 4 == 0
+                           : seed >= SCENES_COLUMNS && !weights && !isolators,
+         wide = seed >= SCENES_WIDE && seed < SCENES_YIELDING;
+    bool yields = seed >= SCENES_YIELDING && (mixed       ? seed / 3 % 2 == 0
+                                              : soil      ? seed % 3 == 0
+                                              : weights   ? seed % 2 == 0
+                                              : isolators ? seed % 4 == 0
+                                              : links     ? seed % 3 == 0
+                                                          : !columns || seed % 3 == 0);
     double closing[THUD_STRUCTURES_MAX] = {0},
            mass = wide ? between_log(lightest_kg, heaviest_kg) : between_log(1e4, 1e6);
     bool extreme = chance(0.15);
@@ -482,7 +514,8 @@ static bool draw(struct scenes_one *one)
         give_matrix(scene, s);
     for (int s = 0; s < scene->nstructures && soil; s++)
         draw_soil(&scene->structure[s]);
-    if (isolators && !draw_isolators(scene))
+    bool isolated = isolators && draw_isolators(scene), gives = mixed && draw_walls(scene, mass);
+    if (isolators && !isolated && !gives && !(mixed && scene->nlinks > 0 && seed % 8 == 0))
         return false;
     if (chance(0.9))
         draw_record(one);
@@ -544,7 +577,13 @@ void scenes_describe(const struct scenes_one *one, char *text, size_t size)
     size_t at = (size_t)snprintf(text, size, "%llu:", one->seed);
     for (int s = 0; s < one->scene.nstructures && at < size; s++) {
         const struct thud_structure *p = &one->scene.structure[s];
-        at += (size_t)snprintf(text + at, size - at, " %s %d (%.2g)", kinds[p->kind], p->storeys, p->damping);
+        at += (size_t)snprintf(text + at, size - at, " %s%s %d (%.2g)",
+                               thud_isolator_slides(p)     ? "sliding "
+                               : thud_wall_has_backfill(p) ? "backfilled "
+                               : thud_wall_gives(p)        ? "giving "
+                               : thud_structure_on_soil(p) ? "founded "
+                                                           : "",
+                               kinds[p->kind], p->storeys, p->damping);
         if (s + 1 < one->scene.nstructures && at < size) {
             const struct thud_interface *i = &one->scene.interface[s];
             at += (size_t)snprintf(text + at, size - at, " |%s %.3g|",
@@ -552,6 +591,9 @@ void scenes_describe(const struct scenes_one *one, char *text, size_t size)
                                    thud_interface_clearance(i));
         }
     }
+    if (at < size)
+        at += (size_t)snprintf(text + at, size - at, "; %d links%s", one->scene.nlinks,
+                               one->scene.p_delta ? ", P-Delta" : "");
     if (at < size && one->record)
         snprintf(text + at, size - at, "; %zu x %g s of %.3g, tail %g, peak %.3g m", one->record->samples,
                  one->record->dt_s, thud_record_peak(one->record), one->scene.analysis.tail_s, one->peak_m);
@@ -651,6 +693,10 @@ bool scenes_heavier(struct scenes_one *one, double factor)
             s->shape[p->shape_at + k] *= factor;
         p->isolator_strength_n *= factor;
         p->isolator_post_yield_npm *= factor;
+        p->wall_mass_kg *= factor;
+        p->wall_stiffness_npm *= factor;
+        p->backfill_stiffness_npm *= factor;
+        p->backfill_strength_n *= factor;
     }
     for (int i = 0; i < s->nlinks; i++) {
         s->link[i].stiffness_npm *= factor;
@@ -679,9 +725,12 @@ bool scenes_longer(struct scenes_one *one, double factor)
     for (int i = 0; i < s->nstructures; i++)
         if (thud_isolator_slides(&s->structure[i])) /* so are radii */
             return false;
-    for (int i = 0; i < s->nstructures; i++)
+    for (int i = 0; i < s->nstructures; i++) {
+        s->structure[i].backfill_strength_n *= factor;
+        s->structure[i].backfill_gap_m *= factor;
         if (s->structure[i].kind == THUD_RIGID)
             s->structure[i].velocity_mps *= factor;
+    }
     for (int i = 0; i < s->nstructures; i++)
         for (int f = 0; f < s->structure[i].storeys; f++)
             s->structure[i].yield_m[f] *= factor;
@@ -721,6 +770,8 @@ void scenes_nudge(struct scenes_one *one, int way, double eps)
         p->period_factor /= sqrt(factor);
         p->isolator_post_yield_npm *= factor;
         p->isolator_friction *= factor;
+        p->wall_stiffness_npm *= factor;
+        p->backfill_strength_n *= factor;
         if (p->kind == THUD_RIGID) {
             p->mass_kg[0] *= factor;
             p->velocity_mps *= factor;

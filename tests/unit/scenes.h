@@ -34,6 +34,9 @@ struct scenes_one {
 /* From this seed on, buildings stand on soil; in every third scene some are by their matrix or modes, in every third
  * storeys yield, in every other the weight counts, in most slabs strike columns. */
 #define SCENES_SOIL 8000000000ull
+/* From this seed on, all of it together: isolators, walls that give with soil behind them, links of all laws, storeys that
+ * yield, the weight on drifting storeys, buildings on soil, slabs against columns; a seed's remainders choose what of it. */
+#define SCENES_MIXED 9000000000ull
 
 /* Valid by thud_scene_check. Free the record with scenes_clear. */
 void scenes_draw(struct scenes_one *one, unsigned long long seed);
@@ -76,6 +79,9 @@ enum scenes_kind {
     SCENES_IMPACTS,
     SCENES_COLUMN_SHEAR,
     SCENES_COLUMN_MOMENT,
+    SCENES_LINK_FORCE,
+    SCENES_LINK_STROKE,
+    SCENES_LINK_LOST,
     SCENES_KINDS
 };
 struct scenes_number {

@@ -130,16 +130,18 @@ static void scale_back(struct scenes_solution *a, double mass, double length)
     for (int i = 0; i < a->n; i++) {
         struct scenes_number *x = &a->number[i];
         bool force = x->kind == SCENES_SHEAR || x->kind == SCENES_FORCE || x->kind == SCENES_IMPULSE ||
-                     x->kind >= SCENES_COLUMN_SHEAR;
-        if (force || x->kind == SCENES_LOST)
+                     (x->kind >= SCENES_COLUMN_SHEAR && x->kind <= SCENES_LINK_FORCE),
+             lost = x->kind == SCENES_LOST || x->kind == SCENES_LINK_LOST;
+        if (force || lost)
             x->value /= mass;
-        if (force || x->kind < SCENES_SHEAR || x->kind == SCENES_INDENTATION)
+        if (force || x->kind < SCENES_SHEAR || x->kind == SCENES_INDENTATION || x->kind == SCENES_LINK_STROKE)
             x->value /= length;
-        if (x->kind == SCENES_LOST)
+        if (lost)
             x->value /= length * length;
     }
     a->largest[SCENES_LOST] /= mass * length * length;
-    for (int k = 0; k < SCENES_KINDS; k++)
+    a->largest[SCENES_LINK_LOST] /= mass * length * length;
+    for (int k = 0; k < SCENES_LINK_LOST; k++)
         if (k < SCENES_LOST || k >= SCENES_COLUMN_SHEAR)
             a->largest[k] = 0;
 }

@@ -49,23 +49,25 @@ static void find_natural(struct scenes_solution *a, const struct thud_model *m, 
     double mass = lightest(m), speed = a->largest[SCENES_VELOCITY];
     a->natural[SCENES_FORCE] = mass * a->largest[SCENES_ACCELERATION];
     a->natural[SCENES_PLASTIC] = a->largest[SCENES_DRIFT];
-    a->natural[SCENES_COLUMN_SHEAR] = a->natural[SCENES_COLUMN_MOMENT] = a->natural[SCENES_FORCE];
-    a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
+    a->natural[SCENES_LINK_FORCE] = a->natural[SCENES_COLUMN_SHEAR] = a->natural[SCENES_COLUMN_MOMENT] =
+        a->natural[SCENES_FORCE];
+    a->natural[SCENES_LINK_STROKE] = a->natural[SCENES_INDENTATION] = a->largest[SCENES_DISPLACEMENT];
     a->natural[SCENES_IMPULSE] = mass * speed;
-    a->natural[SCENES_LOST] =
+    a->natural[SCENES_LINK_LOST] = a->natural[SCENES_LOST] =
         fmax(mass * speed * speed, 1e4 * a->largest[SCENES_FORCE] * a->largest[SCENES_INDENTATION]);
     a->natural[SCENES_FIRST] = a->natural[SCENES_TIME] = 1e9 * end_s; /* a grazing contact lasts any time */
 }
 
-static void take(struct scenes_solution *a, const struct thud_model *model, const struct thud_run *run)
+static void take(struct scenes_solution *a, const struct thud_scene *scene, const struct thud_model *model,
+                 const struct thud_run *run)
 {
     const struct thud_result *r = thud_run_result(run);
     int floors = 0, count;
     for (int s = 0; s < r->nstructures; s++)
         floors += r->structure[s].floors;
-    a->number =
-        calloc((size_t)(5 * floors + r->nstructures + 8 * r->ncontacts + THUD_COLUMN_QUANTITIES * r->ncolumns + 1),
-               sizeof *a->number);
+    a->number = calloc((size_t)(5 * floors + r->nstructures + 8 * r->ncontacts + 3 * r->nlinks +
+                                THUD_COLUMN_QUANTITIES * r->ncolumns + 1),
+                       sizeof *a->number);
     assert(a->number);
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_structure_result *p = &r->structure[s];
@@ -99,6 +101,15 @@ static void take(struct scenes_solution *a, const struct thud_model *model, cons
                 add(a, q < THUD_COLUMN_MOMENT_LOWER ? SCENES_COLUMN_SHEAR : SCENES_COLUMN_MOMENT, place, column,
                     r->column[column].peak[q].value);
     }
+    for (int ties = 0; ties < 2; ties++) /* soil behind walls first, from the left */
+        for (int i = 0; i < r->nlinks; i++) {
+            const int wall = thud_link_wall(scene, i);
+            if ((wall < 0) != ties)
+                continue;
+            add(a, SCENES_LINK_FORCE, wall, i, r->link[i].force.value);
+            add(a, SCENES_LINK_STROKE, wall, i, r->link[i].stroke.value);
+            add(a, SCENES_LINK_LOST, wall, i, r->link[i].lost_j);
+        }
     find_natural(a, model, r->end_s);
     a->error_ratio = r->energy.error_ratio;
     a->steps = r->work.steps;
@@ -129,7 +140,7 @@ void scenes_run(const struct scenes_one *one, const struct scenes_options *how, 
         out->stopped = how->most > 0 && thud_run_result(run)->work.steps > how->most;
     }
     if (run)
-        take(out, model, run);
+        take(out, &one->scene, model, run);
     thud_run_free(run);
     thud_model_free(model);
 }
@@ -143,10 +154,10 @@ void scenes_answer_clear(struct scenes_solution *solution)
 
 const char *scenes_kind_name(enum scenes_kind kind)
 {
-    static const char *const names[SCENES_KINDS] = {"acceleration",  "displacement", "velocity",     "drift",
-                                                    "plastic drift", "base shear",   "force",        "indentation",
-                                                    "impulse",       "lost",         "first impact", "time in contact",
-                                                    "impacts",       "column shear", "column moment"};
+    static const char *const names[SCENES_KINDS] = {
+        "acceleration", "displacement", "velocity",      "drift",      "plastic drift", "base shear",
+        "force",        "indentation",  "impulse",       "lost",       "first impact",  "time in contact",
+        "impacts",      "column shear", "column moment", "link force", "link stroke",   "lost in a link"};
     return names[kind];
 }
 
@@ -189,10 +200,12 @@ void scenes_unmirror(const struct scenes_one *one, struct scenes_solution *solut
     struct scenes_number *sorted = malloc(((size_t)solution->n + 1) * sizeof *sorted);
     int structures = one->scene.nstructures, n = 0;
     assert(sorted);
-    for (int contacts = 0; contacts < 2; contacts++)
-        for (int place = structures - 1; place >= 0; place--)
+    for (int part = 0; part < 3; part++) /* structures, contacts, links */
+        for (int place = structures - 1; place >= -1; place--)
             for (int i = 0; i < solution->n; i++)
-                if (solution->number[i].place == place && (solution->number[i].kind >= SCENES_FORCE) == (contacts > 0))
+                if (solution->number[i].place == place &&
+                    (solution->number[i].kind >= SCENES_FORCE) + (solution->number[i].kind >= SCENES_LINK_FORCE) ==
+                        part)
                     sorted[n++] = solution->number[i];
     assert(n == solution->n);
     free(solution->number);

@@ -63,6 +63,18 @@ START_TEST(scenes_on_soil)
 }
 END_TEST
 
+/* Isolators, walls that give, links and all else together. */
+START_TEST(mixed_scenes)
+{
+    static const unsigned long long seeds[] = {2, 16, 25, 28, 31};
+    struct scenes_tally tally = {.only = ""};
+    for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++)
+        scenes_check(SCENES_MIXED + seeds[i], &tally);
+    ck_assert_int_eq(tally.wrong, 0);
+    ck_assert_int_gt(tally.pounding, 3);
+}
+END_TEST
+
 /* The weight on drifting storeys, elastic and yielding. */
 START_TEST(scenes_with_p_delta)
 {
@@ -326,6 +338,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, scenes_with_p_delta);
     tcase_add_test(tcase, scenes_on_isolators);
     tcase_add_test(tcase, scenes_on_soil);
+    tcase_add_test(tcase, mixed_scenes);
     tcase_add_test(tcase, scenes_of_columns);
     tcase_add_test(tcase, scenes_of_matrices);
     tcase_add_loop_test(tcase, neighbours_at_rest_do_not_touch, 0, 5);
