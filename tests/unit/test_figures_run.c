@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "plot/figures/figures_run.h"
 #include "plot/figures/figures_scene.h"
+#include "plot/gnuplot/gnuplot.h"
 #include "study/scene/level.h"
 
 /* Two buildings of 3 and 9 floors and a made-up run with one impact at 5 s on floor 2. */
@@ -159,6 +160,38 @@ START_TEST(a_scene_is_drawn_to_scale)
 }
 END_TEST
 
+/* A wall that gives is a mass between its own spring and the soil's, each with its number; not a part of the ground. */
+START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
+{
+    struct sample *s = make();
+    static struct thud_scene scene;
+    scene = *s->source.scene;
+    struct thud_structure *wall = &scene.structure[1];
+    wall->kind = THUD_WALL;
+    wall->height_m[0] = 3;
+    wall->wall_mass_kg = 27e3;
+    wall->wall_stiffness_npm = 40e6;
+    for (int soil = 0; soil < 2; soil++) {
+        wall->backfill_stiffness_npm = soil ? 304.5e6 : NAN;
+        wall->backfill_strength_n = soil ? 4.89e6 : NAN;
+        wall->backfill_ratio = wall->backfill_gap_m = NAN;
+        struct thud_figure *figure = thud_figure_of_scene(&scene, "scene", "");
+        ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+        struct thud_text script = {0};
+        const struct thud_picture_options options = {.format = THUD_SVG};
+        ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
+        ck_assert_ptr_nonnull(strstr(script.data, "27 t"));
+        ck_assert_ptr_nonnull(strstr(script.data, "40 MN/m"));
+        ck_assert(!strstr(script.data, "304.5 MN/m") == !soil);
+        ck_assert(!strstr(script.data, "soil behind the wall") == !soil);
+        ck_assert_ptr_null(strstr(script.data, "moves with the ground"));
+        thud_text_clear(&script);
+        thud_figure_free(figure);
+    }
+    drop(s);
+}
+END_TEST
+
 START_TEST(forces_and_loops_show_contacts)
 {
     struct sample *s = make();
@@ -274,6 +307,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("figures_run");
     tcase_add_test(tcase, histories_show_floors_in_their_units);
     tcase_add_test(tcase, a_scene_is_drawn_to_scale);
+    tcase_add_test(tcase, a_wall_that_gives_is_drawn_with_what_holds_it);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_lie_over_each_other);
     tcase_add_test(tcase, storeys_that_yield_show_their_loops);

@@ -234,6 +234,34 @@ START_TEST(a_foundation_is_typed)
 }
 END_TEST
 
+/* So do those of a wall that gives, with the soil behind it: none of them alone is a scene. */
+START_TEST(a_wall_that_gives_is_typed)
+{
+    const struct thud_structure *wall = &scene()->structure[1];
+    static const char *const first[] = {"mass=30t", "stiffness=30MN/m", "damping=3%", "backfill.strength=3MN"};
+    char keys[120];
+    fixture_keys(&f, ":structures.2.kind=wall<Enter>");
+    for (int i = 0; i < 4; i++) {
+        ck_assert(!thud_wall_gives(wall));
+        snprintf(keys, sizeof keys, ":structures.2.%s<Enter>", first[i]);
+        fixture_keys(&f, keys);
+        ck_assert_msg(thud_wall_gives(wall) && wall->wall_stiffness_npm > 0, "%s", first[i]);
+        ck_assert(thud_wall_has_backfill(wall) == (i == 3));
+        if (i == 0)
+            ck_assert_double_eq(wall->wall_mass_kg, 30e3);
+        if (i == 3)
+            ck_assert(wall->backfill_strength_n == 3e6 && wall->backfill_stiffness_npm > 0);
+        if (i == 3) { /* the soil alone goes */
+            fixture_keys(&f, ":structures.2.backfill.stiffness=<Enter>");
+            ck_assert(thud_wall_gives(wall) && !thud_wall_has_backfill(wall));
+            fixture_keys(&f, "u");
+        }
+        fixture_keys(&f, ":structures.2.mass=<Enter>");
+        ck_assert(isnan(wall->wall_stiffness_npm) && isnan(wall->wall_damping) && isnan(wall->backfill_strength_n));
+    }
+}
+END_TEST
+
 START_TEST(a_floor_for_all_floors)
 {
     fixture_keys(&f, "/structures.2.mass<Enter><Enter>500<Enter>");
@@ -381,6 +409,7 @@ Suite *thud_suite(void)
     tcase_add_test(edit, soft_bounds_warn);
     tcase_add_test(edit, plus_and_minus_step);
     tcase_add_test(edit, a_foundation_is_typed);
+    tcase_add_test(edit, a_wall_that_gives_is_typed);
     tcase_add_test(edit, a_floor_for_all_floors);
     tcase_add_test(edit, undo_goes_all_the_way_and_says_what);
     tcase_add_test(edit, structures_and_storeys);

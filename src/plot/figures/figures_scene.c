@@ -165,12 +165,38 @@ static void foundation(const struct drawing *d, int s)
     number(d, s, d->foot - 0.04 * high, 1e-9 * f.rocking_nmprad, "GN m/rad");
 }
 
+/* A wall by what holds it: a fixed one by the ground, one that gives by its own spring and by the soil behind it. */
+static const char *wall_name(const struct thud_structure *p)
+{
+    return thud_wall_gives(p) ? "wall that gives" : "wall, moves with the ground";
+}
+
+/* Its mass, and to the side where no neighbour is its springs, which end at the ground. */
+static void wall_that_gives(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const double x = d->at[s], z = elevation(d, s, 0), high = d->high - d->low, out = s > 0 ? 1 : -1;
+    const char *const name[] = {"stiffness of the wall", "soil behind the wall"};
+    const double stiffness[] = {p->wall_stiffness_npm, p->backfill_stiffness_npm};
+    char text[48];
+    for (int k = 0; k < 1 + thud_wall_has_backfill(p); k++) {
+        const double end = x + 1.3 * out, y = z + (k ? -0.06 : 0.06) * high;
+        spring(d->model, name[k], k ? STRUCK : FRAME, x, z, end, y, 0, 0.012 * high);
+        line(d->model, name[k], solid, end, y - 0.03 * high, end, y + 0.03 * high);
+        snprintf(text, sizeof text, "%.4g MN/m", 1e-6 * stiffness[k]);
+        thud_panel_label(d->model, end + 0.2 * out, y, (int)out, text);
+    }
+    dot(d->model, "mass", FRAME, x, z);
+    snprintf(text, sizeof text, "%.4g t", 1e-3 * p->wall_mass_kg);
+    thud_panel_label(d->model, x, z + 0.1 * high, 0, text);
+}
+
 static void in_elevation(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];
     const double x[] = {d->left[s], d->right[s]}, z = p->kind == THUD_RIGID ? elevation(d, s, 0) : 0;
     if (p->kind == THUD_WALL)
-        rectangle(d->elevation, "wall, moves with the ground", FRAME, x, d->foot, top_of_wall(d, s));
+        rectangle(d->elevation, wall_name(p), FRAME, x, d->foot, top_of_wall(d, s));
     else if (p->kind == THUD_RIGID)
         rectangle(d->elevation, "body", SLAB, x, z - 0.5, z + 0.5);
     else
@@ -189,10 +215,11 @@ static void in_model(const struct drawing *d, int s)
     const double x = d->at[s];
     if (thud_structure_on_soil(p))
         foundation(d, s);
-    if (p->kind == THUD_WALL)
-        rectangle(d->model, "wall, moves with the ground", FRAME, (double[]){x - 0.3, x + 0.3}, d->foot,
-                  top_of_wall(d, s));
-    for (int f = 0; f < floors; f++) {
+    if (p->kind == THUD_WALL && !thud_wall_gives(p))
+        rectangle(d->model, wall_name(p), FRAME, (double[]){x - 0.3, x + 0.3}, d->foot, top_of_wall(d, s));
+    else if (p->kind == THUD_WALL)
+        wall_that_gives(d, s);
+    for (int f = 0; f < floors && p->kind != THUD_WALL; f++) {
         double z = elevation(d, s, f), below = f > 0 ? elevation(d, s, f - 1) : p->kind == THUD_RIGID ? z : p->base_m;
         const bool told = (f + 1) % every == 0;
         if (f < slab) {
@@ -276,7 +303,9 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
         thud_panel_mark(panel[k], THUD_Y, d.foot, d.foot, "");
     }
     thud_panel_limits(d.elevation, THUD_X, -0.25 * last, 1.25 * last);
-    thud_panel_limits(d.model, THUD_X, -0.8 * model_m, d.at[scene->nstructures - 1] + 0.8 * model_m);
+    const int end = scene->nstructures - 1; /* springs of walls that give stand outside */
+    thud_panel_limits(d.model, THUD_X, -(0.8 + 0.4 * thud_wall_gives(&scene->structure[0])) * model_m,
+                      d.at[end] + (0.8 + 0.4 * thud_wall_gives(&scene->structure[end])) * model_m);
     for (int s = 0; s < scene->nstructures; s++) {
         in_elevation(&d, s);
         in_model(&d, s);

@@ -256,16 +256,11 @@ static bool look_columns(const struct thud_scene *scene, const struct thud_resul
     return true;
 }
 
-static int floors_of(const struct thud_structure *s)
-{
-    return s->storeys + (s->kind == THUD_ISOLATED);
-}
-
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out)
 {
     for (int s = 0; s < scene->nstructures; s++)
-        assert(result->structure[s].floors == floors_of(&scene->structure[s]));
+        assert(result->structure[s].floors == thud_structure_floors(&scene->structure[s]));
     for (int i = 0; i + 1 < scene->nstructures; i++)
         if (look_bumper(scene, i, result, impact, nimpacts, out) && n-- == 0)
             return true;
@@ -297,12 +292,13 @@ bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_
     double floors = 0, squares = 0, contacts = 0, samples = record ? (double)record->samples : 2000;
     for (int s = 0; s < scene->nstructures; s++) {
         const struct thud_structure *at = &scene->structure[s], *next = at + 1;
-        floors += floors_of(at);
-        squares += (double)floors_of(at) * floors_of(at); /* a building's floors move by its own modes */
+        floors += thud_structure_floors(at);
+        squares += (double)thud_structure_floors(at) *
+                   thud_structure_floors(at); /* a building's floors move by its own modes */
         if (s + 1 < scene->nstructures)
-            contacts += at->kind == THUD_WALL     ? floors_of(next)
-                        : next->kind == THUD_WALL ? floors_of(at)
-                                                  : fmin(floors_of(at), floors_of(next));
+            contacts += at->kind == THUD_WALL     ? thud_structure_floors(next)
+                        : next->kind == THUD_WALL ? thud_structure_floors(at)
+                                                  : fmin(thud_structure_floors(at), thud_structure_floors(next));
     }
     double end_s = scene->analysis.tail_s + (record ? samples * record->dt_s : 0), seconds, bytes;
     seconds = each_floors_s * samples * squares;

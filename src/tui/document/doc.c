@@ -186,39 +186,76 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     return THUD_OK;
 }
 
-/* A foundation has several values that stand together, so the first one that is typed brings usual ones for the rest, on
- * stiff soil; without its mass there is none. */
-static void set_soil(struct thud_scene *next, const char *key, const char *text)
+/* Sets values of a structure, each under its key; up to an empty key. */
+static void set_each(struct thud_scene *next, int s, const char *prefix, const char *const values[][2])
 {
-    static const char *const usual[][2] = {{"vs", "250 m/s"}, {"density", "1.9 t/m3"}, {"radius", "9 m"}};
-    int s = 0, count;
-    char path[THUD_PATH_MAX], mass[64];
-    const char *rest = key;
-    if (!thud_scan_word(&rest, "structures.") || !thud_scan_count(&rest, &s) || s < 1 || s > next->nstructures ||
-        !thud_scan_word(&rest, ".foundation.") || !thud_kind_is_building(next->structure[s - 1].kind))
-        return;
-    const bool on_soil = thud_structure_on_soil(&next->structure[s - 1]);
-    const struct thud_param *param = thud_group_params(THUD_GROUP_FOUNDATION, &count);
-    for (int i = 0; i < count && on_soil && !*text && strcmp(rest, "mass") == 0; i++) {
-        snprintf(path, sizeof path, "structures.%d.foundation.%s", s, param[i].name);
-        thud_scene_set(next, path, "", NULL);
+    char path[THUD_PATH_MAX];
+    for (int i = 0; values[i][0]; i++) {
+        snprintf(path, sizeof path, "structures.%d.%s%s", s, prefix, values[i][0]);
+        thud_scene_set(next, path, values[i][1], NULL);
     }
-    if (on_soil || !*text)
+}
+
+static void clear_group(struct thud_scene *next, int s, enum thud_group group, const char *prefix)
+{
+    int count;
+    const struct thud_param *param = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++)
+        set_each(next, s, prefix, (const char *const[][2]){{param[i].name, ""}, {NULL}});
+}
+
+/* A foundation has values that stand together, and so have a wall that gives and the soil behind it: the first one that
+ * is typed brings usual ones for the rest, and without the mass there is none. */
+static void set_foundation(struct thud_scene *next, int s, const char *name, const char *text)
+{
+    const struct thud_structure *structure = &next->structure[s - 1];
+    const bool there = thud_structure_on_soil(structure);
+    char mass[64];
+    snprintf(mass, sizeof mass, "%.17g kg", structure->mass_kg[0]);
+    if (there && !*text && strcmp(name, "mass") == 0)
+        clear_group(next, s, THUD_GROUP_FOUNDATION, "foundation.");
+    else if (!there && *text)
+        set_each(next, s, "foundation.",
+                 (const char *const[][2]){
+                     {"mass", mass}, {"vs", "250 m/s"}, {"density", "1.9 t/m3"}, {"radius", "9 m"}, {NULL}});
+}
+
+static void set_wall(struct thud_scene *next, int s, const char *name, const char *text)
+{
+    static const char *const wall[][2] = {{"mass", "27 t"}, {"stiffness", "40 MN/m"}, {NULL}},
+                             *const no_wall[][2] = {{"mass", ""}, {"stiffness", ""}, {"damping", ""}, {NULL}},
+                             *const soil[][2] = {{"stiffness", "300 MN/m"}, {"strength", "4.9 MN"}, {NULL}};
+    const struct thud_structure *structure = &next->structure[s - 1];
+    const bool of_soil = thud_scan_word(&name, "backfill."), mass = strcmp(name, "mass") == 0;
+    if (!*text && (mass || (of_soil && (strcmp(name, "stiffness") == 0 || strcmp(name, "strength") == 0))))
+        clear_group(next, s, THUD_GROUP_BACKFILL, "backfill.");
+    if (!*text && mass)
+        set_each(next, s, "", no_wall);
+    else if (*text && !thud_wall_gives(structure) &&
+             (of_soil || mass || strcmp(name, "stiffness") == 0 || strcmp(name, "damping") == 0))
+        set_each(next, s, "", wall);
+    if (*text && of_soil && !thud_wall_has_backfill(structure))
+        set_each(next, s, "backfill.", soil);
+}
+
+static void set_together(struct thud_scene *next, const char *key, const char *text)
+{
+    int s = 0;
+    const char *name = key;
+    if (!thud_scan_word(&name, "structures.") || !thud_scan_count(&name, &s) || s < 1 || s > next->nstructures ||
+        !thud_scan_word(&name, "."))
         return;
-    snprintf(mass, sizeof mass, "%.17g kg", next->structure[s - 1].mass_kg[0]);
-    snprintf(path, sizeof path, "structures.%d.foundation.mass", s);
-    thud_scene_set(next, path, mass, NULL);
-    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) {
-        snprintf(path, sizeof path, "structures.%d.foundation.%s", s, usual[i][0]);
-        thud_scene_set(next, path, usual[i][1], NULL);
-    }
+    if (next->structure[s - 1].kind == THUD_WALL)
+        set_wall(next, s, name, text);
+    else if (thud_kind_is_building(next->structure[s - 1].kind) && thud_scan_word(&name, "foundation."))
+        set_foundation(next, s, name, text);
 }
 
 /* A kind that is read from a file may have its name behind it: "matrix k.csv". */
 static enum thud_status set_value(struct thud_scene *next, const char *key, const char *text, struct thud_error *err)
 {
     char structure[THUD_PATH_MAX], kind[16];
-    set_soil(next, key, text);
+    set_together(next, key, text);
     const char *end = strrchr(key, '.'), *file = strchr(text, ' ');
     if (!file || !end || strcmp(end, ".kind") != 0 || (size_t)(file - text) >= sizeof kind)
         return thud_scene_set(next, key, text, err);

@@ -162,15 +162,15 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->interface + s < tui->doc.scene.nstructures; s++, y++) {
             char label[200], name[160];
-            if (tui->doc.scene.structure[tui->interface + s].kind == THUD_WALL) {
+            const struct thud_structure *structure = &tui->doc.scene.structure[tui->interface + s];
+            if (structure->kind == THUD_WALL && !thud_wall_gives(structure)) {
                 if (kind == 0)
-                    thud_field_note(pane, y, "%s moves with the ground",
-                                    tui->doc.scene.structure[tui->interface + s].name);
+                    thud_field_note(pane, y, "%s moves with the ground", structure->name);
                 else
                     y--;
                 continue;
             }
-            thud_utf8_fit(tui->doc.scene.structure[tui->interface + s].name, layout.name, name, sizeof name);
+            thud_utf8_fit(structure->name, layout.name, name, sizeof name);
             snprintf(label, sizeof label, "%s %s", name, kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
                 value[i] =
