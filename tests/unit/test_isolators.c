@@ -202,6 +202,120 @@ START_TEST(weak_bearings_are_linear)
 }
 END_TEST
 
+static struct thud_solution moved(const char *method, const struct thud_record *record)
+{
+    struct thud_solution answer;
+    struct thud_run_options options;
+    strcpy(scene.analysis.method, method);
+    scene.analysis.tolerance = 1e-10;
+    scene.analysis.tail_s = 1;
+    ck_assert_int_eq(thud_scene_options(&scene, &options, NULL), THUD_OK);
+    options.keep_history = true;
+    options.history_step_s = 1e-3;
+    ck_assert_int_eq(thud_scene_solve(&scene, record, &options, &answer, NULL), THUD_OK);
+    return answer;
+}
+
+/* m a h of one storey, stiff or not, damped or not. */
+START_TEST(a_block_overturns_with_m_a_h)
+{
+    static const char *const linear[] = {"isolation-stiffness", "1 MN/m", "width", "6 m", "height", "4 m", NULL};
+    isolated(linear);
+    const char *const damping[] = {"0 %", "8 %"}, *const stiffness[] = {"1e5 MN/m", "40 MN/m"};
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.1.damping", damping[_i], NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.1.stiffness", stiffness[_i], NULL), THUD_OK);
+    struct thud_record *record = shaking();
+    struct thud_solution answer = moved("auto", record);
+    const struct thud_structure_result *r = &thud_run_result(answer.run)->structure[0];
+    ck_assert_double_eq_tol(r->overturning.value / (40e3 * 4 * r->floor[1].acceleration.value), 1, 1e-9);
+    ck_assert_double_eq_tol(r->overturning.time_s, r->floor[1].acceleration.time_s, 1e-6);
+    thud_solution_clear(&answer);
+    thud_record_free(record);
+}
+END_TEST
+
+/* Two damped buildings whose isolators slide and whose storeys yield; where _i is 1 a spring with a dashpot and friction
+ * tie them. */
+static void neighbours(bool linked)
+{
+    static const char *const both[] = {"storeys", "3",     "mass", "40 t",  "stiffness", "30 MN/m", "damping",
+                                       "5 %",     "yield", "2 mm", "width", "8 m",       NULL};
+    static const char *const link[][2] = {
+        {"law", "spring"}, {"from", "A.4"}, {"to", "B.4"}, {"stiffness", "5 MN/m"}, {"damping", "80 kN s/m"}};
+    static const char *const friction[][2] = {
+        {"law", "friction"}, {"from", "A.3"}, {"to", "B.2"}, {"stiffness", "20 MN/m"}, {"slip", "20 kN"}};
+    isolated(pendulum);
+    for (int i = 0; both[i]; i += 2) {
+        char key[64];
+        snprintf(key, sizeof key, "structures.1.%s", both[i]);
+        ck_assert_msg(thud_scene_set(&scene, key, both[i + 1], NULL) == THUD_OK, "%s", key);
+    }
+    scene.structure[1] = scene.structure[0];
+    scene.nstructures = 2;
+    strcpy(scene.structure[1].name, "B");
+    thud_law_choice_init(&scene.interface[0].contact, thud_law_find("kelvin-voigt"));
+    ck_assert_int_eq(thud_scene_set(&scene, "gap", "1 mm", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "contact.stiffness", "200 kN/mm", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "contact.restitution", "0.6", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.stiffness", "55 MN/m", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(&scene, "structures.2.isolator.radius", "4 m", NULL), THUD_OK);
+    for (int i = 0; i < 5 && linked; i++) {
+        char key[64];
+        snprintf(key, sizeof key, "links.1.%s", link[i][0]);
+        ck_assert_msg(thud_scene_set(&scene, key, link[i][1], NULL) == THUD_OK, "%s", key);
+    }
+    for (int i = 0; i < 5 && linked; i++) {
+        char key[64];
+        snprintf(key, sizeof key, "links.2.%s", friction[i][0]);
+        ck_assert_msg(thud_scene_set(&scene, key, friction[i][1], NULL) == THUD_OK, "%s", key);
+    }
+}
+
+/* Sum over the floors of z (m a + force to its neighbour) of structure s (0: the left one). */
+static double moment_in_row(const struct thud_history *h, const struct thud_solution *answer, size_t row, int s)
+{
+    const double *value = h->value + row * (size_t)h->columns;
+    const struct thud_model *m = answer->model;
+    double sum = 0;
+    for (int i = 1; i < 4; i++)
+        sum += 3 * i * m->mass_kg[4 * s + i] * value[thud_history_acceleration(h, 4 * s + i)];
+    for (int c = 0; c < h->ncontacts; c++) {
+        const int floor = s ? m->contact[c].right_floor : m->contact[c].left_floor;
+        sum += (s ? -3 : 3) * (floor - 1) * value[thud_history_force(h, c)];
+    }
+    for (int l = 0; l < h->nlinks; l++) {
+        const int dof = s ? m->link[l].right_dof - 4 : m->link[l].left_dof;
+        sum += (s ? -3 : 3) * dof * value[thud_history_link_force(h, l)];
+    }
+    return sum;
+}
+
+/* Found by two methods, and no row of a history has a larger one. */
+START_TEST(the_overturning_moment_is_what_isolators_hold)
+{
+    neighbours(_i);
+    struct thud_record *record = shaking();
+    ck_assert_int_eq(thud_scene_check(&scene, NULL), THUD_OK);
+    struct thud_solution answer = moved("auto", record), other = moved("dormand-prince", record);
+    const struct thud_result *r = thud_run_result(answer.run);
+    const struct thud_history *h = thud_run_history(answer.run);
+    ck_assert_int_gt(r->contact[3].impacts, 0);
+    for (int s = 0; s < 2; s++) {
+        const double most = r->structure[s].overturning.value;
+        double seen = 0;
+        for (size_t row = 0; row < h->rows; row++)
+            seen = fmax(seen, fabs(moment_in_row(h, &answer, row, s)));
+        ck_assert_int_gt(r->structure[s].storey[1].excursions, 0);
+        ck_assert_double_gt(seen, 0.999 * most);
+        ck_assert_double_lt(seen, most * (1 + 1e-9));
+        ck_assert_double_eq_tol(thud_run_result(other.run)->structure[s].overturning.value / most, 1, 1e-7);
+    }
+    thud_solution_clear(&answer);
+    thud_solution_clear(&other);
+    thud_record_free(record);
+}
+END_TEST
+
 /* What is wrong with the keys, by key and what is allowed. */
 START_TEST(bad_input)
 {
@@ -243,6 +357,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, never_creeps);
     tcase_add_loop_test(tcase, two_methods_agree, 0, 2);
     tcase_add_test(tcase, weak_bearings_are_linear);
+    tcase_add_loop_test(tcase, a_block_overturns_with_m_a_h, 0, 2);
+    tcase_add_loop_test(tcase, the_overturning_moment_is_what_isolators_hold, 0, 2);
     tcase_add_test(tcase, bad_input);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -34,6 +34,14 @@
  *
  * T of a shear building is diagonal: the stiffnesses of its storeys.
  *
+ * The overturning moment about a building's base is what its isolators have to hold: inertia, but for what contacts and
+ * links hold,
+ *
+ *     M = sum_i z_i (m_i a_i + the forces of contacts and links on floor i)
+ *       = -sum_j W_j (omega_j^2 q_j + (D q')_j) - sum_k (z_k - z_(k-1)) F_k + sum_l z_l (k d + c d'),   W = z' M Phi
+ *
+ * with total accelerations a_i, over the storeys that yield (k) and the links that always act (l).
+ *
  * A building on soil has two dofs behind its floors, the sway u_f of its foundation against the ground and its rotation
  * t (clockwise: upper floors to the right), counted as the motion r = H t that it makes at the building's height H. What
  * its storeys feel is the drift
@@ -61,9 +69,12 @@ struct thud_model_structure {
     const double *matrix_npm;    /* (n x n) lateral stiffness of a building by its matrix, else NULL */
     const double *shear; /* its storey shears: s (n x modes) by modal values and, behind it, T (n x n); else NULL */
     bool drifts;         /* it has storeys */
-    const double *omega; /* (dofs) its own natural frequencies, also of modes that are left out, rad/s */
-    int system;          /* index of the system that it belongs to */
-    int first_shape;     /* modes of the structures before it, counted for each of them */
+    const double *level_m,
+        *moment;                 /* (n) heights z, and the overturning moment (2 x modes) by modal values and by their
+                                       rates; NULL: it is not asked for */
+    const double *omega;         /* (dofs) its own natural frequencies, also of modes that are left out, rad/s */
+    int system;                  /* index of the system that it belongs to */
+    int first_shape;             /* modes of the structures before it, counted for each of them */
     const double *geometric_npm; /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
     const double *collapse_m;    /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
     double collapse_least_m;     /* the least of them */
@@ -142,7 +153,7 @@ struct thud_model {
     struct thud_model_storey *storey;       /* (nstoreys) */
     struct thud_model_column *column;       /* (ncolumns) */
     bool collapses;                         /* a structure may: P-Delta */
-    bool shears;                            /* the stiffness of a structure is a matrix */
+    bool sums;                              /* a structure has `shear` or `moment` */
     bool couples;                           /* the damping of a structure couples its modes */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof); of a rotation, I/H^2 */
@@ -181,8 +192,9 @@ struct thud_model_input {
          * both NULL */
         const double *geometric_npm, *collapse_m;
         const struct thud_foundation_input
-            *foundation;      /* of a building on soil; NULL: it stands on the ground itself */
-        const double *rise_m; /* (n) storey heights, of a building on soil */
+            *foundation;       /* of a building on soil; NULL: it stands on the ground itself */
+        const double *rise_m;  /* (n) storey heights, of a building on soil */
+        const double *level_m; /* (n) heights of the floors for the overturning moment; NULL: it is not asked for */
     } * structure;
     int ncontacts;
     const struct thud_contact_input {

@@ -16,6 +16,8 @@ struct thud_floor_result {
     struct thud_peak velocity;     /* relative to the ground, m/s */
     struct thud_peak drift;        /* interstorey drift, m; 0 for a rigid body */
     struct thud_peak shear;        /* of the storey below, N; 0 for a rigid body */
+    struct thud_peak
+        moment; /* of the lowest floor: overturning moment about the base, N m; 0 where it is not asked for */
 };
 
 enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
@@ -118,10 +120,11 @@ struct thud_structure_result {
     double arm_m;
     struct thud_storey_result *storey; /* (floors); NULL where none of them yields */
     double rigid_period_s,
-        soil_damping;            /* on soil: its first period on rigid ground, and the damping ratio of its first
+        soil_damping;             /* on soil: its first period on rigid ground, and the damping ratio of its first
                                             mode as it is; else 0 */
-    struct thud_peak base_shear; /* N */
-    double *period_s;            /* (floors), longest first; INFINITY for a free rigid body */
+    struct thud_peak base_shear;  /* N */
+    struct thud_peak overturning; /* moment about the base, N m; 0 where it is not asked for */
+    double *period_s;             /* (floors), longest first; INFINITY for a free rigid body */
 };
 
 /* P-Delta: a storey's drift has come to a tenth of its height, which ends the run. */

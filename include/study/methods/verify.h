@@ -1,5 +1,5 @@
 /* What a preset is expected to give: the results of its cases as named numbers, compared with stored ones. Names are
- * STRUCTURE.FLOOR.acceleration_mps2 (displacement_m, velocity_mps, drift_m), STRUCTURE.base_shear_n,
+ * STRUCTURE.FLOOR.acceleration_mps2 (displacement_m, velocity_mps, drift_m), STRUCTURE.base_shear_n (overturning_nm),
  * contact.INTERFACE.LEFT-RIGHT.impacts (force_n, indentation_m, impulse_ns; floors, or `wall`), energy.input_j
  * (viscous_j, contact_j) and ratio.STRUCTURE.FLOOR.acceleration (displacement, drift): over case `none`. A storey that
  * yields adds STRUCTURE.FLOOR.ductility (permanent_m, excursions, hysteretic_j, shear_n) and the ratio of the first. */

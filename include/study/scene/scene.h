@@ -64,6 +64,7 @@ struct thud_structure {
     double hardening[THUD_STOREYS_MAX];
     double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
+    double width_m; /* isolated only: between the outermost isolators; NaN: not given */
     /* Isolated only: what it stands on; NaN: not given, or not of that law. */
     double isolator_law; /* enum thud_isolator_law */
     double isolator_strength_n, isolator_post_yield_npm, isolator_yield_m, isolator_radius_m, isolator_friction;
@@ -251,6 +252,8 @@ struct thud_isolator {
     double stiffness_npm, yield_m, hardening, damping; /* k = Q_d/u_y + K_d, u_y, r = K_d/k, damping ratio */
 };
 struct thud_isolator thud_structure_isolator(const struct thud_structure *structure);
+/* Weight on the isolators. */
+double thud_isolated_weight(const struct thud_structure *structure);
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
 /* Whether they yield or slide. */
 bool thud_isolator_slides(const struct thud_structure *structure);

@@ -84,6 +84,9 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(out, "%s T%d %.4g s", i > 0 ? "," : ":", i + 1, r->period_s[i]);
     if (r->base_shear.value > 0)
         thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
+    if (r->overturning.value > 0)
+        thud_text_append(out, "; overturning moment %.5g MN m at %.3f s", 1e-6 * r->overturning.value,
+                         r->overturning.time_s);
     if (p->kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(p);
         thud_text_append(

@@ -96,6 +96,8 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
         if (in->structure[s].matrix_npm)
             bytes += thud_arena_room(n * n, sizeof(double)) +
                      thud_arena_room(n * (n + (size_t)modes_of(in, s)), sizeof(double));
+        if (in->structure[s].level_m)
+            bytes += thud_arena_room(n + 2 * (size_t)modes_of(in, s), sizeof(double));
     }
     return bytes;
 }
@@ -173,7 +175,7 @@ static void fill_shears(struct thud_model *m, struct thud_arena *arena, struct t
         }
     }
     to->shear = shear;
-    m->shears = true;
+    m->sums = true;
 }
 
 /* On soil: the modes and the damping of the whole out of those on rigid ground. */
@@ -714,6 +716,45 @@ static enum thud_status tie_structures(struct thud_model *m, struct thud_arena *
     return status;
 }
 
+/* Adds what a link that always acts holds at one of its ends: side 1 the left one, -1 the right one. */
+static void add_held(const struct thud_model_structure *p, const struct thud_model_link *link, int dof, int side,
+                     double *row, double *rate)
+{
+    if (link->contact >= 0 || dof < p->first || dof >= p->first + p->n)
+        return;
+    const double arm = side * p->level_m[dof - p->first];
+    for (int j = 0; j < p->modes; j++) {
+        row[j] += arm * link->stiffness_npm * link->row[j];
+        rate[j] += arm * link->damping_nspm * link->row[j];
+    }
+}
+
+static void fill_moment(struct thud_model *m, struct thud_arena *arena, struct thud_model_structure *to,
+                        const struct thud_structure_input *in)
+{
+    const int modes = to->modes;
+    double *level = thud_arena_take(arena, (size_t)to->n + 2 * (size_t)modes, sizeof *level), *row = level + to->n,
+           *rate = row + modes;
+    memcpy(level, in->level_m, (size_t)to->n * sizeof *level);
+    for (int j = 0; j < modes; j++) {
+        double carried = 0; /* W */
+        for (int i = 0; i < to->n; i++)
+            carried += level[i] * in->mass_kg[i] * to->phi[i * modes + j];
+        row[j] = -carried * m->spring[to->first_mode + j];
+        for (int k = 0; k < modes; k++)
+            rate[k] -= carried * (to->damping ? to->damping[j * modes + k]
+                                  : k == j    ? m->dashpot[to->first_mode + j]
+                                              : 0);
+    }
+    to->level_m = level;
+    to->moment = row;
+    m->sums = true;
+    for (int l = 0; l < m->nlinks; l++) {
+        add_held(to, &m->link[l], m->link[l].left_dof, 1, row, rate);
+        add_held(to, &m->link[l], m->link[l].right_dof, -1, row, rate);
+    }
+}
+
 static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input,
                              const bool *tied, struct thud_error *err)
 {
@@ -731,6 +772,9 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
         status = fill_links(m, arena, input, err);
     if (status != THUD_OK)
         return status;
+    for (int s = 0; s < input->nstructures; s++)
+        if (input->structure[s].level_m)
+            fill_moment(m, arena, &m->structure[s], &input->structure[s]);
     fill_storeys(m, arena, input);
     fill_delassus(m);
     return THUD_OK;

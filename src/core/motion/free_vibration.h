@@ -93,9 +93,9 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 /* One quantity of a structure's floors into f->value, which is made only when asked for. */
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int quantity);
-/* Bound of a mode's second derivative in the block. */
+/* Bound of a mode's derivative of order 2 or 3 in the block. */
 double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
-                                int mode);
+                                int mode, int order);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,

@@ -105,13 +105,13 @@ static void structure_margins(struct thud_free_vibration *f, const struct thud_m
 }
 
 double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
-                                int mode)
+                                int mode, int order)
 {
     double bound[BOUNDS];
     if (m->structure[structure].damping)
-        return f->bound[2 * f->n + mode];
-    mode_bounds(f, m, mode, 0, bound);
-    return bound[2];
+        return f->bound[order * f->n + mode];
+    mode_bounds(f, m, mode, 2 * f->ground_most / f->dt_s, bound);
+    return bound[order];
 }
 
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)

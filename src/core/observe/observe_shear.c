@@ -10,117 +10,140 @@
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
-static struct thud_peak *peak_of(struct thud_result *result, int structure, int storey)
-{
-    return &result->structure[structure].floor[storey].shear;
-}
+/* A sum over the floors of a structure: by its modal values, of a moment also by their rates and by the forces of storeys
+ * that yield. */
+struct sum {
+    int structure;
+    const double *row, *rate; /* (modes); rate NULL: of a shear */
+    struct thud_peak *peak;
+};
 
-/* Whether the coefficients of the modes let the shear pass its peak up to s. */
-static bool may_pass(const struct thud_model_structure *p, const struct thud_segment *seg, int nmodes,
-                     const double *row, double least, double s)
-{
-    double sum = 0;
-    for (int j = 0; j < p->modes && !(sum > least); j++) {
-        const double *q = seg->q + p->first_mode + j;
-        double most = 0;
-        for (int k = seg->terms - 1; k >= 0; k--)
-            most = most * s + fabs(q[k * nmodes]);
-        sum += fabs(row[j]) * most;
-    }
-    return sum > least;
-}
-
-static void look(const struct thud_model *m, const struct thud_segment *seg, int structure, int storey,
-                 struct thud_peak *peak, double s)
+/* The sums of a structure: shears from below, then the moment. */
+static bool get_sum(const struct thud_model *m, const struct thud_result *result, int structure, int i, struct sum *out)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->shear + storey * p->modes;
+    struct thud_floor_result *floor = result->structure[structure].floor;
+    const int shears = p->shear ? p->n : 0;
+    if (i < shears)
+        *out = (struct sum){structure, p->shear + i * p->modes, NULL, &floor[i].shear};
+    else if (i == shears && p->moment)
+        *out = (struct sum){structure, p->moment, p->moment + p->modes, &floor[0].moment};
+    else
+        return false;
+    return true;
+}
+
+/* What the force of storey k, which yields, adds to the sum. */
+static double by_force(const struct thud_model *m, const struct sum *sum, int k)
+{
+    const struct thud_model_storey *storey = &m->storey[k];
+    const double *level = m->structure[sum->structure].level_m;
+    if (!sum->rate || storey->link >= 0 || storey->structure != sum->structure || storey->floor == 0)
+        return 0;
+    return level[storey->floor - 1] - level[storey->floor];
+}
+
+static void look(const struct thud_model *m, const struct thud_segment *seg, const struct sum *sum, double s)
+{
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    const double *q = seg->q + p->first_mode;
     double x[THUD_SEGMENT_TERMS], where;
-    if (!may_pass(p, seg, m->nmodes, row, peak->value, s))
-        return;
     for (int k = 0; k < seg->terms; k++)
-        x[k] = thud_dot(p->modes, row, seg->q + k * m->nmodes + p->first_mode);
-    double value = thud_poly_peak(x, seg->terms, s, peak->value, &where);
-    if (value > peak->value)
-        *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
+        x[k] = thud_dot(p->modes, sum->row, q + k * m->nmodes);
+    for (int k = 0; sum->rate && k + 1 < seg->terms; k++)
+        x[k] += (k + 1) / seg->h_s * thud_dot(p->modes, sum->rate, q + (k + 1) * m->nmodes);
+    for (int i = 0; i < m->nstoreys; i++) {
+        const double arm = by_force(m, sum, i);
+        for (int k = 0; arm != 0 && k < seg->terms; k++)
+            x[k] += arm * seg->force[k * m->nrows + m->ncontacts + i];
+    }
+    double value = thud_poly_peak(x, seg->terms, s, sum->peak->value, &where);
+    if (value > sum->peak->value)
+        *sum->peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }
 
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
-    struct thud_result *result = own;
     const struct thud_model *m = o->state->model;
+    struct sum sum;
     (void)err;
     for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; m->structure[s].shear && i < m->structure[s].n; i++)
-            look(m, o->seg, s, i, peak_of(result, s, i), o->s);
+        for (int i = 0; get_sum(m, own, s, i, &sum); i++)
+            look(m, o->seg, &sum, o->s);
     return THUD_OK;
 }
 
-/* Largest shear that the modes of the block can make at the ends of its intervals; *margin: how far one inside an
- * interval may lie above. */
-static double largest_shear(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
-                            const double *row, double *margin)
+/* Largest size that the modes of the block can give the sum, without the forces of storeys, at the ends of its intervals;
+ * *margin: how far one inside an interval may lie above. */
+static double largest_sum(const struct thud_free_vibration *f, const struct thud_model *m, const struct sum *sum,
+                          double *margin)
 {
-    const struct thud_model_structure *p = &m->structure[structure];
-    double sum = 0, bend = 0;
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    double most = 0, bend = 0;
     for (int j = 0; j < p->modes; j++) {
         const int mode = p->first_mode + j;
-        sum += fabs(row[j]) * (f->speed[mode] / m->omega[mode] + fabs(f->shift[mode]));
-        bend += fabs(row[j]) * thud_free_vibration_bend(f, m, structure, mode);
+        const double rate = sum->rate ? fabs(sum->rate[j]) : 0;
+        most += fabs(sum->row[j]) * (f->speed[mode] / m->omega[mode] + fabs(f->shift[mode])) + rate * f->speed[mode];
+        bend += fabs(sum->row[j]) * thud_free_vibration_bend(f, m, sum->structure, mode, 2);
+        bend += rate > 0 ? rate * thud_free_vibration_bend(f, m, sum->structure, mode, 3) : 0;
     }
     *margin = bend * f->dt_s * f->dt_s / 8;
-    return sum;
+    return most;
 }
 
-/* Shears at the ends into f->gap; the largest. */
-static double shears(struct thud_free_vibration *f, const struct thud_model_structure *p, const double *row, int ends)
+/* Values at the ends into f->gap, which all have `held`; the largest. */
+static double values(struct thud_free_vibration *f, const struct thud_model_structure *p, const struct sum *sum,
+                     double held, int ends)
 {
     for (int t = 0; t < ends; t++)
-        f->gap[t] = 0;
+        f->gap[t] = held;
     for (int j = 0; j < p->modes; j++) {
-        const double *q = f->q + (size_t)(p->first_mode + j) * ENDS;
+        const size_t at = (size_t)(p->first_mode + j) * ENDS;
         for (int t = 0; t < ends; t++)
-            f->gap[t] += row[j] * q[t];
+            f->gap[t] += sum->row[j] * f->q[at + (size_t)t];
+        for (int t = 0; sum->rate && t < ends; t++)
+            f->gap[t] += sum->rate[j] * f->qd[at + (size_t)t];
     }
     return thud_largest_size(f->gap, ends);
 }
 
-static void storey_block(const struct thud_state *state, struct thud_free_vibration *f, int structure, int storey,
-                         int intervals, struct thud_peak *peak)
+static void sum_block(const struct thud_state *state, struct thud_free_vibration *f, const struct sum *sum,
+                      int intervals)
 {
     const struct thud_model *m = state->model;
-    const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->shear + storey * p->modes;
-    double margin;
-    if (largest_shear(f, m, structure, row, &margin) + margin <= peak->value)
+    double margin, held = 0;
+    for (int i = 0; i < m->nstoreys; i++) {
+        const double arm = by_force(m, sum, i);
+        held += arm != 0 ? arm * thud_row_branch(state, m->ncontacts + i)->f0_n : 0;
+    }
+    if (largest_sum(f, m, sum, &margin) + fabs(held) + margin <= sum->peak->value)
         return;
-    double most = shears(f, p, row, intervals + 1);
-    if (most + margin <= peak->value)
+    double most = values(f, &m->structure[sum->structure], sum, held, intervals + 1);
+    if (most + margin <= sum->peak->value)
         return;
-    double limit = fmax(peak->value, most) - margin;
+    double limit = fmax(sum->peak->value, most) - margin;
     for (int t = 0; t < intervals; t++)
         for (int piece = 0; piece < f->pieces && fmax(fabs(f->gap[t]), fabs(f->gap[t + 1])) >= limit; piece++)
-            look(m, thud_free_vibration_series(f, state, structure, t, piece), structure, storey, peak, 1);
+            look(m, thud_free_vibration_series(f, state, sum->structure, t, piece), sum, 1);
 }
 
 static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
                               struct thud_error *err)
 {
-    struct thud_result *result = own;
-    const struct thud_model *m = state->model;
+    struct sum sum;
     (void)err;
-    for (int s = 0; s < m->nstructures; s++)
-        for (int i = 0; m->structure[s].shear && i < m->structure[s].n; i++)
-            storey_block(state, f, s, i, intervals, peak_of(result, s, i));
+    for (int s = 0; s < state->model->nstructures; s++)
+        for (int i = 0; get_sum(state->model, own, s, i, &sum); i++)
+            sum_block(state, f, &sum, intervals);
     return THUD_OK;
 }
 
 static bool may_jump(const void *own, const struct thud_rest *rest)
 {
-    const struct thud_result *result = own;
+    struct sum sum;
     for (int s = 0; s < rest->model->nstructures; s++)
-        for (int i = 0; rest->model->structure[s].shear && i < rest->model->structure[s].n; i++)
-            if (!(thud_rest_shear(rest, s, i) <= result->structure[s].floor[i].shear.value))
+        for (int i = 0; get_sum(rest->model, own, s, i, &sum); i++)
+            if (!((sum.rate ? thud_rest_moment(rest, s) : thud_rest_shear(rest, s, i)) <= sum.peak->value))
                 return false;
     return true;
 }

@@ -35,6 +35,17 @@ double thud_rest_shear(const struct thud_rest *rest, int structure, int storey)
     return sum;
 }
 
+double thud_rest_moment(const struct thud_rest *rest, int structure)
+{
+    const struct thud_model_structure *p = &rest->model->structure[structure];
+    double most[THUD_FLOOR_QUANTITIES], sum = 0;
+    for (int i = 0; i < p->n; i++) {
+        thud_rest_floor(rest, structure, i, most);
+        sum += p->level_m[i] * rest->model->mass_kg[p->first + i] * most[THUD_FLOOR_ACCELERATION];
+    }
+    return sum;
+}
+
 double thud_rest_drift(const struct thud_rest *rest, const struct thud_model_column *column)
 {
     double drift = rest->later[THUD_FLOOR_DRIFT * rest->model->ndof + column->dof];

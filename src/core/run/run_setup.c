@@ -140,7 +140,7 @@ static void pick_method(struct thud_run *run)
     bool may_choose = run->method->flags & THUD_METHOD_FIXED_STEP;
     run->state.locates = run->method->flags & THUD_METHOD_CAN_LOCATE && (run->options.locate || !may_choose);
     run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
-                        run->state.model->nstoreys > 0 || run->state.model->shears || run->state.model->ncolumns > 0 ||
+                        run->state.model->nstoreys > 0 || run->state.model->sums || run->state.model->ncolumns > 0 ||
                         run->state.model->nlinks > 0; /* their peaks are read there */
 }
 
@@ -193,7 +193,7 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
         thud_run_observe(run, &thud_observe_columns, &run->result);
     if (m->nlinks > 0)
         thud_run_observe(run, &thud_observe_links, &run->result);
-    if (m->shears)
+    if (m->sums)
         thud_run_observe(run, &thud_observe_shear, &run->result);
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_history_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
@@ -359,6 +359,8 @@ void thud_run_finish(struct thud_run *run)
         }
         if (p->drifts)
             to->base_shear = to->floor[0].shear;
+        if (p->moment)
+            to->overturning = to->floor[0].moment;
     }
 }
 

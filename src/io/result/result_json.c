@@ -50,6 +50,10 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     }
     thud_text_append(out, "], ");
     THUD_JSON_FIELDS(out, {"base_shear_n", r->base_shear.value}, {"base_shear_time_s", r->base_shear.time_s});
+    if (r->overturning.value > 0) {
+        thud_text_append(out, ", ");
+        THUD_JSON_FIELDS(out, {"overturning_nm", r->overturning.value}, {"overturning_time_s", r->overturning.time_s});
+    }
     if (report->scene->structure[s].kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(&report->scene->structure[s]);
         thud_text_append(out, ", \"estimate\": {");

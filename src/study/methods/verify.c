@@ -78,8 +78,11 @@ static enum thud_status add_structure(struct thud_measures *measures, enum thud_
         if (status == THUD_OK && r->storey && r->storey[i].yields)
             status = add_storey(measures, which, prefix, &r->storey[i], err);
     }
-    const struct part shear = {"base_shear", "_n", r->base_shear.value, false, false};
-    return status == THUD_OK && r->floors > 0 && !free_body ? add_parts(measures, which, name, &shear, 1, err) : status;
+    const struct part base[] = {{"base_shear", "_n", r->base_shear.value, false, false},
+                                {"overturning", "_nm", r->overturning.value, false, false}};
+    return status == THUD_OK && r->floors > 0 && !free_body
+               ? add_parts(measures, which, name, base, r->overturning.value > 0 ? 2 : 1, err)
+               : status;
 }
 
 static enum thud_status add_contact(struct thud_measures *measures, enum thud_case which,

@@ -17,6 +17,7 @@ struct assembly {
     double geometric_npm[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double collapse_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     double rise_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
+    double level_m[THUD_STRUCTURES_MAX][THUD_STOREYS_MAX + 1];
     struct thud_foundation_input foundation[THUD_STRUCTURES_MAX];
     struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
     double *matrix_npm[THUD_STRUCTURES_MAX]; /* (n x n) of a building by its matrix, else NULL */
@@ -52,6 +53,16 @@ static void fill_foundation(struct assembly *a, int index, const struct thud_str
     a->foundation[index] = thud_structure_foundation(s);
     a->structure[index].foundation = &a->foundation[index];
     a->structure[index].rise_m = rise;
+}
+
+/* Heights of an isolated building's floors above its isolators. */
+static void fill_levels(struct assembly *a, int index, const struct thud_structure *s)
+{
+    double *level = a->level_m[index];
+    level[0] = 0;
+    for (int i = 0; i < s->storeys; i++)
+        level[i + 1] = level[i] + s->height_m[i];
+    a->structure[index].level_m = level;
 }
 
 static void fill_structure(struct assembly *a, int index, const struct thud_structure *s, bool p_delta)
@@ -94,6 +105,8 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
         fill_weights(a, index, s);
     if (thud_structure_on_soil(s))
         fill_foundation(a, index, s);
+    if (base && !isnan(s->width_m))
+        fill_levels(a, index, s);
 }
 
 static enum thud_status fill_matrix(struct assembly *a, const struct thud_scene *scene, int index,

@@ -12,6 +12,11 @@ const char *thud_isolator_name(enum thud_isolator_law law)
     return name[law];
 }
 
+double thud_isolated_weight(const struct thud_structure *s)
+{
+    return THUD_GRAVITY * s->base_mass_kg + thud_structure_weight(s, 0);
+}
+
 struct thud_isolator thud_structure_isolator(const struct thud_structure *s)
 {
     const enum thud_isolator_law law = (enum thud_isolator_law)s->isolator_law;
@@ -22,7 +27,7 @@ struct thud_isolator thud_structure_isolator(const struct thud_structure *s)
     double strength = s->isolator_strength_n, beyond = s->isolator_post_yield_npm;
     out.yield_m = s->isolator_yield_m;
     if (law == THUD_ISOLATOR_PENDULUM) {
-        const double weight = THUD_GRAVITY * s->base_mass_kg + thud_structure_weight(s, 0);
+        const double weight = thud_isolated_weight(s);
         strength = s->isolator_friction * weight;
         beyond = weight / s->isolator_radius_m;
         out.yield_m = isnan(out.yield_m) ? pendulum_yield_m : out.yield_m;

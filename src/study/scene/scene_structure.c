@@ -89,6 +89,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
         structure->base_mass_kg = NAN;
         structure->isolation_stiffness_npm = NAN;
         structure->isolation_damping = NAN; /* by the law of the isolators */
+        structure->width_m = NAN;
         structure->isolator_strength_n = structure->isolator_post_yield_npm = structure->isolator_yield_m = NAN;
         structure->isolator_radius_m = structure->isolator_friction = NAN;
     }

@@ -256,6 +256,29 @@ static bool look_columns(const struct thud_scene *scene, const struct thud_resul
     return true;
 }
 
+/* Isolators bear the building's weight and, about the middle of them, its overturning moment: beyond W b/2 those at an
+ * edge would have to pull. */
+static bool look_overturning(const struct thud_structure *s, const struct thud_structure_result *r, int index,
+                             struct thud_error *out)
+{
+    static const double part = 0.5;
+    if (s->kind != THUD_ISOLATED || isnan(s->width_m))
+        return false;
+    const double held = 0.5 * thud_isolated_weight(s) * s->width_m;
+    char key[64];
+    if (!(r->overturning.value > part * held))
+        return false;
+    snprintf(key, sizeof key, "structures.%d.width", index + 1);
+    thud_error_set(out, THUD_OK,
+                   "the overturning moment of %.40s about its isolators comes to %.4g MN m at %.3f s, %.2g times what "
+                   "its weight holds (%.4g MN m): uplift of isolators, and how the load on them changes, are left out",
+                   s->name, 1e-6 * r->overturning.value, r->overturning.time_s, r->overturning.value / held,
+                   1e-6 * held);
+    thud_error_allow(out, "up to half of the weight times half the width, %.4g MN m", 1e-6 * part * held);
+    thud_error_key(out, key);
+    return true;
+}
+
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out)
 {
@@ -269,6 +292,9 @@ bool thud_result_remark(const struct thud_scene *scene, const struct thud_result
             return true;
     for (int s = 0; s < scene->nstructures; s++)
         if (look_columns(scene, result, s, out) && n-- == 0)
+            return true;
+    for (int s = 0; s < scene->nstructures; s++)
+        if (look_overturning(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
             return true;
     return thud_storey_remark(scene, result, n, out);
 }

@@ -170,8 +170,8 @@ static int rows_of_kind(const struct thud_structure *structure)
            : structure->kind == THUD_MODES     ? 6
            : structure->kind == THUD_ESTIMATED ? 6
            : structure->kind == THUD_MATRIX    ? 7
-           : thud_isolator_slides(structure)   ? 9
-                                               : 7;
+           : thud_isolator_slides(structure)   ? 10
+                                               : 8;
 }
 
 /* The values that are not by floor, two in a row where they are short. */
@@ -228,7 +228,8 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"order", "order", MODES, 5, RIGHT},
         {"base-mass", "base mass", ISOLATED, 3, WIDE},
         {"isolator.law", "isolators", ISOLATED, 4, WIDE},
-        {"isolation-damping", "isolator damping", ISOLATED, 5, WIDE},
+        {"width", "isolator width", ISOLATED, 5, WIDE},
+        {"isolation-damping", "isolator damping", ISOLATED, 6, WIDE},
         OF_WALL("mass", "mass", 1),
         {"height", "height", RIGID | WALL, 2, WIDE},
         OF_WALL("stiffness", "stiffness", 3),
@@ -238,13 +239,13 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         OF_WALL("backfill.ratio", "failure ratio", 7),
         OF_WALL("backfill.gap", "gap to soil", 8),
         {"velocity", "velocity at 0", RIGID, 3, WIDE},
-        {"isolation-stiffness", "isolator k", LINEAR, 6, WIDE},
-        {"isolator.strength", "strength", LEAD_RUBBER, 6, WIDE},
-        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, WIDE},
-        {"isolator.yield", "yields at", LEAD_RUBBER, 8, WIDE},
-        {"isolator.radius", "radius", PENDULUM, 6, WIDE},
-        {"isolator.friction", "friction", PENDULUM, 7, WIDE},
-        {"isolator.yield", "elastic give", PENDULUM, 8, WIDE},
+        {"isolation-stiffness", "isolator k", LINEAR, 7, WIDE},
+        {"isolator.strength", "strength", LEAD_RUBBER, 7, WIDE},
+        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 8, WIDE},
+        {"isolator.yield", "yields at", LEAD_RUBBER, 9, WIDE},
+        {"isolator.radius", "radius", PENDULUM, 7, WIDE},
+        {"isolator.friction", "friction", PENDULUM, 8, WIDE},
+        {"isolator.yield", "elastic give", PENDULUM, 9, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),
