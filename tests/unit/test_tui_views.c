@@ -125,6 +125,7 @@ START_TEST(several_structures)
     f.tui->interface = 0;
     fixture_keys(&f, "/structures.3.damping<Enter>");
     ck_assert_int_eq(f.tui->interface, 1);
+    fixture_expect(&f, "\n 2 of 2: "); /* the answer is that of one gap */
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.3.damping");
     fixture_keys(&f, "/interfaces.1.gap<Enter>");
     ck_assert_int_eq(f.tui->interface, 0);
@@ -132,6 +133,7 @@ START_TEST(several_structures)
     fixture_keys(&f, "]<A-1>D"); /* the pair to the right goes with its structure */
     ck_assert_int_eq(f.tui->doc.scene.nstructures, 2);
     ck_assert_int_eq(f.tui->interface, 0);
+    fixture_expect_not(&f, " of 1: ");
 }
 END_TEST
 

@@ -19,8 +19,7 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
              result->collapse.time_s, thud_structure_storey(s, result->collapse.floor), s->name);
 }
 
-/* In at most `columns`; empty where there is nothing to say. *pounds: whether there is contact without a bumper. */
-static void words_of(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
+static void words_of_pair(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     const struct thud_live_need *need = &tui->run.live.need[tui->interface];
@@ -52,6 +51,18 @@ static void words_of(const struct thud_tui *tui, int columns, char *text, size_t
     if (*text)
         snprintf(text + said, size - said, "   ");
     thud_summary_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
+}
+
+/* In at most `columns`; empty where there is nothing to say. In a row of buildings with the number of the gap that it is
+ * said of. *pounds: whether there is contact without a bumper. */
+static void words_of(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
+{
+    const int gaps = tui->doc.scene.nstructures - 1,
+              head =
+                  gaps > 1 && tui->interface < gaps ? snprintf(text, size, "%d of %d: ", tui->interface + 1, gaps) : 0;
+    words_of_pair(tui, columns - head, text + head, size - (size_t)head, pounds);
+    if (!text[head])
+        *text = '\0';
 }
 
 void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size)
