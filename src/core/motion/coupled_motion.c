@@ -305,18 +305,14 @@ static void add_work(const struct thud_coupled_motion *c, const double *q, const
 }
 
 void thud_coupled_motion_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                              const double *s, const double *ground, const double *after, int intervals,
+                              const double *s, double *moved, const double *ground, const double *after, int intervals,
                               double *input_j, double *viscous_j)
 {
     bool shifted = false;
     for (int j = 0; j < c->n; j++)
         shifted = shifted || s[j] != 0;
-    if (!shifted) {
-        add_work(c, q, qd, apart, ground, after, intervals, input_j, viscous_j);
-        return;
-    }
-    for (int t = 0; t < intervals; t++) {
-        const double *x = start_of(c, q, qd, apart, s, ground[t], after[t], t);
-        add_work(c, x, x + c->n, 1, ground + t, after + t, 1, input_j, viscous_j);
-    }
+    for (int j = 0; j < c->n && shifted; j++)
+        for (int t = 0; t < intervals; t++)
+            moved[j * apart + t] = q[j * apart + t] - s[j];
+    add_work(c, shifted ? moved : q, qd, apart, ground, after, intervals, input_j, viscous_j);
 }

@@ -45,7 +45,8 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, 
 /* Loss in the dashpot of the link whose index in the model is this, in interval t; 0 where it has none. */
 double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link, const double *q,
                                      const double *qd, int apart, const double *s, double ground, double after, int t);
-/* Adds work of the ground and loss in damping in the intervals of the same rows, where the modes rest at s. */
+/* Adds work of the ground and loss in damping in the intervals of the same rows, where the modes rest at s; moved (n rows
+ * as q) is workspace. */
 void thud_coupled_motion_work(const struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
-                              const double *s, const double *ground, const double *after, int intervals,
+                              const double *s, double *moved, const double *ground, const double *after, int intervals,
                               double *input_j, double *viscous_j);

@@ -56,7 +56,8 @@ struct thud_free_vibration {
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
     double *shift;                                 /* (n) s */
     bool shifted;                                  /* it is not 0 */
-    double *q, *qd, *spring;                       /* (n x ENDS) modal state, and omega^2 (q - s) + 2 zeta omega q' */
+    double *q, *qd;                                /* (n x ENDS) modal state */
+    double *spring;                                /* (n x ENDS) workspace of one function at a time */
     double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
     int summed;
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */

@@ -306,8 +306,8 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
         const struct thud_coupled_motion *c = &f->coupled[s];
         const int row = c->first_mode * ENDS;
         if (c->size > 0)
-            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, a0, a1, intervals,
-                                     &input, &viscous);
+            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->spring + row, a0,
+                                     a1, intervals, &input, &viscous);
     }
     *input_j = input;
     *viscous_j = viscous;

@@ -2,10 +2,10 @@
  *
  * Glossary, for a segment of which the first part, s in [0, s_end], is committed; tau = s_end h in s.
  *
- *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 q^2) of a structure
+ *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
  *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
  *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
- *         SPEED         bound of |q'| and |omega q|
+ *         SPEED         bound of |q'| and |omega (q - rest)|
  *         SECOND, THIRD bounds of |q''| and |q'''|, by the equations of motion from the row before
  *         FOURTH        bound of the second rate of q'' + gamma a_g
  *     value[row]        peaks->value: u, v and a of the floors at both ends
@@ -64,17 +64,18 @@ static void push_modes(int n, const double *restrict g, const struct thud_row_pu
     }
 }
 
-/* SPEED of uncoupled modes: sqrt(q'^2 + omega^2 q^2) grows by no more than the loads' size times tau. */
-static void mode_speeds(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
-                        double *restrict out)
+/* SPEED of uncoupled modes: sqrt(q'^2 + omega^2 (q - rest)^2) grows by no more than the loads' size times tau. */
+static void mode_speeds(const struct thud_peaks *peaks, const struct thud_observation *o,
+                        const struct thud_model_structure *p, int stride, double *restrict out)
 {
     const struct thud_model *m = o->state->model;
     const double *restrict spring = m->spring + p->first_mode, *restrict q = o->state->q + p->first_mode,
                            *restrict qd = o->state->qd + p->first_mode;
     const double time = o->s * o->seg->h_s;
-    for (int j = 0; j < p->modes; j++)
-        out[MODE_SPEED * stride + j] =
-            sqrt(qd[j] * qd[j] + spring[j] * q[j] * q[j]) + time * out[MODE_SECOND * stride + j];
+    for (int j = 0; j < p->modes; j++) {
+        const double x = q[j] - (peaks->rests ? peaks->rest[p->first_mode + j] : 0);
+        out[MODE_SPEED * stride + j] = sqrt(qd[j] * qd[j] + spring[j] * x * x) + time * out[MODE_SECOND * stride + j];
+    }
 }
 
 /* SECOND to FOURTH: |q''| <= load + (omega + dashpot) speed, |q'''| <= load' + spring |q'| + dashpot |q''|, and so on. */
@@ -175,7 +176,7 @@ static void structure_modes(struct thud_peaks *peaks, const struct thud_observat
         coupled_rates(o, p, bound->speed, peaks->stride, peaks->modal);
         return;
     }
-    mode_speeds(o, p, peaks->stride, peaks->modal);
+    mode_speeds(peaks, o, p, peaks->stride, peaks->modal);
     mode_rates(m, p, peaks->stride, peaks->modal);
 }
 
@@ -393,7 +394,7 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
                  shapes = (size_t)m->nshapes;
     *peaks = (struct thud_peaks){.result = result, .stride = (int)stride};
     peaks->block = calloc(floors + structures + 2 * shapes * stride + (MODE_ROWS + FLOOR_ROWS) * stride +
-                              THUD_SEGMENT_TERMS * (stride + n) + n + 1,
+                              THUD_SEGMENT_TERMS * (stride + n) + 2 * n + 1,
                           sizeof *peaks->block);
     peaks->push = calloc((size_t)m->nrows + 1, sizeof *peaks->push);
     peaks->made = calloc(stride + 1, sizeof *peaks->made);
@@ -410,7 +411,8 @@ enum thud_status thud_peaks_init(struct thud_peaks *peaks, const struct thud_sta
     peaks->modal = peaks->shape + 2 * shapes * stride;
     peaks->value = peaks->modal + MODE_ROWS * stride;
     peaks->series = peaks->value + FLOOR_ROWS * stride;
-    peaks->acceleration = peaks->series + THUD_SEGMENT_TERMS * stride;
+    peaks->rest = peaks->series + THUD_SEGMENT_TERMS * stride;
+    peaks->acceleration = peaks->rest + n;
     fill_shapes(peaks, m);
     thud_response_bound_fill(peaks, state);
     return state->locates ? THUD_OK

@@ -18,8 +18,8 @@ struct thud_peak_row {
     double cubic_margin; /* from the cubic through values and rates at them */
 };
 
-/* A contact or a yielding storey in a segment: bounds of its force and of the force's first two rates, and the force at
- * the end that is read. */
+/* A contact or a yielding storey in a segment: bounds of its force, of a storey's of how far it strays from that at the
+ * start (peaks->rest), and of the force's first two rates; and the force at the end that is read. */
 struct thud_row_push {
     int row;
     double bound, rate, bend, end;
@@ -34,6 +34,8 @@ struct thud_peaks {
     /* A segment, or one structure in it */
     struct thud_row_push *push; /* (pushes) of rows that have a force */
     int pushes;
+    bool rests;     /* whether storeys have a force at the start, and */
+    double *rest;   /* (nmodes) where the modes would rest under those */
     double *modal;  /* (rows x stride) accelerations of the modes at the two ends, and bounds of derivatives */
     double *value;  /* (rows x stride) of the floors at the two ends */
     double *series; /* (stride x terms) polynomials of the floors' displacements, of those */

@@ -1,12 +1,22 @@
 /* What the energy of a structure lets its floors come to: observe_peaks.h has the equation. */
 #include <math.h>
+#include <string.h>
 
 #include "base/largest.h"
+#include "core/numerics/vec.h"
 #include "core/observe/observe_peaks_parts.h"
 
 /* What a structure's energy lets its floors come to at most: where that is below the peaks so far, no floor needs to be
  * looked at. With S = sqrt(sum of q'^2 + omega^2 q^2), whatever the damping, dS/dt is at most the size of the forces in
- * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own. */
+ * modal coordinates; and by Cauchy and Schwarz a floor's value is at most S times a number of its own.
+ *
+ * Where a storey has yielded, its force F_0 besides the elastic one and the spring forces on the modes are large and
+ * cancel. So S is that of q - s, where
+ *
+ *     s = -sum of g F_0/omega^2
+ *
+ * is the rest under these forces as they are at the start: what they change by from there on acts, and the floors' places
+ * at rest are added to what S bounds. */
 
 /* Largest factor by which damping may raise the sum of spring and damping forces over that of the springs. */
 static double damping_factor(const struct thud_model *m, const struct thud_model_structure *p, int j)
@@ -40,40 +50,45 @@ void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state 
     }
 }
 
-/* Whether a floor, and whether any floor of the structure, may then pass a peak. */
+/* Whether a floor, and whether any floor of the structure, may then pass a peak; at rest they are at these places. */
 static bool may_pass(struct thud_peaks *peaks, const struct thud_model *model, int structure, int floor,
-                     const struct thud_response_bound *bound)
+                     const struct thud_response_bound *bound, const double *rest)
 {
     const struct thud_model *m = model;
+    const double drift = peaks->rests ? fabs(thud_model_drift(&m->structure[structure], rest, 1, floor)) : 0,
+                 place = peaks->rests ? fabs(rest[floor]) : 0;
     const struct thud_floor_result *r = &peaks->result->structure[structure].floor[floor];
     const double *most = peaks->per_speed + m->structure[structure].first + floor;
     double push = most[THUD_FLOOR_VELOCITY * m->ndof] * bound->force;
-    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed <= r->displacement.value;
+    bool below = most[THUD_FLOOR_DISPLACEMENT * m->ndof] * bound->speed + place <= r->displacement.value;
     if (floor < m->structure[structure].n) /* else of a foundation */
         below = below && most[THUD_FLOOR_VELOCITY * m->ndof] * bound->speed <= r->velocity.value &&
                 most[THUD_FLOOR_ACCELERATION * m->ndof] * bound->speed + push <= r->acceleration.value &&
-                most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed <= r->drift.value;
+                most[THUD_FLOOR_DRIFT * m->ndof] * bound->speed + drift <= r->drift.value;
     return !below; /* NaN: a rigid body, whose place no energy bounds */
 }
 
 bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_model *model, int structure,
                                    const struct thud_response_bound *bound)
 {
-    for (int i = 0; i < model->structure[structure].dofs; i++)
-        if (may_pass(peaks, model, structure, i, bound))
+    const struct thud_model_structure *p = &model->structure[structure];
+    for (int i = 0; i < p->dofs && peaks->rests; i++)
+        peaks->value[i] = thud_dot(p->modes, p->phi + i * p->modes, peaks->rest + p->first_mode);
+    for (int i = 0; i < p->dofs; i++)
+        if (may_pass(peaks, model, structure, i, bound, peaks->value))
             return true;
     return false;
 }
 
 /* Of one row: coefficients `stride` apart. */
-static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, double s)
+static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, bool rests, double s)
 {
     struct thud_row_push push = {.row = row};
     const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
     for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
         double size = fabs(*f), by_order = k * size;
         push.end = push.end * s + *f;
-        push.bound += size;
+        push.bound += rests && k == 0 ? 0 : size;
         push.rate += by_order;
         push.bend += (k - 1) * by_order;
     }
@@ -82,17 +97,36 @@ static struct thud_row_push row_push(const struct thud_segment *seg, int row, in
     return push;
 }
 
-/* Fills peaks->push. */
+/* Adds to the modes' rest under the force of a storey. */
+static void add_rest(struct thud_peaks *peaks, const struct thud_model *m, int row, double force_n)
+{
+    const double *g = m->jacobian + (size_t)row * (size_t)m->nmodes;
+    if (!peaks->rests)
+        memset(peaks->rest, 0, (size_t)m->nmodes * sizeof *peaks->rest);
+    peaks->rests = true;
+    for (int j = 0; j < m->nmodes; j++)
+        peaks->rest[j] -= m->spring[j] > 0 ? g[j] * force_n / m->spring[j] : 0;
+}
+
+/* Fills peaks->push and peaks->rest. */
 void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
                            double s)
 {
     const struct thud_model *m = state->model;
     peaks->pushes = 0;
-    for (int c = 0; c < m->nrows; c++)
-        if (!thud_row_contact(state, c) || thud_row_acts(state, c)) {
-            peaks->push[peaks->pushes] = row_push(seg, c, m->nrows, s);
-            peaks->pushes += peaks->push[peaks->pushes].bound != 0;
-        }
+    peaks->rests = false;
+    for (int c = 0; c < m->nrows; c++) {
+        const struct thud_model_storey *storey = thud_model_row_storey(m, c);
+        const bool rests = storey && storey->link < 0; /* a link's may push a free body, which rests nowhere */
+        if (!storey && !thud_row_acts(state, c))
+            continue;
+        const struct thud_row_push push = row_push(seg, c, m->nrows, rests, s);
+        if (push.bound == 0 && push.end == 0)
+            continue;
+        peaks->push[peaks->pushes++] = push;
+        if (rests)
+            add_rest(peaks, m, c, seg->force[c]);
+    }
 }
 
 /* Size of the forces of all rows on the structure, and on what it is tied to, in modal coordinates, at most: a force on a floor of mass m is
@@ -124,8 +158,10 @@ struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *
     if (seg->interpolates)
         return (struct thud_response_bound){INFINITY, INFINITY};
     double energy = 0, force = largest_force(peaks, m, p);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
-        energy += state->qd[j] * state->qd[j] + m->spring[j] * state->q[j] * state->q[j];
+    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
+        const double q = state->q[j] - (peaks->rests ? peaks->rest[j] : 0);
+        energy += state->qd[j] * state->qd[j] + m->spring[j] * q * q;
+    }
     double ground = thud_larger(fabs(seg->a0), fabs(seg->a0 + seg->a1)) * peaks->ground[structure];
     return (struct thud_response_bound){sqrt(energy) + s * seg->h_s * (ground + force), force};
 }
