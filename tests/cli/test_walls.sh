@@ -40,8 +40,6 @@ is "in JSON too" gives 0 run $scene --json --quiet
 is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
 is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'
 is "it holds" gives 0 verify $scene
-is "OpenSees is refused" gives 3 export opensees $scene
-is "with the reason" says 'structures.1.kind: OpenSees .*(a wall without mass'
 is "a wall that gives no more" gives 0 run $scene --set structures.1.mass= --set structures.1.stiffness= --set structures.1.damping= \
     --set structures.1.backfill.stiffness= --set structures.1.backfill.strength= --set structures.1.backfill.ratio= --quiet
 is "moves with the ground" shows '^  1 wall-1 '

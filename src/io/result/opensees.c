@@ -6,16 +6,20 @@
  *     ImpactMaterial K1 K2 -d_y -gap    bilinear flag                            impact-material
  *     Steel01 V_y k r                   bilinear, kinematic hardening            storeys that yield, V_y = k d_y
  *     Elastic -W/h                      beside the storey's spring               P-Delta, as a leaning column's
+ *     HyperbolicGapMaterial K_max K_max R_f -F_ult -gap                          backfill
+ *     Elastic 0 C                       between floors, of C = -C_ij             damping above isolators
  * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
  * no impulse. The constants are read from the law's own branch. */
 #include "io/result/opensees.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/quantity.h"
 #include "base/version.h"
+#include "core/model/modes.h"
 #include "io/file/json.h"
 
 /* Hertzdamp and JankowskiImpact take no gap of 0, m. */
@@ -105,19 +109,8 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     enum thud_status status = THUD_OK;
     char key[64];
     for (int s = 0; s < scene->nstructures; s++) {
-        snprintf(key, sizeof key, "structures.%d.kind", s + 1);
-        const struct thud_structure *of = &scene->structure[s];
-        if (of->kind == THUD_ISOLATED && (of->damping > 0 || thud_structure_isolator(of).damping > 0))
-            return refuse(err, key,
-                          "has modal damping of whole buildings alone, not of the part above a damped isolator",
-                          "shear, matrix, modes, rigid, wall; or damping and isolation-damping of 0");
-        if (thud_wall_gives(of))
-            return refuse(err, key,
-                          "has soil behind a wall that, between its loops, is not the one of this model "
-                          "(HyperbolicGapMaterial), and no damping of one wall alone",
-                          "a wall without mass, which moves with the ground");
         snprintf(key, sizeof key, "structures.%d.foundation", s + 1);
-        if (thud_structure_on_soil(of))
+        if (thud_structure_on_soil(&scene->structure[s]))
             return refuse(err, key,
                           "has modal damping of whole models alone, not of the building above a damped foundation",
                           "buildings on rigid ground");
@@ -209,24 +202,49 @@ static void weight(struct thud_text *out, double geometric_npm, int node, int be
                      WEIGHT + node, below, node, WEIGHT + node);
 }
 
-/* A stiffness matrix as springs: -K_ij between floors i and j, and the sum of row i between floor i and the ground. */
-static void springs(struct thud_text *out, const struct thud_model_structure *m, int ground, int *tag)
+/* A matrix of stiffness or damping as springs or dashpots: -K_ij between floors i and j, and the sum of row i between
+ * floor i and the ground; what is up to `rounding` of row i's diagonal is none. */
+static void springs(struct thud_text *out, const struct thud_model_structure *m, const double *matrix,
+                    const char *before, double rounding, int ground, int *tag)
 {
     for (int i = 0; i < m->n; i++) {
         double sum = 0;
         for (int j = 0; j < m->n; j++)
-            sum += m->matrix_npm[i * m->n + j];
+            sum += matrix[i * m->n + j];
         for (int j = -1; j < i; j++) {
-            const double k = j < 0 ? sum : -m->matrix_npm[i * m->n + j];
-            if (k == 0)
+            const double k = j < 0 ? sum : -matrix[i * m->n + j];
+            if (fabs(k) <= rounding * matrix[i * m->n + i])
                 continue;
-            thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, ", *tag);
+            thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, %s", *tag, before);
             number(out, k);
             thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", *tag,
                              j < 0 ? ground : m->first + j + 1, m->first + i + 1, *tag);
             ++*tag;
         }
     }
+}
+
+/* Of an isolated building: its own damping above the slab and that of its isolators, as dashpots. */
+static void dashpots(struct thud_text *out, const struct thud_model *model, int s, const struct thud_structure *of,
+                     int ground, int *tag)
+{
+    static const double rounding = 1e-12;
+    const struct thud_model_structure *m = &model->structure[s];
+    const double isolation = of->kind == THUD_ISOLATED ? thud_structure_isolator(of).damping : 0;
+    const size_t n = (size_t)m->n;
+    if (of->kind != THUD_ISOLATED || (of->damping == 0 && isolation == 0))
+        return;
+    double *unit = calloc(2 * n * n + n, sizeof *unit), *c = unit + n * n, *net = c + n * n;
+    for (size_t i = 0; unit && i < n; i++) {
+        unit[i * n + i] = 1; /* of floors in place of modes */
+        net[i] = m->stiffness_npm[i] - (m->geometric_npm ? m->geometric_npm[i] : 0);
+    }
+    if (unit && thud_modes_isolated_damping(m->n, model->mass_kg + m->first, net, of->damping, isolation, unit, c,
+                                            NULL) == THUD_OK)
+        springs(out, m, c, "0, ", rounding, ground, tag);
+    else
+        out->failed = true;
+    free(unit);
 }
 
 static void nodes(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
@@ -253,8 +271,15 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
                 weight(out, m->geometric_npm[i], node, i == 0 ? GROUND + s + 1 : node - 1);
         }
         if (m->matrix_npm)
-            springs(out, m, GROUND + s + 1, &tag);
+            springs(out, m, m->matrix_npm, "", 0, GROUND + s + 1, &tag);
+        dashpots(out, model, s, &scene->structure[s], GROUND + s + 1, &tag);
     }
+}
+
+/* Of every mode of a structure, beside what are dashpots. */
+static double modal_damping(const struct thud_structure *of)
+{
+    return of->kind == THUD_ISOLATED ? 0 : thud_wall_gives(of) ? thud_wall_damping(of) : of->damping;
 }
 
 /* Modes of all structures, each on its own, lowest first, as OpenSees finds them before there are contacts and links. */
@@ -263,7 +288,7 @@ static void damping(struct thud_text *out, const struct thud_scene *scene, const
     double above = -1;
     bool damped = false;
     for (int s = 0; s < model->nstructures; s++)
-        damped = damped || (thud_kind_is_building(scene->structure[s].kind) && scene->structure[s].damping > 0);
+        damped = damped || (model->structure[s].n > 0 && modal_damping(&scene->structure[s]) > 0);
     if (!damped)
         return;
     thud_text_append(out,
@@ -280,9 +305,20 @@ static void damping(struct thud_text *out, const struct thud_scene *scene, const
             for (int j = 0; j < model->structure[s].n; j++)
                 if (model->structure[s].omega[j] == next) {
                     thud_text_append(out, "%s", done++ > 0 ? ", " : "");
-                    number(out, next > 0 ? scene->structure[s].damping : 0);
+                    number(out, next > 0 ? modal_damping(&scene->structure[s]) : 0);
                 }
         above = next;
+    }
+    thud_text_append(out, ")\n");
+}
+
+/* A material by its numbers. */
+static void put_material(struct thud_text *out, const char *name, int tag, const double *value, int n)
+{
+    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", name, tag);
+    for (int i = 0; i < n; i++) {
+        thud_text_append(out, ", ");
+        number(out, value[i]);
     }
     thud_text_append(out, ")\n");
 }
@@ -321,12 +357,7 @@ static void material(struct thud_text *out, const struct thud_model_contact *c, 
         value[n++] = gap;
         value[n++] = b.p;
     }
-    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", name, tag);
-    for (int i = 0; i < n; i++) {
-        thud_text_append(out, ", ");
-        number(out, value[i]);
-    }
-    thud_text_append(out, ")\n");
+    put_material(out, name, tag, value, n);
 }
 
 static int contact_tag(const struct thud_model *model, int c)
@@ -346,7 +377,7 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
     for (int i = 0; i < model->nstoreys - model->nslips; i++)
         thud_text_append(out, "%s%d", i > 0 ? ", " : "",
                          model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
-    thud_text_append(out, "]\n\n# contacts: left and right floor\nCONTACTS = []\n");
+    thud_text_append(out, "]\n\n# contacts, and behind them links\nCONTACTS = []\n");
     for (int i = 0; i < model->npairs; i++) {
         const struct thud_model_contact *c = &model->contact[i];
         int tag = contact_tag(model, i);
@@ -359,36 +390,49 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
     }
 }
 
-/* Springs and dashpots always act, friction up to its slip force; a restrainer holds past a gap that opens, a strut pushes past one that closes. */
-static void links(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
+/* Springs and dashpots always act, friction up to its slip force; a restrainer holds past a gap that opens, a strut and the
+ * soil behind a wall push past one that closes. */
+static void link_material(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model, int i,
+                          int tag)
 {
     static const double strength_m = 1e3; /* what holds past a gap never yields */
+    const struct thud_model_link *l = &model->link[i];
+    if (l->storey >= 0) {
+        put_material(out, "ElasticPP", tag, (double[]){l->stiffness_npm, model->storey[l->storey].yield_m}, 2);
+    } else if (l->contact < 0) {
+        put_material(out, "Elastic", tag, (double[]){l->stiffness_npm, l->damping_nspm}, 2);
+    } else if (thud_link_wall(scene, i) >= 0) {
+        const struct thud_structure *wall = &scene->structure[thud_link_wall(scene, i)];
+        const double k = wall->backfill_stiffness_npm,
+                     ratio = model->contact[l->contact].setup.value[thud_law_param(&thud_law_backfill, "ratio")];
+        put_material(out, "HyperbolicGapMaterial", tag,
+                     (double[]){k, k, ratio, -wall->backfill_strength_n,
+                                -fmax(model->contact[l->contact].clearance_m, least_gap_m)},
+                     5);
+    } else {
+        const struct thud_link *link = &scene->link[i];
+        const int side = link->law == THUD_LINK_RESTRAINER ? 1 : -1;
+        put_material(out, "ElasticPPGap", tag,
+                     (double[]){link->stiffness_npm, side * strength_m * link->stiffness_npm,
+                                side * fmax(link->slack_m, least_gap_m)},
+                     3);
+    }
+}
+
+static void links(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
+{
     if (model->nlinks > 0)
-        thud_text_append(out, "\n# links\n");
+        thud_text_append(out, "\n# links, and soil behind walls\n");
     for (int i = 0; i < model->nlinks; i++) {
         const struct thud_model_link *l = &model->link[i];
-        const struct thud_link *link = &scene->link[i];
-        const int tag = model->ndof + model->ncontacts + i + 1, side = link->law == THUD_LINK_RESTRAINER ? 1 : -1,
+        const int tag = model->ndof + model->ncontacts + i + 1, wall = thud_link_wall(scene, i),
                   some = model->dof_structure[l->left_dof >= 0 ? l->left_dof : l->right_dof],
-                  left = l->left_dof >= 0 ? l->left_dof + 1 : GROUND + some,
-                  right = l->right_dof >= 0 ? l->right_dof + 1 : GROUND + some + 2;
-        const bool gap = l->contact >= 0, slips = l->storey >= 0;
-        thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ",
-                         gap     ? "ElasticPPGap"
-                         : slips ? "ElasticPP"
-                                 : "Elastic",
-                         tag);
-        number(out, gap ? link->stiffness_npm : l->stiffness_npm);
-        thud_text_append(out, ", ");
-        number(out, gap     ? side * strength_m * link->stiffness_npm
-                    : slips ? model->storey[l->storey].yield_m
-                            : l->damping_nspm);
-        if (gap) {
-            thud_text_append(out, ", ");
-            number(out, side * fmax(link->slack_m, least_gap_m));
-        }
-        thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", tag, left,
-                         right, tag);
+                  left = l->left_dof >= 0 ? l->left_dof + 1 : GROUND + some + (wall >= 0),
+                  right = l->right_dof >= 0 ? l->right_dof + 1 : GROUND + some + 2 - (wall >= 0);
+        link_material(out, scene, model, i, tag);
+        thud_text_append(out,
+                         "ops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\nCONTACTS.append(%d)\n",
+                         tag, left, right, tag, tag);
     }
 }
 
@@ -411,13 +455,23 @@ static void expected(struct thud_text *out, const struct thud_scene *scene, cons
                 thud_text_append(out, "),\n");
             }
         }
-    for (int c = 0, place = 0; c < result->ncontacts; c++) {
+    int place = 0;
+    for (int c = 0; c < result->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
         if (!has_contact(&model->contact[c]))
             continue;
         thud_text_append(out, "    (\"interface %d floors %d-%d\", \"force\", %d, ", r->interface, r->left_floor,
                          r->right_floor, place++);
         number(out, r->force.value);
+        thud_text_append(out, "),\n");
+    }
+    for (int i = 0; i < result->nlinks; i++) {
+        char name[2 * THUD_NAME_MAX + 32];
+        thud_link_name(scene, i, name, sizeof name);
+        thud_text_append(out, "    (");
+        thud_json_string(out, name);
+        thud_text_append(out, ", \"force\", %d, ", place++);
+        number(out, result->link[i].force.value);
         thud_text_append(out, "),\n");
     }
     for (int i = 0; i < model->nstoreys - model->nslips; i++) {
