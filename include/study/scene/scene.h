@@ -358,7 +358,8 @@ bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error
 
 /* ---- cases ---- */
 
-/* To a scene for reading alone: without the structures beyond those in use, a seventh of the bytes for two of them. */
+/* To a scene for reading alone: without the structures, and what comes with them, beyond those in use: a tenth of the
+ * bytes for two of them. */
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
 /* The scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links; `bumper`
  * sets it flush, `cavity` thickness (1 - max-strain) deep. THUD_INPUT when a case needs a bumper or a link and there is

@@ -3,22 +3,44 @@
 #include <stdlib.h>
 
 #include "app/run/figure_files.h"
+#include "app/run/threads.h"
 #include "app/sweep/sweep_study_private.h"
 #include "io/file/output.h"
 #include "io/result/sweep_csv.h"
 
-enum { CHUNK = 1 << 16 };
+/* Points are read one after the other; their rows are written by several threads, each those of some points in a row. */
+enum { SHARES_MAX = 64, POINTS = 32 };
+
+struct share {
+    const struct thud_sweep_study *study;
+    struct thud_sweep_point *point[POINTS];
+    int points;
+    struct thud_text text[THUD_SWEEP_CSVS];
+    enum thud_status status;
+    struct thud_error error;
+};
 
 struct files {
     struct thud_output output[THUD_SWEEP_CSVS];
-    struct thud_text text[THUD_SWEEP_CSVS];
+    int shares;
+    struct share share[SHARES_MAX];
 };
+
+static void free_points(struct share *share)
+{
+    for (int i = 0; i < share->points; i++)
+        free(share->point[i]);
+    share->points = 0;
+}
 
 static void abandon(struct files *files)
 {
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
         thud_output_abandon(&files->output[i]);
-        thud_text_clear(&files->text[i]);
+    for (int k = 0; k < files->shares; k++) {
+        free_points(&files->share[k]);
+        for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+            thud_text_clear(&files->share[k].text[i]);
     }
 }
 
@@ -31,19 +53,45 @@ static enum thud_status open_files(const struct thud_sweep_study *study, struct 
             (int)sizeof path)
             return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
         status = thud_output_open(path, &files->output[i], err);
-        thud_sweep_csv_header(study->plan, (enum thud_sweep_csv)i, &files->text[i]);
+        thud_sweep_csv_header(study->plan, (enum thud_sweep_csv)i, &files->share[0].text[i]);
     }
     return status;
 }
 
-static enum thud_status put(const struct thud_sweep_study *study, const struct thud_sweep_point *point,
-                            struct files *files, struct thud_error *err)
+static void *write_rows(void *context)
 {
+    struct share *share = context;
+    locale_t before = thud_threads_numbers();
+    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
+        for (int k = 0; k < share->points && share->status == THUD_OK; k++)
+            share->status = thud_sweep_csv_rows(share->study->plan, (enum thud_sweep_csv)i, share->point[k],
+                                                &share->text[i], &share->error);
+    thud_threads_numbers_back(before);
+    return NULL;
+}
+
+/* The rows of all shares at hand into the files, in the order of points. */
+static enum thud_status put(const struct thud_sweep_study *study, struct files *files, struct thud_error *err)
+{
+    pthread_t thread[SHARES_MAX];
+    bool started[SHARES_MAX] = {false};
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++) {
-        status = thud_sweep_csv_rows(study->plan, (enum thud_sweep_csv)i, point, &files->text[i], err);
-        if (status == THUD_OK)
-            status = thud_output_drain(&files->output[i], &files->text[i], CHUNK, err);
+    if (study->no_rows)
+        return THUD_OK;
+    for (int k = 1; k < files->shares && files->share[k].points > 0; k++)
+        started[k] = thud_threads_start(&thread[k], 1, write_rows, &files->share[k]) == 1;
+    for (int k = 0; k < files->shares; k++) {
+        struct share *share = &files->share[k];
+        if (started[k])
+            pthread_join(thread[k], NULL);
+        else
+            write_rows(share);
+        if (status == THUD_OK && share->status != THUD_OK) {
+            status = share->status;
+            *err = share->error;
+        }
+        for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
+            status = thud_output_drain(&files->output[i], &share->text[i], 0, err);
     }
     return status;
 }
@@ -57,23 +105,37 @@ static enum thud_status next_point(struct thud_sweep_journal *journal, struct th
     return status;
 }
 
+/* Points from `*next` on, shared out. */
+static enum thud_status read_points(const struct thud_sweep_study *study, struct thud_sweep_journal **journal, int n,
+                                    long *next, struct files *files, struct thud_error *err)
+{
+    const long count = thud_sweep_points(study->plan);
+    enum thud_status status = THUD_OK;
+    for (int k = 0; k < files->shares; k++)
+        for (struct share *share = &files->share[k]; share->points < POINTS && *next < count && status == THUD_OK;
+             share->points += status == THUD_OK)
+            status = next_point(journal[(*next)++ % n], &share->point[share->points], err);
+    return status;
+}
+
 static enum thud_status copy_points(const struct thud_sweep_study *study, struct thud_sweep_journal **journal, int n,
                                     struct files *files, struct thud_sweep_outcome *out, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (int i = 0; i < n; i++)
         thud_sweep_journal_rewind(journal[i]);
-    for (long i = 0; i < thud_sweep_points(study->plan) && status == THUD_OK; i++) {
-        struct thud_sweep_point *point = NULL;
+    for (long next = 0; next < thud_sweep_points(study->plan) && status == THUD_OK;) {
         if (study->cancel && *study->cancel)
             return thud_error_set(err, THUD_CANCELLED,
                                   "stopped while the files were written; the same command writes them");
-        status = next_point(journal[i % n], &point, err);
+        status = read_points(study, journal, n, &next, files, err);
         if (status == THUD_OK)
-            status = put(study, point, files, err);
-        if (status == THUD_OK)
-            status = thud_sweep_study_deliver(study, point, out, err);
-        free(point);
+            status = put(study, files, err);
+        for (int k = 0; k < files->shares; k++) {
+            for (int i = 0; i < files->share[k].points && status == THUD_OK; i++)
+                status = thud_sweep_study_deliver(study, files->share[k].point[i], out, err);
+            free_points(&files->share[k]);
+        }
     }
     return status;
 }
@@ -105,11 +167,12 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
         files->output[i].fd = -1;
+    files->shares = thud_threads_count(study->threads, (thud_sweep_points(study->plan) - 1) / POINTS + 1, SHARES_MAX);
+    for (int k = 0; k < files->shares; k++)
+        files->share[k].study = study;
     enum thud_status status = study->no_rows ? THUD_OK : open_files(study, files, err);
     if (status == THUD_OK)
         status = copy_points(study, journal, n, files, out, err);
-    for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++)
-        status = thud_output_drain(&files->output[i], &files->text[i], 0, err);
     for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++)
         status = thud_output_commit(&files->output[i], err);
     abandon(files);

@@ -34,9 +34,15 @@ double thud_interface_max_strain(const struct thud_interface *interface)
 
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from)
 {
-    size_t structures = offsetof(struct thud_scene, structure) + (size_t)from->nstructures * sizeof *from->structure;
-    size_t rest = offsetof(struct thud_scene, interface);
-    memcpy(to, from, structures);
+    const size_t n = (size_t)from->nstructures, rest = offsetof(struct thud_scene, study);
+    bool shapes = false;
+    for (size_t s = 0; s < n; s++)
+        shapes |= from->structure[s].shape_rows > 0;
+    memcpy(to, from, offsetof(struct thud_scene, structure) + n * sizeof *from->structure);
+    memcpy(to->interface, from->interface, (n > 0 ? n - 1 : 0) * sizeof *from->interface);
+    to->analysis = from->analysis;
+    if (shapes)
+        memcpy(to->shape, from->shape, sizeof to->shape);
     memcpy((char *)to + rest, (const char *)from + rest, sizeof *from - rest);
 }
 
