@@ -130,7 +130,7 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
         return refuse_both(err);
     vary->values[0] = '\0';
     for (int i = 0; i < n && status == THUD_OK; i++) {
-        *scratch = *scene;
+        thud_scene_copy(scratch, scene);
         if (!*value[i])
             return thud_error_set(err, THUD_INPUT, "a value is empty");
         status = thud_slot_find(scratch, vary->key, &slot, err);

@@ -441,12 +441,13 @@ static double worst_theta(const struct thud_structure *s, const double *drift_m,
     return worst;
 }
 
-/* A case of a point: its scene has been made for it. */
+/* A case of a point of that scene. */
 static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scene, const struct thud_sweep_point *point,
                        int k)
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
+    const bool bumpers = point->which[k] != THUD_CASE_NONE && point->which[k] != THUD_CASE_LINK;
     bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false, unstable = false;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
         double drift_m[THUD_STOREYS_MAX + 1];
@@ -478,7 +479,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         int i = point->level[c].interface - 1;
         const struct thud_interface *at = &scene->interface[i];
         double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
-        if (!at->has_bumper || !(thickness > 0))
+        if (!bumpers || !at->has_bumper || !(thickness > 0))
             continue;
         bumper = true;
         pressed = pressed || contact[c].indentation_m > (isnan(strain) ? 1 : strain) * thickness;
@@ -507,17 +508,13 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
 enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
                                       const struct thud_sweep_point *point, struct thud_error *err)
 {
-    struct thud_scene *scene = malloc(2 * sizeof *scene);
+    struct thud_scene *scene = malloc(sizeof *scene);
     if (!scene)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = thud_sweep_scene(plan, point->index, scene, err);
-    for (int k = 0; k < point->ncases && status == THUD_OK; k++) {
-        if (point->effort[k].reference || point->effort[k].status != THUD_OK)
-            continue;
-        status = thud_scene_case(scene, point->which[k], scene + 1, err);
-        if (status == THUD_OK)
-            watch_case(watch, scene + 1, point, k);
-    }
+    for (int k = 0; k < point->ncases && status == THUD_OK; k++)
+        if (!point->effort[k].reference && point->effort[k].status == THUD_OK)
+            watch_case(watch, scene, point, k);
     free(scene);
     return status;
 }

@@ -244,7 +244,7 @@ static enum thud_status try_values(const struct thud_sweep_plan *plan, const str
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = THUD_OK;
     for (int i = 0; i < axis->n && status == THUD_OK; i++) {
-        *scratch = plan->scene;
+        thud_scene_copy(scratch, &plan->scene);
         status = thud_scene_set(scratch, axis->key, axis->text[i], err);
     }
     free(scratch);
