@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/figure_files.h"
 #include "app/sweep/fragility_report.h"
 #include "app/sweep/sweep_report.h"
 #include "cli/commands.h"
@@ -106,12 +107,18 @@ static enum thud_status tell_fragility(void *owner, struct thud_error *err)
 
 static enum thud_status write_suite(void *owner, struct thud_error *err)
 {
-    const struct sweep *s = owner;
+    struct sweep *s = owner;
     struct thud_text text = {0};
+    struct thud_figure *figure = s->study.figures ? thud_suite_lowered_figure(s->suite) : NULL;
     enum thud_status status = thud_suite_csv(s->suite, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
     thud_text_clear(&text);
+    if (status == THUD_OK && figure)
+        s->outcome.pictures = thud_figure_deliver(figure, s->study.folder, s->study.pictures, s->outcome.pictures,
+                                                  &s->outcome.picture_error);
+    else
+        thud_figure_free(figure);
     return status;
 }
 

@@ -61,6 +61,21 @@ is "and stands in the answer" shows '"ends": "A.4-B.4", "law": "dashpot"'
 is "case none goes without" gives 0 run $scene --case none --json --quiet
 is "and has no list of them" test "$(grep -c '"links"' "$tmp/out")" = 0
 
+is "bumper, damper or tie: a study over several motions" gives 0 sweep $scene --format svg --quiet -o "$tmp/study"
+is "says how many responses each lowers" shows '^In the median over 8 motions, of 9 responses$'
+is "and which lowers what" shows '^  largest acceleration of A: tie (500 MN/m), 0\.2[0-9]* in the median, lower under 8 of 8 motions$'
+is "the one under which less is left where medians are equal" shows '^  largest force: tie (500 MN/m), 0\.000 in the median'
+is "a bumper is the same whatever the link" shows '^mean acceleration of A  *0\.[0-9]* [0-9] of 8$'
+lowered() { # PANEL SERIES COLUMN: the values of a series of the figure, from the first response on
+    awk -F, -v panel="$1" -v series="$2" -v c="$3" '$1 == panel && $2 == series { printf "%.3f\n", $c }' "$tmp/study/lowered.csv"
+}
+lowered "Ratio to neither bumper nor link" "tie (500 MN/m)" 4 >"$tmp/drawn"
+sed -n '/^link over none/,/^$/p' "$tmp/out" | awk 'NR > 2 && NF { print $(NF - 3) }' >"$tmp/said"
+is "a figure has the same medians" cmp "$tmp/drawn" "$tmp/said"
+lowered "Ground motions under which it is lower" "damper (0 MN/m)" 6 >"$tmp/drawn"
+sed -n '/^link over none/,/^$/p' "$tmp/out" | awk 'NR > 2 && NF { printf "%.3f\n", 100 * $(NF - 6) / $(NF - 4) }' >"$tmp/said"
+is "and the same shares" cmp "$tmp/drawn" "$tmp/said"
+
 sed 's/kaikoura-wtmc.csv\]/kobe-surrogate.csv:peak=0.4g]/; s/northridge-surrogate.csv, san-fernando-surrogate.csv, //; /signs/d' \
     presets/$scene.yaml >"$tmp/p.yaml"
 is "the report of a suite has the link in every case" gives 0 report "$tmp/p.yaml" -o "$tmp/suite" --quiet

@@ -77,7 +77,8 @@ csv "record convert" "$tmp/record.csv"
 "$THUD" run towers-yielding --case none --set p-delta=yes --set structures.1.hardening=0% --set structures.2.hardening=0% --json >"$tmp/collapsed.json" 2>/dev/null
 "$THUD" run towers-on-soil --json --quiet >"$tmp/soil.json" 2>/dev/null
 "$THUD" run beside-unknown --to 3s --json --quiet >"$tmp/estimated.json" 2>/dev/null
-json result.json "$tmp/run/result.json" "$tmp/diverged.json" "$tmp/collapsed.json" "$tmp/soil.json" "$tmp/estimated.json"
+"$THUD" run isolated-moat --set structures.2.width=12m --to 3s --json --quiet >"$tmp/isolated.json" 2>/dev/null
+json result.json "$tmp/isolated.json" "$tmp/run/result.json" "$tmp/diverged.json" "$tmp/collapsed.json" "$tmp/soil.json" "$tmp/estimated.json"
 is "a structure has its name in the sensitivity too" grep -q '{"structure": "B", "floor": 6, "acceleration": {"gap"' "$tmp/run/result.json"
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"

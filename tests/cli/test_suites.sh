@@ -220,7 +220,7 @@ $PWD/records/san-fernando-surrogate.csv:peak=0.3 g
 $PWD/records/san-fernando-surrogate.csv:peak=0.6 g
 LIST
 is "a study of eight motions" gives 0 sweep towers --records "$tmp/eight.list" --vary gap=5cm,9cm,15cm --cases none,bumper --quiet -o "$tmp/eight"
-is "four figures" test "$(find "$tmp/eight" -name '*.png' | wc -l)" -eq 4
+is "five figures" test "$(find "$tmp/eight" -name '*.png' | wc -l)" -eq 5
 drawn() { # the median of the force without bumper, in the order of the gaps, as in suite.csv
     awk -F, 'NR > 1 && $1 == "none" && $3 == "A" { printf "%.4g\n", $8 / 1e6 }' "$tmp/eight/suite.csv" >"$tmp/c"
     awk -F, 'NR > 1 && $1 == "Largest impact force" && $2 == "no bumper" && $3 != "band" && $5 != "" { printf "%.4g\n", $5 }' "$tmp/eight/contact-forces.csv" >"$tmp/j"

@@ -48,6 +48,8 @@ enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_te
 /* By response, what each case is over case none, and under how many ground motions it is lower: at up to three settings.
  * Nothing without case none. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+/* The same as a figure. NULL: out of memory, or there is no case none to compare with. */
+struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite);
 
 /* Its figures, counted from 0: each event's curves, then the incremental dynamic analysis of each case along each
  * intensity. Ask thud_figure_check. */

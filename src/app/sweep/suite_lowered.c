@@ -1,7 +1,8 @@
-/* Which responses a bumper lowers, and under how many of the ground motions of a suite. */
+/* Which responses bumper and links lower, and under how many of the ground motions of a suite: words and a figure. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "app/sweep/fragility_report.h"
 
@@ -25,50 +26,43 @@ static const struct response responses[] = {{"mean acceleration", THUD_SUITE_ACC
                                             {"shear of columns", THUD_SUITE_COLUMNS, true, false},
                                             {"largest force", THUD_SUITE_FORCE, false, false}};
 
-/* The median of a response over that of case none, of how many ground motions, and under how many it is lower. */
+/* A case other than none at one setting; of a bumper where the links alone are varied at any of them. */
+struct measure {
+    int k;
+    long setting;
+    char column[128], name[128]; /* "22 cm" of its case, "bumper at 22 cm"; "tie (500 MN/m)" */
+};
+enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAME_MAX = 64 };
+
+struct compared {
+    const struct thud_suite *suite;
+    int none, nmeasures;
+    struct measure measure[MEASURES_MAX];
+    double *room; /* (nrecords) */
+};
+
+/* Of a response over that of case none, of how many ground motions, and under how many it is lower. */
 struct lowered {
-    double median;
+    struct thud_fractiles ratio;
     int lower, n;
 };
 
-static struct lowered ratio_of(const struct thud_suite *suite, long setting, int none, int k, const struct response *of,
-                               int s, double *room)
+static struct lowered ratio_of(const struct compared *c, const struct measure *m, const struct response *of, int s)
 {
+    const struct thud_suite *suite = c->suite;
     size_t n = 0, lowered = 0;
     for (int r = 0; r < suite->nrecords; r++) {
-        double with = thud_suite_value(suite, r, setting, k, of->measure, s),
-               without = of->ratio ? 1 : thud_suite_value(suite, r, setting, none, of->measure, s);
+        double with = thud_suite_value(suite, r, m->setting, m->k, of->measure, s),
+               without = of->ratio ? 1 : thud_suite_value(suite, r, m->setting, c->none, of->measure, s);
         if (isnan(with) || isnan(without) || !(with > 0 || without > 0))
             continue;
-        room[n++] = without > 0 ? with / without : from_nothing;
-        lowered += room[n - 1] < 1 - equal;
+        c->room[n++] = without > 0 ? with / without : from_nothing;
+        lowered += c->room[n - 1] < 1 - equal;
     }
-    return (struct lowered){n > 0 ? thud_fractiles_of(room, n, 1).median : NAN, (int)lowered, (int)n};
+    return (struct lowered){thud_fractiles_of(c->room, n, 1), (int)lowered, (int)n};
 }
 
-static void put_cell(const struct thud_suite *suite, long setting, int none, int k, const struct response *of, int s,
-                     double *room, struct thud_text *out)
-{
-    const struct lowered r = ratio_of(suite, setting, none, k, of, s, room);
-    char cell[40] = "-";
-    if (r.n > 0 && r.median < 1 / equal)
-        snprintf(cell, sizeof cell, "%.3f %d of %d", r.median, r.lower, r.n);
-    else if (r.n > 0)
-        snprintf(cell, sizeof cell, "from 0 %d of %d", r.lower, r.n);
-    thud_text_append(out, " %17s", cell);
-}
-
-static void put_row(const struct thud_suite *suite, int none, int k, const struct response *of, int s, double *room,
-                    const long *shown, int nshown, struct thud_text *out)
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s%s%.16s", of->what, s < 0 ? "" : " of ",
-             s < 0 ? "" : suite->plan->scene.structure[s].name);
-    thud_text_append(out, "%-25.25s", name);
-    for (int i = 0; i < nshown; i++)
-        put_cell(suite, shown[i], none, k, of, s, room, out);
-    thud_text_append(out, "\n");
-}
+/* ---- what is compared ---- */
 
 static void name_setting(const struct thud_sweep_plan *plan, long setting, char *name, size_t size)
 {
@@ -80,88 +74,265 @@ static void name_setting(const struct thud_sweep_plan *plan, long setting, char 
         used += (size_t)snprintf(name + used, size - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
 }
 
-/* "mean drift of A: link at 0 MN/m, 0.789 in the median, lower under 8 of 8 motions" */
-static void put_best(const struct thud_suite *suite, int none, const struct response *of, int s, double *room,
-                     const long *shown, int nshown, struct thud_text *out)
+/* What the link is at a setting: a spring without stiffness is its dashpot. */
+static const char *link_word(const struct thud_sweep_plan *plan, long setting)
+{
+    const struct thud_link *link = &plan->scene.link[0];
+    double stiffness = link->stiffness_npm;
+    int at[THUD_VARY_MAX];
+    if (plan->scene.nlinks != 1)
+        return "links";
+    if (link->law != THUD_LINK_SPRING)
+        return link->law == THUD_LINK_DASHPOT ? "damper" : thud_link_law_name(&plan->scene, 0);
+    thud_suite_place(plan, setting, at);
+    for (int a = 0; a < plan->naxes; a++)
+        if (strcmp(plan->axis[a].key, "links.1.stiffness") == 0)
+            stiffness = plan->axis[a].value[at[a]];
+    return stiffness > 0 ? "tie" : "damper";
+}
+
+static bool varies_links_alone(const struct thud_sweep_plan *plan)
+{
+    for (int a = 0; a < plan->naxes; a++)
+        if (strncmp(plan->axis[a].key, "links.", 6) != 0)
+            return false;
+    return true;
+}
+
+static void add_measure(struct compared *c, int k, long setting)
+{
+    const struct thud_sweep_plan *plan = c->suite->plan;
+    struct measure *m = &c->measure[c->nmeasures++];
+    const bool link = plan->cases[k] == THUD_CASE_LINK, alone = varies_links_alone(plan), varied = plan->naxes > 0;
+    const char *word = link ? link_word(plan, setting) : thud_case_name(plan->cases[k]);
+    char at[80];
+    *m = (struct measure){.k = k, .setting = setting};
+    name_setting(plan, setting, at, sizeof at);
+    if (!varied || (alone && !link))
+        snprintf(m->name, sizeof m->name, "%s", word);
+    else
+        snprintf(m->name, sizeof m->name, link ? "%s (%s)" : "%s at %s", word, at);
+    snprintf(m->column, sizeof m->column, "%s", link || (alone && varied) ? m->name : at);
+}
+
+/* Of every case at up to three settings: the first, the middle, the last. False: there is nothing to compare. */
+static bool compare(const struct thud_suite *suite, struct compared *c)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    struct lowered best = {INFINITY, 0, 0};
-    long where = 0;
-    int which = -1;
+    const int nshown = suite->settings < SHOWN_MAX ? (int)suite->settings : SHOWN_MAX;
+    *c = (struct compared){.suite = suite, .none = -1};
     for (int k = 0; k < plan->ncases; k++)
-        for (int i = 0; i < nshown && k != none; i++) {
-            const struct lowered r = ratio_of(suite, shown[i], none, k, of, s, room);
-            if (!(r.n > 0 && r.median < best.median))
-                continue;
-            best = r;
-            which = k;
-            where = shown[i];
+        c->none = plan->cases[k] == THUD_CASE_NONE ? k : c->none;
+    for (int k = 0; c->none >= 0 && k < plan->ncases; k++) {
+        const bool once = plan->cases[k] != THUD_CASE_LINK && varies_links_alone(plan);
+        for (int i = 0; k != c->none && i < (once ? 1 : nshown); i++)
+            add_measure(c, k, nshown > 1 ? i * (suite->settings - 1) / (nshown - 1) : 0);
+    }
+    return c->nmeasures > 0;
+}
+
+/* The next response of a structure, or of all of them (s -1), behind (q, s); the first: q 0 and s -2. */
+static bool next_response(const struct thud_suite *suite, size_t *q, int *s)
+{
+    for (; *q < sizeof responses / sizeof *responses; ++*q, *s = -2) {
+        if (!thud_suite_has(suite, responses[*q].measure))
+            continue;
+        if (!responses[*q].of_structure && *s == -2) {
+            *s = -1;
+            return true;
         }
-    char name[160];
+        for (*s = *s < 0 ? 0 : *s + 1; responses[*q].of_structure && *s < suite->nstructures; ++*s)
+            if (suite->plan->scene.structure[*s].kind != THUD_WALL)
+                return true;
+    }
+    return false;
+}
+
+static void name_response(const struct thud_suite *suite, size_t q, int s, char name[NAME_MAX])
+{
+    snprintf(name, NAME_MAX, "%s%s%.16s", responses[q].what, s < 0 ? "" : " of ",
+             s < 0 ? "" : suite->plan->scene.structure[s].name);
+}
+
+/* ---- words ---- */
+
+static void put_cell(const struct lowered *r, struct thud_text *out)
+{
+    char cell[40] = "-";
+    if (r->n > 0 && r->ratio.median < 1 / equal)
+        snprintf(cell, sizeof cell, "%.3f %d of %d", r->ratio.median, r->lower, r->n);
+    else if (r->n > 0)
+        snprintf(cell, sizeof cell, "from 0 %d of %d", r->lower, r->n);
+    thud_text_append(out, " %17s", cell);
+}
+
+static void put_case(const struct compared *c, int k, struct thud_text *out)
+{
+    char name[NAME_MAX];
+    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%25s",
+                     thud_case_name(c->suite->plan->cases[k]), "");
+    for (int i = 0; i < c->nmeasures; i++)
+        if (c->measure[i].k == k)
+            thud_text_append(out, " %17.17s", c->measure[i].column);
+    thud_text_append(out, "\n");
+    size_t q = 0;
+    for (int s = -2; next_response(c->suite, &q, &s);) {
+        name_response(c->suite, q, s, name);
+        thud_text_append(out, "%-25.25s", name);
+        for (int i = 0; i < c->nmeasures; i++)
+            if (c->measure[i].k == k) {
+                const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
+                put_cell(&r, out);
+            }
+        thud_text_append(out, "\n");
+    }
+}
+
+/* Whether one lowers a response more: in the median, and where that is the same under the worse motions. */
+static bool is_better(const struct lowered *a, const struct lowered *b)
+{
+    if (a->n == 0 || b->n == 0)
+        return a->n > 0;
+    return a->ratio.median < b->ratio.median ||
+           (a->ratio.median == b->ratio.median && (a->ratio.p84 < b->ratio.p84 || a->ratio.most < b->ratio.most));
+}
+
+/* "mean drift of A: damper (0 MN/m), 0.789 in the median, lower under 8 of 8 motions" */
+static void put_best(const struct compared *c, size_t q, int s, struct thud_text *out)
+{
+    struct lowered best = {.n = 0};
+    char name[NAME_MAX];
+    int which = -1;
+    for (int i = 0; i < c->nmeasures; i++) {
+        const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
+        if (!is_better(&r, &best))
+            continue;
+        best = r;
+        which = i;
+    }
     if (which < 0)
         return;
-    name_setting(plan, where, name, sizeof name);
-    thud_text_append(out, "  %s%s%.16s: ", of->what, s < 0 ? "" : " of ", s < 0 ? "" : plan->scene.structure[s].name);
-    if (best.median < 1 - equal)
-        thud_text_append(out, "%s at %s, %.3f in the median, lower under %d of %d motions\n",
-                         thud_case_name(plan->cases[which]), name, best.median, best.lower, best.n);
+    name_response(c->suite, q, s, name);
+    if (best.ratio.median < 1 - equal)
+        thud_text_append(out, "  %s: %s, %.3f in the median, lower under %d of %d motions\n", name,
+                         c->measure[which].name, best.ratio.median, best.lower, best.n);
     else
-        thud_text_append(out, "none of them lowers it in the median\n");
+        thud_text_append(out, "  %s: none of them lowers it in the median\n", name);
 }
 
-/* Which of bumper and links lowers what most. */
-static void put_bests(const struct thud_suite *suite, int none, double *room, const long *shown, int nshown,
-                      struct thud_text *out)
+/* Which of bumper and links lowers what most, and how much each lowers at all. */
+static void put_bests(const struct compared *c, struct thud_text *out)
 {
-    thud_text_append(out, "\nWhat lowers each response most:\n");
-    for (size_t q = 0; q < sizeof responses / sizeof *responses; q++) {
-        const bool each = responses[q].of_structure;
-        for (int s = each ? 0 : -1; thud_suite_has(suite, responses[q].measure) && s < (each ? suite->nstructures : 0);
-             s++)
-            if (s < 0 || suite->plan->scene.structure[s].kind != THUD_WALL)
-                put_best(suite, none, &responses[q], s, room, shown, nshown, out);
-    }
-}
-
-static void put_case(const struct thud_suite *suite, int none, int k, double *room, const long *shown, int nshown,
-                     struct thud_text *out)
-{
-    const struct thud_sweep_plan *plan = suite->plan;
-    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%25s",
-                     thud_case_name(plan->cases[k]), "");
-    for (int i = 0; i < nshown; i++) {
-        char name[160];
-        name_setting(plan, shown[i], name, sizeof name);
-        thud_text_append(out, " %17.17s", name);
-    }
-    thud_text_append(out, "\n");
-    for (size_t q = 0; q < sizeof responses / sizeof *responses; q++) {
-        if (!thud_suite_has(suite, responses[q].measure))
-            continue;
-        for (int s = responses[q].of_structure ? 0 : -1; s < (responses[q].of_structure ? suite->nstructures : 0); s++)
-            if (s < 0 || plan->scene.structure[s].kind != THUD_WALL)
-                put_row(suite, none, k, &responses[q], s, room, shown, nshown, out);
-    }
+    size_t q = 0;
+    int of = 0, lowers[MEASURES_MAX] = {0};
+    for (int s = -2; next_response(c->suite, &q, &s); of++)
+        for (int i = 0; i < c->nmeasures; i++)
+            lowers[i] += ratio_of(c, &c->measure[i], &responses[q], s).ratio.median < 1 - equal;
+    thud_text_append(out, "\nIn the median over %d motions, of %d responses\n", c->suite->nrecords, of);
+    for (int i = 0; i < c->nmeasures; i++)
+        thud_text_append(out, "  %s lowers %d\n", c->measure[i].name, lowers[i]);
+    thud_text_append(out, "What lowers each response most:\n");
+    q = 0;
+    for (int s = -2; next_response(c->suite, &q, &s);)
+        put_best(c, q, s, out);
 }
 
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = suite->plan;
+    struct compared *c = malloc(sizeof *c);
     double *room = malloc((size_t)suite->nrecords * sizeof *room);
-    long shown[SHOWN_MAX];
-    int none = -1, nshown = suite->settings < SHOWN_MAX ? (int)suite->settings : SHOWN_MAX;
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int i = 0; i < nshown; i++) /* the first, the middle, the last */
-        shown[i] = nshown > 1 ? i * (suite->settings - 1) / (nshown - 1) : 0;
-    for (int k = 0; k < plan->ncases; k++)
-        none = plan->cases[k] == THUD_CASE_NONE ? k : none;
-    for (int k = 0; none >= 0 && k < plan->ncases; k++)
-        if (k != none)
-            put_case(suite, none, k, room, shown, nshown, out);
-    for (int k = 0; none >= 0 && k < plan->ncases; k++)
-        if (plan->cases[k] == THUD_CASE_LINK)
-            put_bests(suite, none, room, shown, nshown, out);
+    enum thud_status status = c && room ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK && compare(suite, c)) {
+        c->room = room;
+        for (int k = 0; k < plan->ncases; k++)
+            if (k != c->none)
+                put_case(c, k, out);
+        for (int k = 0; k < plan->ncases; k++)
+            if (plan->cases[k] == THUD_CASE_LINK)
+                put_bests(c, out);
+    }
     free(room);
-    return THUD_OK;
+    free(c);
+    return status;
+}
+
+/* ---- the figure ---- */
+
+/* Shares by response, and medians with what 16 to 84 % of the motions give, of one measure. */
+static void draw_measure(const struct compared *c, int i, int rows, struct thud_panel *ratios,
+                         struct thud_panel *shares)
+{
+    static const double broad = 0.6, most_shown = 1e3;
+    double *x = malloc(6 * (size_t)rows * sizeof *x), *y = x + 3 * rows, *at = malloc(3 * (size_t)rows * sizeof *at);
+    size_t q = 0;
+    int row = 0;
+    for (int s = -2; x && at && next_response(c->suite, &q, &s); row++) {
+        const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
+        const bool shown = r.n > 0 && r.ratio.median < most_shown, spread = shown && r.ratio.p84 < most_shown;
+        const double level = rows - row + broad * (0.5 - (i + 0.5) / c->nmeasures);
+        x[3 * row] = spread ? r.ratio.p16 : NAN;
+        x[3 * row + 1] = spread ? r.ratio.p84 : NAN;
+        x[3 * row + 2] = NAN;
+        y[3 * row] = y[3 * row + 1] = y[3 * row + 2] = level;
+        at[row] = level;
+        at[rows + row] = shown ? r.ratio.median : NAN;
+        at[2 * rows + row] = r.n > 0 ? 100.0 * r.lower / r.n : NAN;
+    }
+    if (x && at) {
+        const struct thud_style point = {.kind = THUD_POINTS, .color = i};
+        thud_panel_add(ratios, (struct thud_style){.kind = THUD_LINES, .color = i}, "", 3 * (size_t)rows, x, y);
+        thud_panel_add(ratios, point, c->measure[i].name, (size_t)rows, at + rows, at);
+        thud_panel_add(shares, point, c->measure[i].name, (size_t)rows, at + 2 * rows, at);
+    } else if (ratios) {
+        ratios->figure->failed = true;
+    }
+    free(x);
+    free(at);
+}
+
+static void add_rows(const struct thud_suite *suite, int rows, struct thud_panel *panel)
+{
+    char name[NAME_MAX];
+    size_t q = 0;
+    int row = 0;
+    for (int s = -2; next_response(suite, &q, &s); row++) {
+        name_response(suite, q, s, name);
+        thud_panel_tick(panel, THUD_Y, rows - row, name);
+    }
+    thud_panel_axis(panel, THUD_Y, "", "");
+    thud_panel_limits(panel, THUD_Y, 0.5, rows + 0.5);
+    thud_panel_results_on_x(panel);
+}
+
+struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
+{
+    struct compared *c = malloc(sizeof *c);
+    double *room = malloc((size_t)suite->nrecords * sizeof *room);
+    struct thud_figure *figure = NULL;
+    char title[96];
+    if (c && room && compare(suite, c)) {
+        size_t q = 0;
+        int rows = 0;
+        c->room = room;
+        for (int s = -2; next_response(suite, &q, &s);)
+            rows++;
+        snprintf(title, sizeof title, "What lowers which response, over %d ground motions", suite->nrecords);
+        figure = thud_figure_create("lowered", title, 1, 2);
+        struct thud_panel *ratios = thud_figure_panel(figure, 0, 0, "Ratio to neither bumper nor link"),
+                          *shares = thud_figure_panel(figure, 0, 1, "Ground motions under which it is lower");
+        add_rows(suite, rows, ratios);
+        add_rows(suite, rows, shares);
+        thud_panel_axis(ratios, THUD_X, "Ratio", "");
+        thud_panel_axis(shares, THUD_X, "Share", "%");
+        thud_panel_mark(ratios, THUD_X, 0, 1, "");
+        thud_panel_mark(ratios, THUD_X, 1, 1, "");
+        thud_panel_limits(shares, THUD_X, 0, 105); /* none on the frame */
+        for (int i = 0; i < c->nmeasures; i++)
+            draw_measure(c, i, rows, ratios, shares);
+        thud_figure_note(figure, "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower.");
+    }
+    free(room);
+    free(c);
+    return figure;
 }
