@@ -23,11 +23,11 @@ mkdir -p "$tree" || exit 2
 here=$PWD
 cd "$tree" || exit 2
 
-build() { # TEST...
+build() { # TEST...: what a mutant leaves unused is no error
     targets=
     for t in "$@"; do targets="$targets $unit/test_${t%/*}"; done
     # shellcheck disable=SC2086 # several words
-    make -j2 --no-print-directory CFLAGS=-O1 $targets >build.log 2>&1
+    env -u CI make -j2 --no-print-directory CFLAGS=-O1 $targets >build.log 2>&1
 }
 fails() { # TEST or TEST/CASE: runs it; how it failed into $how
     case $1 in */*) only_case=${1#*/} ;; *) only_case= ;; esac

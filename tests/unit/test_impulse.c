@@ -443,6 +443,46 @@ START_TEST(what_is_held_moves_with_the_ground)
 }
 END_TEST
 
+/* Neighbours that touch, one of which is the other times a number: whatever the ground does they move alike, so no floor
+ * takes leave of the other and no force is more than rounding. What rounding leaves of their equal forces has to be told
+ * from a pull, or each sign of it lets a contact go. */
+START_TEST(neighbours_that_move_alike_stay_together)
+{
+    enum { FLOORS = 3, N = 200 };
+    static const double ratio[] = {3.3, 0.9 / 1.7, 0.3, 7.0};
+    double mass[2][FLOORS], stiffness[2][FLOORS], a[N];
+    for (int i = 0; i < N; i++)
+        a[i] = 3 * sin(0.31 * i) + 2 * cos(0.113 * i);
+    for (int i = 0; i < FLOORS; i++) {
+        mass[0][i] = 3e5 + 1e4 * i;
+        stiffness[0][i] = 6e8;
+        mass[1][i] = ratio[_i] * mass[0][i];
+        stiffness[1][i] = ratio[_i] * stiffness[0][i];
+    }
+    struct thud_record record = {.dt_s = 0.02, .samples = N, .a_mps2 = a};
+    struct thud_structure_input body[2];
+    for (int k = 0; k < 2; k++)
+        body[k] = (struct thud_structure_input){
+            .n = FLOORS, .mass_kg = mass[k], .stiffness_npm = stiffness[k], .damping = 0.05};
+    struct thud_contact_input contact[FLOORS];
+    for (int i = 0; i < FLOORS; i++) {
+        contact[i] = (struct thud_contact_input){
+            .interface = 1, .left_floor = i + 1, .right_floor = i + 1, .right_structure = 1};
+        contact[i].law = newton(0.6, &contact[i].setup);
+    }
+    struct thud_model_input input = {.nstructures = 2, .structure = body, .ncontacts = FLOORS, .contact = contact};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    struct thud_run *run = finish(model, &record, 0);
+    const struct thud_result *result = thud_run_result(run);
+    ck_assert_int_le(result->work.events, FLOORS); /* each may touch once */
+    for (int i = 0; i < FLOORS; i++)
+        ck_assert_double_le(result->contact[i].force.value, 1e-11 * mass[0][i] * a[0]);
+    thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("impulse");
@@ -459,6 +499,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tc, squeezed_between_two_walls, 0, 4);
     tcase_add_test(tc, what_rounding_has_parted_touches);
     tcase_add_test(tc, what_is_held_moves_with_the_ground);
+    tcase_add_loop_test(tc, neighbours_that_move_alike_stay_together, 0, 4);
     suite_add_tcase(suite, tc);
     return suite;
 }
