@@ -26,7 +26,8 @@ static enum thud_status ask(struct thud_new_preset *preset, enum thud_new_row ro
             about->single ? ""
             : side        ? "right "
                           : "left ",
-            about->label, row == THUD_NEW_KIND ? " (shear, isolated, rigid, wall, estimated)" : "",
+            about->label,
+            row == THUD_NEW_KIND ? " (shear, isolated, lead-rubber, pendulum, rigid, wall, backfill, estimated)" : "",
             *about->unit ? ", with its unit" : "", value);
     if (!fgets(line, sizeof line, stdin))
         return thud_error_set(err, THUD_INPUT, "the answers ended at \"%s\": nothing was written", about->label);

@@ -624,6 +624,8 @@ START_TEST(new_scenes_of_every_kind)
             ck_assert_double_eq_tol(s->isolator_post_yield_npm, 750e3 * 6.3165, 1e-3 * s->isolator_post_yield_npm);
         } else if (strcmp(kind, "pendulum") == 0)
             ck_assert_double_eq_tol(2 * 3.14159265 * sqrt(s->isolator_radius_m / 9.80665), 2.5, 0.01);
+        else if (strcmp(kind, "backfill") == 0)
+            ck_assert(thud_wall_gives(s) && thud_wall_has_backfill(s));
         else if (matrix || modes)
             ck_assert_double_eq_tol(2 * 3.14159265 / f.tui->run.live.which[THUD_LIVE_NONE].model->structure[0].omega[0],
                                     matrix ? 0.508 : 0.4, 1e-3);

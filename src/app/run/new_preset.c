@@ -11,9 +11,10 @@
 static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
                        true},
-    [THUD_NEW_KIND] =
-        {"kind", "kind", "",
-         "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, matrix, modes, estimated", false},
+    [THUD_NEW_KIND] = {"kind", "kind", "",
+                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, backfill (a wall that "
+                       "gives), matrix, modes, estimated",
+                       false},
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
                        false},
@@ -30,12 +31,17 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
                        "Speed of its shear waves, m/s, under a disk of 9 m; empty: the ground is rigid", false},
     [THUD_NEW_DAMPER] = {"damper", "damper", "kN s/m",
                          "A dashpot between their topmost common floors, kN s/m; empty: none", true}};
-static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "lead-rubber",
+static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "backfill", "lead-rubber",
                                     "pendulum", "matrix",   "modes", "estimated", NULL};
 
 static bool is_isolated(const char *kind)
 {
     return strcmp(kind, "isolated") == 0 || strcmp(kind, "lead-rubber") == 0 || strcmp(kind, "pendulum") == 0;
+}
+
+static bool is_wall(const char *kind)
+{
+    return strcmp(kind, "wall") == 0 || strcmp(kind, "backfill") == 0;
 }
 
 static bool is_read(const char *kind)
@@ -172,6 +178,12 @@ static enum thud_status bearings(const struct thud_new_preset *preset, int side,
     return THUD_OK;
 }
 
+/* A concrete wall that stands on its foot, 15 m long, 1.5 m high and 0.5 m thick, with the soil of bridge abutments behind
+ * it, 20.3 MN/m and 326 kN per metre. */
+static const char moat_wall[] = "    mass: 27 t\n    stiffness: 40 MN/m # of the wall alone\n    damping: 5 %\n"
+                                "    backfill:\n      stiffness: 304.5 MN/m\n      strength: 4890 kN\n"
+                                "      ratio: 0.7\n";
+
 /* KEY: VALUE, and what is to be said of it. */
 static void line(struct thud_text *out, const char *key, const char *value, const char *comment)
 {
@@ -239,10 +251,15 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     const char *k = preset->text[THUD_NEW_KIND][side];
     char mass[THUD_NEW_TEXT + 16], text[THUD_NEW_TEXT + 16];
     thud_text_append(out, "  - name: %s\n", side ? "B" : "A");
-    line(out, "kind", is_isolated(k) ? "isolated" : k,
+    line(out, "kind",
+         is_isolated(k) ? "isolated"
+         : is_wall(k)   ? "wall"
+                        : k,
          side ? NULL : "shear | isolated | rigid | wall | matrix | modes | estimated");
-    if (strcmp(k, "wall") == 0)
+    if (is_wall(k)) {
+        thud_text_append(out, "%s", k[0] == 'b' ? moat_wall : "");
         return THUD_OK;
+    }
     value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
     if (strcmp(k, "rigid") == 0) {
         line(out, "mass", mass, NULL);
@@ -284,7 +301,7 @@ static void called(const struct thud_new_preset *preset, int side, char *text, s
         snprintf(text, size, "%.20s-storey %s", preset->text[THUD_NEW_STOREYS][side],
                  is_isolated(k) ? "isolated building" : "building");
     else
-        snprintf(text, size, "%s", k[0] == 'w' ? "wall" : "rigid body");
+        snprintf(text, size, "%s", is_wall(k) ? "wall" : "rigid body");
 }
 
 void thud_new_preset_title(const struct thud_new_preset *preset, char *title, size_t size)

@@ -58,6 +58,18 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "no structure");
 }
 
+/* Mass of the structures whose modes these are: with those it is tied to, and with the foundations'. */
+static double mass_of_system(const struct thud_model *model, int s)
+{
+    double total = 0.0;
+    for (int k = 0; k < model->nstructures; k++) {
+        const struct thud_model_structure *p = &model->structure[k];
+        for (int i = 0; p->system == model->structure[s].system && i < p->n + (p->rise ? 1 : 0); i++)
+            total += model->mass_kg[p->first + i];
+    }
+    return total;
+}
+
 /* Periods and effective masses. */
 static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
 {
@@ -65,10 +77,8 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
     if (!model || s >= model->nstructures || model->structure[s].n == 0)
         return y;
     const struct thud_model_structure *structure = &model->structure[s];
-    double total = 0.0;
+    const double total = mass_of_system(model, s);
     char periods[160] = " T", masses[160] = " M*", number[24];
-    for (int i = 0; i < structure->n + (structure->rise ? 1 : 0); i++) /* with the foundation's */
-        total += model->mass_kg[structure->first + i];
     for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
         double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
         if (!(omega > 0.0))
@@ -170,8 +180,8 @@ static int rows_of_kind(const struct thud_structure *structure)
            : structure->kind == THUD_MODES     ? 6
            : structure->kind == THUD_ESTIMATED ? 6
            : structure->kind == THUD_MATRIX    ? 7
-           : thud_isolator_slides(structure)   ? 10
-                                               : 8;
+           : thud_isolator_slides(structure)   ? 9
+                                               : 7;
 }
 
 /* The values that are not by floor, two in a row where they are short. */
@@ -226,10 +236,10 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"periods", "modes file", MODES, 4, 1, 13},
         {"unit", "unit", MODES, 5, LEFT},
         {"order", "order", MODES, 5, RIGHT},
-        {"base-mass", "base mass", ISOLATED, 3, WIDE},
+        {"base-mass", "slab", ISOLATED, 3, LEFT},
+        {"width", "width", ISOLATED, 3, RIGHT},
         {"isolator.law", "isolators", ISOLATED, 4, WIDE},
-        {"width", "isolator width", ISOLATED, 5, WIDE},
-        {"isolation-damping", "isolator damping", ISOLATED, 6, WIDE},
+        {"isolation-damping", "isolator damping", ISOLATED, 5, WIDE},
         OF_WALL("mass", "mass", 1),
         {"height", "height", RIGID | WALL, 2, WIDE},
         OF_WALL("stiffness", "stiffness", 3),
@@ -239,13 +249,13 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         OF_WALL("backfill.ratio", "failure ratio", 7),
         OF_WALL("backfill.gap", "gap to soil", 8),
         {"velocity", "velocity at 0", RIGID, 3, WIDE},
-        {"isolation-stiffness", "isolator k", LINEAR, 7, WIDE},
-        {"isolator.strength", "strength", LEAD_RUBBER, 7, WIDE},
-        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 8, WIDE},
-        {"isolator.yield", "yields at", LEAD_RUBBER, 9, WIDE},
-        {"isolator.radius", "radius", PENDULUM, 7, WIDE},
-        {"isolator.friction", "friction", PENDULUM, 8, WIDE},
-        {"isolator.yield", "elastic give", PENDULUM, 9, WIDE},
+        {"isolation-stiffness", "isolator k", LINEAR, 6, WIDE},
+        {"isolator.strength", "strength", LEAD_RUBBER, 6, WIDE},
+        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, WIDE},
+        {"isolator.yield", "yields at", LEAD_RUBBER, 8, WIDE},
+        {"isolator.radius", "radius", PENDULUM, 6, WIDE},
+        {"isolator.friction", "friction", PENDULUM, 7, WIDE},
+        {"isolator.yield", "elastic give", PENDULUM, 8, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),
