@@ -194,6 +194,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
                 {"effects.csv", thud_uncertainty_effects_csv},
                 {"uncertainty.json", thud_uncertainty_json},
                 {"samples.csv", thud_uncertainty_samples_csv},
+                {"sample-results.csv", thud_uncertainty_results_csv},
                 {"indices.csv", thud_uncertainty_indices_csv}};
     bool indices = study->indices && study->samples > 0;
     for (size_t i = 0; i < sizeof file / sizeof *file - !indices && status == THUD_OK; i++) {

@@ -5,7 +5,7 @@
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
     thud_curve_schema, thud_best_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
-    thud_quantity_schema, thud_effect_schema;
+    thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -75,5 +75,13 @@ enum { THUD_EFFECTS = 8 };
 struct thud_effect_row {
     const char *quantity, *input;
     double size, of[THUD_EFFECTS];
+};
+/* A quantity of one run: a sample's, or one that the indices rest on. */
+struct thud_sample_row {
+    int sample;
+    const char *design, *from_b;
+    int row;
+    const char *which, *structure, *measure;
+    double value;
 };
 enum { THUD_ROW_DRAWN = 1, THUD_ROW_INDICES = 2 }; /* marks: motions are drawn; Sobol indices are told */

@@ -228,14 +228,24 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
             put_indices(u, q, &study->told[q], out);
 }
 
-static void put_number(double value, struct thud_text *out)
+/* ---- rows ---- */
+
+/* What a quantity is of: its case, its structure (NULL: none alone) and its measure. */
+static const char *case_of(const struct thud_quantity_of_run *quantity)
 {
-    thud_text_append(out, ",");
-    if (!isnan(value))
-        thud_text_number(out, value);
+    return quantity->kind == THUD_OF_GAP ? NULL : thud_case_name(quantity->which);
 }
 
-/* ---- rows ---- */
+static const char *structure_of(const struct thud_uncertainty *u, const struct thud_quantity_of_run *quantity)
+{
+    return quantity->structure < 0 ? NULL : u->scene.structure[quantity->structure].name;
+}
+
+static const char *measure_of(const struct thud_quantity_of_run *quantity)
+{
+    const char *dot = strrchr(quantity->column, '.');
+    return dot ? dot + 1 : quantity->column;
+}
 
 static void make_quantity(const void *of, int q, void *row)
 {
@@ -243,18 +253,16 @@ static void make_quantity(const void *of, int q, void *row)
     const struct thud_uncertainty *u = study->uncertainty;
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     const struct thud_uncertainty_told *t = &study->told[q];
-    const char *dot = strrchr(quantity->column, '.');
-    *(struct thud_quantity_row *)row =
-        (struct thud_quantity_row){quantity->column,
-                                   quantity->kind == THUD_OF_GAP ? NULL : thud_case_name(quantity->which),
-                                   quantity->structure < 0 ? NULL : u->scene.structure[quantity->structure].name,
-                                   dot ? dot + 1 : quantity->column,
-                                   t->nominal,
-                                   t->low,
-                                   t->median,
-                                   t->high,
-                                   quantity->ratio ? t->below : NAN,
-                                   t->between};
+    *(struct thud_quantity_row *)row = (struct thud_quantity_row){quantity->column,
+                                                                  case_of(quantity),
+                                                                  structure_of(u, quantity),
+                                                                  measure_of(quantity),
+                                                                  t->nominal,
+                                                                  t->low,
+                                                                  t->median,
+                                                                  t->high,
+                                                                  quantity->ratio ? t->below : NAN,
+                                                                  t->between};
 }
 
 /* Of every input in turn, of each quantity. */
@@ -323,55 +331,63 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
     thud_text_append(out, "\n]}\n");
 }
 
-static void put_run_head(const struct thud_uncertainty *u, struct thud_text *out)
-{
-    for (int i = 0; i < u->ninputs; i++) {
-        thud_text_append(out, i ? "," : "");
-        thud_text_csv(out, u->input[i].name);
-    }
-    for (int q = 0; q < u->nquantities; q++) {
-        thud_text_append(out, ",");
-        thud_text_csv(out, u->quantity[q].column);
-    }
-    thud_text_append(out, "\n");
-}
-
-static void put_run(const struct thud_uncertainty_study *study, size_t row, struct thud_text *out)
-{
-    const struct thud_uncertainty *u = study->uncertainty;
-    for (int i = 0; i < u->ninputs; i++) {
-        double place = study->place[row * (size_t)u->ninputs + (size_t)i];
-        thud_text_append(out, i ? "," : "");
-        if (u->input[i].input == THUD_INPUT_RECORD)
-            thud_text_csv(out, thud_uncertainty_record(u, place)->file);
-        else
-            thud_text_number(out, place);
-    }
-    for (int q = 0; q < u->nquantities; q++)
-        put_number(thud_uncertainty_value(study, row, q), out);
-    thud_text_append(out, "\n");
-}
-
+/* A column for each input; what the runs gave stands in sample-results.csv. */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
+    const struct thud_uncertainty *u = study->uncertainty;
     size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
-    put_run_head(study->uncertainty, out);
-    for (size_t r = first; r < first + n; r++)
-        put_run(study, r, out);
+    thud_text_append(out, "sample");
+    for (int i = 0; i < u->ninputs; i++) {
+        thud_text_append(out, ",");
+        thud_text_csv(out, u->input[i].name);
+    }
+    for (size_t r = 0; r < n; r++) {
+        thud_text_append(out, "\n%zu", r + 1);
+        for (int i = 0; i < u->ninputs; i++) {
+            double place = study->place[(first + r) * (size_t)u->ninputs + (size_t)i];
+            thud_text_append(out, ",");
+            if (u->input[i].input == THUD_INPUT_RECORD)
+                thud_text_csv(out, thud_uncertainty_record(u, place)->file);
+            else
+                thud_text_number(out, place);
+        }
+    }
+    thud_text_append(out, "\n");
+}
+
+/* Of every quantity in turn, of each run behind the samples' first one. */
+static void make_sample(const void *of, int i, void *row)
+{
+    const struct thud_uncertainty_study *study = of;
+    const struct thud_uncertainty *u = study->uncertainty;
+    const struct thud_quantity_of_run *quantity = &u->quantity[i % u->nquantities];
+    const size_t run = (size_t)(i / u->nquantities), block = run / study->samples;
+    *(struct thud_sample_row *)row = (struct thud_sample_row){
+        .sample = (int)run + 1,
+        .design = block == 0   ? "A"
+                  : block == 1 ? "B"
+                               : "AB",
+        .from_b = block > 1 ? u->input[block - 2].name : NULL,
+        .row = (int)(run % study->samples) + 1,
+        .which = case_of(quantity),
+        .structure = structure_of(u, quantity),
+        .measure = measure_of(quantity),
+        .value = thud_uncertainty_value(study, thud_uncertainty_first_sample(study) + run, i % u->nquantities)};
+}
+
+static void put_runs(const struct thud_uncertainty_study *study, const struct thud_schema *schema, size_t runs,
+                     struct thud_text *out)
+{
+    const struct thud_rows rows = {schema, 0, (int)runs * study->uncertainty->nquantities, make_sample, study};
+    thud_rows_csv(&rows, out);
+}
+
+void thud_uncertainty_results_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    put_runs(study, &thud_sample_schema, thud_uncertainty_samples(study), out);
 }
 
 void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
-    const struct thud_uncertainty *u = study->uncertainty;
-    size_t first = thud_uncertainty_first_sample(study), n = study->samples;
-    thud_text_append(out, "design,from_b,row,");
-    put_run_head(u, out);
-    for (size_t r = first; r < study->rows; r++) {
-        size_t block = (r - first) / n;
-        thud_text_append(out, "%s,", block == 0 ? "A" : block == 1 ? "B" : "AB");
-        if (block > 1)
-            thud_text_csv(out, u->input[block - 2].name);
-        thud_text_append(out, ",%zu,", (r - first) % n + 1);
-        put_run(study, r, out);
-    }
+    put_runs(study, &thud_index_schema, study->rows - thud_uncertainty_first_sample(study), out);
 }

@@ -66,7 +66,9 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
 void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
 void thud_uncertainty_effects_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* A row per sample: place of every input (0 to 1; the ground motion by name), every quantity. */
+/* A row for each sample: place of every input (0 to 1; the ground motion by name); and for each of them and every
+ * quantity its value. */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* The runs that the indices rest on: design (A, B, AB), the input that AB takes from B, row, and as above. */
+void thud_uncertainty_results_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* The same of the runs that the indices rest on: design (A, B, AB), the input that AB takes from B, row. */
 void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out);

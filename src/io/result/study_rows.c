@@ -150,7 +150,7 @@ const struct thud_schema thud_mode_schema =
 
 #define QUANTITY(member, key, text) THUD_COLUMN(struct thud_quantity_row, member, key, text)
 static const struct thud_column quantities[] = {
-    {QUANTITY(quantity, "quantity", "Case, structure and measure, as the columns of samples.csv are named.")},
+    {QUANTITY(quantity, "quantity", "Case, structure and measure, joined by dots.")},
     {QUANTITY(which, "case", "Its case; empty: of none, as the needed gap.")},
     {QUANTITY(structure, "structure", "Name of its structure; empty: of all contacts.")},
     {QUANTITY(measure, "measure",
@@ -191,3 +191,20 @@ const struct thud_schema thud_effect_schema =
                 "Written by\n.Cm uncertainty Fl o :\na row for each quantity and uncertain input; in JSON the list\n"
                 ".Va inputs\nof each quantity.\n",
                 effects);
+
+#define SAMPLE(member, key, text) THUD_FIELD(struct thud_sample_row, member, key, text)
+#define OF_RUN                                                                                                         \
+    SAMPLE(which, "case", "As in uncertainty.csv, and so the next two."), SAMPLE(structure, "structure", "Its name."), \
+        SAMPLE(measure, "measure", "What it is, with its unit."), SAMPLE(value, "value", "That of this run.")
+static const struct thud_column of_samples[] = {SAMPLE(sample, "sample", "As in samples.csv."), OF_RUN};
+const struct thud_schema thud_sample_schema = THUD_SCHEMA(
+    "sample-results.csv", "Written by\n.Cm uncertainty Fl o :\na row for each sample and quantity.\n", of_samples);
+static const struct thud_column of_designs[] = {
+    SAMPLE(design, "design",
+           "A, the first half of samples.csv; B, the second half; or AB: A with the values of one input from B."),
+    SAMPLE(from_b, "from_b", "That input."), SAMPLE(row, "row", "Row of the design, from 1."), OF_RUN};
+const struct thud_schema thud_index_schema =
+    THUD_SCHEMA("indices.csv",
+                "Written by\n.Cm uncertainty Fl -indices Fl o :\nthe runs that the indices rest on, a row for each run "
+                "and quantity, so that anybody\ncan compute them again, as thud(1) says.\n",
+                of_designs);
