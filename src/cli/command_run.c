@@ -62,8 +62,8 @@ static const char *case_title(const struct thud_scene *scene)
         cavity |= scene->interface[i].has_bumper && scene->interface[i].bumper_cavity_m > 0;
     }
     if (scene->nlinks > 0)
-        return bumper ? "bumper and links" : "links";
-    return cavity ? "bumper in a cavity" : bumper ? "bumper" : "no bumper";
+        return bumper ? "bumper and links" : thud_case_title(THUD_CASE_LINK);
+    return thud_case_title(cavity ? THUD_CASE_CAVITY : bumper ? THUD_CASE_BUMPER : THUD_CASE_NONE);
 }
 
 /* Their data stand in histories.csv. */
@@ -71,7 +71,8 @@ static enum thud_status draw(const struct thud_args *args, struct thud_picture_c
                              const struct thud_scene *scene, const struct thud_solution *solution,
                              struct thud_error *err)
 {
-    struct thud_figure_source source = thud_run_source(case_title(scene), scene, solution->run);
+    struct thud_figure_source source = thud_run_source(THUD_CASE_AS_WRITTEN, scene, solution->run);
+    source.name = case_title(scene);
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
     thud_progress_start(args);
@@ -184,7 +185,7 @@ static enum thud_status report_failure(const struct thud_args *args, const struc
     return thud_cli_print(&text, err);
 }
 
-/* Files of every case in a folder of its own, figures of all over each other. */
+/* Files of every case in a folder of its own, figures of all beside each other. */
 static enum thud_status write_cases(const struct thud_args *args, struct thud_picture_choice *picture,
                                     const struct thud_session *session, const struct thud_run_cases *cases,
                                     const struct thud_made_by *by, struct thud_error *err)

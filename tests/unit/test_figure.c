@@ -126,6 +126,22 @@ START_TEST(key_names_everything_once_in_order)
 }
 END_TEST
 
+/* A curve of which nothing is seen, of no number or beyond the limits, has no entry. */
+START_TEST(the_key_has_no_entry_without_a_curve)
+{
+    struct thud_figure *figure = thud_figure_create("x", "", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    const struct thud_series *key[4];
+    thud_panel_limits(panel, THUD_X, 0, 2);
+    thud_panel_add(panel, (struct thud_style){0}, "seen", 2, (double[]){1, 3}, (double[]){1, 2});
+    thud_panel_add(panel, (struct thud_style){0}, "nowhere", 2, (double[]){1, 2}, (double[]){NAN, NAN});
+    thud_panel_add(panel, (struct thud_style){0}, "beyond", 2, (double[]){3, 4}, (double[]){1, 2});
+    ck_assert_int_eq(thud_figure_key(figure, key, 4), 1);
+    ck_assert_str_eq(key[0]->name, "seen");
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(a_figure_that_could_not_be_made_is_harmless)
 {
     struct thud_error err;
@@ -348,6 +364,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, colours_differ);
     tcase_add_test(tcase, key_follows_the_colours);
     tcase_add_test(tcase, key_names_everything_once_in_order);
+    tcase_add_test(tcase, the_key_has_no_entry_without_a_curve);
     tcase_add_test(tcase, a_figure_that_could_not_be_made_is_harmless);
     tcase_add_test(tcase, a_closer_look_shares_the_series);
     tcase_add_test(tcase, contour_of_a_cone_is_a_circle);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "plot/figures/figures_case.h"
 #include "plot/figures/figures_run.h"
 #include "plot/figures/figures_scene.h"
 #include "plot/gnuplot/gnuplot.h"
@@ -89,7 +90,7 @@ static struct sample *make(void)
             row[thud_history_storey_shear(h, k)] = 2e6 * (k + 1) * sin(s->time[i]);
         }
     }
-    s->source = (struct thud_figure_source){"bumper", &s->scene, &s->result, h, &s->impact, 1};
+    s->source = (struct thud_figure_source){"bumper", THUD_CASE_BUMPER, &s->scene, &s->result, h, &s->impact, 1};
     return s;
 }
 
@@ -244,11 +245,32 @@ START_TEST(storeys_that_yield_show_their_loops)
 }
 END_TEST
 
-START_TEST(several_runs_lie_over_each_other)
+/* Whether every curve of a name has the case's colour, and there is one of each case. */
+static void expect_colors(const struct thud_figure *figure, const struct thud_figure_source *source, int n)
+{
+    for (int i = 0; i < n; i++) {
+        int found = 0;
+        for (int p = 0; p < figure->rows * figure->columns; p++)
+            for (int k = 0; k < figure->panel[p].nseries; k++) {
+                const struct thud_series *series = figure->panel[p].series[k];
+                const char *strip = strrchr(figure->panel[p].title, ':');
+                if (strcmp(strip ? strip + 2 : series->name, source[i].name) != 0)
+                    continue;
+                ck_assert_int_eq(series->style.color, thud_case_color(source[i].which));
+                found++;
+            }
+        ck_assert_msg(found > 0, "%s: %s", figure->name, source[i].name);
+    }
+}
+
+/* Histories stand one above the other, a case in each strip; what is no history has a curve for each case. The order of
+ * the cases does not change their colours. */
+START_TEST(several_runs_keep_their_colours)
 {
     struct sample *s = make();
     struct thud_figure_source both[2] = {s->source, s->source};
-    both[0].name = "no bumper";
+    both[1].which = THUD_CASE_NONE;
+    both[1].name = thud_case_title(THUD_CASE_NONE);
     for (int w = 0; w < THUD_RUN_FIGURES; w++) {
         if (w == THUD_FIGURE_COLUMNS) /* floors meet floors here */
             continue;
@@ -256,14 +278,49 @@ START_TEST(several_runs_lie_over_each_other)
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         const struct thud_series *key[20];
         int n = thud_figure_key(figure, key, 20);
-        if (w != THUD_FIGURE_ENERGY) {
+        if (w <= THUD_FIGURE_DRIFT) {
+            ck_assert_int_eq(n, 0);
+            for (int p = 0; p < figure->rows * figure->columns; p++)
+                ck_assert_int_eq(figure->panel[p].nseries, 1);
+        } else if (w != THUD_FIGURE_ENERGY)
             ck_assert_int_eq(n, 2);
-            ck_assert_str_eq(key[0]->name, "no bumper");
-            ck_assert_str_eq(key[1]->name, "bumper");
-        }
+        if (w != THUD_FIGURE_ENERGY)
+            expect_colors(figure, both, 2);
         thud_figure_free(figure);
     }
     drop(s);
+}
+END_TEST
+
+/* Each case has a name, a colour and dashes of its own. */
+START_TEST(cases_differ_without_their_colours)
+{
+    struct thud_figure *figure = thud_figure_create("x", "", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    enum { CASES = THUD_CASES - THUD_CASE_FREE };
+    struct thud_text script = {0};
+    const struct thud_picture_options options = {.format = THUD_SVG};
+    char style[CASES][80] = {{0}};
+    for (int i = 0; i < CASES; i++) {
+        const enum thud_case which = (enum thud_case)(i + THUD_CASE_FREE);
+        thud_panel_add(panel, (struct thud_style){.color = thud_case_color(which)}, thud_case_title(which), 2,
+                       (double[]){0, 1}, (double[]){i, i});
+    }
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
+    for (int i = 0; i < CASES; i++) {
+        char block[16];
+        snprintf(block, sizeof block, "$P1S%d using", i + 1);
+        const char *at = strstr(script.data, block);
+        ck_assert(at && (at = strstr(at, "lw")));
+        snprintf(style[i], sizeof style[i], "%.*s", (int)strcspn(at, "#"), at); /* up to its colour */
+        for (int k = 0; k < i; k++) {
+            ck_assert_str_ne(style[i], style[k]);
+            ck_assert_str_ne(thud_case_title((enum thud_case)(i + THUD_CASE_FREE)),
+                             thud_case_title((enum thud_case)(k + THUD_CASE_FREE)));
+        }
+    }
+    thud_text_clear(&script);
+    thud_figure_free(figure);
 }
 END_TEST
 
@@ -309,7 +366,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_scene_is_drawn_to_scale);
     tcase_add_test(tcase, a_wall_that_gives_is_drawn_with_what_holds_it);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
-    tcase_add_test(tcase, several_runs_lie_over_each_other);
+    tcase_add_test(tcase, several_runs_keep_their_colours);
+    tcase_add_test(tcase, cases_differ_without_their_colours);
     tcase_add_test(tcase, storeys_that_yield_show_their_loops);
     tcase_add_test(tcase, envelopes_stand_over_the_height);
     tcase_add_test(tcase, rigid_bodies_have_no_deflections);

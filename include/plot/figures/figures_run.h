@@ -1,4 +1,4 @@
-/* Figures of one scene's runs: histories, loops, envelopes, energy; one run, or a few cases over each other. */
+/* Figures of one scene's runs: histories, loops, envelopes, energy; one run, or a few cases: histories one above the other, the rest over each other. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,7 +9,8 @@
 
 /* A finished run with histories. Several sources of one figure have the same structures and contacts. */
 struct thud_figure_source {
-    const char *name; /* in the key where there is more than one source: "no bumper" */
+    const char *name;     /* where there is more than one source: "no bumper" */
+    enum thud_case which; /* its colour there */
     const struct thud_scene *scene;
     const struct thud_result *result;
     const struct thud_history *history;

@@ -4,8 +4,6 @@
 #include "plot/figure/figure.h"
 #include "study/sweep/sweep_table.h"
 
-/* A case as a reader calls it: "no bumper", "bumper in a cavity", ... */
-const char *thud_case_title(enum thud_case which);
 /* An axis of a panel for a varied key: its title and unit, or its words as ticks; and from its SI values to what is
  * shown (1 for words). */
 void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis);

@@ -179,7 +179,8 @@ struct thud_analysis {
 };
 
 enum thud_case {
-    THUD_CASE_AS_WRITTEN = -1,
+    THUD_CASE_FREE = -2, /* no pounding at all: what cases are compared with, not one of them */
+    THUD_CASE_AS_WRITTEN,
     THUD_CASE_NONE,
     THUD_CASE_BUMPER,
     THUD_CASE_CAVITY,
@@ -377,6 +378,13 @@ static inline enum thud_case thud_scene_bare(const struct thud_scene *scene)
     return scene->nlinks > 0 ? THUD_CASE_LINK : THUD_CASE_NONE;
 }
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "link", "as-written" */
+/* As readers call it, in every table and figure: "no pounding", "no bumper", "bumper in a cavity", ... */
+const char *thud_case_title(enum thud_case which);
+/* The cases that stand beside each other where only one bumper is asked about: no pounding, no bumper, bumper. */
+static inline enum thud_case thud_case_compared(int i)
+{
+    return i > 0 ? (enum thud_case)(i - 1) : THUD_CASE_FREE;
+}
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
 

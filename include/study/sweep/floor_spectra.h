@@ -27,9 +27,7 @@ struct thud_floor_spectra {
     double *peak_mps2; /* (ncases x nfloors) of the floor's acceleration; NaN where an impulse has none */
 };
 
-/* "no pounding"; as a word: "no-pounding", and as a part of a name: "no_pounding" */
-const char *thud_floor_case_title(int which);
-const char *thud_floor_case_name(int which);
+/* As a part of a name: "no_pounding", "none", "bumper". */
 const char *thud_floor_case_column(int which);
 
 /* `scene` as written. Its runs end no sooner than the longest period after the motion. Errors: THUD_INPUT (another

@@ -407,9 +407,9 @@ static void add_column_table(struct site *site)
     }
 }
 
-static struct thud_figure_source source_of(const struct site_case *one)
+static struct thud_figure_source source_of(const struct site *site, const struct site_case *one)
 {
-    return thud_run_source(one->name, one->scene, one->solution.run);
+    return thud_run_source(thud_case_compared((int)(one - site->cases)), one->scene, one->solution.run);
 }
 
 static void floors(struct site *site)
@@ -423,7 +423,7 @@ static void floors(struct site *site)
                            "oscillators with 5 % damping, g, and its period");
     thud_document_cell(d, "floor");
     for (int i = 0; i < s->ncases; i++)
-        thud_document_cell(d, "%s", thud_floor_case_title(i));
+        thud_document_cell(d, "%s", thud_case_title(thud_case_compared(i)));
     thud_document_row(d);
     for (int f = 0; f < s->nfloors; f++) {
         thud_document_cell(d, "%s, floor %d", thud_site_name(site, s->floor[f].structure), s->floor[f].floor + 1);
@@ -457,7 +457,7 @@ static void results(struct site *site)
     add_contact_table(site);
     add_column_table(site);
     for (int i = 0; i < site->ncases; i++)
-        source[i] = source_of(&site->cases[i]);
+        source[i] = source_of(site, &site->cases[i]);
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
                          "Largest values over the height, in each case.");

@@ -5,7 +5,7 @@
 
 #include "app/run/live_work.h"
 #include "base/largest.h"
-#include "plot/figure/figure.h"
+#include "plot/figures/figures_case.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
 #include "study/scene/spacing.h"
@@ -17,14 +17,12 @@ _Static_assert(THUD_LIVE_JOBS == THUD_LIVE_CASES + 1, "the cases, and the gap th
 
 const char *thud_live_name(enum thud_live_which which)
 {
-    static const char *const name[] = {"no pounding", "no bumper", "bumper"};
-    return name[which];
+    return thud_case_title(thud_case_compared((int)which));
 }
 
 int thud_live_color(enum thud_live_which which)
 {
-    static const int color[] = {THUD_COLOR_GREY, 0, 1};
-    return color[which];
+    return thud_case_color(thud_case_compared((int)which));
 }
 
 static void forget_old(struct thud_live_case *c)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "app/run/figure_files.h"
 #include "core/run/baseline.h"
@@ -10,15 +11,6 @@
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep.h"
-
-static const char *title_of(enum thud_case which)
-{
-    return which == THUD_CASE_NONE     ? "no bumper"
-           : which == THUD_CASE_BUMPER ? "bumper"
-           : which == THUD_CASE_CAVITY ? "in a cavity"
-           : which == THUD_CASE_LINK   ? "links"
-                                       : "no pounding";
-}
 
 /* ---- the runs ---- */
 
@@ -35,8 +27,8 @@ static enum thud_status parse(const struct thud_scene *scene, const char *text, 
     for (int i = 0; status == THUD_OK && i < plan->ncases && cases->n < THUD_RUN_CASES_MAX; i++)
         cases->item[cases->n++].which = plan->cases[i];
     for (int i = 0; i < cases->n; i++) {
-        cases->item[i].name = title_of(cases->item[i].which);
-        cases->item[i].folder = i ? thud_case_name(cases->item[i].which) : "no-pounding";
+        cases->item[i].name = thud_case_title(i ? cases->item[i].which : THUD_CASE_FREE);
+        cases->item[i].folder = thud_case_name(i ? cases->item[i].which : THUD_CASE_FREE);
     }
     thud_sweep_plan_clear(plan);
     free(plan);
@@ -124,7 +116,8 @@ void thud_run_cases_free(struct thud_run_cases *cases)
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)
 {
     for (int i = 0; i < cases->n; i++)
-        source[i] = thud_run_source(cases->item[i].name, &cases->item[i].scene, cases->item[i].solution.run);
+        source[i] = thud_run_source(i ? cases->item[i].which : THUD_CASE_FREE, &cases->item[i].scene,
+                                    cases->item[i].solution.run);
     return cases->n;
 }
 
@@ -165,6 +158,13 @@ static void put_ratio(double value, struct thud_text *out)
         thud_text_append(out, "      -");
 }
 
+/* Of a case's column. */
+static int wide(const struct thud_run_cases *cases, int i)
+{
+    const int least = 9, letters = (int)strlen(cases->item[i].name);
+    return letters > least ? letters : least;
+}
+
 static void put_structure(const struct thud_run_cases *cases, int s, bool drift, struct thud_text *out)
 {
     const struct thud_structure *p = &cases->item[0].scene.structure[s];
@@ -174,7 +174,7 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     thud_text_append(out, "\n%s, %s\n%5s", p->name, drift ? "interstorey drift, mm" : "total acceleration, m/s2",
                      drift ? "" : "floor");
     for (int i = 0; i < cases->n; i++)
-        thud_text_append(out, " %11s", cases->item[i].name);
+        thud_text_append(out, " %*s", wide(cases, i), cases->item[i].name);
     for (int i = 1; none && i < cases->n; i++)
         if (i != none)
             thud_text_append(out, " %6s:none", thud_case_name(cases->item[i].which));
@@ -186,7 +186,7 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
             char text[32] = "-";
             if (!isnan(value))
                 snprintf(text, sizeof text, "%.4g", value);
-            thud_text_append(out, " %11s", text);
+            thud_text_append(out, " %*s", wide(cases, i), text);
         }
         for (int i = 1; none && i < cases->n; i++)
             if (i != none) {

@@ -50,7 +50,7 @@ void thud_floor_spectra_json(const struct thud_scene *scene, const struct thud_f
         thud_json_string(out, scene->structure[s->floor[f].structure].name);
         thud_text_append(out, ", \"floor\": %d, \"cases\": [", s->floor[f].floor + 1);
         for (int i = 0; i < s->ncases; i++) {
-            thud_text_append(out, "%s\n   {\"case\": \"%s\", ", i ? "," : "", thud_floor_case_name(i));
+            thud_text_append(out, "%s\n   {\"case\": \"%s\", ", i ? "," : "", thud_case_name(thud_case_compared(i)));
             thud_json_field(out, "acceleration_mps2", s->peak_mps2[i * s->nfloors + f]);
             thud_text_append(out, ", \"pseudo_acceleration_mps2\": ");
             numbers(thud_floor_spectrum(s, i, f, &largest), s->nperiods, out);

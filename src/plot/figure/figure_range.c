@@ -135,6 +135,15 @@ static bool listed(const struct thud_series **entry, int n, const char *name)
     return false;
 }
 
+/* Nothing is seen of a curve without a point between the limits. */
+static bool is_seen(const struct thud_panel *panel, const struct thud_series *series)
+{
+    for (size_t i = 0; i < series->n; i++)
+        if (isfinite(series->x[i]) && isfinite(series->y[i]) && inside(&panel->axis[THUD_X], series->x[i]))
+            return true;
+    return false;
+}
+
 int thud_figure_key(const struct thud_figure *figure, const struct thud_series **entry, int most)
 {
     int n = 0;
@@ -142,7 +151,8 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
         const struct thud_panel *panel = &figure->panel[p];
         for (int i = 0; i < panel->nseries; i++) {
             const struct thud_series *series = panel->series[i];
-            if (!*series->name || thud_series_is_shade(series) || listed(entry, n < most ? n : most, series->name))
+            if (!*series->name || thud_series_is_shade(series) || listed(entry, n < most ? n : most, series->name) ||
+                !is_seen(panel, series))
                 continue;
             if (n < most)
                 entry[n] = series;

@@ -122,9 +122,11 @@ struct thud_figure *thud_figure_columns(const struct thud_figure_source *source,
         thud_panel_axis(panel, THUD_Y, "Height", "m");
         thud_panel_limits(panel, THUD_X, 0.0, NAN);
         for (int k = 0; k < nsources; k++)
-            add_shears(panel, &source[k], s, i, nsources > 1 ? source[k].name : "shear", k);
+            add_shears(panel, &source[k], s, i, nsources > 1 ? source[k].name : "shear",
+                       thud_source_color(&source[k], nsources));
         for (int k = 0; k < nsources; k++)
-            add_strikes(panel, &source[k], s, i, nsources > 1 ? "" : "where the slab strikes", nsources > 1 ? k : 1);
+            add_strikes(panel, &source[k], s, i, nsources > 1 ? "" : "where the slab strikes",
+                        nsources > 1 ? thud_case_color(source[k].which) : 1);
         add_capacities(panel, source, s, i);
     }
     thud_figure_note(figure, "Above and below the slab that strikes, each at its own time.");

@@ -61,10 +61,10 @@ static void contact_note(struct thud_panel *panel, const struct thud_figure_sour
 
 /* Every impact at its largest force, or at its impulse. */
 static void impact_points(struct thud_panel *panel, const struct thud_figure_source *source, int contact, bool impulse,
-                          double factor, const char *name, int color)
+                          double factor, int color)
 {
     struct thud_style style = {.kind = THUD_POINTS, .color = color};
-    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)source->nimpacts, NULL, NULL);
+    struct thud_series *series = thud_panel_add(panel, style, "", (size_t)source->nimpacts, NULL, NULL);
     size_t n = 0;
     for (int i = 0; series && i < source->nimpacts; i++)
         if (source->impact[i].contact == contact && (impulse || source->impact[i].force_n > 0.0)) {
@@ -75,6 +75,32 @@ static void impact_points(struct thud_panel *panel, const struct thud_figure_sou
         series->n = n;
 }
 
+/* How many contacts have strips. */
+static int most_contacts(int nsources)
+{
+    const int places = thud_source_places(nsources);
+    return places < THUD_CURVES_MAX ? places : THUD_CURVES_MAX;
+}
+
+/* What a strip shows of a contact. */
+enum told { FORCE, FORCES, IMPULSES };
+
+static struct thud_panel *contact_strip(struct thud_figure *figure, int row, const struct thud_figure_source *source,
+                                        int nsources, int contact, enum told told, struct thud_shown shown)
+{
+    const int color = thud_source_color(source, nsources);
+    char name[160], text[256];
+    thud_source_contact_name(source, contact, name, sizeof name);
+    struct thud_panel *panel = thud_figure_panel(figure, row, 0, thud_source_strip(source, nsources, name, text));
+    thud_panel_axis(panel, THUD_X, "Time", "s");
+    thud_panel_axis(panel, THUD_Y, told == IMPULSES ? "Impulse" : "Impact force", shown.unit);
+    if (told == FORCE)
+        thud_source_line(panel, source, thud_history_force(source->history, contact), -1, shown.factor, "", color);
+    else
+        impact_points(panel, source, contact, told == IMPULSES, shown.factor, color);
+    return panel;
+}
+
 enum { IMPACTS_MANY = 100 };
 
 /* Where no contact has a force: a strip for each that passed impulses, each of them a point. */
@@ -82,34 +108,29 @@ static struct thud_figure *impulses(const struct thud_figure_source *source, int
 {
     double size[CONTACTS_MAX], from = 0, to = 0;
     int index[THUD_CURVES_MAX], contacts = source->result->ncontacts;
-    char title[3 * THUD_TEXT_MAX], name[160];
+    char title[3 * THUD_TEXT_MAX];
     bool ground = thud_source_ground(source);
     if (contacts > CONTACTS_MAX)
         contacts = CONTACTS_MAX;
     for (int c = 0; c < contacts; c++)
         size[c] = peak_impulse(source, nsources, c);
-    int n = thud_pick_largest(size, contacts, THUD_CURVES_MAX, index);
+    int n = thud_pick_largest(size, contacts, most_contacts(nsources), index);
     while (n > 0 && !(size[index[n - 1]] > 0.0))
         n--;
     if (n == 0)
         return NULL;
     thud_source_title(source, nsources, "impulse of every impact (kN s)", title, sizeof title);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), title, n + ground, 1);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), title, n * nsources + ground, 1);
     thud_source_zoom(source, nsources, &from, &to);
     if (ground)
         thud_figure_ground(figure, source, from, to);
-    for (int i = 0; i < n; i++) {
-        int c = index[n - 1 - i];
-        thud_source_contact_name(source, c, name, sizeof name);
-        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
-        thud_panel_axis(panel, THUD_X, "Time", "s");
-        thud_panel_axis(panel, THUD_Y, "Impulse", "kN s");
-        for (int s = 0; s < nsources; s++)
-            impact_points(panel, &source[s], c, true, 1e-3, nsources > 1 ? source[s].name : "", s);
-    }
+    for (int i = 0; i < n * nsources; i++)
+        contact_strip(figure, i + ground, &source[i % nsources], nsources, index[n - 1 - i / nsources], IMPULSES,
+                      (struct thud_shown){1e-3, "kN s"});
     thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
-    for (int r = ground; r < n + ground && figure; r++)
+    for (int r = ground; figure && r < figure->rows; r++)
         thud_panel_limits(&figure->panel[r], THUD_Y, 0.0, figure->panel[r].axis[THUD_Y].most);
     thud_figure_shorten(figure);
     thud_figure_note(figure, "A law without force: an impulse lasts no time, and has no largest force.");
@@ -134,14 +155,18 @@ static void until_last_impact(struct thud_figure *figure, const struct thud_figu
         thud_figure_note(figure, text);
 }
 
-/* A strip for each contact, the highest first; where impacts are hundreds, each is a point on a log axis. */
+/* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis. */
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
 {
     int index[THUD_CURVES_MAX], n, most = 0;
     double peak, from, to;
-    char text[3 * THUD_TEXT_MAX], what[64], name[160];
+    char text[3 * THUD_TEXT_MAX], what[64];
+    if (nsources > 1 && source->which == THUD_CASE_FREE) { /* nothing touches there */
+        source++;
+        nsources--;
+    }
     bool zoom = thud_source_zoom(source, nsources, &from, &to), ground = thud_source_ground(source);
-    n = pick_contacts(source, nsources, THUD_CURVES_MAX, index, &peak);
+    n = pick_contacts(source, nsources, most_contacts(nsources), index, &peak);
     struct thud_figure *struck = n == 0 ? impulses(source, nsources) : NULL;
     if (struck)
         return struck;
@@ -152,35 +177,25 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     snprintf(what, sizeof what, many ? "largest force of every impact (%s)" : "impact force (%s)", shown.unit);
     thud_source_title(source, nsources, what, text, sizeof text);
     zoom = zoom && !many;
-    struct thud_figure *figure =
-        thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text, (n > 0 ? n : 1) + ground, zoom ? 2 : 1);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text,
+                                                    (n > 0 ? n * nsources : 1) + ground, zoom ? 2 : 1);
     if (ground)
         thud_figure_ground(figure, source, from, to);
     if (n == 0)
         thud_figure_panel(figure, ground, 0, "no contact");
-    for (int i = 0; i < n; i++) {
-        int c = index[n - 1 - i];
-        thud_source_contact_name(source, c, name, sizeof name);
-        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
-        thud_panel_axis(panel, THUD_X, "Time", "s");
-        thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+    for (int i = 0; i < n * nsources; i++) {
+        struct thud_panel *panel = contact_strip(figure, i + ground, &source[i % nsources], nsources,
+                                                 index[n - 1 - i / nsources], many ? FORCES : FORCE, shown);
         if (many)
             thud_panel_log(panel, THUD_Y);
-        for (int s = 0; s < nsources; s++) {
-            const char *key = nsources > 1 ? source[s].name : "";
-            if (many)
-                impact_points(panel, &source[s], c, false, shown.factor, key, s);
-            else
-                thud_source_line(panel, &source[s], thud_history_force(source[s].history, c), -1, shown.factor, key, s);
-        }
         if (zoom)
-            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
+            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, panel ? panel->title : ""), panel, from, to);
     }
     if (n > 0)
         thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
     if (many)
-        until_last_impact(figure, source, nsources, (n > 0 ? n : 1) + ground);
+        until_last_impact(figure, source, nsources, figure ? figure->rows : 0);
     else
         thud_figure_shorten(figure);
     int pounding = 0;
@@ -238,7 +253,7 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
         for (int s = 0; s < nsources; s++) {
             thud_source_contact_name(source, index[i], text, sizeof text);
             loop_line(panel, &source[s], index[i], shown.factor, nsources > 1 ? source[s].name : text,
-                      nsources > 1 ? s : i);
+                      nsources > 1 ? thud_case_color(source[s].which) : i);
         }
     }
     contact_note(panel, source, nsources, n, index);

@@ -93,7 +93,8 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
             thud_panel_axis(panel, THUD_Y, "Height", "m");
             thud_panel_limits(panel, THUD_X, 0.0, NAN);
             for (int s = 0; s < nsources; s++)
-                envelope(panel, &source[s], i, q, nsources > 1 ? source[s].name : "", s);
+                envelope(panel, &source[s], i, q, nsources > 1 ? source[s].name : "",
+                         thud_source_color(&source[s], nsources));
         }
         row++;
     }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/quantity.h"
+#include "plot/figures/figures_case.h"
 
 enum { APART = 4 }; /* floors that have a panel of their own */
 
@@ -29,7 +30,7 @@ static void curve(struct thud_panel *panel, const struct thud_floor_spectra *s, 
 {
     int largest;
     const double *sa = thud_floor_spectrum(s, which, floor, &largest);
-    struct thud_style style = {.kind = THUD_LINES, .color = color, .dashed = which == 0 && s->nfloors <= APART};
+    struct thud_style style = {.kind = THUD_LINES, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, (size_t)s->nperiods, s->period_s, sa);
     for (int k = 0; series && k < s->nperiods; k++)
         series->y[k] /= THUD_GRAVITY;
@@ -60,14 +61,15 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
         snprintf(title, sizeof title, "%s, floor %d", scene->structure[at.structure].name, at.floor + 1);
         struct thud_panel *panel = panel_of(figure, f, 0, title, s);
         for (int i = 0; i < s->ncases; i++)
-            curve(panel, s, i, f, i, thud_floor_case_title(i));
+            curve(panel, s, i, f, thud_case_color(thud_case_compared(i)), thud_case_title(thud_case_compared(i)));
     }
     for (int i = 0; !apart && i < s->ncases; i++) {
         struct thud_panel *panel = NULL;
         for (int f = 0; f < s->nfloors; f++) {
             const struct thud_floor_place at = s->floor[f];
             if (f == 0 || at.structure != s->floor[f - 1].structure) {
-                snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name, thud_floor_case_title(i));
+                snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name,
+                         thud_case_title(thud_case_compared(i)));
                 panel = panel_of(figure, row[at.structure], i, title, s);
             }
             char name[32];

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plot/figures/figures_case.h"
 #include "plot/figures/figures_sweep.h"
 
 enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
@@ -67,7 +68,7 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
     const struct thud_fragility *f = curve->fragility;
     double unit = thud_varied_factor(&plan->axis[curve->axis]), x[FINE], y[FINE];
     const char *name = thud_case_title(plan->cases[curve->k]);
-    int color = curve->k;
+    int color = thud_case_color(plan->cases[curve->k]);
     double *point = malloc(4 * (f->n + 1) * sizeof *point), *share = point + f->n, *low = share + f->n,
            *high = low + f->n;
     if (!point) {

@@ -35,7 +35,7 @@ static double floor_peak(const struct thud_figure_source *source, int structure,
 }
 
 static void floor_line(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
-                       enum thud_run_figure which, const char *name, int color)
+                       enum thud_run_figure which, int color)
 {
     const struct thud_history *h = source->history;
     int dof = first_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
@@ -45,7 +45,7 @@ static void floor_line(struct thud_panel *panel, const struct thud_figure_source
         column = thud_history_acceleration(h, dof);
     else if (which == THUD_FIGURE_DRIFT && floor > 0)
         less = thud_history_displacement(h, dof - 1);
-    struct thud_series *line = thud_source_line(panel, source, column, less, quantities[which].factor, name, color);
+    struct thud_series *line = thud_source_line(panel, source, column, less, quantities[which].factor, "", color);
     const struct thud_structure_result *r = &source->result->structure[structure];
     const struct thud_structure *of = &source->scene->structure[structure];
     const int base = dof - floor + r->floors, storey = floor - (of->kind == THUD_ISOLATED);
@@ -67,8 +67,6 @@ struct place {
     int structure, floor;
 };
 
-enum { STRIPS_MAX = 12 };
-
 /* The floors that have a strip: all, or of each structure those with the largest peaks; the top of the first structure
  * first. */
 static int pick_floors(const struct thud_figure_source *source, int nsources, enum thud_run_figure which,
@@ -79,8 +77,9 @@ static int pick_floors(const struct thud_figure_source *source, int nsources, en
         nshown += thud_source_shown(source, i, which);
         total += thud_source_shown(source, i, which) ? source->result->structure[i].floors : 0;
     }
-    *all = total <= STRIPS_MAX;
-    int each = *all ? total : nshown > 0 && STRIPS_MAX > nshown ? STRIPS_MAX / nshown : 1;
+    const int most = thud_source_places(nsources);
+    *all = total <= most;
+    int each = *all ? total : nshown > 0 && most > nshown ? most / nshown : 1;
     for (int i = 0; i < source->result->nstructures; i++) {
         int floors = source->result->structure[i].floors, index[THUD_STOREYS_MAX + 1];
         double peak[THUD_STOREYS_MAX + 1] = {0.0};
@@ -90,7 +89,7 @@ static int pick_floors(const struct thud_figure_source *source, int nsources, en
             for (int s = 0; s < nsources; s++)
                 peak[f] = fmax(peak[f], floor_peak(&source[s], i, f, which));
         int count = *all ? floors : thud_pick_largest(peak, floors, each, index);
-        for (int k = count - 1; k >= 0 && n < STRIPS_MAX; k--)
+        for (int k = count - 1; k >= 0 && n < (most > nshown ? most : nshown) && n < THUD_STRIPS_MAX; k--)
             place[n++] = (struct place){i, *all ? k : index[k]};
     }
     return n;
@@ -99,12 +98,12 @@ static int pick_floors(const struct thud_figure_source *source, int nsources, en
 struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
                                           int nsources)
 {
-    struct place place[STRIPS_MAX];
+    struct place place[THUD_STRIPS_MAX];
     bool all, ground = thud_source_ground(source);
     double from, to;
     char title[3 * THUD_TEXT_MAX], what[128];
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
-    int n = pick_floors(source, nsources, which, place, &all), rows = n + ground;
+    int n = pick_floors(source, nsources, which, place, &all), rows = n * nsources + ground;
     snprintf(what, sizeof what, "%s (%s)", quantities[which].title, quantities[which].unit);
     thud_source_title(source, nsources, what, title, sizeof title);
     struct thud_figure *figure =
@@ -114,7 +113,7 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
     for (int i = 0; i < n; i++) {
         const struct thud_structure *structure = &source->scene->structure[place[i].structure];
         bool one = source->result->structure[place[i].structure].floors == 1;
-        char name[128];
+        char name[128], text[256];
         if (one)
             snprintf(name, sizeof name, "%s", structure->name);
         else if (structure->kind == THUD_ISOLATED && place[i].floor == 0)
@@ -122,14 +121,17 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
         else
             snprintf(name, sizeof name, "%s, %s %d", structure->name, which == THUD_FIGURE_DRIFT ? "storey" : "floor",
                      place[i].floor + 1);
-        struct thud_panel *panel = thud_figure_panel(figure, i + ground, 0, name);
-        thud_panel_axis(panel, THUD_X, "Time", "s");
-        thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
-        for (int s = 0; s < nsources; s++)
-            floor_line(panel, &source[s], place[i].structure, place[i].floor, which, nsources > 1 ? source[s].name : "",
-                       s);
-        if (zoom)
-            thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, name), panel, from, to);
+        for (int s = 0; s < nsources; s++) {
+            const int row = i * nsources + s + ground;
+            const char *strip = thud_source_strip(&source[s], nsources, name, text);
+            struct thud_panel *panel = thud_figure_panel(figure, row, 0, strip);
+            thud_panel_axis(panel, THUD_X, "Time", "s");
+            thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
+            floor_line(panel, &source[s], place[i].structure, place[i].floor, which,
+                       thud_source_color(&source[s], nsources));
+            if (zoom)
+                thud_panel_zoom(thud_figure_panel(figure, row, 1, strip), panel, from, to);
+        }
     }
     thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);

@@ -1,6 +1,7 @@
 /* Shared by the files that make figures of runs. */
 #pragma once
 
+#include "plot/figures/figures_case.h"
 #include "plot/figures/figures_run.h"
 
 enum { THUD_CURVES_MAX = THUD_COLORS, THUD_ROWS_MAX = 6 };
@@ -23,6 +24,19 @@ struct thud_series *thud_source_line(struct thud_panel *panel, const struct thud
 /* "Two towers: Impact force (MN); kobe scaled to 0.821 g, bumper, gap 10 cm" */
 void thud_source_title(const struct thud_figure_source *source, int nsources, const char *what, char *text,
                        size_t size);
+/* The colour of its curve beside those of other cases; alone the first one. */
+static inline int thud_source_color(const struct thud_figure_source *source, int nsources)
+{
+    return nsources > 1 ? thud_case_color(source->which) : 0;
+}
+/* Histories of cases stand one above the other, a strip for each: this many at most, and as many for a place. */
+enum { THUD_STRIPS_MAX = 12 };
+static inline int thud_source_places(int nsources)
+{
+    return nsources < THUD_STRIPS_MAX ? THUD_STRIPS_MAX / nsources : 1;
+}
+/* "A, floor 4" of a lone source; "A, floor 4: bumper" of one of several. */
+const char *thud_source_strip(const struct thud_figure_source *source, int nsources, const char *place, char text[256]);
 /* Whether there is a ground motion; and its strip at the top of a figure, with the closer look. */
 bool thud_source_ground(const struct thud_figure_source *source);
 void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_source *source, double from, double to);

@@ -112,6 +112,12 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
                  right->name, c->struck > 0 ? "columns" : "floor", c->right_floor);
 }
 
+const char *thud_source_strip(const struct thud_figure_source *source, int nsources, const char *place, char text[256])
+{
+    snprintf(text, 256, nsources > 1 ? "%s: %s" : "%s", place, source->name);
+    return text;
+}
+
 int thud_pick_largest(const double *value, int n, int most, int *index)
 {
     int picked = 0;
@@ -145,7 +151,10 @@ static void ground_strip(struct thud_panel *panel, const struct thud_figure_sour
 {
     thud_panel_axis(panel, THUD_X, "Time", "s");
     thud_panel_axis(panel, THUD_Y, "Ground", "g");
-    thud_source_line(panel, source, thud_history_ground(), -1, 1.0 / THUD_GRAVITY, "", THUD_COLOR_GREY);
+    struct thud_series *line =
+        thud_source_line(panel, source, thud_history_ground(), -1, 1.0 / THUD_GRAVITY, "", THUD_COLORS - 1);
+    if (line)
+        line->style.thin = true;
 }
 
 bool thud_source_ground(const struct thud_figure_source *source)

@@ -111,7 +111,8 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
         thud_panel_results_on_x(panel);
         thud_panel_axis(panel, THUD_Y, of ? "Shear" : "Force", shown.unit);
         for (int s = 0; s < nsources; s++)
-            loop(panel, &source[s], at, shown.factor, nsources > 1 ? source[s].name : "", s);
+            loop(panel, &source[s], at, shown.factor, nsources > 1 ? source[s].name : "",
+                 thud_source_color(&source[s], nsources));
     }
     if (n < all)
         thud_figure_note(figure, largest);
@@ -174,7 +175,8 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
                 thud_panel_mark(panel, THUD_X, 1.0, 1.0, "");
             }
             for (int s = 0; s < nsources; s++)
-                over_height(panel, &source[s], i, q, nsources > 1 ? source[s].name : "", s);
+                over_height(panel, &source[s], i, q, nsources > 1 ? source[s].name : "",
+                            thud_source_color(&source[s], nsources));
         }
         row++;
     }

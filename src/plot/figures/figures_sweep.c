@@ -6,6 +6,7 @@
 
 #include "base/ascii.h"
 #include "base/statistics.h"
+#include "plot/figures/figures_case.h"
 #include "plot/figures/figures_run.h"
 #include "plot/figures/figures_sweep.h"
 
@@ -34,16 +35,6 @@ static double ratio(const struct thud_sweep_summary *d, const struct wanted *w, 
     if (w->free)
         return q == ACCELERATION ? x->acceleration_free : x->drift_free;
     return q == ACCELERATION ? x->acceleration : x->drift;
-}
-
-/* A case as a reader calls it. */
-const char *thud_case_title(enum thud_case which)
-{
-    return which == THUD_CASE_NONE     ? "no bumper"
-           : which == THUD_CASE_BUMPER ? "bumper"
-           : which == THUD_CASE_CAVITY ? "bumper in a cavity"
-           : which == THUD_CASE_LINK   ? "links"
-                                       : "as written";
 }
 
 /* What a figure of ratios shows, for its title. */
@@ -453,9 +444,7 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
                 if (has_case(table, wanted.which) && (i > THUD_CASES || table->motions > 0))
                     (i > THUD_CASES ? ratio_line : ratio_shade)(panel, table, &wanted, (enum quantity)q,
                                                                 thud_case_title(wanted.which),
-                                                                which == THUD_CASE_LINK ? 4
-                                                                : which < 0             ? 3
-                                                                                        : which);
+                                                                thud_case_color(wanted.which));
             }
         }
     }
@@ -522,7 +511,7 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
 {
     const struct thud_sweep_axis *axis = &table->axis[0];
     struct thud_style style = {.kind = numbers(axis) ? THUD_LINES_POINTS : THUD_POINTS,
-                               .color = which < 0 ? 3 : (int)which};
+                               .color = thud_case_color(which)};
     char name[64];
     snprintf(name, sizeof name, "%s%s", thud_case_title(which), told == TOLD_WORSE ? ": worse" : "");
     bool band = (told == TOLD_FORCE || told >= TOLD_SHEAR) && table->motions > 0;

@@ -287,14 +287,14 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
 /* ---- what is drawn ---- */
 
 /* Lines told apart without their colours: each colour has its own dashes, long enough for a curve and too long to be
- * lost in its spikes. What is drawn heavier, or stands behind, is solid. */
-static const char *dashes(const struct thud_style *style)
+ * lost in its spikes. What is drawn heavier, stands behind, or is alone and so not in the key, is solid. */
+static const char *dashes(const struct thud_style *style, bool alone)
 {
     static const char *const pattern[] = {"", "(14,5)", "(14,4,3,4)", "(4,4)", "(22,5)", "(14,4,3,4,3,4)", "(9,4)"};
     if (style->dashed)
         return "(2,4)";
-    bool solid = style->thin || style->wide || style->color < 0;
-    return solid ? "" : pattern[style->color % THUD_COLORS];
+    bool solid = style->thin || style->wide || alone;
+    return solid ? "" : style->color < 0 ? "(6,3)" : pattern[style->color % THUD_COLORS];
 }
 
 void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key)
@@ -316,8 +316,9 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
                                                          : "0.25");
     else {
         thud_text_append(sheet->out, "lw %.2g ", width);
-        if (style.kind != THUD_POINTS && *dashes(&style))
-            thud_text_append(sheet->out, "dt %s ", dashes(&style));
+        const char *dash = dashes(&style, !*series->name);
+        if (style.kind != THUD_POINTS && *dash)
+            thud_text_append(sheet->out, "dt %s ", dash);
     }
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g*DOT ",

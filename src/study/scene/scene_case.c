@@ -6,19 +6,27 @@
 #include "study/scene/scene.h"
 #include "study/scene/scene_words.h"
 
-static const char *const names[THUD_CASES + 1] = {"as-written", "none", "bumper", "cavity", "link"};
+static const struct {
+    const char *name, *title;
+} cases[THUD_CASES + 2] = {{"no-pounding", "no pounding"}, {"as-written", "as written"},     {"none", "no bumper"},
+                           {"bumper", "bumper"},           {"cavity", "bumper in a cavity"}, {"link", "links"}};
 
 const char *thud_case_name(enum thud_case which)
 {
-    return names[which + 1];
+    return cases[which - THUD_CASE_FREE].name;
+}
+
+const char *thud_case_title(enum thud_case which)
+{
+    return cases[which - THUD_CASE_FREE].title;
 }
 
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)
 {
     static const struct thud_words words = {{"none", "bumper", "cavity", "link"}, 4};
-    for (int i = 0; i <= THUD_CASES; i++) {
-        if (strcmp(names[i], name) == 0) {
-            *out = (enum thud_case)(i - 1);
+    for (int i = THUD_CASE_AS_WRITTEN; i < THUD_CASES; i++) {
+        if (strcmp(thud_case_name((enum thud_case)i), name) == 0) {
+            *out = (enum thud_case)i;
             return THUD_OK;
         }
     }

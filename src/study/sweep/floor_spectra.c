@@ -7,22 +7,9 @@
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
-static const struct {
-    const char *title, *name, *column;
-} cases[THUD_FLOOR_CASES] = {
-    {"no pounding", "no-pounding", "no_pounding"}, {"no bumper", "none", "none"}, {"bumper", "bumper", "bumper"}};
-
-const char *thud_floor_case_title(int which)
-{
-    return cases[which].title;
-}
-const char *thud_floor_case_name(int which)
-{
-    return cases[which].name;
-}
 const char *thud_floor_case_column(int which)
 {
-    return cases[which].column;
+    return which == 0 ? "no_pounding" : thud_case_name(thud_case_compared(which));
 }
 
 static void set_case(struct thud_scene *scene, int which)

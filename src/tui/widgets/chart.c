@@ -300,12 +300,21 @@ void thud_chart_draw(const struct thud_pane *pane, const struct thud_panel *pane
     thud_dots_clear(&d.dots);
 }
 
+/* Without what stands behind, such as the ground motion above the histories. */
+static int curves_of(const struct thud_panel *panel)
+{
+    int n = 0;
+    for (int i = 0; i < panel->nseries; i++)
+        n += !panel->series[i]->style.thin;
+    return n;
+}
+
 /* The panel with the most series, the first of them: what the figure is about. */
 static int busiest(const struct thud_figure *figure)
 {
     int best = 0;
     for (int i = 1; i < figure->rows * figure->columns; i++)
-        if (figure->panel[i].used && figure->panel[i].nseries > figure->panel[best].nseries)
+        if (figure->panel[i].used && curves_of(&figure->panel[i]) > curves_of(&figure->panel[best]))
             best = i;
     return best;
 }
