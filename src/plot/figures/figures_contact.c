@@ -161,7 +161,7 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     int index[THUD_CURVES_MAX], n, most = 0;
     double peak, from, to;
     char text[3 * THUD_TEXT_MAX], what[64];
-    if (nsources > 1 && source->which == THUD_CASE_FREE) { /* nothing touches there */
+    if (nsources > 1 && source->which == THUD_CASE_FREE) { /* without contacts */
         source++;
         nsources--;
     }
