@@ -118,15 +118,17 @@ static double sample(const struct thud_record *record, double dt_s, long n, doub
     return squares;
 }
 
-/* Largest |sum of a_i b_i+lag| over lags of up to `most` samples; a (n), b (m). */
-static double correlate(const double *a, long n, const double *b, long m, long most)
+/* Largest |sum of a_i b_i+lag| over lags of 0 to `most` samples, or few more, four side by side; a (n), and b as long as that is. */
+static double correlate(const double *a, long n, const double *b, long most)
 {
     double largest = 0;
-    for (long lag = -most; lag <= most; lag++) {
-        double sum = 0;
-        for (long i = lag < 0 ? -lag : 0; i < n && i + lag < m; i++)
-            sum += a[i] * b[i + lag];
-        largest = fmax(largest, fabs(sum));
+    for (long lag = 0; lag <= most; lag += 4) {
+        double sum[4] = {0};
+        for (long i = 0; i < n; i++)
+            for (int k = 0; k < 4; k++)
+                sum[k] += a[i] * b[i + lag + k];
+        for (int k = 0; k < 4; k++)
+            largest = fmax(largest, fabs(sum[k]));
     }
     return largest;
 }
@@ -141,13 +143,13 @@ bool thud_record_same_motion(const struct thud_record *a, const struct thud_reco
         return false;
     const long n = (long)((double)(a->samples - 1) * a->dt_s / dt) + 1,
                m = (long)((double)(b->samples - 1) * b->dt_s / dt) + 1;
-    double *x = malloc((size_t)(n + m) * sizeof *x);
+    const long lags = (long)(longest_lag_s / dt), room = (n > m ? n : m) + 2 * lags + 4;
+    double *x = calloc((size_t)(n + room), sizeof *x); /* b between zeros */
     if (!x)
         return false;
-    const double ea = sample(a, dt, n, x), eb = sample(b, dt, m, x + n),
+    const double ea = sample(a, dt, n, x), eb = sample(b, dt, m, x + n + lags),
                  ratio = ea / (of_a * of_a) / (eb / (of_b * of_b));
-    const bool found = ratio < alike && ratio > 1 / alike &&
-                       correlate(x, n, x + n, m, (long)(longest_lag_s / dt)) > same * sqrt(ea * eb);
+    const bool found = ratio < alike && ratio > 1 / alike && correlate(x, n, x + n, 2 * lags) > same * sqrt(ea * eb);
     free(x);
     return found;
 }

@@ -367,6 +367,8 @@ void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
  * none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
+/* What it makes of an interface alone. */
+void thud_interface_case(struct thud_interface *interface, enum thud_case which);
 /* The scene as it moves without pounding: no bumpers, and contacts without a force. */
 void thud_scene_drop_contacts(struct thud_scene *scene);
 bool thud_scene_has_bumper(const struct thud_scene *scene);

@@ -67,6 +67,16 @@ static void drop_links(struct thud_scene *scene)
         }
 }
 
+void thud_interface_case(struct thud_interface *at, enum thud_case which)
+{
+    if (which == THUD_CASE_NONE || which == THUD_CASE_LINK)
+        at->has_bumper = false;
+    else if (which == THUD_CASE_BUMPER && at->has_bumper)
+        at->bumper_cavity_m = 0;
+    else if (which == THUD_CASE_CAVITY && at->has_bumper)
+        at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
+}
+
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err)
 {
@@ -91,15 +101,8 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
     if (which != THUD_CASE_AS_WRITTEN && which != THUD_CASE_LINK) {
         drop_links(out);
     }
-    for (int i = 0; i + 1 < out->nstructures; i++) {
-        struct thud_interface *at = &out->interface[i];
-        if (which == THUD_CASE_NONE || which == THUD_CASE_LINK)
-            at->has_bumper = false;
-        else if (which == THUD_CASE_BUMPER && at->has_bumper)
-            at->bumper_cavity_m = 0;
-        else if (which == THUD_CASE_CAVITY && at->has_bumper)
-            at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
-    }
+    for (int i = 0; i + 1 < out->nstructures; i++)
+        thud_interface_case(&out->interface[i], which);
     return THUD_OK;
 }
 

@@ -143,14 +143,16 @@ static void put_peaks(const struct thud_scene *scene, const struct thud_sweep_po
 }
 
 /* What the motion without pounding asks of the clearances of a case. */
-static void put_clearances(const struct thud_scene *cased, const struct thud_sweep_point *point, double *value)
+static void put_clearances(const struct thud_scene *scene, const struct thud_sweep_point *point, enum thud_case which,
+                           double *value)
 {
     value[THUD_SUITE_USED] = 0;
     value[THUD_SUITE_SHORT] = -INFINITY;
     for (int c = 0; c < point->ncontacts; c++) {
         double closing = point->level[c].relative_displacement_m;
-        const struct thud_level_values at = thud_interface_level(&cased->interface[point->level[c].interface - 1],
-                                                                 thud_needed_gap_level(point->level, c));
+        struct thud_interface cased = scene->interface[point->level[c].interface - 1];
+        thud_interface_case(&cased, which);
+        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(point->level, c));
         double clearance = thud_level_clearance(&at);
         if (closing > 0)
             value[THUD_SUITE_USED] = fmax(value[THUD_SUITE_USED], clearance > 0 ? closing / clearance : INFINITY);
@@ -162,7 +164,7 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
 {
     int n = thud_sweep_rows(suite->plan, point, NULL);
     struct thud_sweep_row *row = malloc(((size_t)n + 1) * sizeof *row);
-    struct thud_scene *scene = row ? malloc(2 * sizeof *scene) : NULL, *cased = scene + 1;
+    struct thud_scene *scene = row ? malloc(sizeof *scene) : NULL;
     if (!row || !scene) {
         free(row);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -174,9 +176,7 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
         if (point->effort[k].status != THUD_OK)
             continue;
         put_peaks(scene, point, k, value);
-        status = thud_scene_case(scene, suite->plan->cases[k], cased, err);
-        if (status == THUD_OK)
-            put_clearances(cased, point, value);
+        put_clearances(scene, point, suite->plan->cases[k], value);
         value[THUD_SUITE_IMPACTS] = value[THUD_SUITE_FORCE] = 0;
         for (int c = 0; c < point->ncontacts; c++) {
             const struct thud_sweep_contact *x = &point->contact[(ptrdiff_t)k * point->ncontacts + c];

@@ -30,6 +30,19 @@ static void put(struct thud_text *out, double value)
     }
 }
 
+static void put_whole(struct thud_text *out, long value)
+{
+    char text[24], *at = text + sizeof text;
+    unsigned long size = value < 0 ? 0UL - (unsigned long)value : (unsigned long)value;
+    *--at = ' ';
+    do
+        *--at = (char)('0' + size % 10);
+    while ((size /= 10) > 0);
+    if (value < 0)
+        *--at = '-';
+    thud_text_bytes(out, at, (size_t)(text + sizeof text - at));
+}
+
 /* 16 hexadecimal digits; false where they are not. */
 static bool get_bits(const char *text, double *value)
 {
@@ -90,7 +103,7 @@ static long whole(struct line *l, long value, long least, long most)
     const char *end = l->at;
     double read = NAN;
     if (l->out) {
-        thud_text_append(l->out, "%ld ", value);
+        put_whole(l->out, value);
         return value;
     }
     if (!l->failed && thud_number_parse(l->at, &end, &read) != 0)
