@@ -101,6 +101,21 @@ static enum thud_status words(const char *list, struct thud_text *out, struct th
     return thud_error_refuse(err, THUD_USAGE, NULL, names, "there is no list of \"%.40s\"", list);
 }
 
+/* "list" of "record list": the options are those of the command. */
+static bool is_verb(enum thud_command_id id, const char *word)
+{
+    struct thud_text verbs = {0};
+    const enum thud_word first = thud_command_at(id)->word;
+    const size_t n = strlen(word);
+    bool found = false;
+    if (first == THUD_WORD_RECORD_VERB || first == THUD_WORD_BUILDING_VERB || first == THUD_WORD_PROGRAM)
+        add_words(first, &verbs);
+    for (const char *at = verbs.data; at && *at && !found; at += strcspn(at, "\n") + 1)
+        found = n > 0 && strncmp(at, word, n) == 0 && at[n] == '\n';
+    thud_text_clear(&verbs);
+    return found;
+}
+
 enum thud_status thud_command_help(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_text text = {0};
@@ -108,8 +123,8 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
     const char *part = thud_args_value(args, "mdoc");
     enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
-    if (args->noperands > 1) {
-        status = thud_error_set(err, THUD_USAGE, "thud help takes one command");
+    if (args->noperands > 2 || (args->noperands == 2 && (id == THUD_COMMANDS || !is_verb(id, args->operand[1])))) {
+        status = thud_error_set(err, THUD_USAGE, "thud help takes one command, or one and its verb");
     } else if (list) {
         status = words(list, &text, err);
     } else if (shell) {

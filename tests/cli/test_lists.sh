@@ -106,6 +106,8 @@ is "help" gives 0 help
 cp "$tmp/out" "$tmp/help"
 is "thud --help is thud help" gives 0 --help
 is "byte for byte" same "$tmp/out" "$tmp/help"
+is "help of a verb is that of its command" sh -c "'$THUD' help record list | grep -q '^usage: thud record VERB'"
+is "of another word it is refused" gives 2 help record lists
 gives 0 help --words commands
 cp "$tmp/out" "$tmp/commands"
 wrong=""

@@ -57,6 +57,8 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
  * THUD_OUTPUT.
  */
 enum thud_status thud_folder_make(const char *path, struct thud_error *err);
+/* Likewise, but nothing is made: whether a file of its name is in the way. */
+enum thud_status thud_folder_check(const char *path, struct thud_error *err);
 
 /* One study at a time writes into a folder; the lock goes with the process, and holds wherever the file system's locks
  * do, also between containers and hosts. Errors: THUD_OUTPUT (another study does, or no lock can be taken). */

@@ -249,12 +249,13 @@ static const char style[] =
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
-    "caption, thead, tbody tr:first-child { break-after: avoid }\n"
+    "caption, thead, tbody tr:nth-child(-n+3) { break-after: avoid } tbody tr:nth-last-child(-n+3) { break-before: "
+    "avoid }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
     ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
     "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } figure img { max-height: "
-    "150mm; object-fit: contain } pre { background: none; "
+    "120mm; object-fit: contain } pre { background: none; "
     "border: 1px solid #aaa } }\n";
 
 /* Where the writer stands: in a list, in a table, in which of its rows and columns. */
@@ -305,7 +306,7 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
 }
 
 /* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
-enum { ROWS_TOGETHER = 16 };
+enum { ROWS_TOGETHER = 8 };
 
 static bool is_long(const struct thud_document *document, size_t table)
 {

@@ -199,9 +199,10 @@ static enum thud_status run_floors(struct site *site, struct thud_error *err)
     const char *method = site->scene->analysis.method;
     if (!most || (strcmp(method, "auto") != 0 && strcmp(method, "exact") != 0)) /* no other follows the floors */
         return THUD_OK;
-    if (most->left_floor > 0)
+    const struct thud_structure *side = &site->scene->structure[most->interface - 1];
+    if (side[0].kind != THUD_WALL)
         floor[ask.nfloors++] = (struct thud_floor_place){most->interface - 1, most->left_floor - 1};
-    if (most->right_floor > 0)
+    if (side[1].kind != THUD_WALL)
         floor[ask.nfloors++] = (struct thud_floor_place){most->interface, most->right_floor - 1};
     tell(site, "floor spectra");
     return thud_floor_spectra_run(site->scene, site->record, &ask, &site->floors, err);

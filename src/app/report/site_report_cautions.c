@@ -12,36 +12,36 @@
 static const double drift_limit = 0.01;
 
 /* What fails, first of all: columns that bear more than they can are taken as whole. Returns how many are told of. */
-static int caution_failure(struct site *site, const struct site_case *one)
-{
-    const struct thud_column_result *worst = NULL;
-    char name[THUD_NAME_MAX + 32];
-    int above = 0;
-    for (int k = 0; k < one->result->ncolumns; k++) {
-        const struct thud_column_result *r = &one->result->column[k];
-        above += r->ratio > 1;
-        if (r->ratio > 1 && (!worst || r->ratio > worst->ratio))
-            worst = r;
-    }
-    if (!worst)
-        return 0;
-    const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
-    thud_document_item(&site->document,
-                       "%c%s struck columns fail in %d storey%s: those below %s would have to bear %s times their "
-                       "capacity, at %.2f s. The computation goes on with whole columns: its results have no meaning "
-                       "from that time on.",
-                       one->words[0] - 'a' + 'A', one->words + 1, above, above == 1 ? "" : "s",
-                       thud_site_columns(site, worst, name, sizeof name), thud_site_number(worst->ratio, 3).text,
-                       low->value > up->value ? low->time_s : up->time_s);
-    return 1;
-}
-
 static int caution_failures(struct site *site)
 {
-    int n = 0;
-    for (int i = SITE_NONE; i < site->ncases; i++)
-        n += caution_failure(site, &site->cases[i]);
-    return n;
+    char said[800] = "", name[THUD_NAME_MAX + 32];
+    size_t used = 0;
+    for (int i = SITE_NONE; i < site->ncases; i++) {
+        const struct site_case *one = &site->cases[i];
+        const struct thud_column_result *worst = NULL;
+        int above = 0;
+        for (int k = 0; k < one->result->ncolumns; k++) {
+            const struct thud_column_result *r = &one->result->column[k];
+            above += r->ratio > 1;
+            if (r->ratio > 1 && (!worst || r->ratio > worst->ratio))
+                worst = r;
+        }
+        if (!worst)
+            continue;
+        const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER],
+                               *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
+        used += (size_t)snprintf(
+            said + used, sizeof said - used,
+            "%s%s in %d storey%s (those below %s would bear %s times their capacity, at %.2f s)", used ? ", " : "",
+            one->words, above, above == 1 ? "" : "s", thud_site_columns(site, worst, name, sizeof name),
+            thud_site_number(worst->ratio, 3).text, low->value > up->value ? low->time_s : up->time_s);
+    }
+    if (used > 0)
+        thud_document_item(&site->document,
+                           "Struck columns fail: %s. The computation goes on with whole columns: its results have no "
+                           "meaning from that time on.",
+                           said);
+    return used > 0;
 }
 
 /* The largest drift of a building's elastic storeys over their height, and that storey (from 1). */
@@ -106,48 +106,78 @@ static int caution_synthetic(struct site *site)
     return 1;
 }
 
-/* What a case says that the one before it does not: without yielding, stability coefficients are the same in all. */
+/* Whether storeys of the same building are remarked upon in a case. */
+static bool has_remark(const struct site *site, int i, const struct thud_error *as)
+{
+    struct thud_error other;
+    for (int k = 0; thud_storey_remark(site->scene, site->cases[i].result, k, &other); k++)
+        if (strcmp(other.key, as->key) == 0)
+            return true;
+    return false;
+}
+
+/* Of every building once, in the scene as written where it has the remark. */
 static int caution_storeys(struct site *site)
 {
-    struct thud_error remark, before;
+    struct thud_error remark;
     int n = 0;
-    for (int i = SITE_NONE; i < site->ncases; i++)
+    for (int i = site->ncases - 1; i >= SITE_NONE; i--)
         for (int k = 0; thud_storey_remark(site->scene, site->cases[i].result, k, &remark); k++) {
-            bool told = false;
-            for (int j = 0;
-                 i > SITE_NONE && !told && thud_storey_remark(site->scene, site->cases[i - 1].result, j, &before); j++)
-                told = strcmp(before.what, remark.what) == 0;
-            if (told)
+            const struct site_case *one = &site->cases[i];
+            if (i == SITE_NONE && site->ncases > SITE_BUMPER && has_remark(site, SITE_BUMPER, &remark))
                 continue;
-            thud_document_item(&site->document, "%c%s: %s (%s).", site->cases[i].words[0] - 'a' + 'A',
-                               site->cases[i].words + 1, remark.what, remark.allowed);
+            const bool also = i > SITE_NONE && has_remark(site, SITE_NONE, &remark);
+            thud_document_item(&site->document, "%c%s%s: %s%s%s%s.", one->words[0] - 'a' + 'A', one->words + 1,
+                               also ? ", and likewise without it" : "", remark.what, *remark.allowed ? " (" : "",
+                               remark.allowed, *remark.allowed ? ")" : "");
             n++;
         }
     return n;
 }
 
+/* The contact of an interface that compresses its bumper most; *past: contacts past what the law is known for. */
+static const struct thud_contact_result *worst_bumper(const struct site *site, int interface, double limit, int *past)
+{
+    const struct thud_contact_result *worst = NULL;
+    *past = 0;
+    for (int c = 0; c < site->own->result->ncontacts; c++) {
+        const struct thud_contact_result *r = &site->own->result->contact[c];
+        if (r->interface != interface)
+            continue;
+        *past += r->indentation.value > limit;
+        worst = !worst || r->indentation.value > worst->indentation.value ? r : worst;
+    }
+    return worst;
+}
+
 static int caution_bumpers(struct site *site)
 {
     int n = 0;
-    for (int c = 0; c < site->own->result->ncontacts; c++) {
-        const struct thud_contact_result *r = &site->own->result->contact[c];
-        const struct thud_interface *f = &site->own->scene->interface[r->interface - 1];
-        double strain = f->has_bumper ? r->indentation.value / f->bumper_thickness_m : 0;
-        double limit = thud_interface_max_strain(f);
-        char between[320];
-        thud_site_sides(site, r->interface, r->left_floor, r->right_floor, r->struck, between, sizeof between);
-        if (strain > 1)
+    for (int i = 1; i < site->scene->nstructures; i++) {
+        const struct thud_interface *f = &site->own->scene->interface[i - 1];
+        const double strain_most = thud_interface_max_strain(f), thickness = f->bumper_thickness_m;
+        int past = 0;
+        const struct thud_contact_result *r =
+            f->has_bumper ? worst_bumper(site, i, fmin(1, isnan(strain_most) ? 1 : strain_most) * thickness, &past)
+                          : NULL;
+        if (!r || past == 0)
+            continue;
+        char between[320], others[48] = "";
+        thud_site_sides(site, i, r->left_floor, r->right_floor, r->struck, between, sizeof between);
+        if (past > 1)
+            snprintf(others, sizeof others, ", and at %d other level%s", past - 1, past > 2 ? "s" : "");
+        if (r->indentation.value > thickness)
             thud_document_item(&site->document,
                                "The bumper between %s would be compressed by %.0f mm, more than its thickness of %.0f "
-                               "mm: it is too soft or too thin, and the force beyond is an assumption.",
-                               between, 1e3 * r->indentation.value, 1e3 * f->bumper_thickness_m);
-        else if (strain > limit)
-            thud_document_item(
-                &site->document,
-                "The bumper between %s is compressed to %.0f %% of its thickness, past the %.0f %% up to "
-                "which its law is known: there the post-yield stiffness, an assumption, sets the force.",
-                between, 100 * strain, 100 * limit);
-        n += strain > 1 || strain > limit;
+                               "mm%s: it is too soft or too thin, and the force beyond is an assumption.",
+                               between, 1e3 * r->indentation.value, 1e3 * thickness, others);
+        else
+            thud_document_item(&site->document,
+                               "The bumper between %s is compressed to %.0f %% of its thickness%s, past the %.0f %% up "
+                               "to which its law is known: there the post-yield stiffness, an assumption, sets the "
+                               "force.",
+                               between, 100 * r->indentation.value / thickness, others, 100 * strain_most);
+        n++;
     }
     return n;
 }

@@ -16,9 +16,16 @@ static bool always(const struct site *site)
     (void)site;
     return true;
 }
+/* Storeys of buildings; isolators are told of apart. */
 static bool yields(const struct site *site)
 {
-    return thud_scene_yields(site->scene);
+    const struct thud_result *r = site->own->result;
+    for (int s = 0; s < r->nstructures; s++)
+        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
+             r->structure[s].storey && f < r->structure[s].floors; f++)
+            if (r->structure[s].storey[f].yields)
+                return true;
+    return false;
 }
 static bool has_columns(const struct site *site)
 {
@@ -28,30 +35,53 @@ static bool has_p_delta(const struct site *site)
 {
     return site->scene->p_delta;
 }
-static bool has_isolators(const struct site *site)
+/* Any structure of which it holds. */
+static bool any(const struct site *site, bool (*holds)(const struct thud_structure *structure))
 {
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind == THUD_ISOLATED)
+        if (holds(&site->scene->structure[s]))
             return true;
     return false;
 }
+static bool rests_on_springs(const struct thud_structure *p)
+{
+    return p->kind == THUD_ISOLATED && !thud_isolator_slides(p);
+}
+static bool has_linear_isolators(const struct site *site)
+{
+    return any(site, rests_on_springs);
+}
+static bool has_sliding_isolators(const struct site *site)
+{
+    return any(site, thud_isolator_slides);
+}
+static bool has_walls(const struct site *site)
+{
+    return any(site, thud_wall_gives);
+}
+static bool has_backfill(const struct site *site)
+{
+    return any(site, thud_wall_has_backfill);
+}
+static bool has_links(const struct site *site)
+{
+    return site->scene->nlinks > 0;
+}
 static bool has_soil(const struct site *site)
 {
-    for (int s = 0; s < site->scene->nstructures; s++)
-        if (thud_structure_on_soil(&site->scene->structure[s]))
-            return true;
-    return false;
+    return any(site, thud_structure_on_soil);
 }
 static bool no_soil(const struct site *site)
 {
     return !has_soil(site);
 }
+static bool guessed(const struct thud_structure *p)
+{
+    return p->kind == THUD_ESTIMATED;
+}
 static bool is_estimated(const struct site *site)
 {
-    for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind == THUD_ESTIMATED)
-            return true;
-    return false;
+    return any(site, guessed);
 }
 static bool has_suite(const struct site *site)
 {
@@ -89,9 +119,24 @@ static const struct phrase model[] = {
     {yields,
      "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the drift "
      "d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift."},
-    {has_isolators,
-     "An isolated building stands on a base slab of its own mass; its isolators are one storey below the "
-     "slab, with a stiffness and a damping ratio of their own."},
+    {has_linear_isolators,
+     "An isolated building stands on a base slab of its own mass; its isolators are one storey below the slab, with a "
+     "stiffness k and a damping ratio z of their own: c = 2 z sqrt(k m), with the mass m of the whole building."},
+    {has_sliding_isolators,
+     "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - d_p| "
+     "<= u_y, k = Q_d/u_y + K_d, r = K_d/k. Lead-rubber bearings have the strength Q_d, the stiffness K_d beyond yield "
+     "and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have Q_d = mu W and K_d "
+     "= W/R. Periods of such a building are those before its isolators yield or slide."},
+    {has_walls,
+     "A wall that gives is one mass on a spring and a dashpot against the ground; the periods of walls are those "
+     "without the soil behind them."},
+    {has_backfill,
+     "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's displacement x "
+     "into it, unloads by K_max from the largest x so far, and leaves a gap behind."},
+    {has_links,
+     "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by F = k d "
+     "+ c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a restrainer while "
+     "-d does. Links stand in every case."},
     {has_soil,
      "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and rocks by "
      "t: "
@@ -127,6 +172,7 @@ static const struct phrase unmade[] = {
      "same in every sample."},
     {is_elastic, "Yielding: the storeys are elastic."},
     {yields, "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength."},
+    {has_sliding_isolators, "Uplift of isolators, heating, and friction that changes with speed or pressure."},
     {no_soil, "Soil and foundations: the ground under the buildings is rigid."},
     {has_soil,
      "Soil that yields, foundations that lift off, and waves between neighbouring foundations: the springs and "
@@ -179,11 +225,13 @@ static void say_law(struct site *site, const char *what, const struct thud_law_c
     thud_text_clear(&text);
 }
 
+/* Whether the same is said of both: their numbers stand in the inputs. */
 static bool same_choice(const struct thud_law_choice *a, const struct thud_law_choice *b)
 {
     bool same = a->law == b->law;
     for (int k = 0; same && k < a->law->nparams; k++)
-        same = a->value[k] == b->value[k] || (isnan(a->value[k]) && isnan(b->value[k]));
+        same = a->law->params[k].kind != THUD_PARAM_CHOICE || a->value[k] == b->value[k] ||
+               (isnan(a->value[k]) && isnan(b->value[k]));
     return same;
 }
 
@@ -202,8 +250,9 @@ static void say_laws(struct site *site)
         }
         for (int b = 0; b < 2; b++)
             if (!told[b]) {
-                snprintf(what, sizeof what, "%s between %.60s and %.60s", b ? "Bumper" : "Contact of bare faces",
-                         thud_site_name(site, i), thud_site_name(site, i + 1));
+                snprintf(what, sizeof what, "%s between %.60s and %.60s%s", b ? "Bumper" : "Contact of bare faces",
+                         thud_site_name(site, i), thud_site_name(site, i + 1),
+                         i + 2 < scene->nstructures ? ", and where the same law stands" : "");
                 say_law(site, what, b ? &f->bumper : &f->contact);
             }
     }

@@ -139,7 +139,7 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
-/* "floor 4 of A and floor 4 of B"; a wall has no floors. */
+/* "floor 4 of A and floor 4 of B"; of a wall its name. */
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
 /* "kobe-surrogate.csv (synthetic)", or event, station and component. */
 void thud_site_motion(const struct thud_record *record, char *text, size_t size);

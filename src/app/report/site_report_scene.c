@@ -22,20 +22,18 @@ static void add_structure_rows(struct site *site)
     for (int s = 0; s < site->scene->nstructures; s++) {
         const struct thud_structure *p = &site->scene->structure[s];
         const struct thud_structure_result *r = &site->cases[SITE_FREE].result->structure[s];
-        double mass = p->kind == THUD_ISOLATED ? p->base_mass_kg : 0, height = 0;
+        const bool gives = thud_wall_gives(p), building = thud_site_is_building(site, s);
+        double mass = p->kind == THUD_ISOLATED ? p->base_mass_kg : gives ? p->wall_mass_kg : 0, height = 0;
         for (int i = 0; i < p->storeys; i++) {
             mass += p->mass_kg[i];
             height += p->height_m[i];
         }
         thud_document_cell(d, "%s", thud_site_name(site, s));
-        thud_document_cell(d, "%s", kinds[p->kind]);
-        thud_document_cell(d, "%d", thud_site_is_building(site, s) ? p->storeys : 0);
-        if (thud_site_is_building(site, s))
-            thud_document_cell(d, "%.4g", height);
-        else
-            thud_document_cell(d, "-");
-        thud_document_cell(d, "%.5g", 1e-3 * mass);
-        thud_document_cell(d, thud_site_is_building(site, s) ? "%.3g" : "-", 100 * p->damping);
+        thud_document_cell(d, "%s", gives ? "wall that gives" : kinds[p->kind]);
+        thud_document_cell(d, building ? "%d" : "-", p->storeys);
+        thud_document_cell(d, building ? "%.4g" : "-", height);
+        thud_document_cell(d, mass > 0 ? "%.5g" : "-", 1e-3 * mass);
+        thud_document_cell(d, building || gives ? "%.3g" : "-", 100 * (gives ? thud_wall_damping(p) : p->damping));
         for (int m = 0; m < 3; m++)
             if (m < r->floors && isfinite(r->period_s[m]))
                 thud_document_cell(d, "%.3f", r->period_s[m]);
@@ -49,8 +47,6 @@ void thud_site_scene(struct site *site)
 {
     struct thud_document *d = &site->document;
     thud_document_heading(d, "Buildings and gap");
-    thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
-                     "Elevation of the buildings, levels in metres, and the model that is computed.");
     add_structure_rows(site);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
         char gap[64];
@@ -71,6 +67,8 @@ void thud_site_scene(struct site *site)
             name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
             thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
     }
+    thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
+                     "Elevation of the buildings, levels in metres, and the model that is computed.");
 }
 
 /* ---- load cases ---- */

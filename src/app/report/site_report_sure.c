@@ -132,9 +132,10 @@ static void samples(struct site *site)
         add_sampled_row(site, q);
     struct thud_text inputs = {0};
     for (int i = 0; i < u->ninputs; i++) {
-        char input[160];
-        thud_uncertainty_input_text(u, i, input, sizeof input);
-        thud_text_append(&inputs, "%s%s", i ? ", " : "", input);
+        char input[160], sized[160];
+        thud_uncertainty_input_text(u, i, sized, sizeof sized); /* its name, and its size */
+        input_words(u->input[i].name, input, sizeof input);
+        thud_text_append(&inputs, "%s%s%s", i ? ", " : "", input, sized + strlen(u->input[i].name));
     }
     thud_document_paragraph(d,
                             "Inputs drawn uniformly over their ranges, independently of each other (seed %llu): %s. "

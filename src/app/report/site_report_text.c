@@ -139,7 +139,7 @@ void thud_site_effect(const struct site *site, bool drifts, int count[3])
 static void say_effect(struct site *site, int table)
 {
     static const char *const verb[] = {"lowers", "leaves", "raises"};
-    const char *quantity = table == FLOOR_DRIFT ? "drifts at storeys" : "accelerations at floors";
+    const char *quantity = table == FLOOR_DRIFT ? "drifts at storey" : "accelerations at floor";
     for (int side = LOWER; side <= (int)HIGHER; side++) {
         struct thud_text floors = {0};
         double furthest;
@@ -147,11 +147,12 @@ static void say_effect(struct site *site, int table)
         if (floors.failed)
             site->document.failed = true;
         else if (n > 0 && side == SAME)
-            thud_document_item(&site->document, "The bumper leaves the largest %s %s unchanged, within %.0f %%.",
-                               quantity, floors.data, 100 * same_within);
+            thud_document_item(&site->document, "The bumper leaves the largest %s%s %s unchanged, within %.0f %%.",
+                               quantity, n > 1 ? "s" : "", floors.data, 100 * same_within);
         else if (n > 0)
-            thud_document_item(&site->document, "The bumper %s the largest %s %s, by up to %.0f %%.", verb[side],
-                               quantity, floors.data, 100 * fabs(furthest - 1));
+            thud_document_item(&site->document, "The bumper %s the largest %s%s %s, by up to %s %%.", verb[side],
+                               quantity, n > 1 ? "s" : "", floors.data,
+                               thud_site_number(100 * fabs(furthest - 1), 2).text);
         thud_text_clear(&floors);
     }
 }
@@ -242,6 +243,8 @@ static void say_results(struct site *site)
     int levels;
     bool pounds = thud_site_impacts(none->result, &levels) > 0;
     for (int s = 0; pounds && s < site->scene->nstructures; s++) {
+        if (site->scene->structure[s].kind == THUD_WALL)
+            continue;
         double a = largest_acceleration(&none->result->structure[s]);
         double b = largest_acceleration(&free_case->result->structure[s]);
         if (b > 0)
@@ -462,8 +465,9 @@ static void results(struct site *site)
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
                          "Largest values over the height, in each case.");
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1))
-        thud_site_figure(site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
-                         "Force of the contact with the largest one, and its largest impact seen closer.");
+        thud_site_figure(
+            site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
+            "Ground acceleration and the largest contact forces over time; at the right around the largest impact.");
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.62,
                          "Largest shear of the columns that slabs strike, over the height.");

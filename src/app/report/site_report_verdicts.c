@@ -63,8 +63,11 @@ static void gap_rows(struct site *site, int i)
             too_small += thud_level_clearance(&at) < site->gap->level[l].relative_displacement_m;
         }
         thud_interface_gap_text(f, given, sizeof given);
-        snprintf(text, sizeof text, "%s given; clearance not enough at %d of %d levels under this motion", given,
-                 too_small, levels);
+        if (too_small > 0)
+            snprintf(text, sizeof text, "%s given; not enough at %d of %d levels under this motion", given, too_small,
+                     levels);
+        else
+            snprintf(text, sizeof text, "%s given; enough at every level under this motion", given);
         row(site, what, text);
         return;
     }
@@ -150,7 +153,7 @@ static void governing_rows(struct site *site)
     for (int s = 0; s < r->nstructures; s++) {
         const struct thud_structure *p = &site->scene->structure[s];
         const int slab = p->kind == THUD_ISOLATED;
-        for (int f = 0; f < r->structure[s].floors; f++) {
+        for (int f = 0; p->kind != THUD_WALL && f < r->structure[s].floors; f++) {
             const struct thud_floor_result *floor = &r->structure[s].floor[f];
             if (floor->acceleration.value > most) {
                 most = floor->acceleration.value;
@@ -187,9 +190,10 @@ static void failing_row(struct site *site)
 {
     const struct thud_result *r = site->own->result;
     int yielding = 0, storeys = 0, failing = 0, known = 0;
-    char text[300];
+    char text[1600];
     for (int s = 0; s < r->nstructures; s++)
-        for (int f = 0; r->structure[s].storey && f < r->structure[s].floors; f++) {
+        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
+             r->structure[s].storey && f < r->structure[s].floors; f++) {
             storeys += r->structure[s].storey[f].yields;
             yielding += r->structure[s].storey[f].yields && r->structure[s].storey[f].ductility > 1;
         }
@@ -200,10 +204,15 @@ static void failing_row(struct site *site)
     size_t n = storeys > 0 ? (size_t)snprintf(text, sizeof text, "%d of %d storeys yield", yielding, storeys)
                            : (size_t)snprintf(text, sizeof text, "yielding is not looked at: the storeys are elastic");
     if (r->ncolumns > 0 && known > 0)
-        snprintf(text + n, sizeof text - n, "; struck columns bear more than they can in %d of %d storeys", failing,
-                 known);
+        n += (size_t)snprintf(text + n, sizeof text - n, "; struck columns bear more than they can in %d of %d storeys",
+                              failing, known);
     else if (r->ncolumns > 0)
-        snprintf(text + n, sizeof text - n, "; struck columns have no capacity to compare with");
+        n += (size_t)snprintf(text + n, sizeof text - n, "; struck columns have no capacity to compare with");
+    for (int s = 0; s < r->nstructures; s++)
+        if (site->scene->structure[s].kind == THUD_ISOLATED)
+            n += (size_t)snprintf(text + n, sizeof text - n, "; the isolators of %.64s are displaced by up to %s mm",
+                                  thud_site_name(site, s),
+                                  thud_site_number(1e3 * r->structure[s].floor[0].drift.value, 3).text);
     row(site, "storeys and columns that fail", text);
 }
 

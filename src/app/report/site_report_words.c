@@ -34,17 +34,17 @@ const struct thud_contact_result *thud_site_strongest(const struct thud_result *
 
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size)
 {
-    char l[THUD_NAME_MAX + 40], r[THUD_NAME_MAX + 40];
-    const char *a = thud_site_name(site, interface - 1), *b = thud_site_name(site, interface);
-    if (left > 0)
-        snprintf(l, sizeof l, "%sfloor %d of %s", struck < 0 ? "the columns below " : "", left, a);
-    else
-        snprintf(l, sizeof l, "the wall");
-    if (right > 0)
-        snprintf(r, sizeof r, "%sfloor %d of %s", struck > 0 ? "the columns below " : "", right, b);
-    else
-        snprintf(r, sizeof r, "the wall");
-    snprintf(text, size, "%s and %s", l, r);
+    char side[2][THUD_NAME_MAX + 40];
+    const int floor[2] = {left, right}, columns[2] = {struck<0, struck> 0};
+    for (int i = 0; i < 2; i++) {
+        const char *name = thud_site_name(site, interface - 1 + i);
+        if (site->scene->structure[interface - 1 + i].kind == THUD_WALL)
+            snprintf(side[i], sizeof side[i], "%s", name);
+        else
+            snprintf(side[i], sizeof side[i], "%sfloor %d of %s", columns[i] ? "the columns below " : "", floor[i],
+                     name);
+    }
+    snprintf(text, size, "%s and %s", side[0], side[1]);
 }
 
 void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption)
@@ -117,6 +117,8 @@ static void quantity_words(const char *quantity, char *text, size_t size)
     snprintf(text, size, "%.*s", (int)n, quantity);
     for (char *at = text; *at; at++)
         *at = *at == '_' ? ' ' : *at;
+    if (strcmp(text, "permanent") == 0)
+        snprintf(text, size, "permanent drift");
 }
 
 void thud_site_measure(const struct site *site, const char *name, char *text, size_t size)
@@ -124,8 +126,9 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
     const char *dot = strrchr(name, '.');
     char owner[THUD_MEASURE_NAME_MAX], quantity[64], place[320];
     int interface = 0, used = 0;
-    if (!dot) {
-        snprintf(text, size, "%s", name);
+    if (!dot || strncmp(name, "energy.", 7) == 0) { /* "energy.contact_j" */
+        quantity_words(dot ? dot + 1 : name, quantity, sizeof quantity);
+        snprintf(text, size, "%s%s", quantity, dot ? " energy" : "");
         return;
     }
     snprintf(owner, sizeof owner, "%.*s", (int)(dot - name), name);

@@ -156,7 +156,8 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
     return thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
 }
 
-enum thud_status thud_folder_make(const char *path, struct thud_error *err)
+/* Every folder on the way to `path`, and itself: made, or looked at where it is there. */
+static enum thud_status walk_folder(const char *path, bool make, struct thud_error *err)
 {
     char part[4096];
     size_t length = strlen(path);
@@ -169,7 +170,9 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err)
         char kept = part[i];
         part[i] = '\0';
         struct stat about;
-        if (mkdir(part, 0777) != 0 && (errno != EEXIST || stat(part, &about) != 0 || !S_ISDIR(about.st_mode))) {
+        errno = EEXIST;
+        if (make ? mkdir(part, 0777) != 0 && (errno != EEXIST || stat(part, &about) != 0 || !S_ISDIR(about.st_mode))
+                 : stat(part, &about) == 0 && !S_ISDIR(about.st_mode)) {
             int why = errno;
             bool is_file = why == EEXIST && stat(part, &about) == 0;
             thud_error_set(err, THUD_OUTPUT, "the folder cannot be made: %s",
@@ -181,4 +184,14 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err)
     }
     thud_folder_tidy(path);
     return THUD_OK;
+}
+
+enum thud_status thud_folder_make(const char *path, struct thud_error *err)
+{
+    return walk_folder(path, true, err);
+}
+
+enum thud_status thud_folder_check(const char *path, struct thud_error *err)
+{
+    return walk_folder(path, false, err);
 }

@@ -147,7 +147,9 @@ enum thud_status thud_made_by_check(const struct thud_made_by *by, struct thud_e
 {
     char *text = NULL, *at;
     struct part part;
-    enum thud_status status = read_list(by->folder, &text, err);
+    enum thud_status status = thud_folder_check(by->folder, err);
+    if (status == THUD_OK)
+        status = read_list(by->folder, &text, err);
     for (at = text; status == THUD_OK && next_part(by->folder, &at, &part);) {
         if (part.files.failed)
             status = thud_error_set(err, THUD_MEMORY, "out of memory");

@@ -184,12 +184,12 @@ static bool look_yielding(const struct thud_structure *s, const struct thud_stru
     char key[64];
     double drift_m = r->floor[storey + slab].drift.value;
     snprintf(key, sizeof key, "structures.%d.yield", index + 1);
-    thud_error_set(out, THUD_OK,
-                   "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height, and "
-                   "keeps its strength",
-                   storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m,
-                   100 * drift_m / s->height_m[storey]);
-    thud_error_allow(out, "below a ductility of %g and %g %%: real storeys degrade beyond", ductility_most,
+    thud_error_set(
+        out, THUD_OK,
+        "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height: a real "
+        "storey loses strength there, this one does not",
+        storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m, 100 * drift_m / s->height_m[storey]);
+    thud_error_allow(out, "bilinear storeys stand for ductilities up to %g and drifts up to %g %%", ductility_most,
                      100 * yielding_drift_most);
     thud_error_key(out, key);
     return true;
@@ -217,7 +217,8 @@ bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result
     if (thud_collapse_remark(scene, result, out) && n-- == 0)
         return true;
     for (int s = 0; s < scene->nstructures; s++) {
-        if (look_yielding(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
+        const bool collapsed = result->collapse.happened && result->collapse.structure == s; /* that is told */
+        if (!collapsed && look_yielding(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
             return true;
         if (!scene->p_delta && look_theta(&scene->structure[s], &result->structure[s], s, out) && n-- == 0)
             return true;
