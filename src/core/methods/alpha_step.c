@@ -1,5 +1,6 @@
 #include "core/methods/alpha_step.h"
 
+#include <assert.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -32,15 +33,14 @@ struct alpha {
     struct thud_modal_operator *op;
     double h_made; /* step that the operator and the responses belong to */
     struct thud_motion start, end, work;
-    double *a0, *a1;                 /* (nmodes) */
-    double *rhs;                     /* (nmodes) workspace */
-    double *response;                /* (nrows x nmodes) */
-    double *w;                       /* (nrows x nrows) */
-    double *d, *v, *a;               /* (nrows) */
-    double *matrix, *change;         /* Newton's system for the active rows, column-major, and its solution */
-    lapack_int *pivot;               /* of that */
-    double *applied;                 /* (nrows) lagged: forces at the end of the step before */
-    int *active, nactive;            /* (nrows) those whose forces are unknown */
+    double *a0, *a1;            /* (nmodes) */
+    double *rhs;                /* (nmodes) workspace */
+    double *response;           /* (nrows x nmodes) */
+    double *w;                  /* (nrows x nrows) */
+    double *d, *v, *a;          /* (nrows) */
+    double *matrix, *change;    /* Newton's system for the active rows, column-major, and its solution */
+    lapack_int *active, *pivot; /* (nrows) rows whose forces are unknown */
+    int nactive;
     bool solved;                     /* the contact forces at t1 are those of the laws */
     bool goes_on;                    /* t0 is the end of the last step: no law has changed there */
     bool fresh;                      /* a0 is to be made anew, from r0 */
@@ -49,6 +49,14 @@ struct alpha {
     double *block;
 };
 
+/* The scheme's a0 is r at the time t0 + (am - af) h, to second order: 0 where a is r itself, as Newmark's and central
+ * difference's is. It passes from step to step, but not over a jump of the forces (a contact switched, the record ended),
+ * which it would smear. */
+static double time_offset(const struct thud_alpha *p)
+{
+    return p->am - p->af;
+}
+
 enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_alpha parameters, void **own,
                                    struct thud_error *err)
 {
@@ -56,26 +64,28 @@ enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_a
     const size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = thud_motion_size(m);
     struct alpha *x = calloc(1, sizeof *x);
     *own = NULL;
-    if (!x)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = thud_modal_operator_create(m, &x->op, err);
-    x->block = calloc(3 * size + 3 * n + nc * n + 2 * nc * nc + 5 * nc + 1, sizeof *x->block);
-    x->active = calloc(nc + 1, sizeof *x->active);
-    x->pivot = calloc(nc + 1, sizeof *x->pivot);
-    if (status != THUD_OK || !x->block || !x->active || !x->pivot) {
+    assert(time_offset(&parameters) != 0 || parameters.am == 0);
+    if (x) {
+        x->block = calloc(3 * size + 3 * n + nc * n + 2 * nc * nc + 4 * nc + 1, sizeof *x->block);
+        x->active = calloc(2 * nc + 1, sizeof *x->active);
+    }
+    if (!x || !x->block || !x->active || thud_modal_operator_create(m, &x->op, err) != THUD_OK) {
         thud_alpha_free(x);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    double *next = thud_motion_place(&x->start, m, x->block);
-    next = thud_motion_place(&x->end, m, next);
-    next = thud_motion_place(&x->work, m, next);
-    const struct {
-        double **array;
-        size_t size;
-    } part[] = {{&x->a0, n}, {&x->a1, n}, {&x->rhs, n},     {&x->response, nc * n}, {&x->w, nc * nc},     {&x->d, nc},
-                {&x->v, nc}, {&x->a, nc}, {&x->change, nc}, {&x->applied, nc},      {&x->matrix, nc * nc}};
-    for (size_t i = 0; i < sizeof part / sizeof *part; next += part[i++].size)
-        *part[i].array = next;
+    x->a0 = thud_motion_place(&x->start, m, x->block);
+    x->a0 = thud_motion_place(&x->end, m, x->a0);
+    x->a0 = thud_motion_place(&x->work, m, x->a0);
+    x->a1 = x->a0 + n;
+    x->rhs = x->a1 + n;
+    x->response = x->rhs + n;
+    x->w = x->response + nc * n;
+    x->matrix = x->w + nc * nc;
+    x->change = x->matrix + nc * nc;
+    x->d = x->change + nc;
+    x->v = x->d + nc;
+    x->a = x->v + nc;
+    x->pivot = x->active + nc;
     x->p = parameters;
     x->fresh = true;
     *own = x;
@@ -90,7 +100,6 @@ void thud_alpha_free(void *own)
     thud_modal_operator_free(x->op);
     free(x->block);
     free(x->active);
-    free(x->pivot);
     free(x);
 }
 
@@ -99,10 +108,9 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
 {
     if (fabs(h - x->h_made) <= THUD_TOL_STEP_CHANGE * h)
         return;
-    const struct thud_alpha *p = &x->p;
-    const double part = 1 - p->af;
+    const double part = 1 - x->p.af;
     x->h_made = h;
-    thud_modal_operator_set(x->op, m, 1 - p->am, part * p->gamma * h, part * p->beta * h * h);
+    thud_modal_operator_set(x->op, m, 1 - x->p.am, part * x->p.gamma * h, part * x->p.beta * h * h);
     for (int c = 0; c < m->nrows; c++) {
         double *r = x->response + c * m->nmodes;
         thud_modal_operator_apply(x->op, m, m->jacobian + c * m->nmodes, r);
@@ -113,63 +121,43 @@ static void prepare(const struct thud_model *m, struct alpha *x, double h)
     }
 }
 
-/* Whether the scheme's a is another acceleration than r. Newmark's and central difference's is r itself. */
-static bool has_own_acceleration(const struct thud_alpha *p)
+/* Lagged: what acts in the step is the force found at the end of the step before, which still stands in end.force; the
+ * law's now is for the next. */
+static void lag_forces(const struct thud_state *state, struct alpha *x, double ground)
 {
-    return p->am != 0 || p->af != 0;
+    double *law = x->start.force;
+    x->start.force = x->end.force;
+    x->end.force = law;
+    thud_model_acceleration(state->model, state->q, state->qd, ground, x->start.qdd);
+    thud_model_apply_contact_forces(state->model, x->start.force, x->start.qdd);
 }
 
-/* The scheme's a0 is r at the time t0 + (am - af) h, to second order. It passes from step to step, but not over a jump of
- * the forces (a contact switched, the record ended), which it would smear. */
-static double time_offset(const struct thud_alpha *p)
+/* q0, q0', r0, a0 and the forces: those of the last step's end where it goes on, else from the state. Where the length of
+ * the steps changes, a0 keeps its time offset in steps: it lies on the line through r0. */
+static void start_step(const struct thud_state *state, struct alpha *x, double h)
 {
-    return p->am - p->af;
-}
-
-/* q0, q0', r0 and the forces: those of the last step's end where it goes on, else from the state. */
-static void take_start(const struct thud_state *state, struct alpha *x, bool goes_on)
-{
-    const size_t bytes = (size_t)state->model->nmodes * sizeof(double);
-    if (goes_on) {
+    const size_t n = (size_t)state->model->nmodes;
+    const double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
+                 size = fabs(ground) + fabs(x->before_mps2);
+    if (x->goes_on && jump <= THUD_TOL_GROUND * size) {
         const struct thud_motion last = x->start;
         x->start = x->end;
         x->end = last;
-        return;
+    } else {
+        memcpy(x->start.q, state->q, n * sizeof(double));
+        memcpy(x->start.qd, state->qd, n * sizeof(double));
+        thud_step_motion(state, &x->start, 0);
     }
-    memcpy(x->start.q, state->q, bytes);
-    memcpy(x->start.qd, state->qd, bytes);
-    thud_step_motion(state, &x->start, 0);
-}
-
-/* Lagged: what acts in the step is the force found at the end of the step before; the law's now is for the next. */
-static void lag_forces(const struct thud_state *state, struct alpha *x, double ground)
-{
-    const struct thud_model *m = state->model;
-    for (int c = 0; c < m->nrows; c++) {
-        x->end.force[c] = x->start.force[c];
-        x->start.force[c] = x->applied[c];
-    }
-    thud_model_acceleration(m, state->q, state->qd, ground, x->start.qdd);
-    thud_model_apply_contact_forces(m, x->start.force, x->start.qdd);
-}
-
-/* Everything at t0. Where the length of the steps changes, a0 keeps its time offset in steps: it lies on the line
- * through r0. */
-static void start_step(const struct thud_state *state, struct alpha *x, double h)
-{
-    const int n = state->model->nmodes;
-    const double ground = thud_step_ground(state, 0), jump = fabs(ground - x->before_mps2),
-                 size = fabs(ground) + fabs(x->before_mps2);
-    take_start(state, x, x->goes_on && jump <= THUD_TOL_GROUND * size);
     if (x->p.lagged)
         lag_forces(state, x, ground);
     x->fresh = x->fresh || jump > THUD_TOL_GROUND_JUMP * size;
-    if (x->fresh || time_offset(&x->p) == 0) {
-        memcpy(x->a0, x->start.qdd, (size_t)n * sizeof(double));
-    } else if (fabs(h - x->a0_step_s) > THUD_TOL_STEP_CHANGE * h) {
-        for (int j = 0; j < n; j++)
+    if (time_offset(&x->p) == 0)
+        return;
+    if (x->fresh)
+        memcpy(x->a0, x->start.qdd, n * sizeof(double));
+    else if (fabs(h - x->a0_step_s) > THUD_TOL_STEP_CHANGE * h)
+        for (size_t j = 0; j < n; j++)
             x->a0[j] = x->start.qdd[j] + h / x->a0_step_s * (x->a0[j] - x->start.qdd[j]);
-    }
 }
 
 /* Newmark's update without the part of a1: by_q = h^2 (1/2 - beta), by_v = h (1 - gamma). */
@@ -197,11 +185,13 @@ static void predict(const struct thud_state *state, struct alpha *x, double h)
 {
     const struct thud_model *m = state->model;
     const struct thud_alpha *p = &x->p;
+    const bool own = time_offset(p) != 0;
     const int n = m->nmodes;
-    update(n, h, h * h * (0.5 - p->beta), h * (1 - p->gamma), x->start.q, x->start.qd, x->a0, x->end.q, x->end.qd);
+    update(n, h, h * h * (0.5 - p->beta), h * (1 - p->gamma), x->start.q, x->start.qd, own ? x->a0 : x->start.qdd,
+           x->end.q, x->end.qd);
     x->ground_mps2 = thud_step_ground(state, h);
     thud_model_acceleration(m, x->end.q, x->end.qd, x->ground_mps2, x->rhs);
-    for (int j = 0; j < n && has_own_acceleration(p); j++)
+    for (int j = 0; j < n && own; j++)
         x->rhs[j] = (1 - p->af) * x->rhs[j] + p->af * x->start.qdd[j] - p->am * x->a0[j];
     thud_modal_operator_apply(x->op, m, x->rhs, x->a1);
     add_end(n, h * h * p->beta, h * p->gamma, x->a1, x->end.q, x->end.qd);
@@ -249,117 +239,90 @@ static void linearize(const struct thud_state *state, struct alpha *x, int i, do
         x->matrix[k * n + i] = slope * x->w[a * nc + x->active[k]] + (k == i && !held ? 1 : 0);
 }
 
-/* One step of Newton's method; returns the largest change relative to the forces, NaN where the system is singular. */
-static double newton(const struct thud_state *state, struct alpha *x, double h)
+/* Newton's method on the forces of the active rows. Stops
+ *   1) solved: the largest change, as a part of its force, is rounding, or small and no longer falling;
+ *   2) not solved: the system is singular, or NEWTON_MAX steps have been taken. */
+static bool solve(const struct thud_state *state, struct alpha *x, double h)
 {
     const int n = x->nactive;
-    double largest = 0;
-    for (int i = 0; i < n; i++)
-        linearize(state, x, i, h);
-    if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
-        return NAN;
-    for (int i = 0; i < n; i++) {
-        double *force = &x->end.force[x->active[i]], before = fabs(*force);
-        if (!isfinite(x->change[i]))
-            return NAN;
-        *force -= x->change[i];
-        double scale = fmax(fmax(before, fabs(*force)),
-                            THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[x->active[i]].setup.mass_kg);
-        largest = fmax(largest, fabs(x->change[i]) / scale);
-    }
-    return largest;
-}
-
-/* Newton's method on the forces of the active rows. Stops
- *   1) solved: the largest change is rounding, or small and no longer falling;
- *   2) not solved: the system is singular, or NEWTON_MAX steps have been taken. */
-static bool iterate(const struct thud_state *state, struct alpha *x, double h)
-{
     double before = INFINITY;
-    for (int i = 0; i < NEWTON_MAX; i++) {
-        double change = newton(state, x, h);
-        if (!isfinite(change))
+    for (int steps = 0; steps < NEWTON_MAX; steps++) {
+        double largest = 0;
+        for (int i = 0; i < n; i++)
+            linearize(state, x, i, h);
+        if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->change, n) != 0)
             return false;
-        if (change <= THUD_TOL_NEWTON || (change < THUD_TOL_NEWTON_STALL && change >= 0.5 * before))
+        for (int i = 0; i < n; i++) {
+            const double least = THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[x->active[i]].setup.mass_kg;
+            double *force = &x->end.force[x->active[i]], change = fabs(x->change[i]), was = fabs(*force);
+            if (!isfinite(change))
+                return false;
+            *force -= x->change[i];
+            largest = fmax(largest, change / fmax(fmax(was, fabs(*force)), least));
+        }
+        if (largest <= THUD_TOL_NEWTON || (largest < THUD_TOL_NEWTON_STALL && largest >= 0.5 * before))
             return true;
-        before = change;
+        before = largest;
     }
     return false;
 }
 
-/* The force of row c becomes an unknown, with that of the step's start as first guess. */
-static void activate(const struct thud_model *m, struct alpha *x, int c)
+static bool is_active(const struct alpha *x, int nactive, int c)
 {
-    x->v[c] = thud_model_gap_sum(m, c, x->end.qd);
-    x->a[c] = thud_model_gap_sum(m, c, x->a1);
-    x->active[x->nactive++] = c;
-    x->end.force[c] = x->start.force[c];
+    for (int i = 0; i < nactive; i++)
+        if (x->active[i] == c)
+            return true;
+    return false;
 }
 
-/* Whether row c can have a force at t1: located, what acts in the whole step; else every law of force. */
-static bool may_act(const struct thud_state *state, int c)
+/* Takes the forces of more rows as unknown, with those of the step's start as first guess: located, of all that act;
+ * else of all that yield and of the contacts that are closed at t1 under the forces so far. Returns whether there were
+ * any. Clears end.apart where a contact is closed. */
+static bool activate(const struct thud_state *state, struct alpha *x, double h)
 {
-    if (!state->locates)
-        return !thud_row_contact(state, c) ||
-               !(state->model->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE));
-    return thud_row_acts(state, c);
-}
-
-/* Nothing located: activates contacts that were open in the prediction and that the forces of the others have closed;
- * returns whether there are any. */
-static bool activate_closed(const struct thud_state *state, struct alpha *x, double h)
-{
+    const struct thud_model *m = state->model;
     const int before = x->nactive;
-    for (int c = 0; c < state->model->ncontacts && !state->locates; c++) {
+    const bool locates = state->locates, any_open = x->p.beta > 0;
+    for (int c = 0; c < m->nrows; c++) {
+        const bool unlocated = !locates && c < m->ncontacts;
         double d, v, acc;
-        bool active = !may_act(state, c) || x->d[c] > 0;
-        for (int i = 0; i < before; i++)
-            active = active || x->active[i] == c;
-        if (active)
+        if ((locates && !thud_row_acts(state, c)) || is_active(x, before, c))
             continue;
-        row_end(state->model, x, c, h, &d, &v, &acc);
-        if (d > 0)
-            activate(state->model, x, c);
+        if (before > 0)
+            row_end(m, x, c, h, &d, &v, &acc);
+        else
+            d = x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);
+        if (unlocated && d <= 0 && !(any_open && x->start.force[c] != 0))
+            continue;
+        x->end.apart = false;
+        if (unlocated && m->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
+            continue;
+        x->v[c] = thud_model_gap_sum(m, c, x->end.qd);
+        x->a[c] = thud_model_gap_sum(m, c, x->a1);
+        x->active[x->nactive++] = c;
     }
+    for (int i = before; i < x->nactive; i++)
+        x->end.force[x->active[i]] = x->start.force[x->active[i]];
     return x->nactive > before;
 }
 
-/* Which rows are active by the prediction. Sets end.apart: no contact is indented at t1. */
-static void choose_active(const struct thud_state *state, struct alpha *x)
-{
-    const struct thud_model *m = state->model;
-    x->nactive = 0;
-    x->end.apart = !state->locates && m->nstoreys == 0;
-    for (int c = 0; c < m->nrows; c++) {
-        x->end.force[c] = 0;
-        if (state->locates && !thud_row_contact(state, c) && !thud_row_acts(state, c))
-            x->end.force[c] = thud_row_branch(state, c)->f0_n; /* the constant force of an elastic storey */
-        if (state->locates && !may_act(state, c))
-            continue;
-        x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);
-        if (!state->locates && c < m->ncontacts && x->d[c] <= 0 && (x->p.beta == 0 || x->start.force[c] == 0))
-            continue; /* where nothing is located, an open one has no force */
-        x->end.apart = false;
-        if (may_act(state, c))
-            activate(m, x, c);
-    }
-}
-
 /* Contact forces at t1. Where the law jumps (nothing located) there may be no solution: the last try is taken, as a
- * program does that only sees its iterations run out, and counted as rejected. */
+ * program does that only sees its iterations run out, and counted as rejected. Located, an elastic storey that has
+ * yielded has a constant force. */
 static void solve_forces(const struct thud_state *state, struct alpha *x, double h)
 {
-    choose_active(state, x);
+    const struct thud_model *m = state->model;
+    for (int c = 0; c < m->nrows; c++)
+        x->end.force[c] = state->locates && c >= m->ncontacts ? thud_row_branch(state, c)->f0_n : 0;
+    x->nactive = 0;
+    x->end.apart = !state->locates && m->nstoreys == 0;
     x->solved = true;
-    if (x->nactive == 0)
-        return;
-    do
-        x->solved = iterate(state, x, h);
-    while (x->solved && x->p.beta > 0 && activate_closed(state, x, h));
+    while (x->solved && activate(state, x, h))
+        x->solved = solve(state, x, h);
     state->work->rejected += !x->solved;
 }
 
-/* From t0 to t1 with given a0; r1 by the equations of motion. */
+/* From t0 to t1 with given a0; r1 by the equations of motion, where a1 is not r1 itself. */
 static void take_step(const struct thud_state *state, struct alpha *x, double h)
 {
     predict(state, x, h);
@@ -368,7 +331,7 @@ static void take_step(const struct thud_state *state, struct alpha *x, double h)
         solve_forces(state, x, h);
     if (!x->end.apart)
         correct(state->model, x, h);
-    if (!state->locates && !has_own_acceleration(&x->p)) { /* a1 solves the equations of motion */
+    if (!state->locates && time_offset(&x->p) == 0) {
         memcpy(x->end.qdd, x->a1, (size_t)state->model->nmodes * sizeof *x->a1);
         return;
     }
@@ -407,6 +370,4 @@ void thud_alpha_committed(const struct thud_state *state, void *own, const struc
     x->goes_on = !state->locates && !switched && !x->p.lagged && state->model->nstoreys == 0 && x->solved;
     x->a0 = x->a1;
     x->a1 = now;
-    if (x->p.lagged)
-        memcpy(x->applied, x->end.force, (size_t)state->model->nrows * sizeof *x->applied);
 }
