@@ -25,6 +25,26 @@ static double coupled_power(const struct thud_model *m, const double *rate)
     return sum;
 }
 
+/* Its integral by weights from the modes' rates at the points, rates (nmodes x INNER). */
+static double coupled_work(const struct thud_model *m, const double *rates, const double *weight, int points)
+{
+    enum { INNER = THUD_LOBATTO_INNER };
+    double sum = 0;
+    for (int s = 0; s < m->nsystems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
+        const double *first = rates + p->first_mode * INNER, *d = p->damping;
+        for (int i = 0; d && i < p->modes; i++, d += p->modes) {
+            double by_weight[INNER];
+            for (int k = 0; k < points; k++)
+                by_weight[k] = weight[k] * first[i * INNER + k];
+            sum += d[i] * thud_dot(points, by_weight, first + i * INNER);
+            for (int j = i + 1; j < p->modes; j++) /* D is symmetric */
+                sum += 2 * d[j] * thud_dot(points, by_weight, first + j * INNER);
+        }
+    }
+    return sum;
+}
+
 /* Power of the damping, and the ground's per unit of its acceleration, at the points of a quadrature. */
 struct powers {
     thud_vec2 loss[THUD_LOBATTO_INNER], drive[THUD_LOBATTO_INNER]; /* two parts of each */
@@ -46,8 +66,8 @@ static inline void add_modes(const struct thud_model *m, const struct thud_segme
     for (int i = 0; i < points; i++) {
         sum->loss[i] += dashpot * rate[i] * rate[i];
         sum->drive[i] += gamma * rate[i];
-        if (m->couples)
-            thud_vec2_put_some(rate[i], rates + i * n + j, single);
+        for (int k = 0; k < (single ? 1 : 2) && m->couples; k++)
+            rates[(j + k) * THUD_LOBATTO_INNER + i] = rate[i][k];
     }
 }
 
@@ -108,11 +128,12 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
                                     end_loss(m, o->qd, 1, seg->a0 + o->s * seg->a1, &end)),
            input = by->end_weight * (start + end);
     for (int i = 0; i < by->inner; i++) {
-        double ground = seg->a0 + seg->a1 * o->s * by->node[i],
-               coupled = m->couples ? coupled_power(m, l->rates + i * m->nmodes) : 0;
-        loss += by->weight[i] * rate * rate * (sum.loss[i][0] + sum.loss[i][1] + coupled);
+        double ground = seg->a0 + seg->a1 * o->s * by->node[i];
+        loss += by->weight[i] * rate * rate * (sum.loss[i][0] + sum.loss[i][1]);
         input -= by->weight[i] * rate * ground * (sum.drive[i][0] + sum.drive[i][1]);
     }
+    if (m->couples)
+        loss += rate * rate * coupled_work(m, l->rates, by->weight, by->inner);
     *input_j = input * o->s * seg->h_s;
     *viscous_j = loss * o->s * seg->h_s;
 }

@@ -22,7 +22,7 @@ struct thud_ledger {
     int looks;
     double dashpot, influence;      /* largest 2 zeta omega; sqrt(sum of gamma^2) */
     struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
-    double *rates;                  /* (THUD_LOBATTO_INNER x nmodes) workspace */
+    double *rates;                  /* (nmodes x THUD_LOBATTO_INNER) workspace */
     struct thud_contact_work *work; /* (ncontacts) the same */
 };
 

@@ -94,22 +94,27 @@ static void mode_rates(const struct thud_model *m, const struct thud_model_struc
     }
 }
 
-/* SPEED to FOURTH, and the rest of END, where damping couples the modes: it passes energy from one to another, so that
- * each may have all of S. */
-static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, double speed,
-                          int stride, double *out)
+/* SECOND to FOURTH, and the rest of END, where damping couples the modes: it passes energy from one to another, so that
+ * only the coefficients of the series tell what each has. */
+static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
+                          double *out)
 {
-    const double *omega = o->state->model->omega + p->first_mode;
-    for (int j = 0; j < p->modes; j++)
-        out[MODE_SPEED * stride + j] = speed;
-    for (int row = MODE_SECOND; row <= MODE_FOURTH; row++)
-        for (int i = 0; i < p->modes; i++) {
-            const double *below = out + (row - 1) * stride;
-            double sum = row == MODE_SECOND ? omega[i] * speed : omega[i] * omega[i] * out[(row - 2) * stride + i];
-            for (int j = 0; j < p->modes; j++)
-                sum += fabs(p->damping[i * p->modes + j]) * below[j];
-            out[row * stride + i] += sum;
+    const struct thud_segment *seg = o->seg;
+    const double rate = 1 / seg->h_s, square = rate * rate;
+    const int n = o->state->model->nmodes;
+    for (int j = 0; j < p->modes; j += 2) { /* rows and series are long enough for an odd number */
+        const double *q = seg->q + 2 * n + p->first_mode + j;
+        thud_vec2 second = {0, 0}, third = {0, 0}, fourth = {0, 0};
+        for (int k = 2; k < seg->terms; k++, q += n) {
+            const thud_vec2 size = k * (k - 1) * thud_vec2_abs(thud_vec2_at(q));
+            second += size;
+            third += (k - 2) * size;
+            fourth += (k - 2) * (k - 3) * size;
         }
+        thud_vec2_put(square * second, out + MODE_SECOND * stride + j);
+        thud_vec2_put(square * rate * third, out + MODE_THIRD * stride + j);
+        thud_vec2_put(square * square * fourth, out + MODE_FOURTH * stride + j);
+    }
     for (int i = 0; i < p->modes; i++)
         out[MODE_END * stride + i] -= thud_dot(p->modes, p->damping + i * p->modes, o->qd + p->first_mode);
 }
@@ -158,9 +163,9 @@ static void step_modes(struct thud_peaks *peaks, const struct thud_observation *
     }
 }
 
-/* Fills peaks->modal; `bound`: of the structure in the segment. */
+/* Fills peaks->modal. */
 static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
-                            const struct thud_model_structure *p, const struct thud_response_bound *bound)
+                            const struct thud_model_structure *p)
 {
     const struct thud_model *m = o->state->model;
     if (o->seg->interpolates) {
@@ -173,7 +178,7 @@ static void structure_modes(struct thud_peaks *peaks, const struct thud_observat
         push_modes(p->modes, m->jacobian + (size_t)peaks->push[i].row * (size_t)m->nmodes + p->first_mode,
                    &peaks->push[i], peaks->stride, peaks->modal);
     if (p->damping) {
-        coupled_rates(o, p, bound->speed, peaks->stride, peaks->modal);
+        coupled_rates(o, p, peaks->stride, peaks->modal);
         return;
     }
     mode_speeds(peaks, o, p, peaks->stride, peaks->modal);
@@ -288,14 +293,13 @@ static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation 
 }
 
 /* Peaks of the floors of one structure. */
-static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index,
-                            const struct thud_response_bound *bound)
+static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_model_structure *p = &m->structure[index];
     const int stride = peaks->stride;
     const bool drifts = p->drifts;
-    structure_modes(peaks, o, p, bound);
+    structure_modes(peaks, o, p);
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);
     const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
@@ -326,7 +330,7 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     for (int i = 0; i < state->model->nstructures; i++) {
         struct thud_response_bound bound = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
         if (thud_response_bound_structure(peaks, state->model, i, &bound))
-            structure_peaks(peaks, o, i, &bound);
+            structure_peaks(peaks, o, i);
     }
 }
 
