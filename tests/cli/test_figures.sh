@@ -145,7 +145,7 @@ for c in 3 4; do
         $2 == "needs" { need[$1] = $3 }
         $2 == "bumper" && $5 == 0 { k = $1 " " $3; record[k] = $1; gap[k] = $3; all[k]++; up[k, 0] += !low($12); up[k, 1] += !low($13) }
         END { for (k in all) if (gap[k] - 0.05 < need[record[k]]) { n += all[k]; a += up[k, 0]; d += up[k, 1] }
-              printf "accelerations %d of %d, deflections %d of %d", a, n, d, n }'
+              printf "accelerations %d of %d, drifts %d of %d", a, n, d, n }'
     is "motions differ ($c)" counts $c "character of the earthquake" '
         $5 == 0 && $2 == "bumper" { k = $3 " " $4; up[k] += high($9); down[k] += low($9); all[k] = 1 }
         END { for (k in all) { n++; m += up[k] > 0 && down[k] > 0 } printf "falls at %d of %d;", m, n }'

@@ -247,7 +247,7 @@ START_TEST(touch_and_release_in_one_step)
 }
 END_TEST
 
-/* Bumpers pressed past their largest strain, unloading as printed: contacts stick on the way, the result converges. */
+/* Bumpers pressed past their ultimate strain, unloading as printed: contacts stick on the way, the result converges. */
 START_TEST(sticking_beyond_the_largest_strain)
 {
     struct thud_record *record = march_motion(3.5);

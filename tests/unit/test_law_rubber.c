@@ -200,7 +200,7 @@ static int count_unusual(struct thud_law_setup *setup)
     return n;
 }
 
-/* The force at the largest strain is k (0.8 * 5 cm)^2.65, the slope there 2.65 times that over 4 cm. */
+/* The force at the ultimate strain is k (0.8 * 5 cm)^2.65, the slope there 2.65 times that over 4 cm. */
 START_TEST(what_is_unusual_together)
 {
     struct thud_error err;

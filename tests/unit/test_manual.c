@@ -156,6 +156,46 @@ START_TEST(pages_say_what_the_tables_say)
 }
 END_TEST
 
+/* One line of blanks between words, without what a terminal shows (lines that begin with a blank). */
+static void flatten(void)
+{
+    char *to = page;
+    for (const char *at = page; *at;) {
+        size_t n = strcspn(at, "\n");
+        if (*at != ' ') {
+            memmove(to, at, n);
+            to += n;
+            *to++ = ' ';
+        }
+        at += n + (at[n] == '\n');
+    }
+    *to = '\0';
+}
+
+/* Words that have a common one: default, otherwise, required gap, drift, ultimate strain. */
+static const char *const banned[] = {
+    "; else ",    ". else ",    " by itself",     "for what it lacks",  "gap that is enough",
+    "needed gap", "deflection", "largest strain", "required separation"};
+
+START_TEST(pages_use_common_words)
+{
+    static const char *const pages[] = {"man/thud.1",         "man/thud.3",         "man/thud-preset.5",
+                                        "man/thud-output.5",  "man/thud-suites.7",  "man/thud-model.7",
+                                        "man/thud-methods.7", "man/thud-tutorial.7"};
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+        read_file(pages[i]);
+        flatten();
+        ck_assert_uint_gt(strlen(page), 1000);
+        for (size_t k = 0; k < sizeof banned / sizeof *banned; k++)
+            ck_assert_msg(!strstr(page, banned[k]), "%s: \"%s\"", pages[i], banned[k]);
+    }
+    for (int i = 0; i < thud_option_count(); i++)
+        for (size_t k = 0; k < sizeof banned / sizeof *banned; k++)
+            ck_assert_msg(!strstr(thud_option_at(i)->help, banned[k]), "--%s: \"%s\"", thud_option_at(i)->name,
+                          banned[k]);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -167,6 +207,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_described_option_exists);
     tcase_add_test(tcase, every_key_is_described);
     tcase_add_test(tcase, pages_say_what_the_tables_say);
+    tcase_add_test(tcase, pages_use_common_words);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -403,7 +403,7 @@ START_TEST(unusual_values_are_told)
 }
 END_TEST
 
-/* What only values together make unusual; the paper's bumper has 6.33 MN and 419.7 kN/mm at its largest strain. */
+/* What only values together make unusual; the paper's bumper has 6.33 MN and 419.7 kN/mm at its ultimate strain. */
 START_TEST(unusual_combinations_are_told)
 {
     static const struct {

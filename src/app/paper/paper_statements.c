@@ -15,7 +15,7 @@ struct view {
     const struct thud_paper_study *study;
     const struct thud_sweep_table *table;
     const struct thud_paper_runs *runs;
-    double strained_m; /* what the bumper's largest strain leaves of it to be pressed */
+    double strained_m; /* what the bumper's ultimate strain leaves of it to be pressed */
 };
 
 static enum verdict judge(bool yes, bool partly)
@@ -226,7 +226,7 @@ static enum verdict amplified(const struct view *v, char *text)
         motions += any;
         both += found;
     }
-    snprintf(text, TEXT, "%d of %d motions; mean accelerations %.2f to %.2f times, mean deflections %.2f to %.2f times",
+    snprintf(text, TEXT, "%d of %d motions; mean accelerations %.2f to %.2f times, mean drifts %.2f to %.2f times",
              both, motions, q[0].least, q[0].most, q[1].least, q[1].most);
     return judge(motions > 0 && both == motions, both > 0);
 }
@@ -245,8 +245,8 @@ static enum verdict bumper_above_free(const struct view *v, char *text)
                 above[q] += x >= 1 - change;
                 lower += pounds(d, THUD_CASE_NONE) && part(ratio_of(d, THUD_CASE_BUMPER, s, 0), q) < 1 - change;
             }
-    snprintf(text, TEXT, "accelerations %d of %d, deflections %d of %d; lower than with bare pounding %d times",
-             above[0], n[0], above[1], n[1], lower);
+    snprintf(text, TEXT, "accelerations %d of %d, drifts %d of %d; lower than with bare pounding %d times", above[0],
+             n[0], above[1], n[1], lower);
     bool all = above[0] + above[1] == n[0] + n[1];
     return judge(all && lower > 0, 2 * (above[0] + above[1]) > n[0] + n[1]);
 }
@@ -347,7 +347,7 @@ static enum verdict sensitive(const struct view *v, char *text)
                 for (int q = 0; q < 2; q++)
                     add(&c[q], part(x, q));
     }
-    snprintf(text, TEXT, "accelerations %.2f to %.2f, deflections %.2f to %.2f", c[0].least, c[0].most, c[1].least,
+    snprintf(text, TEXT, "accelerations %.2f to %.2f, drifts %.2f to %.2f", c[0].least, c[0].most, c[1].least,
              c[1].most);
     return judge(c[0].most - c[0].least > c[1].most - c[1].least, false);
 }
@@ -525,7 +525,7 @@ static const struct statement {
     bool both;
     enum verdict (*find)(const struct view *v, char *text);
 } statements[] = {
-    {"Section 1: floor accelerations and deflections may be significantly amplified by pounding",
+    {"Section 1: floor accelerations and drifts may be significantly amplified by pounding",
      "under every motion a gap at which a building's means of both are above 1.1 times those without pounding", true,
      amplified},
     {"Section 1: at the pounding floors impulses of short period and high amplitude, which depends on the impact "
@@ -564,9 +564,9 @@ static const struct statement {
      "largest amplification 25 to 35 %; partly: above 10 %", true, floor2_rises},
     {"Fig. 7, %s: that of the 4th floor falls while at the same time that of the 2nd rises",
      "at more than half of the gaps at which the 4th falls; partly: at some", true, at_once},
-    {"Fig. 7: accelerations may be amplified at a gap where deflections are reduced", "so at some floor and gap", true,
+    {"Fig. 7: accelerations may be amplified at a gap where drifts are reduced", "so at some floor and gap", true,
      opposed},
-    {"Fig. 7: accelerations are more sensitive to the bumper than deflections",
+    {"Fig. 7: accelerations are more sensitive to the bumper than drifts",
      "wider range of the ratios over floors and gaps", true, sensitive},
     {"Fig. 8 tells means over the floors",
      "their ratio and the mean of the floors' ratios are on the same side of 1 at 95 % of those changed; partly: at 75 "

@@ -257,7 +257,7 @@ static void add_motions(struct site *site)
     thud_document_cell(d, "ground motion");
     thud_document_cell(d, "peak g");
     thud_document_cell(d, "factor");
-    thud_document_cell(d, "needed gap cm");
+    thud_document_cell(d, "required gap cm");
     for (int k = 0; k < ncases; k++)
         thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
     for (int s = 0; s < site->scene->nstructures && ncases > 1; s++)

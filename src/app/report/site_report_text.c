@@ -474,7 +474,7 @@ static void results(struct site *site)
     floors(site);
 }
 
-/* ---- the gap that is enough ---- */
+/* ---- the required gap ---- */
 
 /* In cm, rounded up; -: there is none. */
 static void add_gap_cell(struct thud_document *d, double gap_m)

@@ -43,19 +43,19 @@ static const struct thud_param params[] = {
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_POWER_STIFFNESS, .unit = "kN/mm^n",
      .fallback = NAN, .least = 0, .most = NAN, .least_open = true, .soft_least = NAN, .soft_most = NAN},
     [EXPONENT] = THUD_PARAM_EXPONENT(2.65),
-    [MAX_STRAIN] = {.name = "max-strain", .title = "largest strain",
+    [MAX_STRAIN] = {.name = "max-strain", .title = "ultimate strain",
      .help = "Share of the thickness that can be compressed before the post-yield stiffness holds.",
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_NUMBER, .unit = "",
      .fallback = 0.8, .least = 0, .most = 1, .least_open = true, .most_open = true,
      .soft_least = 0.5, .soft_most = 0.9},
-    [POST_YIELD] = {.name = "post-yield", .title = "stiffness past the largest strain",
+    [POST_YIELD] = {.name = "post-yield", .title = "stiffness past the ultimate strain",
      .help = "Slope of the force once the bumper has bottomed out.",
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_STIFFNESS, .unit = "kN/mm",
      .fallback = 2500 * THUD_KN_PER_MM, .least = 0, .most = NAN, .least_open = true,
      .soft_least = NAN, .soft_most = NAN},
     [RESTITUTION] = THUD_PARAM_RESTITUTION(0.5),
     [DAMPING] = THUD_PARAM_DAMPING,
-    [UNLOADING] = {.name = "unloading", .title = "restitution past the largest strain",
+    [UNLOADING] = {.name = "unloading", .title = "restitution past the ultimate strain",
      .help = "paper: eq. (5) as printed, which drops to the power curve; continuous: from the approach curve.",
      .kind = THUD_PARAM_CHOICE, .dimension = THUD_NUMBER, .unit = "", .fallback = UNLOADING_PAPER, NO_BOUNDS,
      .choices = unloading_choices},
@@ -208,7 +208,7 @@ static double restitution(const struct thud_law_setup *setup, double v_mps)
     return thud_rubber_restitution(memory.own[DAMP] * v_mps, ratio);
 }
 
-/* A force at the largest strain that no bumper has, and a line that is softer than the curve before it. */
+/* A force at the ultimate strain that no bumper has, and a line that is softer than the curve before it. */
 static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error *out)
 {
     static const double least_n = 0.1e6, most_n = 100e6;
@@ -219,13 +219,13 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
     if (n >= (int)force + (int)soft)
         return false;
     if (force && n == 0) {
-        thud_error_set(out, THUD_OK, "a force of %.3g MN at the largest strain is unusual",
+        thud_error_set(out, THUD_OK, "a force of %.3g MN at the ultimate strain is unusual",
                        1e-6 * curve.ultimate_force_n);
         thud_error_allow(out, "usually %g to %g MN", 1e-6 * least_n, 1e-6 * most_n);
         thud_error_key(out, params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
         return true;
     }
-    thud_error_set(out, THUD_OK, "%.4g kN/mm past the largest strain is softer than the rubber just before it",
+    thud_error_set(out, THUD_OK, "%.4g kN/mm past the ultimate strain is softer than the rubber just before it",
                    curve.post_yield_npm / THUD_KN_PER_MM);
     thud_error_allow(out, "usually at least the slope there, %.4g kN/mm", tangent / THUD_KN_PER_MM);
     thud_error_key(out, params[POST_YIELD].name);
@@ -238,7 +238,7 @@ const struct thud_law thud_law_rubber = {
     .reference = "Polycarpou and Komodromos, COMPDYN 2009, Rhodes; "
                  "Polycarpou and Komodromos, Earthquakes and Structures 2 (2011) 1-24; "
                  "Polycarpou and Komodromos, COMPDYN 2011, Corfu, eqs. (4)-(7)",
-    .summary = "approach F = k d^n, past the largest strain a line; restitution F = k d^n (1 + C v)",
+    .summary = "approach F = k d^n, past the ultimate strain a line; restitution F = k d^n (1 + C v)",
     .flags = THUD_LAW_REVERSES,
     .params = params,
     .nparams = sizeof params / sizeof params[0],

@@ -151,7 +151,7 @@ const struct thud_schema thud_mode_schema =
 #define QUANTITY(member, key, text) THUD_COLUMN(struct thud_quantity_row, member, key, text)
 static const struct thud_column quantities[] = {
     {QUANTITY(quantity, "quantity", "Case, structure and measure, joined by dots.")},
-    {QUANTITY(which, "case", "Its case; empty: of none, as the needed gap.")},
+    {QUANTITY(which, "case", "Its case; empty where it belongs to none, as the required gap.")},
     {QUANTITY(structure, "structure", "Name of its structure; empty: of all contacts.")},
     {QUANTITY(measure, "measure",
               "A column of sweep.csv; force_n is the largest of all contacts; needed_gap_m the gap that is enough at "

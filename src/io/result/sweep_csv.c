@@ -141,7 +141,7 @@ static const struct thud_column contacts[] = {
     {CONTACT(own.residual_m, "residual_m", "Indentation left by plastic deformation, m.")},
     {CONTACT(own.residual_gap_m, "residual_gap_m", "Clearance and residual indentation at the end, m.")},
     {CONTACT(struck, "struck_columns",
-             "left or right where a slab strikes that structure's columns, below the floor named; else empty.")},
+             "left or right where a slab strikes that structure's columns, below the floor named; otherwise empty.")},
     {CONTACT(own.shear_lower_n, "shear_lower_n", "Largest shear at the lower end of those columns, N.")},
     {CONTACT(own.shear_upper_n, "shear_upper_n", "At their upper end, N.")},
     {CONTACT(own.capacity_ratio, "shear_over_capacity", "The larger one over what they can bear.")},
@@ -179,7 +179,7 @@ static const struct thud_column needs[] = {
     {RULE(THUD_GAP_ASCE7, "asce7_m", "What ASCE 7-16 12.12.3 asks for, m.")},
     {NEED(correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
     {NEED(struck, "struck_columns",
-          "left or right where a slab faces that structure's columns, whose place between the floors counts; else "
+          "left or right where a slab faces that structure's columns, whose place between the floors counts; otherwise "
           "empty.")},
     {RULE(THUD_GAP_EN1998_OWNERS, "en1998_2a_m", "EN 1998-1 4.4.2.7(2)(a): of two owners, m; by thud gap alone."),
      .only = THUD_NEED_CODES},

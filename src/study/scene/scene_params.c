@@ -53,7 +53,7 @@ static const struct thud_place scene_places[] = {
 
 static const struct thud_param record_params[] = {
     WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
-    {NUMBER("peak", "peak", "Scales the motion to this largest acceleration; else it is as recorded.",
+    {NUMBER("peak", "peak", "Scales the motion to this largest acceleration; by default it is as recorded.",
             THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), .soft_least = NAN, .soft_most = 2 * THUD_GRAVITY},
     {NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
             THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
@@ -119,14 +119,14 @@ static const struct thud_param structure_params[] = {
      .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL},
     {NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.", THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2},
-    {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; else that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+    {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; by default that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
     {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
     {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
     {NUMBER("width", "width between isolators", "From the first row of isolators to the last one: where it is given, the overturning moment on them is found and held against what the weight holds.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(1000), USUAL(4, 200)},
     {NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
-    {NUMBER("mass", "mass", "Of a wall that gives; else it moves with the ground.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 5e6)},
+    {NUMBER("mass", "mass", "Of a wall that gives; without a mass it moves with the ground.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 5e6)},
     {NUMBER("stiffness", "stiffness", "Of a wall that gives, against the ground.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("damping", "damping ratio", "Of a wall that gives; 5 % where it is not given.", THUD_RATIO, "%", NAN), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.2},
 };
@@ -291,7 +291,7 @@ static const struct thud_place link_places[] = {
 static const struct thud_param analysis_params[] = {
     WORD("method", "method", "One of `thud methods`, or auto: the exact one."),
     {NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
-    {NUMBER("step", "step", "Of the methods with a fixed step; else a twentieth of the shortest period of a mode or contact, and no more than the record's.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
+    {NUMBER("step", "step", "Of the methods with a fixed step; by default a twentieth of the shortest period of a mode or contact, and no more than the record's.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     {NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},
     CHOICE("locate", "event location", "Whether methods with a fixed step find the moments of touch and release.", switches, 1),
     {COUNT("modes", "modes", "Each building's lowest ones alone; where it is not given, all of them.", NAN),
@@ -319,7 +319,7 @@ static const struct thud_param study_params[] = {
             THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
     WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
     CHOICE("signs", "signs", "both: every ground motion also with reversed polarity.", one_or_both, 0),
-    WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; else pounding, worse."),
+    WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; by default pounding, worse."),
 };
 static const struct thud_place study_places[] = {
     {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},

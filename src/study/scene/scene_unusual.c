@@ -144,7 +144,7 @@ static bool look_cavity(struct search *search, const struct thud_interface *at, 
         search->found++ != search->wanted)
         return false;
     snprintf(key, sizeof key, "%s.cavity", prefix);
-    thud_error_set(search->out, THUD_OK, "at %.4g cm the walls would touch before the bumper is at its largest strain",
+    thud_error_set(search->out, THUD_OK, "at %.4g cm the walls would touch before the bumper is at its ultimate strain",
                    100 * at->bumper_cavity_m);
     thud_error_allow(search->out, "usually up to thickness (1 - max-strain), %.4g cm",
                      100 * at->bumper_thickness_m * (1 - strain));

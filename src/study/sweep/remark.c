@@ -85,7 +85,8 @@ static bool look_bumper(const struct thud_scene *scene, int i, const struct thud
     snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
     thud_error_set(out, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,
-                   most->indentation.value > thickness ? "more than there is of it" : "past its largest strain", often);
+                   most->indentation.value > thickness ? "more than there is of it" : "past its ultimate strain",
+                   often);
     if (!isnan(strain))
         thud_error_allow(out, "up to %.4g mm it is rubber that acts", 1e3 * limit);
     thud_error_key(out, key);
@@ -545,10 +546,10 @@ bool thud_sweep_watch_remark(const struct thud_sweep_watch *w, const struct thud
         where_text(plan, w->press.point, w->press.which, where, sizeof where);
         if (w->beyond > 0)
             snprintf(beyond, sizeof beyond, ", in %ld by more than there is of it", w->beyond);
-        thud_error_set(
-            out, THUD_OK,
-            "a bumper is pressed past its largest strain in %ld of %ld runs with one%s: one of %.4g mm by %.4g mm (%s)",
-            w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
+        thud_error_set(out, THUD_OK,
+                       "a bumper is pressed past its ultimate strain in %ld of %ld runs with one%s: one of %.4g mm by "
+                       "%.4g mm (%s)",
+                       w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
         return true;
     }
     if (w->drifting > 0 && n-- == 0) {

@@ -20,7 +20,7 @@ THUD_KEY(CONTACT, BESIDE, 'c', 0, "c", "compare",
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")
 THUD_KEY(MODEL_CONTACT, NEXT_PAIR, ']', 0, "]", "", "the pair of structures (the interface) to the right")
 THUD_KEY(RECORD, MARK, ' ', 0, "Space", "suite",
-         "put the ground motion into the study's suite, or take it out; what it lacks to be read is asked for")
+         "put the ground motion into the study's suite, or take it out; what is missing to read it is asked for")
 THUD_KEY(RECORD, FILTER, 'f', 0, "f", "filter", "show only the files whose name contains some text")
 THUD_KEY(RECORD, SIGN, 's', 0, "s", "sign", "flip the sign of the ground motion")
 THUD_KEY(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
