@@ -8,6 +8,9 @@
 /* Its peak and how its samples stand to those of its file: "peak 0.821 g as recorded", "... scaled by 1.2", "... reversed",
  * "... scaled by 1.2, reversed"; of a synthetic one "as synthesized" for the first. */
 void thud_record_peak_text(const struct thud_record *record, char *text, size_t size);
+/* "Kaikoura, New Zealand, 2016-11-13, WTMC, N28W": event, station and component as far as they are said; without any the
+ * name of its file. */
+void thud_record_title(const struct thud_record *record, char *text, size_t size);
 /* " (synthetic)", or "". */
 const char *thud_record_synthetic_mark(const struct thud_record *record);
 /* "synthetic motion" or "3 of 8 motions synthetic"; "" where none is. */

@@ -8,6 +8,7 @@
 #include "app/run/session.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "ground/identity.h"
 #include "io/file/file.h"
 #include "io/file/paths.h"
 #include "io/record/record_write.h"
@@ -42,19 +43,6 @@ static enum thud_status draw(const struct thud_args *args, const struct thud_rec
     return thud_figure_deliver(figure, thud_args_value(args, "o"), &picture.options, THUD_OK, err);
 }
 
-static void title_of(const struct thud_record *record, char *title, size_t size)
-{
-    const char *name = strrchr(record->file, '/');
-    const char *part[] = {record->event, record->station, record->component};
-    size_t n = 0;
-    title[0] = '\0';
-    for (int i = 0; i < 3; i++)
-        if (part[i][0] && n < size)
-            n += (size_t)snprintf(title + n, size - n, "%s%s", n ? ", " : "", part[i]);
-    if (n == 0)
-        snprintf(title, size, "%s", name ? name + 1 : record->file);
-}
-
 static enum thud_status print(const struct thud_args *args, struct thud_text *text, enum thud_status status,
                               struct thud_error *err)
 {
@@ -79,7 +67,7 @@ static enum thud_status info_of(const struct thud_args *args, const struct thud_
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);
         snprintf(name, sizeof name, "%s-motion", stem);
-        title_of(record, title, sizeof title);
+        thud_record_title(record, title, sizeof title);
         status = draw(args, record, thud_figure_of_motion(record, name, title), err);
     }
     return status;
@@ -147,7 +135,7 @@ static enum thud_status spectrum_of(const struct thud_args *args, const struct t
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);
         snprintf(name, sizeof name, "%s-spectrum", stem);
-        title_of(record, title, sizeof title);
+        thud_record_title(record, title, sizeof title);
         status =
             draw(args, record, thud_figure_of_spectrum(point, count, choice->damping, mark, nmarks, name, title), err);
     }

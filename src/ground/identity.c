@@ -1,5 +1,7 @@
 #include "ground/identity.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +21,18 @@ void thud_record_peak_text(const struct thud_record *record, char *text, size_t 
                  *reversed           ? reversed
                  : record->synthetic ? "as synthesized"
                                      : "as recorded");
+}
+
+void thud_record_title(const struct thud_record *record, char *text, size_t size)
+{
+    const char *part[] = {record->event, record->station, record->component};
+    size_t n = 0;
+    text[0] = '\0';
+    for (int i = 0; i < 3; i++)
+        if (*part[i] && n < size)
+            n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "", part[i]);
+    if (n == 0)
+        snprintf(text, size, "%s", thud_path_name(record->file));
 }
 
 const char *thud_record_synthetic_mark(const struct thud_record *record)

@@ -214,6 +214,78 @@ START_TEST(a_suite_has_its_median_and_band)
 }
 END_TEST
 
+/* Curves are named by event and station; where two motions say the same, or a name was given, by that name. */
+START_TEST(curves_have_the_names_of_events)
+{
+    static struct thud_record motion[RECORDS];
+    static const struct thud_record *const motions[RECORDS] = {&motion[0], &motion[1]};
+    static const char *const files[RECORDS] = {"kobe.csv", "northridge.AT2"}, *const given[RECORDS] = {"one", "two"};
+    static const struct {
+        const char *event[RECORDS], *station[RECORDS];
+        bool given;
+        const char *want[RECORDS];
+    } cases[] = {{{"Kobe 1995", "Northridge 1994"}, {"KJMA", ""}, false, {"Kobe 1995, KJMA", "Northridge 1994"}},
+                 {{"Kobe 1995", "Kobe 1995"}, {"KJMA", "Takatori"}, false, {"Kobe 1995, KJMA", "Kobe 1995, Takatori"}},
+                 {{"Kobe 1995", "Kobe 1995"}, {"KJMA", "KJMA"}, false, {"kobe", "northridge"}},
+                 {{"", "Northridge 1994"}, {"KJMA", ""}, false, {"kobe", "Northridge 1994"}},
+                 {{"Kobe 1995", "Northridge 1994"}, {"", ""}, true, {"one", "two"}}};
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    s->table.motion = motions;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        for (int r = 0; r < RECORDS; r++) {
+            snprintf(motion[r].file, sizeof motion[r].file, "some/where/%s", files[r]);
+            snprintf(motion[r].event, sizeof motion[r].event, "%s", cases[i].event[r]);
+            snprintf(motion[r].station, sizeof motion[r].station, "%s", cases[i].station[r]);
+        }
+        s->table.record = cases[i].given ? given : files;
+        struct thud_figure *figure = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "means", NULL);
+        for (int r = 0; r < RECORDS; r++)
+            ck_assert_str_eq(figure->panel[0].series[r]->name, cases[i].want[r]);
+        thud_figure_free(figure);
+    }
+    empty(s);
+}
+END_TEST
+
+static int lines_at(const struct thud_panel *panel, enum thud_side side, double at)
+{
+    int n = 0;
+    for (int i = 0; i < panel->nmarks; i++)
+        n += panel->mark[i].side == side && near(panel->mark[i].from, at) && near(panel->mark[i].to, at);
+    return n;
+}
+
+/* The gap from which there is no contact is a line in every figure against the gap, along whichever axis, and the note says
+ * so; beyond the gaps that are shown there is none. */
+START_TEST(every_figure_against_the_gap_has_its_line)
+{
+    struct thud_sweep_need_row need[2 * RECORDS] = {{.interface = 1, .relative_displacement_m = 0.11},
+                                                    {.interface = 1, .relative_displacement_m = 0.17}};
+    for (int round = 0; round < 4; round++) {
+        const bool map = round >= 2, turned = round == 3, beyond = round == 1;
+        struct sample *s = malloc(sizeof *s);
+        fill(s, map ? 2 : 1);
+        s->table.need = need;
+        need[1].relative_displacement_m = beyond ? 0.4 : 0.17;
+        if (turned) {
+            strcpy(s->axis[0].key, "bumper.cavity");
+            strcpy(s->axis[1].key, "gap");
+            for (int i = 0; i < DEPTHS; i++)
+                s->depth[i] = 0.1 * (i + 1);
+        }
+        for (int i = 0; i < thud_sweep_figure_count(&s->table); i++) {
+            struct thud_figure *figure = thud_sweep_figure(&s->table, i);
+            for (int p = 0; p < figure->rows * figure->columns; p++)
+                ck_assert_int_eq(lines_at(&figure->panel[p], turned ? THUD_Y : THUD_X, 17.0), !beyond);
+            ck_assert_msg(!strstr(figure->note, "no contact without bumper from here") == beyond, "%s", figure->note);
+            thud_figure_free(figure);
+        }
+        empty(s);
+    }
+}
+END_TEST
+
 START_TEST(maps_are_the_right_way_round)
 {
     struct sample *s = malloc(sizeof *s);
@@ -420,6 +492,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_spread_is_a_shade_behind_its_curve);
     tcase_add_test(tcase, means_have_a_curve_per_record);
     tcase_add_test(tcase, a_suite_has_its_median_and_band);
+    tcase_add_test(tcase, curves_have_the_names_of_events);
+    tcase_add_test(tcase, every_figure_against_the_gap_has_its_line);
     tcase_add_test(tcase, maps_are_the_right_way_round);
     tcase_add_test(tcase, contacts_have_a_curve_for_each_case);
     tcase_add_test(tcase, pounding_is_shown_without_a_bumper);

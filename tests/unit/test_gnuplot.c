@@ -186,7 +186,7 @@ START_TEST(a_width_on_paper)
 }
 END_TEST
 
-/* 240 mm of a page are 2835 pixels. */
+/* 180 mm of a page are 2126 pixels. */
 START_TEST(many_panels_fit_a_page)
 {
     struct thud_picture_options options = {.width_mm = 90};
@@ -199,8 +199,8 @@ START_TEST(many_panels_fit_a_page)
             thud_panel_add(thud_figure_panel(figure, i, 0, "panel"), (struct thud_style){.color = 0}, "", 2, x, x);
         ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
         ck_assert_int_eq(sscanf(strstr(script.data, "\nW = ") + 1, "W = %lf; H = %lf", &width, &height), 2);
-        ck_assert_double_le(height, 2835);
-        ck_assert_double_ge(height, rows == 2 ? 1000 : 2830); /* no lower than it has to be */
+        ck_assert_double_le(height, 2126);
+        ck_assert_double_ge(height, rows == 2 ? 1000 : 2120); /* no lower than it has to be */
         thud_text_clear(&script);
         thud_figure_free(figure);
     }

@@ -52,7 +52,9 @@ struct thud_sweep_table {
     int nrecords, nstructures, naxes;
     double sensitivity; /* of the spread; 0: there is none */
     int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
-    const char *const *record;            /* (nrecords) names */
+    const char *const *record; /* (nrecords) names */
+    const struct thud_record *const
+        *motion; /* (nrecords) whose own words figures show where the name is the file's; NULL: names alone */
     const char *const *structure;         /* (nstructures) names */
     const enum thud_structure_kind *kind; /* (nstructures) */
     const struct thud_sweep_axis *axis;   /* (naxes) */

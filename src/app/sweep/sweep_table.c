@@ -15,6 +15,7 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
                                                  .naxes = plan->naxes,
                                                  .sensitivity = plan->sensitivity,
                                                  .record = record,
+                                                 .motion = plan->record,
                                                  .structure = collector->structure,
                                                  .kind = collector->kind,
                                                  .axis = plan->axis};

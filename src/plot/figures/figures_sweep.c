@@ -47,13 +47,30 @@ static const char *amplification(enum thud_case which)
                                        : "amplification against no bumper, scene as written";
 }
 
-/* The last part of a path without its suffix: what fits a key. */
+/* In its own words, event and station; false where it says none, or what another of the study says too. */
+static bool motion_name(const struct thud_sweep_table *table, int record, char text[128])
+{
+    const struct thud_record *own = table->motion ? table->motion[record] : NULL;
+    if (!own || !*own->event || strcmp(thud_path_name(own->file), table->record[record]) != 0)
+        return false;
+    for (int r = 0; r < table->nrecords; r++) {
+        const struct thud_record *other = table->motion[r];
+        if (r != record && other && strcmp(other->event, own->event) == 0 && strcmp(other->station, own->station) == 0)
+            return false;
+    }
+    snprintf(text, 128, "%s%s%.30s", own->event, *own->station ? ", " : "", own->station);
+    return true;
+}
+
+/* By its event; else the last part of its file's path without the suffix: what fits a key. */
 static const char *record_name(const struct thud_sweep_table *table, int record, char text[128])
 {
     if (table->motions > 0) {
         snprintf(text, 128, "%d ground motions", table->motions);
         return text;
     }
+    if (motion_name(table, record, text))
+        return text;
     const char *name = thud_path_name(table->record[record]), *dot = strrchr(name, '.');
     bool suffix = dot && dot > name && strlen(dot) <= 5 && !strchr(dot, ' ') && !thud_ascii_is_digit(dot[1]);
     size_t length = suffix ? (size_t)(dot - name) : strlen(name);
@@ -168,10 +185,11 @@ void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const stru
     axis_of_key(panel, side, axis, NULL);
 }
 
-/* Of a study over one gap: the one from which no ground motion causes contact without bumper, m; NaN: not known. */
-static double free_gap(const struct thud_sweep_table *table)
+/* Of a gap that is varied: the one from which no ground motion of the study causes contact without bumper, m; NaN: not
+ * known, or not among those shown. */
+static double free_gap(const struct thud_sweep_table *table, int varied)
 {
-    const struct thud_sweep_axis *axis = &table->axis[0];
+    const struct thud_sweep_axis *axis = &table->axis[varied];
     int interface = strcmp(axis->key, "gap") == 0 ? 1 : 0;
     double widest = NAN;
     if (table->motions > 0 || !table->need || !numbers(axis))
@@ -186,10 +204,22 @@ static double free_gap(const struct thud_sweep_table *table)
 
 static void varied_axis(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which)
 {
-    const double at = side == THUD_X && which == 0 ? free_gap(table) * thud_varied_factor(&table->axis[0]) : NAN;
+    const double at = free_gap(table, which) * thud_varied_factor(&table->axis[which]);
     axis_of_key(panel, side, &table->axis[which], table);
     if (!isnan(at))
         thud_panel_mark(panel, side, at, at, "");
+}
+
+/* What that line is, where one of the first axes has it. */
+static const char *free_gap_note(const struct thud_sweep_table *table, int axes)
+{
+    const bool several = table->nrecords > 1, across = !isnan(free_gap(table, 0));
+    if (!across && (axes < 2 || isnan(free_gap(table, 1))))
+        return "";
+    return across    ? several ? " Vertical line: no contact without bumper from here on, under any of the motions."
+                               : " Vertical line: no contact without bumper from here on."
+           : several ? " Level line: no contact without bumper from here up, under any of the motions."
+                     : " Level line: no contact without bumper from here up.";
 }
 
 /* Keys that are not drawn, with their values. */
@@ -197,10 +227,7 @@ static void fixed_note(struct thud_figure *figure, const struct thud_sweep_table
                        const char *before)
 {
     char text[768];
-    int n = snprintf(text, sizeof text, "%s", before);
-    if (!isnan(free_gap(table)))
-        n += snprintf(text + n, sizeof text - (size_t)n, " Vertical line: no contact without bumper from here on%s.",
-                      table->nrecords > 1 ? ", under any of the motions" : "");
+    int n = snprintf(text, sizeof text, "%s%s", before, free_gap_note(table, 1));
     for (int a = free; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
         n += snprintf(text + n, sizeof text - (size_t)n, " %s = %s.", table->axis[a].key,
                       table->axis[a].text[at ? at[a] : 0]);
@@ -766,11 +793,12 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
     }
     same_colors(figure);
     bool line = numbers(&table->axis[0]) && numbers(&table->axis[1]);
-    snprintf(text, sizeof text, "%s%s%s",
+    snprintf(text, sizeof text, "%s%s%s%s",
              free                      ? "Ratio to no pounding; red: pounding harms;"
              : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
                                        : "Ratio to no bumper at the same gap; blue: the bumper helps;",
-             line ? " line: ratio 1 where there is contact;" : "", " white: no change; empty: no result.");
+             line ? " line: ratio 1 where there is contact;" : "", " white: no change; empty: no result.",
+             free_gap_note(table, 2));
     thud_figure_note(figure, text);
     return figure;
 }

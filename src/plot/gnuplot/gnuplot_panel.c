@@ -353,8 +353,10 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
                              across ? "set object %d rectangle from first %.9g, graph 0 to first %.9g, graph 1"
                                     : "set object %d rectangle from graph 0, first %.9g to graph 1, first %.9g",
                              i + 1, from, to);
-        thud_text_append(out, mark->from == mark->to ? " nohead back lw 1.4 lc rgb '#404040'\n"
-                                                     : " back fs solid 1.0 noborder fc rgb '#E8F1F7'\n");
+        if (mark->from == mark->to) /* a map would cover what is behind it */
+            thud_text_append(out, " nohead %s lw 1.4 lc rgb '#404040'\n", panel->map ? "front" : "back");
+        else
+            thud_text_append(out, " back fs solid 1.0 noborder fc rgb '#E8F1F7'\n");
         if (!*mark->text)
             continue;
         thud_text_append(out, "set label %d ", 100 + i);
@@ -428,8 +430,11 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, in
     }
     color_box(sheet, number, least, most);
     thud_text_append(out, "set label 94 ");
-    thud_gnuplot_quote(out, thud_axis_text(&label, text, sizeof text), box->top - box->bottom, sheet->em);
-    thud_text_append(out, " at screen R%d+5.9*EX, graph 0.5 center rotate by 90\n", number);
+    const double length = box->top - box->bottom,
+                 em = thud_gnuplot_fit(thud_axis_text(&label, text, sizeof text), 1.15 * length, sheet->em);
+    thud_gnuplot_quote(out, text, 1.5 * length, em);
+    thud_text_append(out, " at screen R%d+5.9*EX, graph 0.5 center rotate by 90 font sprintf(',%%.4g', %.3g*PT)\n",
+                     number, em / sheet->em);
 }
 
 static void plots(const struct sheet *sheet, int number_of)

@@ -31,8 +31,9 @@ static void lay_key(struct sheet *sheet)
     sheet->key_rows = sheet->nkeys > 0 ? row + 1 : 0;
 }
 
-/* On paper panels below each other share what a page of A4 has between its margins. */
-static const double page_mm = 240.0, lowest_em = 10.0;
+/* On paper panels below each other share three quarters of what a page of A4 has between its margins: a caption and text
+ * stand beside them. */
+static const double page_mm = 180.0, lowest_em = 10.0;
 /* A panel narrower than this many ems stands below its neighbour. */
 static const double narrowest_em = 21.0;
 
