@@ -1,4 +1,4 @@
-/* thud gap: the gap that is enough. */
+/* thud gap: the required gap. */
 #include "app/run/figure_files.h"
 #include "app/sweep/gap_report.h"
 #include "cli/commands.h"

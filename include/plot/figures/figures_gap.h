@@ -1,4 +1,4 @@
-/* The gap that is enough: over the height, and how many ground motions a gap keeps apart. */
+/* The required gap: over the height, and how many ground motions a gap keeps apart. */
 #pragma once
 
 #include "plot/figure/figure.h"

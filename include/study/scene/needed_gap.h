@@ -1,4 +1,4 @@
-/* The gap that is enough: the largest relative displacement of neighbouring floors without pounding, which is exact for
+/* The required gap: the largest relative displacement of neighbouring floors without pounding, which is exact for
  * a ground motion, beside what the rules of the codes estimate from the two largest displacements alone. */
 #pragma once
 

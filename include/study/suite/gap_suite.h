@@ -27,7 +27,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
 
 /* ---- over the periods of estimated buildings ---- */
 
-/* Of an interface (from 0): the gap that is enough as the periods of its estimated buildings go from
+/* Of an interface (from 0): the required gap as the periods of its estimated buildings go from
  * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal steps of the logarithm; those of neighbours apart from each
  * other. */
 struct thud_gap_range {

@@ -78,7 +78,7 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 
 /* ---- what is asked of every sample ---- */
 
-/* THUD_OF_GAP: the gap that is enough at every level, without what a bumper needs besides. */
+/* THUD_OF_GAP: the required gap at every level, without what a bumper needs besides. */
 enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER, THUD_OF_GAP };
 struct thud_quantity_of_run {
     char name[96];   /* "bumper: mean acceleration of A over no bumper" */

@@ -38,7 +38,7 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
     }
 }
 
-/* The result, for each two neighbours; a free body goes on for ever, and there is no gap that is enough. */
+/* The result, for each two neighbours; a free body goes on for ever, and there is no required gap. */
 static void add_results(const struct thud_report *report, struct thud_text *out)
 {
     enum { COLUMNS = 65 };

@@ -1,4 +1,4 @@
-/* The gap that is enough, over a list of ground motions: as a table, CSV, JSON. */
+/* The required gap, over a list of ground motions: as a table, CSV, JSON. */
 #pragma once
 
 #include <stdatomic.h>

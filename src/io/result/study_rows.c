@@ -154,8 +154,8 @@ static const struct thud_column quantities[] = {
     {QUANTITY(which, "case", "Its case; empty where it belongs to none, as the required gap.")},
     {QUANTITY(structure, "structure", "Name of its structure; empty: of all contacts.")},
     {QUANTITY(measure, "measure",
-              "A column of sweep.csv; force_n is the largest of all contacts; needed_gap_m the gap that is enough at "
-              "every level, as thud gap tells it.")},
+              "A column of sweep.csv; force_n is the largest of all contacts; needed_gap_m the required gap of the "
+              "level that needs most, as thud gap tells it.")},
     {QUANTITY(nominal, "nominal", "Its value with every input nominal.")},
     {QUANTITY(p5, "p5", "5 % of the samples are below.")},
     {QUANTITY(median, "median", "Half of them are.")},
