@@ -504,7 +504,7 @@ START_TEST(the_loop_of_a_storey_holds_what_it_lost)
     fixture_keys(&f, "5");
     fixture_expect(&f, "1/9 ");
     fixture_keys(&f, ":set structures.1.yield.1 4 mm<Enter>:set structures.1.hardening.1 5 %<Enter><Up>");
-    fixture_expect(&f, "10/10 Storey shear against drift, A, s");
+    fixture_expect(&f, "10/10 Loops of storeys and links, A, s");
     const struct thud_figure *figure = thud_views[THUD_SCREEN_PLOTS]->figure(f.tui);
     ck_assert_ptr_nonnull(figure);
     ck_assert_int_eq(figure->panel[0].nseries, THUD_LIVE_CASES);

@@ -42,8 +42,10 @@ struct thud_link_result {
     struct thud_peak force;  /* N */
     struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
     double lost_j;           /* in its dashpot, by its law, or by friction */
-    int engaged;             /* times a one-sided one came to act, or one of friction slipped */
-    int contact;             /* row of its events; -1: it has none */
+    double residual_m; /* left of its stroke at the end where it bears nothing: by friction, or the gap at soil; NaN:
+                                it leaves none */
+    int engaged;       /* times a one-sided one came to act, or one of friction slipped */
+    int contact;       /* row of its events; -1: it has none */
 };
 
 /* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower

@@ -27,8 +27,8 @@ enum thud_run_figure {
     THUD_FIGURE_LOOP,
     THUD_FIGURE_ENVELOPE,
     THUD_FIGURE_ENERGY,
-    THUD_FIGURE_HYSTERESIS, /* of storeys that yield, and */
-    THUD_FIGURE_PERMANENT,  /* their ductility and permanent drift over the height */
+    THUD_FIGURE_HYSTERESIS, /* of storeys that yield and of links, and of the former */
+    THUD_FIGURE_PERMANENT,  /* ductility and permanent drift over the height */
     THUD_FIGURE_COLUMNS,
     THUD_RUN_FIGURES
 };

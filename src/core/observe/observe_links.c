@@ -204,16 +204,22 @@ void thud_links_finish(const struct thud_state *state, struct thud_result *resul
         if (storey >= 0) {
             result->link[i].lost_j = state->storey[storey].hysteretic_j;
             result->link[i].engaged = state->storey[storey].excursions;
+            result->link[i].residual_m = state->storey[storey].plastic_m;
             result->link[i].contact = m->ncontacts + storey;
             continue;
         }
         const int contact = result->link[i].contact = m->link[i].contact;
+        result->link[i].residual_m = NAN;
         if (contact < 0)
             continue;
         const struct thud_contact_result *from = &result->contact[contact];
         const double least_j = THUD_TOL_LINK_LOSS * from->force.value * from->indentation.value;
-        result->link[i] = (struct thud_link_result){from->force, from->indentation,
-                                                    fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
-                                                    from->impacts, contact};
+        result->link[i] =
+            (struct thud_link_result){.force = from->force,
+                                      .stroke = from->indentation,
+                                      .lost_j = fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
+                                      .residual_m = from->residual_m,
+                                      .engaged = from->impacts,
+                                      .contact = contact};
     }
 }

@@ -279,7 +279,12 @@ static const struct thud_column links[] = {
     {LINK(own.stroke.value, "stroke_m",
           "Largest change of the distance of its ends; of a restrainer or a strut beyond its slack, m."),
      .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
-    {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .only = THUD_ONLY_JSON},
+    {LINK(own.residual_m, "residual_m",
+          "Left at the end where it bears nothing, m: of friction its slip, of soil the gap that stays, of a "
+          "restrainer or "
+          "a strut 0; no value of others."),
+     .shown = {"residual", "mm", 1e3, 9, 4, THUD_DIGITS_FREE}},
     {LINK(own.lost_j, "lost_j", "Energy lost in it, J."), .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
     {LINK(own.engaged, "engaged",
           "How often a restrainer or a strut came to act, or friction slipped; no value of others."),

@@ -16,7 +16,7 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
     if (which == THUD_FIGURE_LOOP)
         return struck;
     if (which == THUD_FIGURE_HYSTERESIS || which == THUD_FIGURE_PERMANENT)
-        return thud_source_yields(source, which == THUD_FIGURE_HYSTERESIS);
+        return thud_source_yields(source, nsources, which == THUD_FIGURE_HYSTERESIS);
     if (which == THUD_FIGURE_COLUMNS)
         return source->result->ncolumns > 0;
     return which == THUD_FIGURE_FORCE ? source->result->ncontacts > 0 : any;

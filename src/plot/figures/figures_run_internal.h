@@ -56,8 +56,8 @@ int thud_pick_largest(const double *value, int n, int most, int *index);
 
 /* Whether a structure has something to show: it has floors, and for the deflections more than a rigid body's one. */
 bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which);
-/* Whether a storey of the source's scene yields, or a link slips where those count. */
-bool thud_source_yields(const struct thud_figure_source *source, bool links);
+/* Whether a storey yields in a source, or there is a link where those count. */
+bool thud_source_yields(const struct thud_figure_source *source, int nsources, bool links);
 struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
                                           int nsources);
 struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources);

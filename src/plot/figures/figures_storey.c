@@ -1,4 +1,4 @@
-/* Storeys that yield: their loops and those of links that slip, and what is left of them over the height. */
+/* Storeys that yield: their loops and those of links, and what is left of them over the height. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,38 +8,44 @@
 
 enum { LOOPS_MAX = 6, LOOP_COLUMNS = 3 };
 
-/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history; a link that
- * slips: -1, its index and -1. */
+/* A storey that yields: its structure and floor, from 0, and its place among the storeys of a history; a link: -1, its
+ * index and -1. */
 struct place {
     int structure, floor, storey;
 };
 
+/* A case may be without the links of others. */
+static bool has(const struct thud_figure_source *source, const struct place *at)
+{
+    return at->structure >= 0 || at->floor < source->result->nlinks;
+}
+
 static double lost_of(const struct thud_figure_source *source, const struct place *at)
 {
+    if (!has(source, at))
+        return 0.0;
     return at->structure < 0 ? source->result->link[at->floor].lost_j
                              : source->result->structure[at->structure].storey[at->floor].hysteretic_j;
 }
 
 static double force_of(const struct thud_figure_source *source, const struct place *at)
 {
+    if (!has(source, at))
+        return 0.0;
     return at->structure < 0 ? source->result->link[at->floor].force.value
                              : source->result->structure[at->structure].storey[at->floor].shear.value;
 }
 
-/* Links that slip behind the n storeys that yield. */
-static int list_links(const struct thud_figure_source *source, struct place *place, int most, int n)
+/* The source that has the links. */
+static const struct thud_figure_source *linked_source(const struct thud_figure_source *source, int nsources)
 {
-    for (int i = 0; i < source->scene->nlinks && i < source->result->nlinks; i++) {
-        if (source->scene->link[i].law != THUD_LINK_FRICTION)
-            continue;
-        if (n < most)
-            place[n] = (struct place){-1, i, -1};
-        n++;
-    }
-    return n;
+    const struct thud_figure_source *most = source;
+    for (int s = 1; s < nsources; s++)
+        most = source[s].result->nlinks > most->result->nlinks ? &source[s] : most;
+    return most;
 }
 
-/* What yields or slips, at most `most`; how many there are. */
+/* Storeys that yield and, behind them, links, at most `most`; how many there are. */
 static int list_storeys(const struct thud_figure_source *source, struct place *place, int most)
 {
     int n = 0;
@@ -52,13 +58,16 @@ static int list_storeys(const struct thud_figure_source *source, struct place *p
                 place[n] = (struct place){s, f, n};
             n++;
         }
-    return list_links(source, place, most, n);
+    for (int i = 0; i < source->result->nlinks; i++, n++)
+        if (n < most)
+            place[n] = (struct place){-1, i, -1};
+    return n;
 }
 
-bool thud_source_yields(const struct thud_figure_source *source, bool links)
+bool thud_source_yields(const struct thud_figure_source *source, int nsources, bool links)
 {
     struct place first;
-    return list_storeys(source, &first, 1) > 0 && (links || first.structure >= 0);
+    return list_storeys(linked_source(source, nsources), &first, 1) > 0 && (links || first.structure >= 0);
 }
 
 static void loop(struct thud_panel *panel, const struct thud_figure_source *source, const struct place *at,
@@ -79,12 +88,13 @@ static void loop(struct thud_panel *panel, const struct thud_figure_source *sour
 
 struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources)
 {
-    enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) + THUD_LINKS_MAX };
-    static const char largest[] = "The storeys that lost most energy; histories.csv has all.";
+    enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) + THUD_LINKS_MAX + 2 };
+    static const char largest[] = "The storeys and links that lost most energy; histories.csv has all.";
+    const struct thud_figure_source *linked = linked_source(source, nsources);
     struct place *place = malloc(STOREYS * sizeof *place);
     double *lost = calloc(STOREYS, sizeof *lost), shear = 0.0;
     char text[3 * THUD_TEXT_MAX];
-    int index[LOOPS_MAX], all = place && lost ? list_storeys(source, place, STOREYS) : 0;
+    int index[LOOPS_MAX], all = place && lost ? list_storeys(linked, place, STOREYS) : 0;
     for (int k = 0; k < all; k++)
         for (int s = 0; s < nsources; s++) {
             lost[k] = fmax(lost[k], lost_of(&source[s], &place[k]));
@@ -100,9 +110,11 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
     for (int i = 0; i < n; i++) {
         const struct place *at = &place[index[i]];
         const struct thud_structure *of = at->structure < 0 ? NULL : &source->scene->structure[at->structure];
-        if (!of)
-            snprintf(text, sizeof text, "link %d, friction", at->floor + 1);
-        else if (thud_isolator_slides(of) && at->floor == 0)
+        if (!of) {
+            char ends[2 * THUD_NAME_MAX + 32];
+            thud_link_name(linked->scene, at->floor, ends, sizeof ends);
+            snprintf(text, sizeof text, "%s, %s", ends, thud_link_law_name(linked->scene, at->floor));
+        } else if (thud_isolator_slides(of) && at->floor == 0)
             snprintf(text, sizeof text, "%s, isolators", of->name);
         else
             snprintf(text, sizeof text, "%s, storey %d", of->name, at->floor + 1);
@@ -111,8 +123,9 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
         thud_panel_results_on_x(panel);
         thud_panel_axis(panel, THUD_Y, of ? "Shear" : "Force", shown.unit);
         for (int s = 0; s < nsources; s++)
-            loop(panel, &source[s], at, shown.factor, nsources > 1 ? source[s].name : "",
-                 thud_source_color(&source[s], nsources));
+            if (has(&source[s], at))
+                loop(panel, &source[s], at, shown.factor, nsources > 1 ? source[s].name : "",
+                     thud_source_color(&source[s], nsources));
     }
     if (n < all)
         thud_figure_note(figure, largest);
