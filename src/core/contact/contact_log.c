@@ -1,3 +1,5 @@
+/* The lists that a run keeps where it is asked to: one entry for each impact that is over and for each event, doubling as
+ * they grow. Nothing that moves reads them. */
 #include "core/contact/contact_log.h"
 
 #include <stdlib.h>
@@ -29,6 +31,7 @@ enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct
     return THUD_OK;
 }
 
+/* The state that the event has led to, in the words of the list of events. */
 static const char *state_of(const struct thud_state *state, int row)
 {
     const struct thud_contact_state *s = thud_row_contact(state, row);

@@ -22,6 +22,7 @@ static int closed_event(const struct thud_state *state, int c, double d, double 
     return !pushes && !(law->flags & THUD_LAW_PULLS) ? THUD_EVENT_RELEASE : -1;
 }
 
+/* The next change that the end of the step asks of contact c; -1: none. */
 static int next_event(const struct thud_state *state, int c)
 {
     double d = thud_contact_indentation(state, c), v;

@@ -10,6 +10,7 @@
 #include "core/contact/storey.h"
 #include "core/numerics/lcp.h"
 
+/* The workspace of impulses is made where a law has impulses: it is as large as the square of the contacts. */
 enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
                                  const struct thud_record *record, struct thud_work *work, struct thud_error *err)
 {
@@ -70,6 +71,7 @@ double thud_state_strain(const struct thud_state *state)
     return 0.5 * sum + thud_storeys_strain(state, state->q);
 }
 
+/* A storey of height h under weight W leans by d and lets its weight sink by d^2/(2 h): geometric_npm is W/h. */
 double thud_model_gravity_work(const struct thud_model *model, const double *q)
 {
     double sum = 0;
@@ -142,6 +144,7 @@ void thud_model_apply_contact_forces(const struct thud_model *m, const double *f
             thud_model_apply_contact_force(m, c, force[c], qdd);
 }
 
+/* q'' now if no contact had a force, out (nmodes). */
 static void free_acceleration(const struct thud_state *state, double *out)
 {
     double a0, a1;
@@ -150,6 +153,7 @@ static void free_acceleration(const struct thud_state *state, double *out)
                             out);
 }
 
+/* d'' of contact c: g_c q''_free - sum_b W_cb F_b, W the Delassus matrix g_c . g_b, 1/kg. */
 static double acceleration(const struct thud_state *state, int c, const double *free, const double *force)
 {
     const struct thud_model *m = state->model;
@@ -196,6 +200,7 @@ void thud_contact_forces(const struct thud_state *state, double *force)
     thud_contact_forces_given(state, -1, 0, force);
 }
 
+/* A sticking contact's force depends on all others', and is found last. */
 void thud_contact_forces_given(const struct thud_state *state, int given, double given_n, double *force)
 {
     bool sticking = false;

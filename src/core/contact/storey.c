@@ -1,3 +1,11 @@
+/* Storeys that yield: bilinear with kinematic hardening. With r the hardening ratio and d_y the yield drift, the shear is
+ *     r k d + (1 - r) k (d - d_p),   |d - d_p| <= d_y ,
+ * where the plastic drift d_p moves with d while d - d_p is at a bound. k d of it is in the elastic modes; what is
+ * left is a force of the storey's row,
+ *     elastic    F = -(1 - r) k d_p                                   constant
+ *     yielding   F = -(1 - r) k d + direction (1 - r) k d_y           a line with a stiffness below 0
+ * so that to the methods a storey is a contact with these two branches. Located, d_p moves only while direction is not
+ * 0; else at the ends of steps. The loss is (1 - r) k d_y |change of d_p|. */
 #include "core/contact/storey.h"
 
 #include <assert.h>
@@ -74,6 +82,7 @@ static void set_constant(struct thud_state *state, int k)
         (struct thud_branch){.f0_n = -plastic_stiffness(&state->model->storey[k]) * state->storey[k].plastic_m};
 }
 
+/* The yielding row's force takes back the elastic modes' stiffness (1 - r) k. */
 static void set_yielding(struct thud_state *state, int k, int direction)
 {
     const struct thud_model_storey *p = &state->model->storey[k];
@@ -91,6 +100,7 @@ void thud_storeys_start(struct thud_state *state)
     }
 }
 
+/* Storeys whose constant force is not 0: with none, the modes swing about 0. */
 static void count_shifted(struct thud_state *state)
 {
     state->nshifted = 0;

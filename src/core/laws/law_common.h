@@ -63,3 +63,11 @@ double thud_law_nominal_one(const struct thud_law_setup *setup);
 double thud_law_restitution_one(const struct thud_law_setup *setup, double v_mps);
 /* Energy under K d^p. */
 double thud_law_power_energy(double K, double p, double d_m);
+/* elastic_energy of laws whose first parameter is the stiffness k of a line k d; and of those that have an exponent n as
+ * their second, k d^n. */
+double thud_law_energy_line(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m);
+double thud_law_energy_power(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m);
+/* branch of laws with that line and a dashpot, whose first constant is its c: F = k d + c v. */
+struct thud_branch thud_law_branch_viscoelastic(const struct thud_law_setup *setup,
+                                                const struct thud_law_memory *memory, enum thud_phase phase,
+                                                bool past_ultimate);

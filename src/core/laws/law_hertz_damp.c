@@ -68,12 +68,6 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.K = k, .p = n, .D = k * memory->own[DAMP], .r = n};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
-{
-    (void)memory;
-    return thud_law_power_energy(setup->value[STIFFNESS], setup->value[EXPONENT], d_m);
-}
-
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     struct thud_law_memory memory;
@@ -96,6 +90,6 @@ const struct thud_law thud_law_hertz_damp = {
     .prepare = prepare,
     .onset = onset,
     .branch = branch,
-    .elastic_energy = elastic_energy,
+    .elastic_energy = thud_law_energy_power,
     .restitution = restitution,
 };

@@ -51,12 +51,6 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return out;
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
-{
-    (void)memory;
-    return thud_law_power_energy(setup->value[STIFFNESS], setup->value[EXPONENT], d_m);
-}
-
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     (void)v_mps;
@@ -74,6 +68,6 @@ const struct thud_law thud_law_jankowski = {
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
     .branch = branch,
-    .elastic_energy = elastic_energy,
+    .elastic_energy = thud_law_energy_power,
     .restitution = restitution,
 };

@@ -18,21 +18,6 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
     return THUD_OK;
 }
 
-static struct thud_branch branch(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
-                                 enum thud_phase phase, bool past_ultimate)
-{
-    (void)memory;
-    (void)phase;
-    (void)past_ultimate;
-    return (struct thud_branch){.k_npm = setup->value[STIFFNESS], .c_nspm = setup->constant[C]};
-}
-
-static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
-{
-    (void)memory;
-    return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
-}
-
 static double restitution(const struct thud_law_setup *setup, double v_mps)
 {
     (void)v_mps;
@@ -48,7 +33,7 @@ const struct thud_law thud_law_kelvin_voigt = {
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .prepare = prepare,
-    .branch = branch,
-    .elastic_energy = elastic_energy,
+    .branch = thud_law_branch_viscoelastic,
+    .elastic_energy = thud_law_energy_line,
     .restitution = restitution,
 };

@@ -16,12 +16,6 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
     return (struct thud_branch){.k_npm = setup->value[STIFFNESS]};
 }
 
-static double elastic_energy(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m)
-{
-    (void)memory;
-    return thud_law_power_energy(setup->value[STIFFNESS], 1, d_m);
-}
-
 const struct thud_law thud_law_linear = {
     .name = "linear",
     .title = "linear spring",
@@ -31,7 +25,7 @@ const struct thud_law thud_law_linear = {
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .branch = branch,
-    .elastic_energy = elastic_energy,
+    .elastic_energy = thud_law_energy_line,
     .nominal = thud_law_nominal_one,
     .restitution = thud_law_restitution_one,
 };

@@ -1,3 +1,7 @@
+/* Dormand and Prince's pair of orders 5 and 4 with the usual control of the step, h (tolerance/error)^(1/5) times 0.9. What
+ * is not usual is the measure of the error, which is made for what is asked of a run: peaks of accelerations and contact
+ * forces (error_of), and that its tolerance per step falls with the length of the step, so that many steps add up to what
+ * few may have. Kept from step to step: the length to try, and the largest accelerations and forces so far. */
 #include "core/methods/dormand_prince.h"
 
 #include <math.h>

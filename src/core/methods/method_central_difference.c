@@ -1,3 +1,7 @@
+/* Central difference in the form of velocity Verlet: beta 0, gamma 1/2 in alpha_step.h. q1 does not depend on a1, so
+ * springs, and with them a contact's indentation, are explicit; the dashpots of modes and contacts are taken at v1 and
+ * solved for, where the textbook's central difference of displacements would lag them. Stable while omega h < 2 for every
+ * mode and for a closed contact's sqrt(k/m). */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

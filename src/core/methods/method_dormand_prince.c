@@ -1,3 +1,4 @@
+/* Dormand and Prince's pair with located events: dormand_prince.c, told by the run to end its steps at them. */
 #include <math.h>
 
 #include "core/methods/dormand_prince.h"

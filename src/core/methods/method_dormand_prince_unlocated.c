@@ -1,3 +1,5 @@
+/* The same pair as a general program uses it: the tolerance alone decides about the steps, and contacts catch up at their
+ * ends. Beside the located one it shows what an adaptive step makes of a kink that it steps over. */
 #include <math.h>
 
 #include "core/methods/dormand_prince.h"

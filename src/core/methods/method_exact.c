@@ -41,6 +41,8 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
     return status;
 }
 
+/* Whether every closed contact follows a line and a dashpot now. That is asked of the branch and not of the law: rubber
+ * past its ultimate compression is a line too, and so is soil that unloads. */
 static bool is_linear(const struct thud_state *state)
 {
     for (int c = 0; c < state->model->ncontacts; c++) {
@@ -51,6 +53,9 @@ static bool is_linear(const struct thud_state *state)
     return true;
 }
 
+/* Where all that acts is linear, one power series for modes and forces together (segment.c), as long as its last terms
+ * are below rounding: the first try is long, and what the terms say of its tail shortens it at no further cost. Else the
+ * forces are found by collocation. */
 static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err)
 {
@@ -70,6 +75,7 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
     return THUD_OK;
 }
 
+/* A contact that has just begun tells the collocation to start afresh: the forces before it say nothing of those after. */
 static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched)
 {

@@ -1,3 +1,8 @@
+/* Chung and Hulbert's generalized-alpha method, by the one number that they leave free: the spectral radius rho of modes
+ * that the step does not resolve.
+ *     am = (2 rho - 1)/(rho + 1),   af = rho/(rho + 1),   gamma = 1/2 - am + af,   beta = (1 - am + af)^2/4
+ * make it of order 2, unconditionally stable in linear structures, and of all such schemes that with the least damping of
+ * low modes for this damping of high ones. The acceleration is the scheme's own (alpha_step.h). */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

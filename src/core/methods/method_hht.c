@@ -1,3 +1,7 @@
+/* Hilber, Hughes and Taylor's alpha method: the scheme of alpha_step.h with am = 0 and, for alpha = -0.1,
+ *     af = -alpha = 0.1,   beta = (1 + af)^2/4 = 0.3025,   gamma = 1/2 + af = 0.6 ,
+ * of order 2 and unconditionally stable in linear structures. Modes that the step does not resolve lose about a fifth of
+ * their amplitude in each step. */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

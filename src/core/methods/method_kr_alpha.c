@@ -59,6 +59,8 @@ static enum thud_status create(const struct thud_state *state, void **own, struc
     return THUD_OK;
 }
 
+/* In the order of the equations above: q1 and v1 by A1 a0; r1 there, with the contact forces of that state; and a1, for
+ * which the last equation is multiplied by A1^-1, so that no product of operators has to be made. */
 static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err)
 {

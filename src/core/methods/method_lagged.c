@@ -1,3 +1,7 @@
+/* Newmark's average acceleration with the contact force of the step's start in the whole step: what comes of eq. (1) read
+ * as a rule that yields a force after the motion is known. A demonstration of why that must not be done. The force comes
+ * a step late on the way in and on the way out, so it has a part -F' h, in phase with the velocity: a dashpot of negative
+ * coefficient, -k h. With omega^2 = k/m, an elastic impact takes pi/omega and leaves exp(pi omega h/2) times as fast. */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

@@ -1,3 +1,6 @@
+/* Newmark's average acceleration, the trapezoidal rule: beta 1/4, gamma 1/2 in alpha_step.h. In linear structures it keeps
+ * q'^2 + omega^2 q^2 of every mode for any step, and only the period is off, by (omega h)^2/12 of it. In contact it keeps
+ * nothing: the force of a step that touches half way acts as if it had acted all the way. */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

@@ -1,3 +1,5 @@
+/* Newmark's linear acceleration: beta 1/6, gamma 1/2 in alpha_step.h. The period is off by (omega h)^2/24, half as much as
+ * with average acceleration, and the price is a limit: omega h < 1/sqrt(gamma/2 - beta) = 2 sqrt(3). */
 #include "core/methods/alpha_step.h"
 #include "core/methods/method.h"
 

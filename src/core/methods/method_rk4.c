@@ -1,8 +1,12 @@
+/* Kutta's classical method, of which the fifth stage is the end of the step (weights 1/6, 1/3, 1/3, 1/6): its right-hand
+ * side is the next step's first, so a step costs four evaluations. Between the ends the motion is the quintic through q,
+ * q', q'' of both (stepping.h), of order 5: what is located or read there is no less accurate than the steps. */
 #include <stdlib.h>
 
 #include "core/methods/method.h"
 #include "core/methods/runge_kutta.h"
 
+/* Rows 1 to 3 are the stages, row 4 the weights of the step. */
 static const struct thud_tableau tableau = {
     .stages = 5,
     .c = {0, 0.5, 0.5, 1, 1},

@@ -1,3 +1,7 @@
+/* Stages and ends of explicit Runge-Kutta steps for q'' = r(q, q', t), written as the system (q, q')' = (q', r):
+ *     q_i = q0 + h sum_k a_ik q'_k,   q'_i = q0' + h sum_k a_ik r_k        (k < i)
+ * Kept between steps: the last stage, which is the next step's first, unless a contact has switched or the ground motion
+ * jumps there. */
 #include "core/methods/runge_kutta.h"
 
 #include <math.h>
@@ -37,6 +41,7 @@ void thud_rk_start(const struct thud_state *state, struct thud_rk *rk)
     rk->end_mps2 = ground;
 }
 
+/* Weights of 0 are stepped over: most of a tableau is empty. */
 void thud_rk_stages(const struct thud_state *state, struct thud_rk *rk, double h)
 {
     const struct thud_tableau *t = rk->tableau;

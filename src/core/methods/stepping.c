@@ -136,6 +136,8 @@ void thud_step_motion_change(const struct thud_state *state, const struct thud_m
     thud_model_apply_contact_forces(m, change->force, change->qdd);
 }
 
+/* Hermite's quintic through q, q', q'' at s = 0 and s = 1, in powers of s. The run goes on from the state at s = 1, so
+ * that has to be the method's own to the last bit; between, the quintic is of order 6 and adds no error that counts. */
 static void write_motion(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
                          const struct thud_motion *end)
 {
@@ -193,6 +195,7 @@ static void forces_at(const struct thud_state *state, const struct thud_segment 
     memcpy(out, work->force, (size_t)state->model->nrows * sizeof *out);
 }
 
+/* Forces along the quintic: the laws at five points in the step and the quartic through them, of each row. */
 static void write_forces(const struct thud_state *state, struct thud_segment *seg, const struct thud_motion *start,
                          const struct thud_motion *end, struct thud_motion *work)
 {

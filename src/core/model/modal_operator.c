@@ -1,3 +1,5 @@
+/* Modal damping makes the operator a number for each mode. Where links or foundations couple the modes of
+ * a system, D has a dense block, whose inverse is made once for a length of step and then only multiplied. */
 #include "core/model/modal_operator.h"
 
 #include <lapacke.h>

@@ -1,3 +1,6 @@
+/* Principal pivoting (Murty 1974): a guess of which z are above 0, the linear equations for those, and one index changes
+ * sides where z or w is below 0, the least first, so that it cannot go round in circles. n is the number of contacts
+ * that are closed at one moment, seldom above ten: a new Cholesky factor for each guess costs less than updating one. */
 #include "core/numerics/lcp.h"
 
 #include <lapacke.h>
@@ -90,6 +93,7 @@ static bool solve_basic(int n, const double *m, double more, const double *q, co
     return true;
 }
 
+/* w_i = q_i + (M z)_i + more D_ii z_i. */
 static double complement(int n, const double *m, double more, double q, const double *z, int i)
 {
     double w = q + more * m[i * n + i] * z[i];

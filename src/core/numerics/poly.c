@@ -103,6 +103,13 @@ static double rising_root(const struct search *f, double a, double b, double s, 
     return s;
 }
 
+/* First s in [a, b] with p(s) > noise, by bisection of the interval. Taylor at the middle, with a bound of its third derivative,
+ * decides most pieces at once:
+ *   1) p stays below the noise: none;
+ *   2) p is above 0 all the way: a;
+ *   3) p' is above 0 all the way: at most one root, which is found;
+ * and the others are halved, the left half first. So a pair of roots close together is seen, as no look at the ends
+ * could. DEPTH_MAX and INTERVALS_MAX end it where p and its bounds are rounding. */
 static double first_above(struct search *f, double a, double b, int depth)
 {
     double m = 0.5 * (a + b), r = 0.5 * (b - a), v[3];

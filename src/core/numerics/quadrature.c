@@ -1,3 +1,6 @@
+/* Nodes and weights, to 17 digits: Gauss and Legendre's by the roots of P_8, Lobatto's by those of P'_(n-1) with both
+ * ends (Abramowitz and Stegun, 25.4.29 and 25.4.32). The error constants are n (n-1)^3 ((n-2)!)^4/((2n-1) ((2n-2)!)^3)
+ * for n points in all, on [0, 1]. */
 #include "core/numerics/quadrature.h"
 
 const double thud_quadrature_node[THUD_QUADRATURE_POINTS] = {

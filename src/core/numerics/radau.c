@@ -1,3 +1,6 @@
+/* The points of Radau IIA, from which the collocation of contact forces takes its stages (Hairer and Wanner 1996, IV.5):
+ * of all quadratures with the right end among its n points that of the highest order, 2 n - 1. On [-1, 1] they are 1 and
+ * the roots of P_n - P_(n-1) but for sign. */
 #include "core/numerics/radau.h"
 
 #include <math.h>
