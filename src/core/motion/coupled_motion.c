@@ -59,7 +59,7 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
         if (dashpot_acts(m, i, p->system))
             c->link[c->links++] = i;
     c->block =
-        calloc(2 * n * size + (size_t)(2 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
+        calloc(2 * n * size + (size_t)(3 + c->links) * size * size + 4 * size + (size_t)floors_of(m, p) * n + 2 * n,
                sizeof *c->block);
     part->block = calloc(2 * size * size + POINTS * n * size + 2 * (size_t)m->nmodes, sizeof *part->block);
     if (!c->link || !c->block || !part->block) {
@@ -75,6 +75,7 @@ static enum thud_status allocate(struct thud_coupled_motion *c, struct part *par
     c->by_floor = c->now + 2 * size;
     c->shift = c->by_floor + (size_t)floors_of(m, p) * n;
     c->input = c->shift + 2 * n;
+    c->product = c->input + size * size;
     part->flow = part->block;
     part->temp = part->flow + size * size;
     part->rates = part->temp + size * size;
@@ -170,10 +171,11 @@ static void finish_forms(struct thud_coupled_motion *c)
 {
     const int n = c->n, size = c->size;
     double *first = c->input + 2 * n * size, *last = first + size;
-    for (int i = 0; i < size; i++)
+    for (int i = 0; i < (1 + c->links) * size; i++)
         by_ends(n, c->loss + i * size, 1);
-    for (int j = 0; j < size; j++)
-        by_ends(n, c->loss + j, size);
+    for (int l = 0; l <= c->links; l++)
+        for (int j = 0; j < size; j++)
+            by_ends(n, c->loss + l * size * size + j, size);
     memcpy(first, c->work[0], (size_t)size * sizeof *first);
     memcpy(last, c->work[1], (size_t)size * sizeof *last);
     by_ends(n, first, 1);
@@ -242,6 +244,7 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
 {
     const int n = c->n, size = c->size;
     double *now = c->now, *next = now + size;
+    c->summed = 0;
     for (int j = 0; j < n; j++) {
         now[j] = q[j * apart];
         now[n + j] = qd[j * apart];
@@ -258,61 +261,54 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
     }
 }
 
-/* x at the start of interval t into c->now. */
-static const double *start_of(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                              const double *s, double ground, double after, int t)
-{
-    const int n = c->n;
-    double *x = c->now;
-    for (int j = 0; j < n; j++) {
-        x[j] = q[j * apart + t] - s[j];
-        x[n + j] = qd[j * apart + t];
-    }
-    x[2 * n] = ground;
-    x[2 * n + 1] = after - ground;
-    return x;
-}
-
-double thud_coupled_motion_link_loss(const struct thud_coupled_motion *c, int link, const double *q, const double *qd,
-                                     int apart, const double *s, double ground, double after, int t)
-{
-    int l = 0;
-    while (l < c->links && c->link[l] != link)
-        l++;
-    if (l == c->links)
-        return 0;
-    const double *x = start_of(c, q, qd, apart, s, ground, after, t), *loss = c->loss + (l + 1) * c->size * c->size;
-    double sum = 0;
-    for (int i = 0; i < c->size; i++)
-        sum += x[i] * thud_dot(c->size - i, loss + i * c->size + i, x + i);
-    return sum;
-}
-
-/* The sum over the intervals of x L x and x W: each product of two rows once, along the intervals. */
-static void add_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                     const double *ground, const double *after, int intervals, double *input_j, double *viscous_j)
+/* The sums over the intervals of the products of any two rows of x, each once, along the intervals: c->product. */
+static void sum_products(struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
+                         const double *ground, const double *after, int intervals)
 {
     const int n = c->n, size = c->size;
     for (int i = 0; i < size; i++) {
         const double *a = i < n ? q + i * apart : i < 2 * n ? qd + (i - n) * apart : i == 2 * n ? ground : after;
         for (int j = i; j < size; j++) {
             const double *b = j < n ? q + j * apart : j < 2 * n ? qd + (j - n) * apart : j == 2 * n ? ground : after;
-            const double product = thud_dot(intervals, a, b);
-            *viscous_j += c->loss[i * size + j] * product;
-            *input_j += c->input[i * size + j] * product;
+            c->product[i * size + j] = thud_dot(intervals, a, b);
         }
     }
 }
 
-void thud_coupled_motion_work(const struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
-                              const double *s, double *moved, const double *ground, const double *after, int intervals,
-                              double *input_j, double *viscous_j)
+void thud_coupled_motion_sum(struct thud_coupled_motion *c, const double *q, const double *qd, int apart,
+                             const double *s, double *moved, const double *ground, const double *after, int intervals)
 {
     bool shifted = false;
+    if (c->summed == intervals)
+        return;
+    c->summed = intervals;
     for (int j = 0; j < c->n; j++)
         shifted = shifted || s[j] != 0;
     for (int j = 0; j < c->n && shifted; j++)
         for (int t = 0; t < intervals; t++)
             moved[j * apart + t] = q[j * apart + t] - s[j];
-    add_work(c, shifted ? moved : q, qd, apart, ground, after, intervals, input_j, viscous_j);
+    sum_products(c, shifted ? moved : q, qd, apart, ground, after, intervals);
+}
+
+/* A form in these sums. */
+static double work_of(const struct thud_coupled_motion *c, const double *form)
+{
+    double sum = 0;
+    for (int i = 0; i < c->size; i++)
+        sum += thud_dot(c->size - i, form + i * c->size + i, c->product + i * c->size + i);
+    return sum;
+}
+
+double thud_coupled_motion_link_loss(const struct thud_coupled_motion *c, int link)
+{
+    int l = 0;
+    while (l < c->links && c->link[l] != link)
+        l++;
+    return l < c->links ? work_of(c, c->loss + (l + 1) * c->size * c->size) : 0;
+}
+
+void thud_coupled_motion_work(const struct thud_coupled_motion *c, double *input_j, double *viscous_j)
+{
+    *input_j += work_of(c, c->input);
+    *viscous_j += work_of(c, c->loss);
 }

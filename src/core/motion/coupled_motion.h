@@ -19,15 +19,17 @@
 struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
-    double *step;  /* (2 n x size) to q and q' an interval later */
-    double *loss;  /* ((1 + links) x size x size) upper part of L by the accelerations at both ends, and of x^T L_l x of
-                         links with a dashpot */
-    double *input; /* (size x size) upper part of W, as a form by the accelerations at both ends */
+    double *step;     /* (2 n x size) to q and q' an interval later */
+    double *loss;     /* ((1 + links) x size x size) upper part of L, and of x^T L_l x of links with a dashpot, by the
+                         accelerations at both ends */
+    double *input;    /* (size x size) upper part of W, as a form by the accelerations at both ends */
     int links, *link; /* (links) these links in the model */
     double *work[2];  /* (size) W_a, W_b */
     double *by_floor; /* (floors x n) all floors' rows of Phi times D */
     double *shift;    /* (2 n) added by constant forces, which shift the place that the modes swing about */
     double *now;      /* (2 x size) */
+    double *product;  /* (size x size) upper part of the sums of x x^T over the first `summed` intervals of a block */
+    int summed;
     double *block;
 };
 
@@ -42,11 +44,11 @@ void thud_coupled_motion_shift(struct thud_coupled_motion *motion, const double 
  * and at the end of each interval. */
 void thud_coupled_motion_advance(struct thud_coupled_motion *motion, double *q, double *qd, int apart,
                                  const double *ground, const double *after, int intervals);
-/* Loss in the dashpot of the link whose index in the model is this, in interval t; 0 where it has none. */
-double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link, const double *q,
-                                     const double *qd, int apart, const double *s, double ground, double after, int t);
-/* Adds work of the ground and loss in damping in the intervals of the same rows, where the modes rest at s; moved (n rows
- * as q) is workspace. */
-void thud_coupled_motion_work(const struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
-                              const double *s, double *moved, const double *ground, const double *after, int intervals,
-                              double *input_j, double *viscous_j);
+/* Sums over the intervals of the same rows, where the modes rest at s, of which the following are made; once after each
+ * advance. moved (n rows as q) is workspace. */
+void thud_coupled_motion_sum(struct thud_coupled_motion *motion, const double *q, const double *qd, int apart,
+                             const double *s, double *moved, const double *ground, const double *after, int intervals);
+/* Loss in the dashpot of the link whose index in the model is this; 0 where it has none. */
+double thud_coupled_motion_link_loss(const struct thud_coupled_motion *motion, int link);
+/* Adds work of the ground and loss in damping. */
+void thud_coupled_motion_work(const struct thud_coupled_motion *motion, double *input_j, double *viscous_j);

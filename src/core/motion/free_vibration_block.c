@@ -278,6 +278,14 @@ double thud_free_vibration_rate(const struct thud_free_vibration *f, const struc
     return sum;
 }
 
+static void sum_coupled(const struct thud_free_vibration *f, int system, int intervals)
+{
+    struct thud_coupled_motion *c = &f->coupled[system];
+    const int row = c->first_mode * ENDS;
+    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->spring + row, f->ground,
+                            f->after, intervals);
+}
+
 /* The two quadratic forms, in the sums of their products over the intervals. */
 void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_model *model, int intervals,
                               double *input_j, double *viscous_j)
@@ -304,10 +312,10 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
     f->summed = intervals;
     for (int s = 0; s < f->nsystems; s++) {
         const struct thud_coupled_motion *c = &f->coupled[s];
-        const int row = c->first_mode * ENDS;
-        if (c->size > 0)
-            thud_coupled_motion_work(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->spring + row, a0,
-                                     a1, intervals, &input, &viscous);
+        if (c->size > 0) {
+            sum_coupled(f, s, intervals);
+            thud_coupled_motion_work(c, &input, &viscous);
+        }
     }
     *input_j = input;
     *viscous_j = viscous;
@@ -316,11 +324,10 @@ void thud_free_vibration_work(struct thud_free_vibration *f, const struct thud_m
 double thud_free_vibration_link_loss(const struct thud_free_vibration *f, const struct thud_model *model, int link,
                                      int intervals)
 {
-    const struct thud_coupled_motion *c = &f->coupled[model->structure[model->link[link].structure].system];
-    const int row = c->first_mode * ENDS;
-    double sum = 0;
-    for (int t = 0; t < intervals && c->links > 0; t++)
-        sum += thud_coupled_motion_link_loss(c, link, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode,
-                                             f->ground[t], f->after[t], t);
-    return sum;
+    const int system = model->structure[model->link[link].structure].system;
+    const struct thud_coupled_motion *c = &f->coupled[system];
+    if (c->links == 0)
+        return 0;
+    sum_coupled(f, system, intervals);
+    return thud_coupled_motion_link_loss(c, link);
 }
