@@ -79,7 +79,7 @@ is "it says what it does not cover" in_text 'this one proves nothing about a gap
 is "no title block unless it is asked for" sh -c "! grep -q 'Prepared by' '$tmp/r/report.md'"
 is "peaks in the verdicts say with or without bumper" grep -q '^| largest acceleration, with the bumper | [0-9.]* g, floor' "$tmp/r/report.md"
 is "no word of the program in the prose" sh -c "! sed '/^## Inputs/,/^## Load cases/d;/^    /d' '$tmp/r/report.md' | grep -n -e 'kelvin-voigt' -e 'damping paper' -e '_n\\b' -e 'contact[.][0-9]' -e '[0-9]-c[0-9]' >&2"
-is "a figure's words say how far its curves reach" in_text '!.[^]]*no bumper [0-9.]* to [0-9.]* MN, bumper 0 to [0-9.]* MN'
+is "a figure's words say how far its curves reach" in_text '!.[^]]*no bumper: Impact force against Time: 0 to [0-9.]* MN[.] [^]]*: bumper: Impact force against Time: 0 to [0-9.]* MN'
 is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
 is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
 
