@@ -80,6 +80,8 @@ is "no title block unless it is asked for" sh -c "! grep -q 'Prepared by' '$tmp/
 is "peaks in the verdicts say with or without bumper" grep -q '^| largest acceleration, with the bumper | [0-9.]* g, floor' "$tmp/r/report.md"
 is "no word of the program in the prose" sh -c "! sed '/^## Inputs/,/^## Load cases/d;/^    /d' '$tmp/r/report.md' | grep -n -e 'kelvin-voigt' -e 'damping paper' -e '_n\\b' -e 'contact[.][0-9]' -e '[0-9]-c[0-9]' >&2"
 is "a figure's words say how far its curves reach" in_text '!.[^]]*no bumper: Impact force against Time: 0 to [0-9.]* MN[.] [^]]*: bumper: Impact force against Time: 0 to [0-9.]* MN'
+most=$(sed -n '/Largest acceleration of the floors of Nr 14/,/Largest drift/p' "$tmp/r/report.md" | awk -F' *[|] *' '$3 + 0 > m { m = $3 + 0; t = $3 } END { print t }')
+is "peaks over the height are those of the table, the ground's in the same unit" in_text "Nr 14: Total acceleration against Height: no pounding [0-9.]* to $most g"
 is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
 is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
 

@@ -58,7 +58,7 @@ static void envelope(struct thud_panel *panel, const struct thud_figure_source *
     struct thud_style style = {.kind = whole ? THUD_LINES : THUD_LINES_POINTS, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, whole ? 2 * floors : floors + !slab, NULL, NULL);
     if (series && !whole && !slab) {
-        series->x[n] = q == ACCELERATION ? ground_peak(source) : 0.0;
+        series->x[n] = q == ACCELERATION ? quantity[q].factor * ground_peak(source) : 0.0;
         series->y[n++] = s->base_m;
     }
     for (size_t f = 0; series && f < floors; f++) {
