@@ -56,6 +56,8 @@ START_TEST(spectrum)
             ck_assert_double_eq(panel->series[0]->x[i], point[i].period_s);
     }
     ck_assert_str_eq(figure->panel[0].mark[0].text, "A");
+    ck_assert_str_eq(figure->panel[0].axis[THUD_Y].label, "Sa, 5 % damped");
+    ck_assert_str_eq(figure->panel[0].axis[THUD_X].label, "Period");
     ck_assert_double_eq_tol(figure->panel[0].series[0]->y[3] * THUD_GRAVITY, point[3].acceleration_mps2, 1e-13);
     ck_assert_double_eq(figure->panel[1].series[0]->y[3], point[3].velocity_mps);
     ck_assert_double_eq(figure->panel[2].series[0]->y[3], point[3].displacement_m);

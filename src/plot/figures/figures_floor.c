@@ -18,7 +18,9 @@ static struct thud_panel *panel_of(struct thud_figure *figure, int row, int colu
         for (int f = 0; f < s->nfloors; f++)
             most = fmax(most, thud_floor_spectrum(s, i, f, &k)[k]);
     thud_panel_axis(panel, THUD_X, "Period", "s");
-    thud_panel_axis(panel, THUD_Y, "Sa (pseudo)", "g");
+    char label[64];
+    snprintf(label, sizeof label, "Sa, %.3g %% damped", 100 * s->damping);
+    thud_panel_axis(panel, THUD_Y, label, "g");
     thud_panel_log(panel, THUD_X);
     thud_panel_limits(panel, THUD_X, s->period_s[0], s->period_s[s->nperiods - 1]);
     thud_panel_limits(panel, THUD_Y, 0, most > 0 ? 1.05 * most / THUD_GRAVITY : NAN);

@@ -44,7 +44,9 @@ struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *po
     for (int k = 0; k < PANELS; k++) {
         struct thud_panel *panel = thud_figure_panel(figure, k, 0, "");
         thud_panel_axis(panel, THUD_X, "Period", "s");
-        thud_panel_axis(panel, THUD_Y, label[k], unit[k]);
+        char text[64];
+        snprintf(text, sizeof text, "%s, %.3g %% damped", label[k], 100 * damping);
+        thud_panel_axis(panel, THUD_Y, text, unit[k]);
         thud_panel_log(panel, THUD_X);
         thud_panel_limits(panel, THUD_X, point[0].period_s, point[count - 1].period_s);
         thud_panel_limits(panel, THUD_Y, 0, NAN);
@@ -58,8 +60,6 @@ struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *po
             if (mark[i].period_s >= point[0].period_s && mark[i].period_s <= point[count - 1].period_s)
                 thud_panel_mark(panel, THUD_X, mark[i].period_s, mark[i].period_s, k == 0 ? mark[i].text : "");
     }
-    char note[120];
-    snprintf(note, sizeof note, "Damping %g %%. Sa total, Sv and Sd relative to the ground.", 100 * damping);
-    thud_figure_note(figure, note);
+    thud_figure_note(figure, "Sa total, Sv and Sd relative to the ground.");
     return figure;
 }
