@@ -209,8 +209,7 @@ static void read_row(const struct thud_interval_series *x, const struct thud_sta
     seg->notes->cached[c] = 0;
 }
 
-/* A whole interval, whose rows all follow a branch or are constant; of storeys alone, for the sums of links that remember
- * their path, as soil behind walls does, were not those of their motion. */
+/* A whole interval, whose rows are storeys that all follow a branch or are constant. */
 static bool suits(const struct thud_state *state, const struct thud_segment *seg)
 {
     if (thud_state_is_free(state) || state->offset_s != 0 || seg->h_s != state->grid_dt_s || seg->rows > ROWS)
