@@ -157,6 +157,8 @@ static void note_release(struct thud_state *state, struct thud_contact_log *log,
     log->contact[c].restitution = now->restitution;
 }
 
+/* Leaves `suppressed` coefficients of the indentation out of what the next contact is looked for in: 1 where it is 0, 2
+ * where its rate is too, 3 where the bodies had come to rest together. */
 static enum thud_status open_contact(struct thud_state *state, struct thud_contact_log *log, int c, int suppressed,
                                      struct thud_error *err)
 {
@@ -176,6 +178,8 @@ static int force_zeros(const struct thud_state *state, int c, double sign)
     return sign * force > THUD_TOL_FORCE * (elastic - 2 * fmin(b->f0_n, 0)) ? 0 : 1; /* of |f0| + k d + K d^p */
 }
 
+/* The force has reached 0 and would pull. What is left of the indentation is plastic and widens the clearance for good,
+ * where the law keeps it; else the bodies are still indented and the force may come back. */
 static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
 {
     struct thud_contact_state *s = &state->contact[c];
@@ -205,6 +209,8 @@ static struct thud_contact_state in_phase(const struct thud_state *state, int c,
     return s;
 }
 
+/* Contact c goes on in a phase, from here; `rate_zeros` coefficients of its rate are 0. Where it turns just at the
+ * ultimate compression, that guard's function starts at 0 as well, and one order higher where the rate does. */
 static void go_on(struct thud_state *state, int c, enum thud_phase phase, int rate_zeros)
 {
     const double d = thud_contact_indentation(state, c);
@@ -261,6 +267,7 @@ static void thud_contact_impulse_received(struct thud_state *state, int c, doubl
         s->suppressed.rate = 0;
 }
 
+/* At the ultimate compression, either way. */
 static void change_branch(struct thud_state *state, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
@@ -269,6 +276,7 @@ static void change_branch(struct thud_state *state, int c)
     renew_branch(state, c, s);
 }
 
+/* The constraint force has left its interval: towards approach (IN) above it, towards restitution (OUT) below. */
 static enum thud_status unstick(struct thud_state *state, struct thud_contact_log *log, int c, enum thud_event event,
                                 struct thud_error *err)
 {
@@ -289,6 +297,13 @@ static enum thud_status unstick(struct thud_state *state, struct thud_contact_lo
     return THUD_OK;
 }
 
+/* Events and what follows, by the mode that they find (closed: approach or restitution):
+ *
+ *     OPEN                ONSET -> CLOSED, or an impulse
+ *     CLOSED              REVERSAL -> CLOSED in the other phase, or STICKING; BRANCH -> CLOSED past the ultimate
+ *                         compression or before it; RELEASE -> OPEN or CLOSED_NO_FORCE; SEPARATION -> OPEN
+ *     CLOSED_NO_FORCE     REENGAGE -> CLOSED; SEPARATION -> OPEN
+ *     STICKING            UNSTICK_IN -> CLOSED, approach; UNSTICK_OUT -> CLOSED, restitution, or OPEN after impulses */
 enum thud_status thud_contact_switch(struct thud_state *state, struct thud_contact_log *log, int contact,
                                      enum thud_event event, struct thud_error *err)
 {

@@ -72,6 +72,7 @@ static int one_sided_links(const struct thud_model_input *in)
     return count;
 }
 
+/* Room for the model and all its arrays, in the order in which they are taken: one allocation. */
 static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t nmodes, size_t nstoreys)
 {
     size_t nc = (size_t)(in->ncontacts + one_sided_links(in)) + nstoreys,
@@ -109,6 +110,7 @@ static void keep_columns(const double *from, int rows, int n, int kept, double *
         memcpy(to + i * kept, from + i * n, (size_t)kept * sizeof *to);
 }
 
+/* D of an isolated building: its storeys' modal damping and the isolators' dashpot, which couples the modes. */
 static enum thud_status fill_isolated(struct thud_arena *arena, struct thud_model_structure *to,
                                       const struct thud_structure_input *in, const double *stiffness_npm,
                                       const double *phi, double *all, struct thud_error *err)
@@ -211,6 +213,8 @@ static enum thud_status fill_soil(struct thud_arena *arena, struct thud_model_st
     return status;
 }
 
+/* Modes and damping of a building: those of its storeys or its matrix less what the weight takes off, on rigid ground; and
+ * on soil those of the whole. */
 static enum thud_status fill_building(struct thud_arena *arena, struct thud_model_structure *to,
                                       const struct thud_structure_input *in, struct thud_error *err)
 {
@@ -250,6 +254,7 @@ static enum thud_status fill_building(struct thud_arena *arena, struct thud_mode
     return status;
 }
 
+/* A body: one mode without stiffness; a wall: none. */
 static void fill_rigid(struct thud_arena *arena, struct thud_model_structure *to, const struct thud_structure_input *in)
 {
     assert(in->n <= 1);
@@ -262,6 +267,8 @@ static void fill_rigid(struct thud_arena *arena, struct thud_model_structure *to
     to->omega = omega;
 }
 
+/* What a mode alone decides: gamma_j = phi_j^T M 1, the part of the ground's motion and of the initial velocity in it, and
+ * its largest shape and drift, by which bounds are made. */
 static void fill_mode(struct thud_model *m, const struct thud_model_structure *p, const struct thud_structure_input *in,
                       int j)
 {

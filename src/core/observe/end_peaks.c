@@ -1,3 +1,8 @@
+/* Peaks of a run that locates nothing and keeps no history: at the ends of its steps alone, which is all that such a step
+ * knows. Most steps come nowhere near a peak; by Cauchy and Schwarz
+ *     |u_i| = |sum_j phi_ij q_j| <= sqrt(sum_j phi_ij^2/omega_j^2) sqrt(sum_j omega_j^2 q_j^2) ,
+ * and alike for rates and accelerations, three sums over the modes tell so for all floors of a structure at once (quiet),
+ * and where no contact is indented the energy alone does for all structures (quiet_energy). */
 #include "core/observe/end_peaks.h"
 
 #include <assert.h>

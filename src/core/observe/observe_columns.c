@@ -1,9 +1,12 @@
+/* Peaks of what struck columns feel: shears and moments at their two ends. Each is
+ *     x = per_drift d + per_yield F_storey + sum_c per_force_c F_c
+ * with the factors of model.h: linear in the storey's drift, in the force of its row where it yields, and in the slabs'
+ * forces. Where no slab acts it is the drift alone, whose bounds in a block the floors' drifts have. */
 #include "core/observe/observe_columns.h"
 
 #include <math.h>
 
 #include "core/motion/free_vibration.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
@@ -24,13 +27,6 @@ static void drift_polynomial(const struct thud_model_column *p, const struct thu
 {
     for (int k = 0; k < seg->terms; k++)
         out[k] = thud_dot(p->modes, p->row, seg->q + k * nmodes + p->first_mode);
-}
-
-static void raise(const struct thud_segment *seg, struct thud_peak *peak, const double *p, double s)
-{
-    double where, value = thud_poly_peak(p, seg->terms, s, peak->value, &where);
-    if (value > peak->value)
-        *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }
 
 /* Bound of a polynomial up to s: coefficients `stride` apart. */
@@ -79,7 +75,7 @@ static void look(const struct thud_model *m, const struct thud_segment *seg, int
         for (int c = 0; forces && c < m->ncontacts; c++)
             if (m->contact[c].column == column)
                 add_part(x, m->contact[c].per_force[q], seg->force + c, m->nrows, seg->terms);
-        raise(seg, &r->peak[q], x, s);
+        thud_peak_raise(&r->peak[q], seg, x, seg->terms, s);
     }
 }
 

@@ -1,3 +1,9 @@
+/* The ledger: what goes in, what is lost, and by how much they fail to add up,
+ *     E_0 + W_ground = E_kinetic + E_strain + W_viscous + W_contacts + W_hysteretic     (W_weight on the left)
+ * The energies on the right follow from the state; the works are integrals over the motion,
+ *     W_ground = -int sum_j gamma_j a_g q_j' dt,   W_viscous = int q' . D q' dt ,
+ * by Lobatto's rule along a segment, in closed form over a block of free vibration (coupled_motion, the tables of free
+ * vibration), and from the ends of steps that locate nothing. */
 #include "core/observe/observe_energy.h"
 
 #include <math.h>
@@ -177,6 +183,8 @@ static void rate_bounds(const struct thud_ledger *l, const struct thud_observati
     }
 }
 
+/* Bound of the error of a rule: its constant times that of the derivative of its order, by Leibniz, of sum_j c_j q_j'^2
+ * and of gamma . q' (a0 + a1 s), from the bounds of the rates' derivatives. */
 static double error_bound(const struct thud_ledger *l, const struct thud_segment *seg, const double *bound,
                           const struct thud_lobatto *rule)
 {
@@ -308,6 +316,7 @@ static double stored_energy(const struct thud_state *state)
     return stored;
 }
 
+/* All of it at the state. error_ratio: what is unaccounted for, of the largest energy that the structures have held. */
 static struct thud_energy balance(const struct thud_ledger *l, const struct thud_state *state)
 {
     double stored = stored_energy(state), work = thud_ledger_contact_work(l),

@@ -9,7 +9,6 @@
 #include <math.h>
 
 #include "core/motion/free_vibration.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
@@ -21,18 +20,6 @@ static void raise_to(struct thud_peak *peak, double value, double time_s)
 {
     if (fabs(value) > peak->value)
         *peak = (struct thud_peak){fabs(value), time_s};
-}
-
-static void raise(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int terms, double s)
-{
-    double where, bound = 0, value;
-    for (int k = 0; k < terms; k++)
-        bound += fabs(p[k]);
-    if (bound <= peak->value)
-        return;
-    value = thud_poly_peak(p, terms, s, peak->value, &where);
-    if (value > peak->value)
-        *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }
 
 /* What friction takes off k d while it holds. */
@@ -67,11 +54,11 @@ static void look(const struct thud_state *state, const struct thud_segment *seg,
     double d[THUD_SEGMENT_TERMS], force[THUD_SEGMENT_TERMS];
     series(state, p, seg, d, force);
     force[0] -= offset(state, p);
-    raise(seg, &r->stroke, d, seg->terms, s);
+    thud_peak_raise(&r->stroke, seg, d, seg->terms, s);
     if (r->force.value < most && p->storey >= 0 && state->storey[p->storey].direction != 0)
         r->force = (struct thud_peak){most, seg->start_s};
     if (r->force.value < most)
-        raise(seg, &r->force, force, seg->terms, s);
+        thud_peak_raise(&r->force, seg, force, seg->terms, s);
     r->force.value = fmin(r->force.value, most);
 }
 

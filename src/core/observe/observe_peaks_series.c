@@ -10,16 +10,6 @@
 #include "core/numerics/vec.h"
 #include "core/observe/observe_peaks_parts.h"
 
-static void raise_peak(const struct thud_segment *seg, struct thud_peak *peak, const double *p, int n, double s_end)
-{
-    double where;
-    double value = thud_poly_peak(p, n, s_end, peak->value, &where);
-    if (value > peak->value) {
-        peak->value = value;
-        peak->time_s = seg->start_s + where * seg->h_s;
-    }
-}
-
 /* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
  * floor's row is the same. */
 static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
@@ -92,7 +82,7 @@ void thud_peaks_read_floor(struct thud_peaks *peaks, const struct thud_model *m,
 {
     double x[THUD_SEGMENT_TERMS];
     int n = value_series(peaks, m, seg, &m->structure[structure], floor, quantity, x);
-    raise_peak(seg, thud_floor_peak(peaks->result, structure, floor, quantity), x, n, s_end);
+    thud_peak_raise(thud_floor_peak(peaks->result, structure, floor, quantity), seg, x, n, s_end);
 }
 
 /* No floor's series has been made of this segment yet. */

@@ -1,3 +1,5 @@
+/* The largest relative displacement of each contact's sides without contact, u_a - u_b: contacts with a clearance above it
+ * never close. Behind them, of sides that are no floor (a struck column), the largest size of the struck side's own. */
 #include "core/observe/observe_relative.h"
 
 #include <math.h>

@@ -4,7 +4,6 @@
 
 #include "base/largest.h"
 #include "core/motion/free_vibration.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
@@ -47,7 +46,7 @@ static void look(const struct thud_model *m, const struct thud_segment *seg, con
 {
     const struct thud_model_structure *p = &m->structure[sum->structure];
     const double *q = seg->q + p->first_mode;
-    double x[THUD_SEGMENT_TERMS], where;
+    double x[THUD_SEGMENT_TERMS];
     for (int k = 0; k < seg->terms; k++)
         x[k] = thud_dot(p->modes, sum->row, q + k * m->nmodes);
     for (int k = 0; sum->rate && k + 1 < seg->terms; k++)
@@ -57,9 +56,7 @@ static void look(const struct thud_model *m, const struct thud_segment *seg, con
         for (int k = 0; arm != 0 && k < seg->terms; k++)
             x[k] += arm * seg->force[k * m->nrows + m->ncontacts + i];
     }
-    double value = thud_poly_peak(x, seg->terms, s, sum->peak->value, &where);
-    if (value > sum->peak->value)
-        *sum->peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
+    thud_peak_raise(sum->peak, seg, x, seg->terms, s);
 }
 
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)

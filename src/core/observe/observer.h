@@ -6,6 +6,7 @@
 
 #include "core/contact/event.h"
 #include "core/contact/segment.h"
+#include "core/numerics/poly.h"
 
 struct thud_free_vibration;
 struct thud_rest;
@@ -57,4 +58,13 @@ static inline struct thud_peak *thud_floor_peak(struct thud_result *result, int 
     default:
         return &r->drift;
     }
+}
+
+/* Raises a peak by a polynomial of the segment up to s, p (terms). */
+static inline void thud_peak_raise(struct thud_peak *peak, const struct thud_segment *seg, const double *p, int terms,
+                                   double s)
+{
+    double where, value = thud_poly_peak(p, terms, s, peak->value, &where);
+    if (value > peak->value)
+        *peak = (struct thud_peak){value, seg->start_s + where * seg->h_s};
 }

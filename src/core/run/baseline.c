@@ -1,3 +1,7 @@
+/* One contact-free run that serves many: its largest relative displacement at each contact says for which clearances it
+ * is the answer itself, and its motion, kept at up to KEPT_MAX moments, is where a run with contacts may start: at the
+ * last moment before any of them closes. Moments are kept at equal distances, which double each time there is no more
+ * room, and each holds all peaks found so far. */
 #include "core/run/baseline.h"
 
 #include <assert.h>
@@ -80,6 +84,7 @@ static bool is_held(const struct thud_run *run)
     return false;
 }
 
+/* Keeps this moment if it is due: at the start of an interval, with no storey that yields and no link that has acted. */
 static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_error *err)
 {
     const struct thud_run *run = baseline->run;
@@ -224,6 +229,7 @@ static bool before_contact(const struct thud_baseline_motion *baseline, const st
     return true;
 }
 
+/* Puts a new run where the baseline was, with what it had found. */
 static void start_at(struct thud_run *run, const struct moment *moment)
 {
     size_t n = (size_t)run->state.model->nmodes;

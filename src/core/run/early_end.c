@@ -1,3 +1,9 @@
+/* The rest of a run without contact, left out where it can be foretold. After the last contact the motion differs from
+ * the baseline's by a free vibration, which decays in every mode alone:
+ *     |difference of q_j|(t) <= sqrt(x^2 + ((x' + zeta omega x)/omega_d)^2)        x: the difference now
+ * So from some block on no gap closes and no peak is passed, by the largest values of the baseline in all that follows,
+ * kept block by block (thud_early_end_close), plus the modes' amplitudes. Then the state at the end is the baseline's plus
+ * the difference in closed form (thud_early_end_jump). Not for coupled damping, free bodies and storeys that yield. */
 #include "core/run/early_end.h"
 
 #include <assert.h>
@@ -49,6 +55,7 @@ void thud_early_end_free(struct thud_early_end *early_end)
     free(early_end);
 }
 
+/* Room for one more block; NULL: there is no memory. */
 static double *new_block(struct thud_early_end *h)
 {
     if (h->count == h->capacity) {
@@ -114,7 +121,7 @@ static double amplitude(const struct thud_model *m, int j, double q, double qd)
     return sqrt(q * q + v * v);
 }
 
-/* relative: largest relative displacements to come in the baseline. */
+/* Whether no contact closes in the rest, `relative` being the largest relative displacements to come in the baseline. */
 static bool stays_apart(const struct thud_state *state, const double *relative, const double *amplitudes)
 {
     const struct thud_model *m = state->model;
