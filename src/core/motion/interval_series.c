@@ -209,14 +209,15 @@ static void read_row(const struct thud_interval_series *x, const struct thud_sta
     seg->notes->cached[c] = 0;
 }
 
-/* A whole interval, whose rows are storeys that all follow a branch or are constant. */
+/* A whole interval, whose rows all follow a branch or are constant. A row of a contact that is open has none: what its
+ * branch was is no part of the motion. */
 static bool suits(const struct thud_state *state, const struct thud_segment *seg)
 {
     if (thud_state_is_free(state) || state->offset_s != 0 || seg->h_s != state->grid_dt_s || seg->rows > ROWS)
         return false;
     for (int i = 0; i < seg->rows; i++)
-        if (seg->row[i] < state->model->ncontacts || thud_row_sticks(state, seg->row[i]) ||
-            thud_row_starts_at_zero(state, seg->row[i]))
+        if ((thud_row_contact(state, seg->row[i]) && !thud_row_by_branch(state, seg->row[i])) ||
+            thud_row_sticks(state, seg->row[i]) || thud_row_starts_at_zero(state, seg->row[i]))
             return false;
     return true;
 }

@@ -1,7 +1,6 @@
-/* Power series of linear motion over a whole interval of the ground motion, where storeys yield or slide and damping
- * couples the modes: by superposition of unit motions, tables made once for each set of branches that comes often. An
- * isolator that slides has one set in both directions. Contacts have series of their own: their force is cut at 0, so that
- * that of a unit motion is no part of a sum. */
+/* Power series of linear motion over a whole interval of the ground motion, where contacts push by linear branches or
+ * storeys yield and damping couples the modes: by superposition of unit motions, tables made once for each set of branches
+ * that comes often. An isolator that slides has one set in both directions. */
 #pragma once
 
 #include "core/contact/segment.h"
