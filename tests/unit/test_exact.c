@@ -223,6 +223,44 @@ START_TEST(grazing)
 }
 END_TEST
 
+/* An undamped swing of 5 cm between two walls, 4 and 4.5 cm away: it strikes them in turn, wherever it began, and as
+ * springs lose nothing each is as deep as the energy says. Both come near in one block of free vibration, at other times. */
+START_TEST(from_wall_to_wall)
+{
+    const double omega = 10, amplitude = 0.05, k = 100, clearance[] = {0.04, 0.045};
+    double mass = 1, stiffness = omega * omega;
+    struct march_law law = march_law("linear", "stiffness", k, NULL);
+    for (int to = -1; to <= 1; to += 2) {
+        struct thud_structure_input s[] = {
+            {0}, {.n = 1, .mass_kg = &mass, .stiffness_npm = &stiffness, .velocity_mps = to * amplitude * omega}, {0}};
+        struct thud_contact_input c[2];
+        for (int i = 0; i < 2; i++)
+            c[i] = (struct thud_contact_input){.interface = i + 1,
+                                               .left_floor = i,
+                                               .right_floor = 1 - i,
+                                               .left_structure = i,
+                                               .right_structure = i + 1,
+                                               .clearance_m = clearance[i],
+                                               .law = law.law,
+                                               .setup = law.setup};
+        struct thud_model_input input = {.nstructures = 3, .structure = s, .ncontacts = 2, .contact = c};
+        struct thud_model *model = NULL;
+        ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+        struct march m = exact(model, NULL, 1e-6, 2);
+        for (int i = 0; i < 2; i++) { /* omega^2 (g + d)^2 + k d^2 = omega^2 amplitude^2 */
+            double b = stiffness * clearance[i],
+                   rest = stiffness * (amplitude * amplitude - clearance[i] * clearance[i]),
+                   d = rest / (b + sqrt(b * b + (stiffness + k) * rest));
+            ck_assert_double_eq_tol(m.result->contact[i].indentation.value, d, 1e-12);
+            ck_assert_int_ge(m.result->contact[i].impacts, 3);
+        }
+        ck_assert_int_le(abs(m.result->contact[0].impacts - m.result->contact[1].impacts), 1);
+        march_free(&m);
+        thud_model_free(model);
+    }
+}
+END_TEST
+
 /* A contact of 1e13 N/m (N/m^1.5): the whole impact lasts 0.4 ms (3 ms), inside one interval of the ground motion. */
 START_TEST(touch_and_release_in_one_step)
 {
@@ -426,6 +464,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, identical_neighbours_never_touch);
     tcase_add_test(tcase, a_gap_too_wide_to_close_changes_no_bit);
     tcase_add_test(tcase, grazing);
+    tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);
     tcase_add_test(tcase, sticking_beyond_the_largest_strain);
     tcase_add_test(tcase, mass_ratio_of_a_million);
