@@ -206,5 +206,5 @@ static const struct thud_column of_designs[] = {
 const struct thud_schema thud_index_schema =
     THUD_SCHEMA("indices.csv",
                 "Written by\n.Cm uncertainty Fl -indices Fl o :\nthe runs that the indices rest on, a row for each run "
-                "and quantity, so that anybody\ncan compute them again, as thud(1) says.\n",
+                "and\nquantity, so that anybody can compute them again, as thud(1) says.\n",
                 of_designs);
