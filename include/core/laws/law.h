@@ -112,8 +112,7 @@ struct thud_law {
 /* Contact is propagated exactly; where one held by impulses is, too. */
 static inline bool thud_law_is_linear(const struct thud_law *law)
 {
-    return law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE) ||
-           (law->flags & (THUD_LAW_LINEAR | THUD_LAW_REVERSES)) == THUD_LAW_LINEAR;
+    return law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE | THUD_LAW_LINEAR);
 }
 
 /* Soil behind a wall (stiffness, strength, ratio): not of the list, as bodies that strike each other have none. */
