@@ -308,7 +308,7 @@ START_TEST(cases_differ_without_their_colours)
     }
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
     for (int i = 0; i < CASES; i++) {
-        char block[16];
+        char block[32];
         snprintf(block, sizeof block, "$P1S%d using", i + 1);
         const char *at = strstr(script.data, block);
         ck_assert(at && (at = strstr(at, "lw")));

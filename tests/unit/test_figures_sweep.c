@@ -315,6 +315,34 @@ START_TEST(contacts_have_a_curve_for_each_case)
 }
 END_TEST
 
+/* Shares over a suite have bars beside their points, which stand off the frame. */
+START_TEST(shares_have_bars)
+{
+    struct sample *s = malloc(sizeof *s);
+    fill(s, 1);
+    struct thud_sweep_shares *shares = calloc(s->table.npoints * THUD_SWEEP_CASES_MAX, sizeof *shares);
+    for (size_t i = 0; i < s->table.npoints * THUD_SWEEP_CASES_MAX; i++)
+        shares[i] = (struct thud_sweep_shares){
+            .pounding = 1, .pounding_band = {0.6, 1}, .worse_band = {NAN, NAN}, .capacity_low = NAN};
+    s->table.shares = shares;
+    s->table.motions = 4;
+    struct thud_figure *figure = thud_figure_of_contacts(&s->table, 0, "contacts");
+    const struct thud_panel *panel = &figure->panel[1];
+    int bars = 0;
+    for (int i = 0; i < panel->nseries; i++)
+        if (!*panel->series[i]->name) {
+            ck_assert(near(panel->series[i]->y[0], 60) && near(panel->series[i]->y[1], 100));
+            bars++;
+        }
+    ck_assert_int_ge(bars, 2 * GAPS);
+    ck_assert(panel->axis[THUD_Y].least < 0 && panel->axis[THUD_Y].most > 100);
+    thud_figure_free(figure);
+    s->table.shares = NULL;
+    free(shares);
+    empty(s);
+}
+END_TEST
+
 /* Ratios to no pounding have a figure of every case, and are what a study without bumper shows. */
 START_TEST(pounding_is_shown_without_a_bumper)
 {
@@ -496,6 +524,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, every_figure_against_the_gap_has_its_line);
     tcase_add_test(tcase, maps_are_the_right_way_round);
     tcase_add_test(tcase, contacts_have_a_curve_for_each_case);
+    tcase_add_test(tcase, shares_have_bars);
     tcase_add_test(tcase, pounding_is_shown_without_a_bumper);
     tcase_add_test(tcase, means_of_two_cases_share_their_axes);
     tcase_add_test(tcase, no_line_runs_along_a_plain);

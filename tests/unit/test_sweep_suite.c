@@ -92,6 +92,13 @@ START_TEST(medians_by_hand)
             worse += (r + 1) * scale > 3;
         ck_assert_double_eq_tol(shares[k].worse, (double)worse / n, 1e-15);
         ck_assert(shares[0].worse == 0);
+        for (int end = 0; end < 2; end++) { /* Wilson's: (share - p)^2 = z^2 p (1 - p)/n, z of 90 % */
+            const double z = 1.6448536269514722, p = shares[k].pounding_band[end], off = shares[k].pounding - p;
+            ck_assert_double_eq_tol(off * off, z * z * p * (1 - p) / n, 1e-12);
+            ck_assert(end ? off < 0 : off > 0);
+        }
+        ck_assert_double_lt(shares[k].worse_band[0], shares[k].worse + 1e-12);
+        ck_assert_double_gt(shares[k].worse_band[1], shares[k].worse - 1e-12);
     }
     thud_sweep_suite_free(suite);
     for (size_t i = 0; i < table.npoints; i++)

@@ -150,6 +150,9 @@ struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style s
 /* The same with `low` in y. */
 struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                     const double *x, const double *low, const double *high);
+/* What each of n values may be, from low to high, as upright lines without a name; nothing where all are NaN. */
+void thud_panel_bars(struct thud_panel *panel, int color, size_t n, const double *x, const double *low,
+                     const double *high);
 /* z NULL: NaN everywhere, to be filled. NULL when out of memory. */
 struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
                                 const double *z, const char *label, const char *unit);

@@ -4,6 +4,7 @@
 
 #include "base/statistics.h"
 #include "study/sweep/sweep.h"
+#include "study/sweep/sweep_table.h"
 
 /* Of a run; from the accelerations on by structure. */
 enum thud_suite_measure {
@@ -24,11 +25,8 @@ enum thud_suite_measure {
 };
 const char *thud_suite_column(enum thud_suite_measure measure); /* "force_n", "drift_m", ... */
 
-/* Whether a ground motion is `other` reversed, by their names as a suite of both signs has them. */
-bool thud_motion_is_turned(const char *own, const char *other);
-
-/* Fewer independent motions than the first have no bootstrapped band, fewer than the second not even one of a share. */
-enum { THUD_DRAWS_LEAST = 7, THUD_SHARES_LEAST = 3 };
+/* Fewer independent motions have no bootstrapped band. */
+enum { THUD_DRAWS_LEAST = 7 };
 
 /* Setting i (of thud_suite_settings) of ground motion r is point r x settings + i of the plan. */
 struct thud_suite {

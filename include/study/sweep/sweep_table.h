@@ -26,11 +26,18 @@ struct thud_sweep_storeys {
     double ductility, permanent_m;
 };
 
+/* Whether a ground motion is `other` reversed, by their names as a suite of both signs has them. */
+bool thud_motion_is_turned(const char *own, const char *other);
+
+/* Fewer independent motions have no band of a share. */
+enum { THUD_SHARES_LEAST = 3 };
 /* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
  * motions under which there is contact, and under which the mean acceleration of a structure is larger than in case
  * `none`. */
 struct thud_sweep_shares {
     double force_low_n, force_high_n, pounding, worse;
+    /* Wilson's 90 % bands, low and high, both signs of a motion as one; NaN: of so few motions there are none. */
+    double pounding_band[2], worse_band[2];
     double shear_low_n, shear_high_n, capacity_low, capacity_high; /* as in thud_sweep_run */
 };
 

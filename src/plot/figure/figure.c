@@ -244,6 +244,22 @@ struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style 
     return series;
 }
 
+void thud_panel_bars(struct thud_panel *panel, int color, size_t n, const double *x, const double *low,
+                     const double *high)
+{
+    bool any = false;
+    for (size_t i = 0; i < n; i++)
+        any |= !isnan(low[i]);
+    const struct thud_style style = {.kind = THUD_LINES, .color = color, .thin = true};
+    struct thud_series *bars = any ? thud_panel_add(panel, style, "", 3 * n, NULL, NULL) : NULL;
+    for (size_t i = 0; bars && i < n; i++) {
+        bars->x[3 * i] = bars->x[3 * i + 1] = bars->x[3 * i + 2] = x[i];
+        bars->y[3 * i] = low[i];
+        bars->y[3 * i + 1] = high[i];
+        bars->y[3 * i + 2] = NAN;
+    }
+}
+
 struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
                                 const double *z, const char *label, const char *unit)
 {

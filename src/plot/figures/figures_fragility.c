@@ -10,29 +10,6 @@
 
 enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
 
-/* Wilson's band of each share as an upright line; none where there is none. */
-static void add_bars(struct thud_panel *panel, const struct thud_fragility *f, double unit, int color)
-{
-    double *x = malloc(6 * (f->n + 1) * sizeof *x), *y = x ? x + 3 * (f->n + 1) : NULL;
-    if (!x) {
-        if (panel)
-            panel->figure->failed = true;
-        return;
-    }
-    bool any = false;
-    for (size_t i = 0; i < f->n; i++) {
-        x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = f->stripe[i].x * unit;
-        y[3 * i] = 100 * f->share_low[i];
-        y[3 * i + 1] = 100 * f->share_high[i];
-        y[3 * i + 2] = NAN;
-        any |= !isnan(f->share_low[i]);
-    }
-    if (any)
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color, .thin = true}, "", 3 * f->n, x,
-                       y);
-    free(x);
-}
-
 /* The share of the motions by the value from which on each does, or no longer does, as steps. */
 static void add_steps(struct thud_panel *panel, const struct thud_sweep_axis *axis, const struct thud_fragility *f,
                       const char *name, int color)
@@ -96,7 +73,11 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
-    add_bars(panel, f, unit, color);
+    for (size_t i = 0; i < f->n; i++) {
+        low[i] = 100 * f->share_low[i];
+        high[i] = 100 * f->share_high[i];
+    }
+    thud_panel_bars(panel, color, f->n, point, low, high);
     thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = color}, exact || fitted ? "" : name, f->n,
                    point, share);
     free(point);

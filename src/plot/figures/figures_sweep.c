@@ -530,7 +530,11 @@ static double told_of(const struct thud_sweep_table *table, size_t i, int k, enu
         return 1e-6 * run->force_n;
     if (told == TOLD_FORCE)
         return 1e-6 * (end == THUD_SWEEP_LOW ? shares->force_low_n : shares->force_high_n);
-    return !shares ? NAN : 100 * (told == TOLD_POUNDING ? shares->pounding : shares->worse);
+    if (!shares)
+        return NAN;
+    if (end == THUD_SWEEP_VALUE)
+        return 100 * (told == TOLD_POUNDING ? shares->pounding : shares->worse);
+    return 100 * (told == TOLD_POUNDING ? shares->pounding_band : shares->worse_band)[end == THUD_SWEEP_HIGH];
 }
 
 static void told_line(struct thud_panel *panel, const struct thud_sweep_table *table, int record, enum thud_case which,
@@ -541,7 +545,8 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
                                .color = thud_case_color(which)};
     char name[64];
     snprintf(name, sizeof name, "%s%s", thud_case_title(which), told == TOLD_WORSE ? ": worse" : "");
-    bool band = (told == TOLD_FORCE || told >= TOLD_SHEAR) && table->motions > 0;
+    const bool share = told == TOLD_POUNDING || told == TOLD_WORSE,
+               band = table->motions > 0 && (told == TOLD_FORCE || told >= TOLD_SHEAR);
     style.color += told == TOLD_WORSE ? 4 : 0;
     struct thud_series *shade = band ? thud_panel_fill(panel, (struct thud_style){.color = style.color, .thin = true},
                                                        name, (size_t)axis->n, NULL, NULL, NULL)
@@ -564,9 +569,15 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
         if (k < 0)
             continue;
         series->y[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_VALUE);
+        const double low = told_of(table, i, k, told, structure, THUD_SWEEP_LOW),
+                     high = told_of(table, i, k, told, structure, THUD_SWEEP_HIGH);
         if (shade) {
-            shade->y[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_LOW);
-            shade->y_high[d->at[0]] = told_of(table, i, k, told, structure, THUD_SWEEP_HIGH);
+            shade->y[d->at[0]] = low;
+            shade->y_high[d->at[0]] = high;
+        } else if (share && !isnan(low)) { /* of counts a bar each, and no band between them */
+            const double beside = 0.01 * (which - 0.5 * THUD_CASES + (told == TOLD_WORSE ? 0.5 : 0)),
+                         at = series->x[d->at[0]] + beside * (place(axis, axis->n - 1) - place(axis, 0));
+            thud_panel_bars(panel, style.color, 1, &at, &low, &high);
         }
     }
 }
@@ -620,13 +631,15 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
                 told_line(panel, table, record, (enum thud_case)which, TOLD_WORSE, 0);
         }
         if (i == 1 && suite)
-            thud_panel_limits(panel, THUD_Y, 0, 100);
+            thud_panel_limits(panel, THUD_Y, -4, 104); /* so that none and all stand off the frame */
         else
             contact_scale(panel, i == 1);
     }
     char shades[128];
     snprintf(text, sizeof text, "%s%s", suite ? shade_note(table, shades) + 1 : "",
-             suite ? " Worse: a structure's mean acceleration is larger than without bumper." : "");
+             suite ? " Worse: a structure's mean acceleration is larger than without bumper. Bars: 90 % bands of the "
+                     "shares (Wilson)."
+                   : "");
     fixed_note(figure, table, 1, NULL, text);
     return figure;
 }

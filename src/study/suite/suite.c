@@ -46,13 +46,6 @@ static bool has_capacity(const struct thud_sweep_plan *plan)
     return has;
 }
 
-bool thud_motion_is_turned(const char *own, const char *other)
-{
-    static const char turned[] = ":sign=-";
-    size_t n = strlen(own), cut = sizeof turned - 1;
-    return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
-}
-
 static bool is_turned(const struct thud_sweep_plan *plan, int r)
 {
     if (r == 0 || !plan->record || !plan->record[r] || !plan->record[r - 1])

@@ -65,6 +65,26 @@ static struct thud_fractiles fractiles(const struct making *m, const struct thud
     return thud_fractiles_of(m->value, (size_t)m->table->nrecords, limit);
 }
 
+bool thud_motion_is_turned(const char *own, const char *other)
+{
+    static const char turned[] = ":sign=-";
+    size_t n = strlen(own), cut = sizeof turned - 1;
+    return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
+}
+
+/* Of a share of the ground motions. */
+static void put_band(const struct making *m, const struct thud_fractiles *f, double band[2])
+{
+    const char *const *name = m->table->record;
+    int draws = 1;
+    for (int r = 1; r < m->table->nrecords; r++)
+        draws += !thud_motion_is_turned(name[r], name[r - 1]);
+    band[0] = band[1] = NAN;
+    if (draws >= THUD_SHARES_LEAST)
+        thud_share_band((size_t)lround(f->share * (double)f->n), f->n, (double)draws / m->table->nrecords, &band[0],
+                        &band[1]);
+}
+
 static void put_run(const struct making *m, const struct thud_sweep_summary *const *of, struct thud_sweep_run *run,
                     struct thud_sweep_shares *shares)
 {
@@ -78,8 +98,16 @@ static void put_run(const struct making *m, const struct thud_sweep_summary *con
     struct thud_fractiles capacity = fractiles(m, of, run->which, CAPACITY, 1);
     run->shear_n = shear.median;
     run->capacity_ratio = capacity.median;
-    *shares = (struct thud_sweep_shares){force.p16, force.p84, impacts.share, worst.share,
-                                         shear.p16, shear.p84, capacity.p16,  capacity.p84};
+    *shares = (struct thud_sweep_shares){.force_low_n = force.p16,
+                                         .force_high_n = force.p84,
+                                         .pounding = impacts.share,
+                                         .worse = worst.share,
+                                         .shear_low_n = shear.p16,
+                                         .shear_high_n = shear.p84,
+                                         .capacity_low = capacity.p16,
+                                         .capacity_high = capacity.p84};
+    put_band(m, &impacts, shares->pounding_band);
+    put_band(m, &worst, shares->worse_band);
 }
 
 /* Every ratio of run k: four of them in a row. */
