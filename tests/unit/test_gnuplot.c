@@ -114,6 +114,8 @@ START_TEST(legends_and_titles_stand_where_they_say_something)
     ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &svg, NULL), THUD_OK);
     ck_assert_ptr_nonnull(strstr(svg.data, "<title>The title</title>")); /* for who cannot see it */
     ck_assert_ptr_nonnull(strstr(svg.data, "<title>second &lt;b&gt;</title>"));
+    ck_assert_ptr_null(strstr(svg.data, "<title>'+'")); /* gnuplot's own names say nothing to a reader */
+    ck_assert_ptr_null(strstr(svg.data, "<title>gnuplot"));
     ck_assert_ptr_nonnull(strstr(svg.data, "first 0 to 1"));
     ck_assert_ptr_null(strstr(svg.data, "currentColor"));
     thud_text_clear(&svg);

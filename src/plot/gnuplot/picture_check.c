@@ -77,16 +77,21 @@ static bool begins(const char *at, const char *stop, const char *word)
     return (size_t)(stop - at) >= n && memcmp(at, word, n) == 0;
 }
 
-/* What stands in place of gnuplot's own title at `at`; NULL: nothing does. */
+/* What stands in place of gnuplot's own title at `at`; NULL: nothing does. A curve without a name of its own has that of
+ * its panel or of what stands up its axis; what gnuplot calls the marks of the key, and panels without curves, has none. */
 static const char *title_of(const struct thud_figure *figure, const char *at, const char *stop)
 {
     int panel = 0, series = 0;
     if (begins(at, stop, "Gnuplot<"))
         return figure->title;
+    if (begins(at, stop, "'+'") || begins(at, stop, "gnuplot_plot"))
+        return "";
     if (!begins(at, stop, "$P") || sscanf(at, "$P%dS%d", &panel, &series) != 2 || panel < 1 || series < 1 ||
         panel > figure->rows * figure->columns || series > figure->panel[panel - 1].nseries)
         return NULL;
-    return figure->panel[panel - 1].series[series - 1]->name;
+    const struct thud_panel *in = &figure->panel[panel - 1];
+    const char *name = in->series[series - 1]->name;
+    return *name ? name : *in->title ? in->title : in->axis[THUD_Y].label;
 }
 
 /* What stands in place of the text at `at`, which it counts in *length, of gnuplot's current colours: a group names its
