@@ -339,6 +339,11 @@ START_TEST(envelopes_stand_over_the_height)
               figure->panel[4].axis[THUD_Y].most == figure->panel[0].axis[THUD_Y].most); /* one height scale */
     ck_assert_uint_eq(drift->n, 2 * LEFT);
     ck_assert(drift->y[0] == 0.0 && drift->y[1] == 3.0 && drift->x[0] == drift->x[1]);
+    const int rows = figure->rows;
+    thud_figure_free(figure);
+    s->scene.structure[1].kind = THUD_WALL; /* one that gives, of one height */
+    figure = thud_run_figure(THUD_FIGURE_ENVELOPE, &s->source, 1);
+    ck_assert(rows == 2 && figure->rows == 1);
     thud_figure_free(figure);
     drop(s);
 }

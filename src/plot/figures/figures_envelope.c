@@ -78,13 +78,13 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
     char text[3 * THUD_TEXT_MAX];
     double top = 0.0;
     for (int i = 0; i < source->result->nstructures; i++)
-        rows += source->result->structure[i].floors > 0 && source->scene->structure[i].kind != THUD_RIGID;
+        rows += thud_kind_is_building(source->scene->structure[i].kind);
     rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
     thud_source_title(source, nsources, "peaks over the height", text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENVELOPE), text, rows, QUANTITIES);
     for (int i = 0; i < source->result->nstructures && row < rows; i++) {
         const struct thud_structure *structure = &source->scene->structure[i];
-        if (source->result->structure[i].floors == 0 || structure->kind == THUD_RIGID)
+        if (!thud_kind_is_building(structure->kind)) /* of one height there is no line over it */
             continue;
         for (int q = 0; q < QUANTITIES; q++) {
             struct thud_panel *panel = thud_figure_panel(figure, row, q, structure->name);

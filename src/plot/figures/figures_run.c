@@ -5,7 +5,7 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
 {
     bool any = false, struck = false;
     for (int i = 0; i < source->result->nstructures; i++) {
-        bool storeys = source->scene->structure[i].kind != THUD_RIGID;
+        bool storeys = thud_kind_is_building(source->scene->structure[i].kind);
         any = any || (thud_source_shown(source, i, which) && (which != THUD_FIGURE_ENVELOPE || storeys));
     }
     for (int s = 0; s < nsources; s++) {
