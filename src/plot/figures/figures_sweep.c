@@ -575,7 +575,7 @@ static void told_line(struct thud_panel *panel, const struct thud_sweep_table *t
             shade->y[d->at[0]] = low;
             shade->y_high[d->at[0]] = high;
         } else if (share && !isnan(low)) { /* of counts a bar each, and no band between them */
-            const double beside = 0.01 * (which - 0.5 * THUD_CASES + (told == TOLD_WORSE ? 0.5 : 0)),
+            const double beside = 0.005 * (2 * (int)which - (int)THUD_CASES + (told == TOLD_WORSE)),
                          at = series->x[d->at[0]] + beside * (place(axis, axis->n - 1) - place(axis, 0));
             thud_panel_bars(panel, style.color, 1, &at, &low, &high);
         }
