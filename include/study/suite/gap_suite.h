@@ -12,8 +12,6 @@ struct thud_gap_ruled {
     double force_n;              /* the largest of any of them */
     int worst;                   /* the ground motion of it; -1 */
 };
-/* Which ground motions count once: one that is another one reversed does not. */
-int thud_gap_suite_independent(const struct thud_gap_suite *suite);
 /* A rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the ground
  * motions, or the largest ones where fewer than seven are independent (EN 1998-1:2004, 4.3.3.4.3(3)); what is needed:
  * the largest of all. Nothing pounds yet. */

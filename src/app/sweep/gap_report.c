@@ -341,7 +341,7 @@ static void put_rule(const struct thud_gap_study *study, int rule, int interface
 static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
 {
     const char *before = "";
-    int n = study->suite.nrecords, independent = thud_gap_suite_independent(&study->suite);
+    int n = study->suite.nrecords, independent = thud_motion_draws(study->suite.record, n);
     for (int i = 0; i < study->interfaces; i++) {
         char head[64] = "by rule";
         if (study->ruled[i].gap_m < 0)

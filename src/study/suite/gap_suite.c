@@ -7,14 +7,6 @@
 #include "study/scene/solution.h"
 #include "study/suite/suite.h"
 
-int thud_gap_suite_independent(const struct thud_gap_suite *suite)
-{
-    int n = 0;
-    for (int r = 0; r < suite->nrecords; r++)
-        n += r == 0 || !thud_motion_is_turned(suite->record[r], suite->record[r - 1]);
-    return n;
-}
-
 /* A level with the displacements that a code designs for. */
 static struct thud_gap_level design_level(const struct thud_gap_suite *suite, int level, bool means)
 {
@@ -38,7 +30,7 @@ static struct thud_gap_level design_level(const struct thud_gap_suite *suite, in
 
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out)
 {
-    bool means = thud_gap_suite_independent(suite) >= THUD_DRAWS_LEAST;
+    bool means = thud_motion_draws(suite->record, suite->nrecords) >= THUD_DRAWS_LEAST;
     for (int i = 0; i < interfaces; i++)
         out[i] = (struct thud_gap_ruled){.gap_m = -1, .worst = -1};
     for (int l = 0; l < suite->gap[0]->nlevels; l++) {

@@ -15,6 +15,7 @@ struct making {
     const struct thud_sweep_table *table;
     const struct thud_sweep_summary **of; /* (settings x nrecords) NULL: no result */
     double *value;                        /* (nrecords) */
+    int draws;                            /* independent ground motions */
 };
 
 static size_t settings_of(const struct thud_sweep_table *table)
@@ -72,16 +73,20 @@ bool thud_motion_is_turned(const char *own, const char *other)
     return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
 }
 
+int thud_motion_draws(const char *const *name, int n)
+{
+    int draws = 0;
+    for (int r = 0; r < n; r++)
+        draws += r == 0 || !thud_motion_is_turned(name[r], name[r - 1]);
+    return draws;
+}
+
 /* Of a share of the ground motions. */
 static void put_band(const struct making *m, const struct thud_fractiles *f, double band[2])
 {
-    const char *const *name = m->table->record;
-    int draws = 1;
-    for (int r = 1; r < m->table->nrecords; r++)
-        draws += !thud_motion_is_turned(name[r], name[r - 1]);
     band[0] = band[1] = NAN;
-    if (draws >= THUD_SHARES_LEAST)
-        thud_share_band((size_t)lround(f->share * (double)f->n), f->n, (double)draws / m->table->nrecords, &band[0],
+    if (m->draws >= THUD_SHARES_LEAST)
+        thud_share_band((size_t)lround(f->share * (double)f->n), f->n, (double)m->draws / m->table->nrecords, &band[0],
                         &band[1]);
 }
 
@@ -216,7 +221,7 @@ enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, str
                                        struct thud_error *err)
 {
     size_t settings = settings_of(table), records = (size_t)table->nrecords;
-    struct making m = {.table = table};
+    struct making m = {.table = table, .draws = thud_motion_draws(table->record, table->nrecords)};
     struct thud_sweep_table *suite = malloc(sizeof *suite);
     struct thud_sweep_summary **point = calloc(settings, sizeof *point);
     m.of = calloc(settings * records, sizeof *m.of);
