@@ -6,6 +6,7 @@
 
 #include "study/scene/solution.h"
 #include "study/suite/gap_suite.h"
+#include "study/sweep/sweep_table.h"
 #include "study_setup.h"
 
 static void set_up(void)
