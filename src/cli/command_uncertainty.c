@@ -103,19 +103,6 @@ static struct thud_figure *begin(const struct thud_uncertainty *u, const char *n
     return thud_figure_create(name, title, rows, columns);
 }
 
-/* What moves one quantity much moves another little: that is seen on one scale. */
-static void same_scale(struct thud_figure *figure, int panels)
-{
-    double least = INFINITY, most = -INFINITY;
-    for (int i = 0; figure && i < panels; i++) {
-        struct thud_range range = thud_panel_range(&figure->panel[i], THUD_X);
-        least = fmin(least, range.least);
-        most = fmax(most, range.most);
-    }
-    for (int i = 0; figure && i < panels; i++)
-        thud_panel_limits(&figure->panel[i], THUD_X, least, most);
-}
-
 static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
 {
     enum { COLUMNS_MAX = 4 };
@@ -139,7 +126,7 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         thud_panel_results_on_x(panel);
         add_tornado(panel, study, drawn[i]);
     }
-    same_scale(figure, n);
+    thud_figure_share_scale(figure, THUD_X, 0, 1, n, NULL); /* what moves one much moves another little */
     return figure;
 }
 

@@ -161,6 +161,61 @@ START_TEST(a_scene_is_drawn_to_scale)
 }
 END_TEST
 
+/* A slab that strikes columns is shown on them, at the middle of its depth, in the elevation and in the model, which has
+ * the gap too. */
+START_TEST(a_drawing_shows_where_columns_are_struck)
+{
+    struct sample *s = make();
+    for (int f = 0; f < LEFT; f++) {
+        s->scene.structure[0].height_m[f] = 3.6;
+        s->scene.structure[0].slab_depth_m[f] = s->scene.structure[1].slab_depth_m[f] = 0.4;
+    }
+    s->scene.structure[0].storeys = s->scene.structure[1].storeys = 1;
+    thud_interface_init(&s->scene.interface[0]);
+    s->scene.interface[0].gap_m = 0.1;
+    struct thud_figure *figure = thud_figure_of_scene(&s->scene, "scene", "");
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    for (int p = 0; p < 2; p++) {
+        const struct thud_series *struck = NULL, *columns = NULL;
+        bool gap = false;
+        for (int i = 0; i < figure->panel[p].nseries; i++) {
+            const struct thud_series *one = figure->panel[p].series[i];
+            if (strcmp(one->name, "columns are struck here") == 0)
+                struck = one;
+            else if (strcmp(one->name, "columns") == 0 && !columns)
+                columns = figure->panel[p].series[i + 1]; /* on the right of A */
+        }
+        for (int i = 0; i < figure->panel[p].nlabels; i++)
+            gap |= strcmp(figure->panel[p].label[i].text, "gap 10 cm") == 0;
+        ck_assert_msg(struck && gap, "panel %d", p);
+        ck_assert(struck->n == 1 && fabs(struck->y[0] - (3 - 0.2)) < 1e-12);
+        ck_assert(p == 1 || struck->x[0] == columns->x[0]);
+    }
+    thud_figure_free(figure);
+    drop(s);
+}
+END_TEST
+
+/* Floors that move less than a wall that is struck have a scale of their own, one for all of them. */
+START_TEST(walls_do_not_set_the_scale_of_floors)
+{
+    struct sample *s = make();
+    s->scene.structure[1].kind = THUD_WALL;
+    s->structure[1].floors = 1; /* the fourth dof */
+    struct thud_figure *figure = thud_run_figure(THUD_FIGURE_ACCELERATION, &s->source, 1);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    ck_assert_int_eq(figure->rows, LEFT + 1);
+    const double *floors = &figure->panel[0].axis[THUD_Y].most, *wall = &figure->panel[2 * LEFT].axis[THUD_Y].most;
+    ck_assert(*floors > 3 / THUD_GRAVITY && *floors < 4 / THUD_GRAVITY + 1e-9 && *wall > 4 / THUD_GRAVITY);
+    for (int r = 1; r < LEFT; r++)
+        ck_assert(figure->panel[2 * r].axis[THUD_Y].most == *floors);
+    ck_assert(figure->panel[2 * LEFT + 1].axis[THUD_Y].most == *wall); /* the closer look too */
+    ck_assert_ptr_nonnull(strstr(figure->note, "Walls have scales of their own."));
+    thud_figure_free(figure);
+    drop(s);
+}
+END_TEST
+
 /* A wall that gives is a mass between its own spring and the soil's, each with its number; not a part of the ground. */
 START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
 {
@@ -369,6 +424,8 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("figures_run");
     tcase_add_test(tcase, histories_show_floors_in_their_units);
     tcase_add_test(tcase, a_scene_is_drawn_to_scale);
+    tcase_add_test(tcase, a_drawing_shows_where_columns_are_struck);
+    tcase_add_test(tcase, walls_do_not_set_the_scale_of_floors);
     tcase_add_test(tcase, a_wall_that_gives_is_drawn_with_what_holds_it);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_keep_their_colours);

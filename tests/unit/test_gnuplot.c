@@ -188,6 +188,28 @@ START_TEST(a_width_on_paper)
 }
 END_TEST
 
+/* A mark is as large beside the letters in an SVG of any width: its terminal makes marks grow with the font. */
+START_TEST(marks_have_one_size)
+{
+    static const int width[] = {600, 2400};
+    double size[2];
+    const double at[] = {0, 1};
+    struct thud_figure *figure = thud_figure_create("marks", "", 1, 1);
+    thud_panel_add(thud_figure_panel(figure, 0, 0, ""), (struct thud_style){.kind = THUD_POINTS}, "", 2, at, at);
+    for (int i = 0; i < 2; i++) {
+        struct thud_picture_options options = {.format = THUD_SVG, .width_px = width[i]};
+        struct thud_text picture = {0};
+        ck_assert_int_eq(thud_gnuplot_draw(figure, &options, &picture, NULL), THUD_OK);
+        const char *mark = strstr(picture.data, " scale(");
+        ck_assert_ptr_nonnull(mark);
+        size[i] = strtod(mark + 7, NULL) / width[i];
+        thud_text_clear(&picture);
+    }
+    ck_assert_double_eq_tol(size[0], size[1], 0.02 * size[1]);
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* 180 mm of a page are 2126 pixels. */
 START_TEST(many_panels_fit_a_page)
 {
@@ -644,6 +666,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, a_width_on_paper);
+    tcase_add_test(tcase, marks_have_one_size);
     tcase_add_test(tcase, many_panels_fit_a_page);
     tcase_add_test(tcase, titles_of_strips_have_room);
     tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);

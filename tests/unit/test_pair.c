@@ -85,6 +85,30 @@ START_TEST(figures_show_the_numbers)
 }
 END_TEST
 
+/* Figures 2 and 3 call one thing by one name, and symbols are set as symbols. */
+START_TEST(the_bumpers_figures_share_a_term)
+{
+    static enum thud_status (*const make[])(struct thud_figure **, struct thud_error *) = {thud_figure_paper2,
+                                                                                           thud_figure_paper3};
+    for (int f = 0; f < 2; f++) {
+        struct thud_figure *figure;
+        struct thud_text words = {0};
+        ck_assert_int_eq(make[f](&figure, NULL), THUD_OK);
+        const struct thud_panel *panel = &figure->panel[f];
+        ck_assert_int_eq(panel->nmarks, 1);
+        ck_assert(panel->mark[0].from == 40.0);
+        ck_assert_str_eq(panel->mark[0].text, "ultimate strain 0.8: 𝛿ᵤ = 40 mm");
+        thud_text_append(&words, "%s %s", figure->title, figure->note);
+        for (int i = 0; i < panel->nseries; i++)
+            thud_text_append(&words, " %s", panel->series[i]->name);
+        ck_assert_ptr_nonnull(strstr(words.data, "𝑒"));
+        ck_assert(!strstr(words.data, "COR") && !strstr(words.data, "F =") && !strstr(words.data, "δ"));
+        thud_text_clear(&words);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -93,6 +117,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, the_papers_four_cases);
     tcase_add_test(tcase, momentum_is_kept);
     tcase_add_test(tcase, figures_show_the_numbers);
+    tcase_add_test(tcase, the_bumpers_figures_share_a_term);
     suite_add_tcase(suite, tcase);
     return suite;
 }

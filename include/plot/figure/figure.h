@@ -126,6 +126,7 @@ struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
 void thud_figure_rename(struct thud_figure *figure, const char *name);
 /* THUD_MEMORY when anything could not be kept, else THUD_OK. */
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
+/* Adds to the footer. */
 void thud_figure_note(struct thud_figure *figure, const char *text);
 
 /* Words in brackets behind the title; "": none. NULL for the figure: nothing is done. */
@@ -170,6 +171,11 @@ struct thud_range {
     double least, most, step;
 };
 struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side);
+
+/* One scale for n panels, `step` apart in the list: what is larger is seen to be. Those of `other`, a figure of the same
+ * shape, count too; it may be NULL. A panel with both limits set keeps them, and closer looks follow the others. */
+void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, int first, int step, int n,
+                             const struct thud_figure *other);
 
 /* The key: every name once, in the order of the colours and of first appearance. Returns how many there are, and fills
  * at most `most`. */

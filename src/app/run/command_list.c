@@ -16,7 +16,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_UNCERTAINTY] = {"uncertainty", "PRESET", "propagation of the inputs' uncertainty", THUD_WORD_PRESET,
                                   THUD_WORD_NONE},
-    [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig3 fig4 fig5 fig7 fig8 fig10 of the paper, or all",
+    [THUD_COMMAND_FIGURES] = {"figures", "[NAME...]", "fig2 to fig10 of the paper, or all",
                               THUD_WORD_FIGURE, THUD_WORD_NONE},
     [THUD_COMMAND_BENCH] = {"bench", "[PRESET]", "speed against accuracy of every method; costs", THUD_WORD_PRESET,
                             THUD_WORD_NONE},

@@ -130,8 +130,12 @@ void thud_figure_rename(struct thud_figure *figure, const char *name)
 
 void thud_figure_note(struct thud_figure *figure, const char *text)
 {
-    if (figure)
-        figure->note = keep_text(figure, text);
+    size_t room = figure && text ? strlen(figure->note) + strlen(text) + 2 : 0;
+    char *note = room > 0 ? keep(figure, room, 1) : NULL;
+    if (!note)
+        return;
+    snprintf(note, room, "%s%s%s", figure->note, *figure->note && *text ? " " : "", text);
+    figure->note = note;
 }
 
 struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int column, const char *title)

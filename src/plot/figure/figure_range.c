@@ -15,6 +15,11 @@ static void stretch(struct thud_range *range, double value, bool log)
         range->most = value;
 }
 
+static bool is_set(const struct thud_axis *axis)
+{
+    return !isnan(axis->least) && !isnan(axis->most);
+}
+
 static bool inside(const struct thud_axis *axis, double value)
 {
     return !(value < axis->least) && !(value > axis->most);
@@ -124,6 +129,24 @@ struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_sid
     if (isnan(range.most) && !isnan(range.least))
         range.most = axis->log ? 10.0 * range.least : range.least + 1.0;
     return axis->log ? round_log(range, axis) : round_linear(range, axis, side, panel->map != NULL);
+}
+
+void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, int first, int step, int n,
+                             const struct thud_figure *other)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int k = 0; figure && k < n; k++) {
+        const int p = first + k * step;
+        if (!figure->panel[p].used || figure->panel[p].closer || is_set(&figure->panel[p].axis[side]))
+            continue;
+        struct thud_range range = thud_panel_range(&figure->panel[p], side);
+        struct thud_range beside = other ? thud_panel_range(&other->panel[p], side) : range;
+        least = fmin(least, fmin(range.least, beside.least));
+        most = fmax(most, fmax(range.most, beside.most));
+    }
+    for (int k = 0; least <= most && k < n; k++)
+        if (!is_set(&figure->panel[first + k * step].axis[side]))
+            thud_panel_limits(&figure->panel[first + k * step], side, least, most);
 }
 
 static bool listed(const struct thud_series **entry, int n, const char *name)

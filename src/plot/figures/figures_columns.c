@@ -5,7 +5,7 @@
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
 
-enum { PANELS_MAX = 4 };
+enum { PANELS_MAX = 4, RING = THUD_COLORS - 1 };
 
 /* Elevation of the struck place: of the contact with the largest force on these columns. */
 static double struck_at(const struct thud_result *result, int column, double low, double high)
@@ -53,12 +53,12 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
 }
 
 /* Where a slab strikes: its elevation, at the larger of the two shears. */
-static void add_strikes(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int interface,
-                        const char *name, int color)
+static void add_strikes(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int interface)
 {
     const struct thud_result *result = source->result;
-    struct thud_style style = {.kind = THUD_POINTS, .color = color, .wide = true};
-    struct thud_series *series = thud_panel_add(panel, style, name, (size_t)result->ncolumns, NULL, NULL);
+    struct thud_style style = {.kind = THUD_POINTS, .color = RING, .wide = true};
+    struct thud_series *series =
+        thud_panel_add(panel, style, "where a slab strikes", (size_t)result->ncolumns, NULL, NULL);
     for (int i = 0; series && i < result->ncolumns; i++) {
         const struct thud_column_result *c = &result->column[i];
         double low, high;
@@ -125,10 +125,10 @@ struct thud_figure *thud_figure_columns(const struct thud_figure_source *source,
             add_shears(panel, &source[k], s, i, nsources > 1 ? source[k].name : "shear",
                        thud_source_color(&source[k], nsources));
         for (int k = 0; k < nsources; k++)
-            add_strikes(panel, &source[k], s, i, nsources > 1 ? "" : "where the slab strikes",
-                        nsources > 1 ? thud_case_color(source[k].which) : 1);
+            add_strikes(panel, &source[k], s, i);
         add_capacities(panel, source, s, i);
     }
+    thud_figure_share_scale(figure, THUD_Y, 0, 1, panels, NULL);
     thud_figure_note(figure, "Above and below the slab that strikes, each at its own time.");
     return figure;
 }

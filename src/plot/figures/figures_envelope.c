@@ -76,7 +76,6 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
 {
     int rows = 0, row = 0;
     char text[3 * THUD_TEXT_MAX];
-    double top = 0.0;
     for (int i = 0; i < source->result->nstructures; i++)
         rows += thud_kind_is_building(source->scene->structure[i].kind);
     rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
@@ -98,16 +97,8 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
         }
         row++;
     }
-    for (int p = 0; figure && p < rows * QUANTITIES; p++)
-        top = fmax(top, thud_panel_range(&figure->panel[p], THUD_Y).most);
-    for (int q = 0; figure && q < QUANTITIES; q++) { /* neighbours on one scale */
-        double most = 0.0;
-        for (int r = 0; r < rows; r++)
-            most = fmax(most, thud_panel_range(&figure->panel[r * QUANTITIES + q], THUD_X).most);
-        for (int r = 0; r < rows; r++) {
-            thud_panel_limits(&figure->panel[r * QUANTITIES + q], THUD_X, 0.0, most);
-            thud_panel_limits(&figure->panel[r * QUANTITIES + q], THUD_Y, 0.0, top);
-        }
-    }
+    thud_figure_share_scale(figure, THUD_Y, 0, 1, rows * QUANTITIES, NULL);
+    for (int q = 0; q < QUANTITIES; q++) /* neighbours on one scale */
+        thud_figure_share_scale(figure, THUD_X, q, QUANTITIES, rows, NULL);
     return figure;
 }

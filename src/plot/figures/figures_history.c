@@ -99,7 +99,7 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
                                           int nsources)
 {
     struct place place[THUD_STRIPS_MAX];
-    bool all, ground = thud_source_ground(source);
+    bool all, walls = false, ground = thud_source_ground(source);
     double from, to;
     char title[3 * THUD_TEXT_MAX], what[128];
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
@@ -133,9 +133,17 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
                 thud_panel_zoom(thud_figure_panel(figure, row, 1, strip), panel, from, to);
         }
     }
+    for (int i = 0; figure && i < n; i++) /* a light wall that is struck would leave the floors flat */
+        if (source->scene->structure[place[i].structure].kind == THUD_WALL) {
+            thud_figure_share_scale(figure, THUD_Y, (i * nsources + ground) * figure->columns, 1,
+                                    nsources * figure->columns, NULL);
+            walls = true;
+        }
     thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
     thud_figure_shorten(figure);
+    if (walls)
+        thud_figure_note(figure, "Walls have scales of their own.");
     if (!all)
         thud_figure_note(figure, "Of each structure the floors with the largest peaks; histories.csv has all.");
     return figure;

@@ -7,6 +7,7 @@
 #include "study/scene/two_body.h"
 
 static const double step_s = 5e-4;
+static const char ultimate_strain[] = "ultimate strain 0.8: 𝛿ᵤ = 40 mm";
 
 static const struct {
     const char *name;
@@ -112,8 +113,8 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
         const struct thud_history *h = thud_run_history(solution.run);
         struct thud_style style[2] = {{.color = 0}, {.color = 1}};
         struct thud_series *way[2] = {
-            thud_panel_add(panel, style[0], "approach: F = k δⁿ", h->rows, NULL, NULL),
-            thud_panel_add(panel, style[1], "restitution: F = k δⁿ (1 + C dδ/dt)", h->rows + 1, NULL, NULL)};
+            thud_panel_add(panel, style[0], "approach: 𝐹 = 𝑘 𝛿ⁿ", h->rows, NULL, NULL),
+            thud_panel_add(panel, style[1], "restitution: 𝐹 = 𝑘 𝛿ⁿ (1 + 𝐶 d𝛿/d𝑡)", h->rows + 1, NULL, NULL)};
         size_t n[2] = {0};
         double last = 0, foot = 0;
         for (size_t i = 0; i < h->rows && way[0] && way[1]; i++) {
@@ -132,9 +133,10 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
         for (int k = 0; k < 2 && way[k]; k++)
             way[k]->n = n[k];
     }
-    thud_panel_mark(panel, THUD_X, 40.0, 40.0, "ultimate strain, 0.8 of 5 cm");
-    thud_figure_note(figure, "k = 0.36 kN/mm²·⁶⁵, n = 2.65, C by Eq. (7) for a coefficient of restitution of 0.5; past "
-                             "the ultimate strain 2500 kN/mm. Two bodies of 320 t approaching at 0.6 m/s.");
+    thud_panel_mark(panel, THUD_X, 40.0, 40.0, ultimate_strain);
+    thud_figure_note(figure,
+                     "𝑘 = 0.36 kN/mm²·⁶⁵, 𝑛 = 2.65, 𝐶 by Eq. (7) for a coefficient of restitution 𝑒 = 0.5; beyond the "
+                     "ultimate strain a stiffness of 2500 kN/mm. Two bodies of 320 t approaching at 0.6 m/s.");
     thud_solution_clear(&solution);
     return finish(figure, status, out, err);
 }
@@ -212,7 +214,7 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
 {
     static const enum trace on_x[] = {TIME, INDENTATION};
     struct thud_figure *figure = thud_figure_create(
-        "fig3", "Rubber bumper pushed past its ultimate strain, three coefficients of restitution", 1, 2);
+        "fig3", "Rubber bumper pushed past its ultimate strain, three coefficients of restitution 𝑒", 1, 2);
     struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Force against time"),
                                    thud_figure_panel(figure, 0, 1, "Force against indentation")};
     for (int p = 0; p < 2; p++) {
@@ -221,7 +223,7 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
     }
     thud_panel_limits(panel[0], THUD_X, -10.0, 150.0);
     thud_panel_limits(panel[1], THUD_X, 0.0, 50.0);
-    thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, "ultimate strain");
+    thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, ultimate_strain);
     enum thud_status status = THUD_OK;
     for (int i = 0; i < 3 && status == THUD_OK; i++) {
         struct thud_two_body pair;
@@ -233,7 +235,7 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
         status = thud_two_body_run(&pair, step_s, &solution, err);
         if (status != THUD_OK)
             break;
-        snprintf(name, sizeof name, "COR %g", thud_paper_fig3_restitution[i]);
+        snprintf(name, sizeof name, "𝑒 = %g", thud_paper_fig3_restitution[i]);
         for (int p = 0; p < 2; p++)
             line(panel[p], &solution, on_x[p], FORCE, (struct thud_style){.color = i}, name);
         thud_solution_clear(&solution);

@@ -172,14 +172,9 @@ void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_sou
 
 void thud_figure_same_height(struct thud_figure *figure, int first_row)
 {
-    double least = INFINITY, most = -INFINITY;
-    for (int r = first_row; figure && r < figure->rows; r++) {
-        struct thud_range range = thud_panel_range(&figure->panel[r * figure->columns], THUD_Y);
-        least = fmin(least, range.least);
-        most = fmax(most, range.most);
-    }
-    for (int i = first_row * (figure ? figure->columns : 0); figure && i < figure->rows * figure->columns; i++)
-        thud_panel_limits(&figure->panel[i], THUD_Y, least, most);
+    if (figure)
+        thud_figure_share_scale(figure, THUD_Y, first_row * figure->columns, 1,
+                                (figure->rows - first_row) * figure->columns, NULL);
 }
 
 const char *thud_run_figure_name(enum thud_run_figure which)

@@ -12,7 +12,7 @@
 /* Widths on the drawing, m. */
 static const double building_m = 6, body_m = 4, wall_m = 1.5, gap_drawn_m = 2, model_m = 6;
 enum { LABELS_MOST = 12, TEETH = 6 };
-enum { SLAB = THUD_COLOR_GREY, FRAME = 6, STRUCK = 1, BUMPER = 2, CONTACT = 0 };
+enum { SLAB = THUD_COLOR_GREY, FRAME = 6, STRUCK = 1, BUMPER = 2, CONTACT = 0, MASS = 11 };
 static const struct thud_style solid = {.color = FRAME, .wide = true};
 
 struct drawing {
@@ -53,6 +53,17 @@ static void spring(struct thud_panel *panel, const char *name, int color, double
         y[i] = y0 + t * (y1 - y0) + side * tooth_y;
     }
     thud_panel_add(panel, (struct thud_style){.color = color, .thin = true}, name, TEETH + 2, x, y);
+}
+
+/* A contact: a spring on the left mass, and the gap between two plates. */
+static void spring_and_gap(struct thud_panel *panel, const char *name, double left, double right, double y, double high)
+{
+    const struct thud_style thin = {.color = CONTACT, .thin = true}, plate = {.color = CONTACT};
+    const double end[] = {left + 0.6 * (right - left), left + 0.7 * (right - left)};
+    spring(panel, name, CONTACT, left, y, end[0], y, 0, 0.012 * high);
+    for (int k = 0; k < 2; k++)
+        line(panel, name, plate, end[k], y - 0.02 * high, end[k], y + 0.02 * high);
+    line(panel, name, thin, end[1], y, right, y);
 }
 
 static double elevation(const struct drawing *d, int s, int floor)
@@ -186,7 +197,7 @@ static void wall_that_gives(const struct drawing *d, int s)
         snprintf(text, sizeof text, "%.4g MN/m", 1e-6 * stiffness[k]);
         thud_panel_label(d->model, end + 0.2 * out, y, (int)out, text);
     }
-    dot(d->model, "mass", FRAME, x, z);
+    dot(d->model, "mass", MASS, x, z);
     snprintf(text, sizeof text, "%.4g t", 1e-3 * p->wall_mass_kg);
     thud_panel_label(d->model, x, z + 0.1 * high, 0, text);
 }
@@ -203,7 +214,7 @@ static void in_elevation(const struct drawing *d, int s)
         building(d, s);
     thud_panel_label(d->elevation, 0.5 * (x[0] + x[1]),
                      (p->kind == THUD_WALL ? top_of_wall(d, s) : elevation(d, s, thud_structure_floors(p) - 1)) +
-                         0.1 * (d->high - d->low),
+                         0.13 * (d->high - d->low),
                      0, p->name);
 }
 
@@ -232,7 +243,7 @@ static void in_model(const struct drawing *d, int s)
             if (told)
                 number(d, s, 0.5 * (below + z), 1e-6 * p->stiffness_npm[f - slab], "MN/m");
         }
-        dot(d->model, "mass", FRAME, x, z);
+        dot(d->model, "mass", MASS, x, z);
         if (told)
             number(d, s, z, 1e-3 * (f < slab ? p->base_mass_kg : p->mass_kg[f - slab]), "t");
     }
@@ -244,6 +255,7 @@ static void contacts(const struct drawing *d, int i)
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
     const int n = thud_interface_contact_pairs(d->scene, i, pair);
     const double from = d->right[i], to = d->left[i + 1], half = 0.015 * d->high;
+    double top = d->foot;
     for (int k = 0; k < n; k++) {
         const bool left = thud_slab_is_left(pair[k].left_floor, pair[k].struck);
         const int s = left ? i : i + 1, floor = left ? pair[k].left_floor : pair[k].right_floor;
@@ -255,15 +267,19 @@ static void contacts(const struct drawing *d, int i)
             rectangle(d->elevation, "bumper", BUMPER, (double[]){face, face + d->wider * at.thickness_m}, y - half,
                       y + half);
         }
-        if (pair[k].struck)
-            dot(d->elevation, "columns are struck here", STRUCK, pair[k].struck < 0 ? from : to, y);
-        spring(d->model, at.has_bumper ? "contact with bumper and gap" : "contact with gap", CONTACT, d->at[i], y,
-               d->at[i + 1], y, 0, 0.012 * d->high);
+        for (int side = 0; pair[k].struck && side < 2; side++)
+            dot(side ? d->model : d->elevation, "columns are struck here", STRUCK,
+                pair[k].struck < 0 ? (side ? d->at[i] : from) : (side ? d->at[i + 1] : to), y);
+        spring_and_gap(d->model, at.has_bumper ? "contact with bumper and gap" : "contact with gap", d->at[i],
+                       d->at[i + 1], y, d->high);
+        top = fmax(top, y);
     }
     char gap[64], text[80];
     thud_interface_gap_text(interface, gap, sizeof gap);
     snprintf(text, sizeof text, "gap %s", gap);
     thud_panel_label(d->elevation, 0.5 * (from + to), d->foot - 0.06 * (d->high - d->low), 0, text);
+    if (d->scene->nstructures == 2) /* between others stand numbers */
+        thud_panel_label(d->model, 0.5 * (d->at[i] + d->at[i + 1]), top + 0.06 * (d->high - d->low), 0, text);
 }
 
 static void links(const struct drawing *d)
@@ -303,9 +319,11 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
         thud_panel_mark(panel[k], THUD_Y, d.foot, d.foot, "");
     }
     thud_panel_limits(d.elevation, THUD_X, -0.25 * last, 1.25 * last);
-    const int end = scene->nstructures - 1; /* springs of walls that give stand outside */
-    thud_panel_limits(d.model, THUD_X, -(0.8 + 0.4 * thud_wall_gives(&scene->structure[0])) * model_m,
-                      d.at[end] + (0.8 + 0.4 * thud_wall_gives(&scene->structure[end])) * model_m);
+    double outside = 0.8 * model_m; /* springs of walls that give and of soil stand there with their numbers */
+    for (int s = 0; s < scene->nstructures; s++)
+        if (thud_wall_gives(&scene->structure[s]) || thud_structure_on_soil(&scene->structure[s]))
+            outside = 1.4 * model_m;
+    thud_panel_limits(d.model, THUD_X, -outside, d.at[scene->nstructures - 1] + outside);
     for (int s = 0; s < scene->nstructures; s++) {
         in_elevation(&d, s);
         in_model(&d, s);

@@ -193,6 +193,9 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
         }
         row++;
     }
+    thud_figure_share_scale(figure, THUD_Y, 0, 1, rows * QUANTITIES, NULL);
+    for (int q = 0; q < QUANTITIES; q++)
+        thud_figure_share_scale(figure, THUD_X, q, QUANTITIES, rows, NULL);
     thud_figure_note(figure, thud_ductility_note);
     return figure;
 }

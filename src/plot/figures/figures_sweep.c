@@ -354,17 +354,8 @@ static const char *shade_note(const struct thud_sweep_table *table, char text[12
  * too, another figure to be compared. */
 static void same_scale(struct thud_figure *figure, const struct thud_figure *other)
 {
-    for (int row = 0; figure && row < figure->rows; row++) {
-        double least = INFINITY, most = -INFINITY;
-        for (int p = row * figure->columns; p < (row + 1) * figure->columns; p++) {
-            struct thud_range range = thud_panel_range(&figure->panel[p], THUD_Y);
-            struct thud_range beside = other ? thud_panel_range(&other->panel[p], THUD_Y) : range;
-            least = fmin(least, fmin(range.least, beside.least));
-            most = fmax(most, fmax(range.most, beside.most));
-        }
-        for (int p = row * figure->columns; p < (row + 1) * figure->columns; p++)
-            thud_panel_limits(&figure->panel[p], THUD_Y, least, most);
-    }
+    for (int row = 0; figure && row < figure->rows; row++)
+        thud_figure_share_scale(figure, THUD_Y, row * figure->columns, 1, figure->columns, other);
 }
 
 struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,

@@ -323,7 +323,7 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g*DOT ",
                          shape[style.color < 0 ? 0 : (style.color + 3 * (style.color / THUD_COLORS)) % THUD_COLORS],
-                         style.kind == THUD_POINTS && style.wide   ? 1.8
+                         style.kind == THUD_POINTS && style.wide   ? 2.4
                          : style.kind == THUD_POINTS && style.thin ? 0.4
                                                                    : 1.0); /* rings around others */
     if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))

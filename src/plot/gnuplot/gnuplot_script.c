@@ -91,10 +91,14 @@ static void key_sample(const struct sheet *sheet, int i)
     struct thud_text *out = sheet->out;
     double left = sheet->key_at[i].left / sheet->width;
     int row = sheet->key_at[i].row;
-    bool band = sheet->key[i]->style.kind == THUD_FILL || sheet->key[i]->style.kind == THUD_BARS;
+    const enum thud_series_kind kind = sheet->key[i]->style.kind;
+    const bool band = kind == THUD_FILL || kind == THUD_BARS, points = kind == THUD_POINTS;
     thud_text_append(out, "%s'+' every ::0::%d using (%.5f+$0*%.3g*EX):(KEY-%.3g*EY%s)%s ", i ? ", \\\n     " : "plot ",
-                     band ? 1 : 2, left, band ? THUD_SAMPLE_EM : 0.5 * THUD_SAMPLE_EM, 1.6 * row,
-                     band ? "-0.35*EY" : "", "");
+                     band ? 1 : 2, points ? left + 0.2 * THUD_SAMPLE_EM * sheet->em / sheet->width : left,
+                     band     ? THUD_SAMPLE_EM
+                     : points ? 0.3 * THUD_SAMPLE_EM
+                              : 0.5 * THUD_SAMPLE_EM,
+                     1.6 * row, band ? "-0.35*EY" : "", "");
     if (band)
         thud_text_append(out, ":(KEY-%.3g*EY+0.35*EY) ", 1.6 * row);
     thud_gnuplot_style(sheet, sheet->key[i], true);

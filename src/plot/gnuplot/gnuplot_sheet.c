@@ -92,9 +92,9 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
         height = fmax(0.5 * panel, fmax(18.0, 1.35 * figure->panel[0].axis[THUD_Y].nticks + 5.0) * sheet.em);
     sheet.height = options->height_px ? options->height_px : floor(sheet.head + sheet.foot + sheet.rows * height);
     sheet.points = options->format == THUD_SVG ? 1.0 : options->format == THUD_PDF ? 54.0 / THUD_PDF_DPI : 0.75;
-    sheet.dot = 0.75 * (options->format == THUD_PDF   ? 0.027 * sheet.em
-                        : options->format == THUD_SVG ? 0.018 * sheet.em
-                                                      : 0.041 * sheet.em);
+    /* a mark of size 1 has a radius, px: 3.1 of pngcairo and sixelgd, 8.8 of pdfcairo, 0.375 em of svg */
+    const double radius = options->format == THUD_PDF ? 8.8 : options->format == THUD_SVG ? 0.375 * sheet.em : 3.1;
+    sheet.dot = 0.1 * sheet.em / radius;
     return sheet;
 }
 
@@ -132,7 +132,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     box.right = (column + 1) * width - (p->map ? 7.4 : 1.2) * sheet->em;
     double above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0);
     box.top = sheet->height - sheet->head - row * height - above * sheet->em;
-    box.bottom = sheet->height - sheet->head - (row + 1) * height + 3.7 * sheet->em;
+    box.bottom = sheet->height - sheet->head - (row + 1) * height + (p->drawing ? 1.2 : 3.7) * sheet->em;
     if (p->strip) {
         box.top = sheet->height - sheet->head - row * height - 0.3 * sheet->em;
         box.bottom = sheet->height - sheet->head - (row + 1) * height + 0.3 * sheet->em;
