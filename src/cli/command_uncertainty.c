@@ -139,8 +139,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
     thud_panel_results_on_x(panel);
-    thud_panel_axis(panel, THUD_Y, "Share of the samples below", "%");
-    thud_panel_limits(panel, THUD_Y, 0, 100);
+    thud_panel_share_axis(panel, THUD_Y, "Share of the samples below");
     thud_panel_mark(panel, THUD_X, 1, 1, "");
     if (!x) {
         thud_figure_free(figure);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plot/figures/figures_case.h"
 #include "plot/figures/figures_sweep.h"
 
 enum { RECORDS = 2, GAPS = 5, DEPTHS = 3, CASES = 3 };
@@ -185,21 +186,37 @@ START_TEST(means_have_a_curve_per_record)
 }
 END_TEST
 
+static int lines_at(const struct thud_panel *panel, enum thud_side side, double at)
+{
+    int n = 0;
+    for (int i = 0; i < panel->nmarks; i++)
+        n += panel->mark[i].side == side && near(panel->mark[i].from, at) && near(panel->mark[i].to, at);
+    return n;
+}
+
 /* Of a suite the median stands alone; here nine motions of which two have a result. Ratios are taken in logarithms; the
  * drifts of this sample are below 0 and are not. */
 START_TEST(a_suite_has_its_median_and_band)
 {
     struct sample *s = malloc(sizeof *s);
+    static const char *const names[] = {"1", "2", "3", "4", "5", "6", "7", "8", "9"};
+    struct thud_sweep_need_row need[18] = {{.interface = 1, .relative_displacement_m = 0.11},
+                                           {.interface = 1, .relative_displacement_m = 0.17}};
     fill(s, 1);
+    const char *const *own = s->table.record;
     s->table.nrecords = 9;
+    s->table.record = names;
+    s->table.need = need;
     struct thud_figure *figure = thud_figure_of_means(&s->table, THUD_CASE_BUMPER, "x", NULL);
     ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
     for (int q = 0; q < 2; q++) {
         const struct thud_panel *b = &figure->panel[2 * q + 1];
         ck_assert_int_eq(b->nseries, 2);
+        ck_assert_int_eq(lines_at(b, THUD_X, 17.0), 1);
         const struct thud_series *band = b->series[0], *median = b->series[1];
         ck_assert(thud_series_is_shade(band));
-        ck_assert_str_eq(median->name, "median");
+        ck_assert_str_eq(median->name, "9 ground motions");
+        ck_assert_int_eq(median->style.color, thud_case_color(THUD_CASE_BUMPER));
         for (int a = 0; a < GAPS; a++) {
             double low = mark(0, THUD_CASE_BUMPER, a, 0, 2, 0), high = mark(1, THUD_CASE_BUMPER, a, 0, 2, 0);
             ck_assert_double_eq_tol(median->y[a], q == 0 ? sqrt(low * high) : -0.5 * (low + high), 1e-12);
@@ -208,8 +225,10 @@ START_TEST(a_suite_has_its_median_and_band)
             ck_assert_double_lt(band->y[a], band->y_high[a]);
         }
     }
+    ck_assert_ptr_nonnull(strstr(figure->note, "under any of the motions"));
     thud_figure_free(figure);
     s->table.nrecords = RECORDS;
+    s->table.record = own;
     empty(s);
 }
 END_TEST
@@ -247,14 +266,6 @@ START_TEST(curves_have_the_names_of_events)
     empty(s);
 }
 END_TEST
-
-static int lines_at(const struct thud_panel *panel, enum thud_side side, double at)
-{
-    int n = 0;
-    for (int i = 0; i < panel->nmarks; i++)
-        n += panel->mark[i].side == side && near(panel->mark[i].from, at) && near(panel->mark[i].to, at);
-    return n;
-}
 
 /* The gap from which there is no contact is a line in every figure against the gap, along whichever axis, and the note says
  * so; beyond the gaps that are shown there is none. */

@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/sweep/fragility_report.h"
 #include "base/random.h"
+#include "plot/figures/figures_case.h"
+#include "plot/figures/figures_fragility.h"
 #include "study/suite/fragility.h"
 #include "study_setup.h"
 
@@ -251,13 +254,13 @@ static struct thud_suite *made_up(const double *needed, int n, bool turned)
     plan->record = many;
     plan->nrecords = n;
     ck_assert_int_eq(thud_suite_create(plan, &suite, &error), THUD_OK);
+    double *value = suite->value;
     for (int r = 0; r < n; r++)
         for (long i = 0; i < suite->settings; i++)
-            for (int v = 0; v < suite->nvalues; v++)
-                suite->value[((size_t)r * (size_t)suite->settings + (size_t)i) * (size_t)suite->nvalues + (size_t)v] =
-                    v == THUD_SUITE_IMPACTS ? plan->axis[0].value[i] < needed[r]
-                    : v == THUD_SUITE_SHORT ? needed[r] - plan->axis[0].value[i]
-                                            : 1;
+            for (int v = 0; v < plan->ncases * suite->nvalues; v++)
+                *value++ = v % suite->nvalues == THUD_SUITE_IMPACTS ? plan->axis[0].value[i] < needed[r]
+                           : v % suite->nvalues == THUD_SUITE_SHORT ? needed[r] - plan->axis[0].value[i]
+                                                                    : 1;
     return suite;
 }
 
@@ -289,6 +292,7 @@ START_TEST(counts_and_band_of_a_suite)
         thud_share_band((size_t)count, 7, 1, &low, &high);
         ck_assert(f.share_low[i] == low && f.share_high[i] == high);
     }
+    ck_assert(isnan(f.free_gap)); /* the scene as written has bumpers */
     /* of pounding each motion's own gap is known: no fit */
     ck_assert_int_eq(f.nexact, 7);
     ck_assert_double_eq_tol(f.exact50, 0.115, 1e-12);
@@ -432,6 +436,66 @@ START_TEST(a_suite_holds_what_the_rows_say)
 }
 END_TEST
 
+/* Against the gap the line stands where the last of the motions no longer causes contact, whatever is asked; none and all
+ * of the motions stand off the frame, and counts of cases beside each other. */
+START_TEST(a_figure_against_the_gap_has_its_line)
+{
+    const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165, 0.115};
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
+    struct thud_suite *suite = made_up(needed, 7, false);
+    struct thud_fragility f = of(suite, "drift:1 %", 0);
+    struct thud_fragility_curve curve[2] = {{0, 0, &f}, {0, 1, &f}};
+    struct thud_figure *figure = thud_figure_of_fragility(plan, "drift:1 %", curve, 2, "A note.");
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    const struct thud_panel *panel = &figure->panel[0];
+    ck_assert_int_eq(panel->nmarks, 1);
+    ck_assert_double_eq_tol(panel->mark[0].from, 16.5, 1e-9);
+    ck_assert_ptr_nonnull(strstr(figure->note, "A note. Vertical line: no contact without bumper from here on"));
+    ck_assert_ptr_nonnull(strstr(figure->title, "probability of drift above 1 %"));
+    ck_assert(panel->axis[THUD_Y].least < 0 && panel->axis[THUD_Y].most > 100);
+    const struct thud_series *points[2] = {NULL, NULL};
+    for (int i = 0, n = 0; i < panel->nseries; i++)
+        if (panel->series[i]->style.kind == THUD_POINTS && n < 2)
+            points[n++] = panel->series[i];
+    ck_assert(points[1] && points[0]->x[0] < points[1]->x[0]);
+    thud_figure_free(figure);
+    thud_fragility_clear(&f);
+    thud_suite_free(suite);
+}
+END_TEST
+
+/* Measures have the colour of their case, and a mark for each setting; of shares there is Wilson's band. */
+START_TEST(what_lowers_is_drawn_by_case)
+{
+    const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165, 0.115};
+    ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper,cavity", &error), THUD_OK);
+    struct thud_suite *suite = made_up(needed, 7, false);
+    struct thud_figure *figure = thud_suite_lowered_figure(suite);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    const struct thud_panel *shares = &figure->panel[1];
+    int points = 0, shape = 0;
+    for (int i = 0; i < shares->nseries; i++) {
+        const struct thud_series *s = shares->series[i];
+        if (s->style.kind != THUD_POINTS)
+            continue;
+        const struct thud_series *band = shares->series[i - 1];
+        double low, high;
+        thud_share_band((size_t)lround(s->x[0] * 7 / 100), 7, 1, &low, &high);
+        ck_assert_double_eq_tol(band->x[0], 100 * low, 1e-9);
+        ck_assert_double_eq_tol(band->x[1], 100 * high, 1e-9);
+        ck_assert(band->y[0] == s->y[0] && isnan(band->y[2]));
+        ck_assert_int_eq(s->style.color,
+                         thud_case_color(strncmp(s->name, "cavity", 6) == 0 ? THUD_CASE_CAVITY : THUD_CASE_BUMPER));
+        shape = points % 3 == 0 ? 1 : shape + 1;
+        ck_assert_int_eq(s->style.shape, shape);
+        points++;
+    }
+    ck_assert_int_eq(points, 6);
+    thud_figure_free(figure);
+    thud_suite_free(suite);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -449,6 +513,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, hazard_of_a_step);
     tcase_add_test(tcase, hazard_of_exact_values);
     tcase_add_test(tcase, counts_and_band_of_a_suite);
+    tcase_add_test(tcase, a_figure_against_the_gap_has_its_line);
+    tcase_add_test(tcase, what_lowers_is_drawn_by_case);
     tcase_add_test(tcase, both_signs_are_one_draw);
     tcase_add_test(tcase, equal_motions_and_few);
     tcase_add_test(tcase, medians_beyond_and_counts);

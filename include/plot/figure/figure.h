@@ -32,6 +32,7 @@ unsigned thud_color_rgb(int color); /* 0xRRGGBB */
 struct thud_style {
     enum thud_series_kind kind;
     int color;
+    int shape;   /* of its marks: 0 by the colour; 1, 2, ...: others of the same colour */
     bool wide;   /* drawn heavier */
     bool thin;   /* drawn lighter: many curves, or what stands behind */
     bool dashed; /* of another state, to compare with */
@@ -137,6 +138,8 @@ struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int co
 void thud_panel_note(struct thud_panel *panel, const char *text);
 void thud_panel_axis(struct thud_panel *panel, enum thud_side side, const char *label, const char *unit);
 void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double least, double most);
+/* Shares in %: none and all stand off the frame. */
+void thud_panel_share_axis(struct thud_panel *panel, enum thud_side side, const char *label);
 /* Along x stand results, not what they were asked for. */
 void thud_panel_results_on_x(struct thud_panel *panel);
 void thud_panel_log(struct thud_panel *panel, enum thud_side side);

@@ -9,6 +9,9 @@
 void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_axis *axis);
 double thud_varied_factor(const struct thud_sweep_axis *axis);
 
+/* What the line of the gap from which there is no contact is, in a sentence. */
+extern const char thud_free_gap_words[];
+
 /* Amplification of the peak floor accelerations and interstorey drifts against the first varied key, a curve per
  * floor, a column of panels per structure, for one record and case; of case `none` over no pounding. `title` may be
  * NULL: made from record and case. */

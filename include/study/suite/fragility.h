@@ -105,6 +105,8 @@ struct thud_fragility {
     int nexact;
     double *exact; /* (nexact) */
     double exact16, exact50, exact84, exact_low, exact_high;
+    /* Along a gap: the one from which no motion causes contact without bumper; NaN: not known. */
+    double free_gap;
 };
 /* Free with thud_fragility_clear. Errors: THUD_MEMORY. */
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,

@@ -72,7 +72,7 @@ struct thud_sweep_table {
     struct thud_sweep_summary *const *point; /* (npoints): by record, then parameters, the last axis fastest */
     const struct thud_sweep_shares *shares;  /* (npoints x THUD_SWEEP_CASES_MAX) of a suite's runs; else NULL */
     /* (2 x nrecords) the levels that decide the gap: where the study needs the widest one, and after these where the
-     * narrowest; interface 0: there is none */
+     * narrowest; interface 0: there is none. Of a suite (2 x motions), those of the table that it was made of */
     const struct thud_sweep_need_row *need;
 };
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/sweep/fragility_report.h"
+#include "plot/figures/figures_case.h"
 
 enum { SHOWN_MAX = 3 };
 static const double equal = 1e-9;         /* ratios nearer to 1 are neither lower nor higher */
@@ -259,36 +260,39 @@ enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_
 
 /* ---- the figure ---- */
 
-/* Shares by response, and medians with what 16 to 84 % of the motions give, of one measure. */
-static void draw_measure(const struct compared *c, int i, int rows, struct thud_panel *ratios,
+enum { FROM, TO, NOTHING, PIECE }; /* of a level line: its ends, and a break */
+
+/* Shares by response with Wilson's 90 % bands, and medians with what 16 to 84 % of the motions give, of one measure. */
+static void draw_measure(const struct compared *c, int i, size_t rows, struct thud_panel *ratios,
                          struct thud_panel *shares)
 {
     static const double broad = 0.6, most_shown = 1e3;
-    double *x = malloc(6 * (size_t)rows * sizeof *x), *y = x + 3 * rows, *at = malloc(3 * (size_t)rows * sizeof *at);
-    size_t q = 0;
-    int row = 0;
-    for (int s = -2; x && at && next_response(c->suite, &q, &s); row++) {
-        const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
-        const bool shown = r.n > 0 && r.ratio.median < most_shown, spread = shown && r.ratio.p84 < most_shown;
-        const double level = rows - row + broad * (0.5 - (i + 0.5) / c->nmeasures);
-        x[3 * row] = spread ? r.ratio.p16 : NAN;
-        x[3 * row + 1] = spread ? r.ratio.p84 : NAN;
-        x[3 * row + 2] = NAN;
-        y[3 * row] = y[3 * row + 1] = y[3 * row + 2] = level;
-        at[row] = level;
-        at[rows + row] = shown ? r.ratio.median : NAN;
-        at[2 * rows + row] = r.n > 0 ? 100.0 * r.lower / r.n : NAN;
+    const struct measure *m = &c->measure[i];
+    struct thud_style style = {.kind = THUD_LINES, .color = thud_case_color(c->suite->plan->cases[m->k])};
+    for (int k = i; k >= 0 && c->measure[k].k == m->k; k--) /* one colour for a case, a shape for each setting */
+        style.shape++;
+    struct thud_series *spread = thud_panel_add(ratios, style, "", PIECE * rows, NULL, NULL);
+    struct thud_series *band = thud_panel_add(shares, style, "", PIECE * rows, NULL, NULL);
+    style.kind = THUD_POINTS;
+    struct thud_series *median = thud_panel_add(ratios, style, m->name, rows, NULL, NULL);
+    struct thud_series *share = thud_panel_add(shares, style, m->name, rows, NULL, NULL);
+    size_t q = 0, row = 0;
+    for (int s = -2; share && next_response(c->suite, &q, &s); row++) {
+        const struct lowered r = ratio_of(c, m, &responses[q], s);
+        const bool shown = r.n > 0 && r.ratio.median < most_shown, ends = shown && r.ratio.p84 < most_shown;
+        const double level = (double)(rows - row) + broad * (0.5 - (i + 0.5) / c->nmeasures);
+        spread->x[PIECE * row + FROM] = ends ? r.ratio.p16 : NAN;
+        spread->x[PIECE * row + TO] = ends ? r.ratio.p84 : NAN;
+        thud_suite_share_band(c->suite, (size_t)r.lower, (size_t)r.n, &band->x[PIECE * row + FROM],
+                              &band->x[PIECE * row + TO]);
+        for (size_t k = FROM; k < PIECE; k++) {
+            spread->y[PIECE * row + k] = band->y[PIECE * row + k] = k == NOTHING ? NAN : level;
+            band->x[PIECE * row + k] *= 100;
+        }
+        median->x[row] = shown ? r.ratio.median : NAN;
+        share->x[row] = r.n > 0 ? 100.0 * r.lower / r.n : NAN;
+        median->y[row] = share->y[row] = level;
     }
-    if (x && at) {
-        const struct thud_style point = {.kind = THUD_POINTS, .color = i};
-        thud_panel_add(ratios, (struct thud_style){.kind = THUD_LINES, .color = i}, "", 3 * (size_t)rows, x, y);
-        thud_panel_add(ratios, point, c->measure[i].name, (size_t)rows, at + rows, at);
-        thud_panel_add(shares, point, c->measure[i].name, (size_t)rows, at + 2 * rows, at);
-    } else if (ratios) {
-        ratios->figure->failed = true;
-    }
-    free(x);
-    free(at);
 }
 
 static void add_rows(const struct thud_suite *suite, int rows, struct thud_panel *panel)
@@ -324,13 +328,14 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
         add_rows(suite, rows, ratios);
         add_rows(suite, rows, shares);
         thud_panel_axis(ratios, THUD_X, "Ratio", "");
-        thud_panel_axis(shares, THUD_X, "Share", "%");
+        thud_panel_share_axis(shares, THUD_X, "Share");
         thud_panel_mark(ratios, THUD_X, 0, 1, "");
         thud_panel_mark(ratios, THUD_X, 1, 1, "");
-        thud_panel_limits(shares, THUD_X, 0, 105); /* none on the frame */
         for (int i = 0; i < c->nmeasures; i++)
-            draw_measure(c, i, rows, ratios, shares);
-        thud_figure_note(figure, "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower.");
+            draw_measure(c, i, (size_t)rows, ratios, shares);
+        thud_figure_note(figure,
+                         "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. Lines of the "
+                         "shares: 90 % bands (Wilson).");
     }
     free(room);
     free(c);

@@ -171,6 +171,12 @@ void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double lea
     panel->axis[side].most = most;
 }
 
+void thud_panel_share_axis(struct thud_panel *panel, enum thud_side side, const char *label)
+{
+    thud_panel_axis(panel, side, label, "%");
+    thud_panel_limits(panel, side, -4, 104);
+}
+
 void thud_panel_results_on_x(struct thud_panel *panel)
 {
     if (panel)

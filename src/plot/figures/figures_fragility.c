@@ -73,7 +73,9 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
+    const int which = plan->cases[curve->k]; /* counts of cases are often the same: they stand beside each other */
     for (size_t i = 0; i < f->n; i++) {
+        point[i] += 0.005 * (2 * which - (int)THUD_CASES) * (f->most - f->least) * unit;
         low[i] = 100 * f->share_low[i];
         high[i] = 100 * f->share_high[i];
     }
@@ -85,18 +87,27 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
 
 const char *thud_fragility_note(int ndraws)
 {
-    return ndraws < THUD_SHARES_LEAST ? " Points: shares, of so few motions without bands; steps: exact."
+    return ndraws < THUD_SHARES_LEAST ? "Points: shares, of so few motions without bands; steps: exact."
            : ndraws < THUD_DRAWS_LEAST
-               ? " Points: shares with 90 % bands (Wilson); steps: exact; curves without bands, of so few motions."
-               : " Points: shares with 90 % bands (Wilson); steps: exact; curves where the counts allow one; shaded: "
-                 "90 % by "
-                 "bootstrap.";
+               ? "Points: shares with 90 % bands (Wilson); steps: exact; curves without bands, of so few motions."
+               : "Points: shares with 90 % bands (Wilson); steps: exact; curves where the counts allow one; shaded: "
+                 "90 % by bootstrap.";
+}
+
+/* "drift:1 %": drift above 1 %. */
+static void event_words(const char *event, char *text, size_t size)
+{
+    const char *limit = strchr(event, ':');
+    if (limit)
+        snprintf(text, size, "%.*s above %s", (int)(limit - event), event, limit + 1);
+    else
+        snprintf(text, size, "%s", strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
 }
 
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
                                              const struct thud_fragility_curve *curve, int ncurves, const char *note)
 {
-    char name[96] = "fragility-", title[THUD_TEXT_MAX + 128];
+    char name[96] = "fragility-", title[THUD_TEXT_MAX + 128], words[96];
     size_t n = strlen(name);
     int columns = 0, panel_of[PANELS_MAX];
     for (int a = 0; a < PANELS_MAX; a++)
@@ -112,23 +123,34 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
     while (name[n - 1] == '-')
         n--;
     name[n] = '\0';
+    event_words(event, words, sizeof words);
     snprintf(title, sizeof title, "%s: probability of %s", plan->scene.title[0] ? plan->scene.title : plan->scene.name,
-             strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
+             words);
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
+    bool line = false;
     for (int a = 0; a < plan->naxes; a++) {
         char against[160];
+        double gap = NAN;
         if (panel_of[a] < 0)
             continue;
         snprintf(against, sizeof against, "against %s", plan->axis[a].param->title);
         struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], against);
         thud_panel_varied(panel, THUD_X, &plan->axis[a]);
-        thud_panel_axis(panel, THUD_Y, "Share of the ground motions", "%");
-        thud_panel_limits(panel, THUD_Y, 0, 100);
+        thud_panel_share_axis(panel, THUD_Y, "Share of the ground motions");
         for (int i = 0; i < ncurves; i++)
-            if (curve[i].axis == a)
+            if (curve[i].axis == a) {
                 add_curve(panel, plan, &curve[i]);
+                gap = curve[i].fragility->free_gap;
+            }
+        if (gap >= plan->axis[a].value[0] && gap <= plan->axis[a].value[plan->axis[a].n - 1]) {
+            gap *= thud_varied_factor(&plan->axis[a]);
+            thud_panel_mark(panel, THUD_X, gap, gap, "");
+            line = true;
+        }
     }
     thud_figure_note(figure, note);
+    if (line)
+        thud_figure_note(figure, thud_free_gap_words);
     return figure;
 }
 

@@ -307,6 +307,9 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
         style.kind = THUD_LINES;
     double width = style.wide && style.kind != THUD_POINTS ? 3.0 : style.thin ? 1.0 : 1.8;
     bool bars = style.kind == THUD_BARS && !key;
+    const int mark = style.shape > 0   ? style.shape - 1
+                     : style.color < 0 ? 0
+                                       : style.color + 3 * (style.color / THUD_COLORS);
     thud_text_append(sheet->out, "with %s ", style.kind == THUD_BARS && key ? "filledcurves" : with[style.kind]);
     if (style.kind == THUD_FILL || style.kind == THUD_BARS)
         thud_text_append(sheet->out, "fs transparent solid %s noborder ",
@@ -316,13 +319,12 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
                                                          : "0.25");
     else {
         thud_text_append(sheet->out, "lw %.2g ", width);
-        const char *dash = dashes(&style, !*series->name);
+        const char *dash = dashes(&style, !*series->name || sheet->nkeys == 0);
         if (style.kind != THUD_POINTS && *dash)
             thud_text_append(sheet->out, "dt %s ", dash);
     }
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
-        thud_text_append(sheet->out, "pt %d ps %.3g*DOT ",
-                         shape[style.color < 0 ? 0 : (style.color + 3 * (style.color / THUD_COLORS)) % THUD_COLORS],
+        thud_text_append(sheet->out, "pt %d ps %.3g*DOT ", shape[mark % THUD_COLORS],
                          style.kind == THUD_POINTS && style.wide   ? 2.4
                          : style.kind == THUD_POINTS && style.thin ? 0.4
                                                                    : 1.0); /* rings around others */

@@ -439,7 +439,7 @@ static void conclude(struct thud_fragility *f, enum thud_event_kind kind, const 
 
 /* The value from which on each motion causes contact: displacements without pounding are linear in an intensity,
  * and a gap does not change them. */
-static double threshold(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int record)
+static double threshold(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int k, int record)
 {
     const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
     int at[THUD_VARY_MAX];
@@ -447,31 +447,47 @@ static double threshold(const struct thud_suite *suite, const struct thud_fragil
     for (int i = 0; i < axis->n; i++) {
         at[ask->axis] = i;
         long setting = thud_suite_setting(suite->plan, at);
-        double used = thud_suite_value(suite, record, setting, ask->k, THUD_SUITE_USED, -1);
+        double used = thud_suite_value(suite, record, setting, k, THUD_SUITE_USED, -1);
         if (isnan(used) || !(axis->value[i] > 0))
             continue;
         if (thud_axis_is_intensity(axis))
             return used > 0 ? axis->value[i] / used : INFINITY;
-        return axis->value[i] + thud_suite_value(suite, record, setting, ask->k, THUD_SUITE_SHORT, -1);
+        return axis->value[i] + thud_suite_value(suite, record, setting, k, THUD_SUITE_SHORT, -1);
     }
     return NAN;
+}
+
+static bool is_gap(const struct thud_suite *suite, const struct thud_sweep_axis *axis)
+{
+    return suite->nstructures == 2 && is_monotone(THUD_EVENT_POUNDING, axis) && !thud_axis_is_intensity(axis);
+}
+
+static double free_gap(const struct thud_suite *suite, const struct thud_fragility_ask *ask)
+{
+    double widest = -INFINITY;
+    for (int k = 0; k < suite->plan->ncases && is_gap(suite, &suite->plan->axis[ask->axis]); k++)
+        for (int r = 0; suite->plan->cases[k] == THUD_CASE_NONE && r < suite->nrecords; r++) {
+            const double own = threshold(suite, ask, k, r);
+            widest = isnan(own) ? (double)INFINITY : fmax(widest, own);
+        }
+    return isfinite(widest) ? widest : (double)NAN;
 }
 
 static enum thud_status find_exact(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                    struct thud_fragility *f, struct thud_error *err)
 {
     const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
-    bool intensity = thud_axis_is_intensity(axis), gap = is_monotone(THUD_EVENT_POUNDING, axis) && !intensity;
+    bool intensity = thud_axis_is_intensity(axis);
     size_t n = (size_t)suite->nrecords, count, samples = suite->ndraws >= THUD_DRAWS_LEAST ? (size_t)ask->samples : 0;
     f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
-    if (ask->event->kind != THUD_EVENT_POUNDING || !(intensity ? suite->linear : gap && suite->nstructures == 2))
+    if (ask->event->kind != THUD_EVENT_POUNDING || !(intensity ? suite->linear : is_gap(suite, axis)))
         return THUD_OK;
     double *own = malloc((2 * n + samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n;
     struct thud_random random = {ask->seed};
     if (!own)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     for (size_t r = 0; r < n; r++) {
-        own[r] = threshold(suite, ask, (int)r);
+        own[r] = threshold(suite, ask, ask->k, (int)r);
         if (isnan(own[r])) {
             free(own);
             return THUD_OK;
@@ -549,6 +565,7 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
         status = bootstrap(happens, suite, ask, out, err);
     if (status == THUD_OK)
         status = find_exact(suite, ask, out, err);
+    out->free_gap = free_gap(suite, ask);
     free(happens);
     if (status != THUD_OK)
         thud_fragility_clear(out);

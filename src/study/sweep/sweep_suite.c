@@ -237,7 +237,6 @@ enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, str
         suite->nrows = suite->npoints = 0;
         suite->point = point;
         suite->shares = shares;
-        suite->need = NULL;
     }
     made = made && fill(&m, suite, point, shares);
     free(m.of);

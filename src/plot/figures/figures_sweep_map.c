@@ -1,0 +1,106 @@
+/* Amplification over two parameters. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "plot/figures/figures_sweep_internal.h"
+
+/* A dot in every cell where the response is larger: the two ends of the colours are one grey in print. */
+static void add_harm(struct thud_panel *panel, const struct thud_map *map)
+{
+    static const double harm = 1.01;
+    struct thud_series *dots =
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_POINTS, .color = THUD_COLORS - 1, .thin = true},
+                       "ratio above 1.01", map->nx * map->ny, NULL, NULL);
+    size_t n = 0;
+    for (size_t i = 0; dots && i < map->nx * map->ny; i++)
+        if (map->z[i] > harm) {
+            dots->x[n] = map->x[i % map->nx];
+            dots->y[n++] = map->y[i / map->nx];
+        }
+    if (dots)
+        dots->n = n;
+}
+
+static void fill_map(struct thud_panel *panel, const struct thud_sweep_table *table, const struct thud_wanted *wanted)
+{
+    const struct thud_sweep_axis *on_x = &table->axis[0], *on_y = &table->axis[1];
+    double *x = malloc(((size_t)on_x->n + (size_t)on_y->n) * sizeof *x), *y = x ? x + on_x->n : NULL;
+    for (int i = 0; x && i < on_x->n; i++)
+        x[i] = thud_axis_place(on_x, i);
+    for (int i = 0; x && i < on_y->n; i++)
+        y[i] = thud_axis_place(on_y, i);
+    struct thud_map *map = x ? thud_panel_map(panel, (size_t)on_x->n, x, (size_t)on_y->n, y, NULL,
+                                              thud_sweep_ratio_label[wanted->told], "")
+                             : NULL;
+    free(x);
+    if (!map) {
+        if (panel)
+            panel->figure->failed = true;
+        return;
+    }
+    map->centre = 1.0;
+    map->level =
+        thud_axis_has_numbers(on_x) && thud_axis_has_numbers(on_y) ? 1.0 : NAN; /* nothing lies between words */
+    for (size_t i = 0; i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        if (d->record == wanted->record && thud_sweep_is_drawn(table, d, 2, wanted->at))
+            map->z[(size_t)d->at[1] * map->nx + (size_t)d->at[0]] =
+                thud_sweep_value(table, i, wanted, THUD_SWEEP_VALUE);
+    }
+    add_harm(panel, map);
+}
+
+/* One scale of colours for all panels, as far to one side of 1 as to the other. */
+static void same_colors(struct thud_figure *figure)
+{
+    double half = 0.0;
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++) {
+        double least, most;
+        if (figure->panel[p].map && thud_map_range(figure->panel[p].map, &least, &most))
+            half = fmax(half, fmax(most - 1.0, 1.0 - least));
+    }
+    for (int p = 0; figure && p < figure->rows * figure->columns; p++)
+        if (figure->panel[p].map)
+            figure->panel[p].map->reach = half;
+}
+
+struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                       const int *at, const char *name)
+{
+    int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
+    bool free = which == THUD_CASE_NONE;
+    char text[768], head[160];
+    int n = snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, record, head),
+                     thud_sweep_amplification(which));
+    for (int a = 2; a < table->naxes && n > 0 && (size_t)n < sizeof text; a++)
+        n += snprintf(text + n, sizeof text - (size_t)n, ", %s %s", table->axis[a].key,
+                      table->axis[a].text[at ? at[a] : 0]);
+    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
+    for (int c = 0; c < columns; c++) {
+        for (int q = 0; q < THUD_TOLD_RATIOS; q++) {
+            snprintf(text, sizeof text, "%s: %s", thud_sweep_structure_title(table, structure[c], head),
+                     q == THUD_TOLD_DRIFT ? "drifts" : "accelerations");
+            struct thud_panel *panel = thud_figure_panel(figure, q, c, text);
+            thud_sweep_axis_of(panel, THUD_X, table, 0);
+            thud_sweep_axis_of(panel, THUD_Y, table, 1);
+            struct thud_wanted wanted = {.record = record,
+                                         .which = which,
+                                         .told = (enum thud_told)q,
+                                         .structure = structure[c],
+                                         .free = free,
+                                         .at = at};
+            fill_map(panel, table, &wanted);
+        }
+    }
+    same_colors(figure);
+    bool line = thud_axis_has_numbers(&table->axis[0]) && thud_axis_has_numbers(&table->axis[1]);
+    snprintf(text, sizeof text, "%s%s%s",
+             free                      ? "Ratio to no pounding; red: pounding harms;"
+             : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
+                                       : "Ratio to no bumper at the same gap; blue: the bumper helps;",
+             line ? " line: ratio 1 where there is contact;" : "", " white: no change; empty: no result.");
+    thud_figure_note(figure, text);
+    thud_sweep_note_gap(figure, table, 2);
+    return figure;
+}

@@ -1,0 +1,148 @@
+/* Amplification against one parameter: floor by floor, means over the floors, ratios to no pounding. */
+#include <assert.h>
+#include <stdio.h>
+
+#include "plot/figures/figures_sweep_internal.h"
+
+static const char *helps(enum thud_case which)
+{
+    return which == THUD_CASE_LINK ? "Ratio to no link at the same gap; below 1 the links help."
+                                   : "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+}
+
+static const char pounds[] = "Ratio to no pounding at all; above 1 pounding harms.";
+
+/* What a figure of ratios shows, for its title. */
+const char *thud_sweep_amplification(enum thud_case which)
+{
+    return which == THUD_CASE_NONE     ? "amplification by pounding without bumper"
+           : which == THUD_CASE_BUMPER ? "amplification by the bumper"
+           : which == THUD_CASE_CAVITY ? "amplification by the bumper in a cavity"
+           : which == THUD_CASE_LINK   ? "amplification by the links"
+                                       : "amplification against no bumper, scene as written";
+}
+
+/* Panel p, by quantity and structure; of case none: to no pounding. */
+static struct thud_panel *ratio_panel(struct thud_figure *figure, const struct thud_sweep_table *table, int p,
+                                      int structure, enum thud_case which)
+{
+    char title[160];
+    const int columns = figure ? figure->columns : 1;
+    struct thud_panel *panel =
+        thud_figure_panel(figure, p / columns, p % columns, thud_sweep_structure_title(table, structure, title));
+    thud_sweep_axis_of(panel, THUD_X, table, 0);
+    thud_panel_axis(panel, THUD_Y, thud_sweep_ratio_label[p / columns], "");
+    if (which != THUD_CASE_NONE)
+        thud_panel_mark(panel, THUD_Y, 0.0, 1.0, which == THUD_CASE_LINK ? "links help" : "bumper helps");
+    thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "");
+    return panel;
+}
+
+struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, int record, enum thud_case which,
+                                         const char *name, const char *title)
+{
+    int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
+    bool free = which == THUD_CASE_NONE;
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: %s, floor by floor", thud_sweep_record_name(table, record, head),
+             thud_sweep_amplification(which));
+    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
+    for (int p = 0; p < 2 * columns; p++) {
+        const int of = structure[p % columns], floors = thud_sweep_floors(table, of),
+                  step = (floors + THUD_SWEEP_CURVES_MAX - 1) / THUD_SWEEP_CURVES_MAX;
+        assert(floors > 0);
+        struct thud_panel *panel = ratio_panel(figure, table, p, of, which);
+        /* with more floors than curves every step-th from the top down, so that the top is there */
+        int first = floors - (floors - 1) / step * step, curves = (floors - first) / step + 1;
+        for (int i = 0; i < 2 * curves; i++) {
+            int f = first + i % curves * step;
+            struct thud_wanted wanted = {.record = record,
+                                         .which = which,
+                                         .told = (enum thud_told)(p / columns),
+                                         .structure = of,
+                                         .floor = f,
+                                         .free = free};
+            snprintf(text, sizeof text, "floor %d", f);
+            (i < curves ? thud_sweep_shade : thud_sweep_curve)(panel, table, &wanted, text, f - 1);
+        }
+        snprintf(text, sizeof text, "Every %d. floor of %d", step, floors);
+        if (step > 1)
+            thud_panel_note(panel, text);
+    }
+    thud_sweep_same_scale(figure, NULL);
+    thud_figure_note(figure, free ? pounds : helps(which));
+    thud_sweep_note_shades(figure, table);
+    thud_sweep_note_rest(figure, table);
+    return figure;
+}
+
+static struct thud_figure *means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                 const char *title)
+{
+    int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
+    char text[384], head[160];
+    const bool one = table->nrecords == 1;
+    if (one && table->motions == 0)
+        snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, 0, head),
+                 thud_sweep_amplification(which));
+    else
+        snprintf(text, sizeof text, "A%s, means over the floors", thud_sweep_amplification(which) + 1);
+    struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
+    for (int p = 0; p < 2 * columns; p++) {
+        struct thud_panel *panel = ratio_panel(figure, table, p, structure[p % columns], which);
+        struct thud_wanted wanted = {
+            .which = which, .told = (enum thud_told)(p / columns), .structure = structure[p % columns]};
+        for (int i = 0; i < 2 * table->nrecords; i++) {
+            wanted.record = i % table->nrecords;
+            (i < table->nrecords ? thud_sweep_shade : thud_sweep_curve)(
+                panel, table, &wanted, thud_sweep_record_name(table, wanted.record, head),
+                one ? thud_case_color(which) : wanted.record);
+        }
+    }
+    thud_figure_note(figure, helps(which));
+    thud_sweep_note_shades(figure, table);
+    thud_sweep_note_rest(figure, table);
+    return figure;
+}
+
+struct thud_figure *thud_figure_of_means(const struct thud_sweep_table *table, enum thud_case which, const char *name,
+                                         const char *title)
+{
+    struct thud_sweep_table *suite = NULL;
+    if (table->nrecords > THUD_SWEEP_FIGURE_RECORDS) { /* what they say together */
+        if (thud_sweep_suite_make(table, &suite, NULL) != THUD_OK)
+            return NULL;
+        table = suite;
+    }
+    struct thud_figure *figure = means(table, which, name, title), *other = NULL;
+    enum thud_case twin = which != THUD_CASE_BUMPER                      ? THUD_CASE_BUMPER
+                          : thud_sweep_has_case(table, THUD_CASE_CAVITY) ? THUD_CASE_CAVITY
+                                                                         : THUD_CASE_LINK;
+    if (which >= 0 && thud_sweep_has_case(table, twin) && !(other = means(table, twin, name, title)) && figure)
+        figure->failed = true;
+    thud_sweep_same_scale(figure, other);
+    thud_figure_free(other);
+    thud_sweep_suite_free(suite);
+    return figure;
+}
+
+struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table, int record, const char *name)
+{
+    int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
+    char text[512], head[160];
+    snprintf(text, sizeof text, "%s: means over the floors, ratio to no pounding",
+             thud_sweep_record_name(table, record, head));
+    struct thud_figure *figure = thud_figure_create(name, text, 2, columns > 0 ? columns : 1);
+    for (int p = 0; p < 2 * columns; p++)
+        thud_sweep_curves(ratio_panel(figure, table, p, structure[p % columns], THUD_CASE_NONE), table,
+                          (struct thud_wanted){.record = record,
+                                               .told = (enum thud_told)(p / columns),
+                                               .structure = structure[p % columns],
+                                               .free = true});
+    thud_sweep_same_scale(figure, NULL);
+    thud_figure_note(figure, pounds);
+    if (table->motions > 0)
+        thud_sweep_note_shades(figure, table);
+    thud_sweep_note_rest(figure, table);
+    return figure;
+}
