@@ -12,8 +12,8 @@ static const char *dashes(const char *option)
     return option[0] && option[1] ? "--" : "-";
 }
 
-/* The commands that have an option of this name: "thud run, sweep"; empty where none has. */
-static void owners(const char *word, char *text, size_t size)
+/* The commands that have an option of this name: "thud run, sweep"; empty where more have it than are of help. False: none. */
+static bool owners(const char *word, char *text, size_t size)
 {
     size_t n = 0;
     text[0] = '\0';
@@ -21,22 +21,25 @@ static void owners(const char *word, char *text, size_t size)
         if (thud_option_find((enum thud_command_id)c, word))
             n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : "thud ",
                                   thud_command_at((enum thud_command_id)c)->name);
+    if (n >= size)
+        text[0] = '\0';
+    return n > 0;
 }
 
 static enum thud_status unknown_option(enum thud_command_id command, const char *word, struct thud_error *err)
 {
     const char *names[64];
-    char others[120];
+    char others[60];
     int n = 0;
     for (int i = 0; i < thud_option_count() && n < 64; i++)
         if (thud_option_belongs(thud_option_at(i), command))
             names[n++] = thud_option_at(i)->name;
     const char *nearest = thud_nearest(word, names, n), *name = thud_command_at(command)->name;
     thud_error_set(err, THUD_USAGE, "thud%s%s has no option %s%.60s", name[0] ? " " : "", name, dashes(word), word);
-    owners(word, others, sizeof others);
+    const bool owned = owners(word, others, sizeof others);
     if (others[0])
         thud_error_allow(err, "it is one of %s; `thud %s%s--help` lists them", others, name, name[0] ? " " : "");
-    else if (nearest)
+    else if (nearest && !owned)
         thud_error_allow(err, "did you mean %s%s? `thud %s%s--help` lists them", dashes(nearest), nearest, name,
                          name[0] ? " " : "");
     else

@@ -67,6 +67,18 @@ static void entitle(struct thud_new_preset *preset, struct thud_scene *scene)
     thud_new_preset_title(preset, scene->title, sizeof scene->title);
 }
 
+/* The study goes with the gap that --set gave, unless it gave a study. */
+static void vary_about(double before_m, struct thud_scene *scene)
+{
+    struct thud_vary *vary = &scene->study.vary[0];
+    const double factor = scene->interface[0].gap_m / before_m;
+    if (!(factor > 0) || vary->from != 0.25 * before_m)
+        return;
+    vary->from *= factor;
+    vary->to *= factor;
+    vary->step *= factor;
+}
+
 /* The text with the values of --set, as `run` would take it. */
 static enum thud_status assign(const struct thud_args *args, struct thud_new_preset *preset, struct thud_text *text,
                                struct thud_error *err)
@@ -80,10 +92,13 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
     enum thud_status status = thud_session_parse(session, text->data, text->size, args->operand[0], err);
     if (status != THUD_OK && err)
         err->file[0] = '\0', err->line = err->column = 0; /* of a text that nobody sees */
+    const double gap_m = session->scene.interface[0].gap_m;
     for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
         status = thud_session_assign(session, assignment, err);
-    if (status == THUD_OK && thud_args_has(args, "set"))
+    if (status == THUD_OK && thud_args_has(args, "set")) {
         entitle(preset, &session->scene);
+        vary_about(gap_m, &session->scene);
+    }
     if (status == THUD_OK)
         status = thud_scene_check(&session->scene, err);
     if (status == THUD_OK)

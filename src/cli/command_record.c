@@ -10,15 +10,17 @@
 #include "cli/options.h"
 #include "ground/identity.h"
 #include "io/file/file.h"
+#include "io/file/made_by.h"
 #include "io/file/paths.h"
 #include "io/record/record_write.h"
 #include "io/result/list_rows.h"
+#include "io/result/schemas.h"
 
 /* To the file of -o, else to standard output. */
 static enum thud_status deliver(const struct thud_args *args, struct thud_text *text, struct thud_error *err)
 {
     const char *path = thud_args_value(args, "o");
-    return path ? thud_text_write(text, path, err) : thud_cli_print_data(text, err);
+    return path && strcmp(path, "-") != 0 ? thud_text_write(text, path, err) : thud_cli_print_data(text, err);
 }
 
 static enum thud_status need_files(const struct thud_args *args, const char *verb, int most, struct thud_error *err)
@@ -40,16 +42,14 @@ static enum thud_status draw(const struct thud_args *args, const struct thud_rec
         return status;
     }
     thud_picture_options_motions(&picture, &record, 1);
-    return thud_figure_deliver(figure, thud_args_value(args, "o"), &picture.options, THUD_OK, err);
-}
-
-static enum thud_status print(const struct thud_args *args, struct thud_text *text, enum thud_status status,
-                              struct thud_error *err)
-{
-    if (status == THUD_OK)
-        return (thud_cli_form(args) ? thud_cli_print_data : thud_cli_print)(text, err);
-    thud_text_clear(text);
-    return status;
+    const struct thud_made_by by = {
+        .folder = thud_args_value(args, "o"), "record", "ground motions", .schema = thud_schema_at};
+    status = thud_made_by_begin(&by, err);
+    if (status) {
+        thud_figure_free(figure);
+        return status;
+    }
+    return thud_made_by_end(&by, thud_figure_deliver(figure, by.folder, &picture.options, THUD_OK, err), err);
 }
 
 static enum thud_status info_of(const struct thud_args *args, const struct thud_record *record, struct thud_list *list,
@@ -77,6 +77,7 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
 {
     struct thud_record_treatment treatment;
     struct thud_text text = {0};
+    bool undrawn = false;
     enum thud_status status = need_files(args, "info", THUD_OPERANDS_MAX, err);
     struct thud_list list = {&text, &thud_motion_info_schema, NULL, thud_cli_form(args) == THUD_AS_JSON, 0};
     if (thud_cli_form(args))
@@ -86,13 +87,16 @@ static enum thud_status info(const struct thud_args *args, struct thud_error *er
     for (int i = 1; i < args->noperands && !status; i++) {
         struct thud_record_list motions;
         status = thud_record_list_open(args->operand[i], &treatment, &motions, err);
-        for (int k = 0; k < motions.n && !status; k++)
+        for (int k = 0; k < motions.n && !status; k++) {
             status = info_of(args, motions.record[k], &list, err);
+            undrawn = undrawn || status == THUD_GNUPLOT; /* scripts and data are there */
+            status = status == THUD_GNUPLOT ? THUD_OK : status;
+        }
         thud_record_list_clear(&motions);
     }
     if (thud_cli_form(args))
         thud_list_end(&list);
-    return print(args, &text, status, err);
+    return thud_cli_print_as(args, &text, undrawn && !status ? THUD_GNUPLOT : status, err);
 }
 
 /* The first periods of --preset's structures; none without it. */
@@ -170,7 +174,7 @@ static enum thud_status spectrum(const struct thud_args *args, struct thud_error
         thud_list_end(&list);
     free(point);
     thud_record_list_clear(&motions);
-    return print(args, &text, status, err);
+    return thud_cli_print_as(args, &text, status, err);
 }
 
 static enum thud_status convert(const struct thud_args *args, struct thud_error *err)
@@ -224,7 +228,7 @@ static enum thud_status list(const struct thud_args *args, struct thud_error *er
             thud_record_rows(name, motions.record, motions.n, thud_cli_form(args), &text);
         thud_record_list_clear(&motions);
     }
-    return print(args, &text, status, err);
+    return thud_cli_print_as(args, &text, status, err);
 }
 
 static enum thud_status synthesize(const struct thud_args *args, struct thud_error *err)

@@ -50,7 +50,9 @@ static enum thud_status solve(const struct thud_args *args, struct thud_session 
             thud_args_key("by", err);
     }
     if (status == THUD_OK)
-        (thud_args_has(args, "json") ? thud_solve_json : thud_solve_report)(found, &text);
+        (thud_args_has(args, "json")  ? thud_solve_json
+         : thud_args_has(args, "csv") ? thud_solve_csv
+                                      : thud_solve_report)(found, &text);
     status = thud_cli_print_as(args, &text, status, err);
     thud_record_list_clear(&records);
     free(found);

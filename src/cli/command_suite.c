@@ -11,7 +11,9 @@
 #include "cli/options.h"
 #include "ground/identity.h"
 #include "io/file/file.h"
+#include "io/file/made_by.h"
 #include "io/record/target_file.h"
+#include "io/result/schemas.h"
 
 static enum thud_status refuse(const char *option, const char *allowed, enum thud_status status, struct thud_error *err)
 {
@@ -125,8 +127,9 @@ static enum thud_status save(const struct thud_suite_study *study, const char *w
     struct thud_text text = {0};
     if (suffix && strcmp(suffix, ".list") == 0)
         return save_list(study, where, err);
+    const struct thud_made_by by = {.folder = where, "suite", "a suite of ground motions", .schema = thud_schema_at};
     snprintf(list, sizeof list, "%.1000s/suite.list", where);
-    enum thud_status status = thud_folder_make(where, err);
+    enum thud_status status = thud_made_by_begin(&by, err);
     if (status == THUD_OK)
         status = save_list(study, list, err);
     if (status == THUD_OK) {
@@ -141,9 +144,10 @@ static enum thud_status save(const struct thud_suite_study *study, const char *w
     thud_synthetic_text(synthetic, study->scaled.chosen, picture->options.motions, sizeof picture->options.motions);
     if (status != THUD_OK)
         return status;
-    return thud_figure_deliver(
+    status = thud_figure_deliver(
         thud_figure_of_suite(&study->scaled, study->has_target ? study->target.text : "", study->mark, study->nmarks),
         where, &picture->options, status, err);
+    return thud_made_by_end(&by, status, err);
 }
 
 /* The session of --preset, or one without a scene. */

@@ -72,6 +72,9 @@ refused 3 record info nowhere.csv
 is "new writes a preset" gives 0 new "$tmp/mine.yaml" --set gap=7cm --set structures.1.storeys=3
 is "with its comments and what was said" grep -q '^  - gap: 7 cm # at rest$' "$tmp/mine.yaml"
 is "its title goes with it" grep -q '^title: "\{0,1\}mine: 3-storey building and 6-storey building"\{0,1\}$' "$tmp/mine.yaml"
+is "its study varies the gap, from a quarter to four times of it" [ "$(sed -n '/^study:/,$p' "$tmp/mine.yaml" | sed 's/ #.*//' | tr -s '\n ' ' ')" = "study: vary: gap from: 1.75 cm to: 28 cm step: 1.75 cm " ]
+is "which is made" gives 0 sweep "$tmp/mine.yaml" --csv --quiet
+is "with a row for each structure and gap" [ "$(wc -l <"$tmp/out")" -gt 32 ]
 is "which runs" gives 0 run "$tmp/mine.yaml" --json
 cp "$tmp/out" "$tmp/file.json"
 is "it writes over no file" gives 6 new "$tmp/mine.yaml"

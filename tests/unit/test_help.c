@@ -65,47 +65,6 @@ START_TEST(an_option_belongs_to_its_commands_only)
 }
 END_TEST
 
-/* One name means one thing, and is known wherever that makes sense. */
-START_TEST(each_option_is_where_it_makes_sense)
-{
-    static const char all[] =
-        "run new sweep gap fragility uncertainty figures bench stability verify record suite report "
-        "export stiffness laws methods help solve building",
-                      scene[] = "run sweep gap fragility uncertainty bench stability report export stiffness solve",
-                      draws[] = "run sweep gap fragility uncertainty bench stability";
-    static const struct {
-        const char *option, *commands;
-    } matrix[] = {
-        {"json",
-         "run sweep gap fragility uncertainty figures bench stability verify record suite report laws methods solve "
-         "export stiffness building"},
-        {"csv",
-         "run sweep gap fragility uncertainty bench stability verify record suite laws methods stiffness building"},
-        {"quiet", all},
-        {"help", all},
-        {"no-figures", draws},
-        {"record", scene},
-        {"records", "sweep gap fragility uncertainty figures report solve"},
-        {"case", "run sweep fragility uncertainty bench stability export stiffness solve"},
-        {"cases", "run sweep fragility"},
-        {"o", "run sweep gap fragility uncertainty figures bench stability record suite report export"},
-        {"j", "run sweep gap fragility uncertainty figures report"},
-        {"replace", "run sweep gap fragility uncertainty figures bench stability report export"},
-        {"font", "run sweep gap fragility uncertainty figures bench stability report"},
-    };
-    for (size_t i = 0; i < sizeof matrix / sizeof *matrix; i++)
-        for (int c = THUD_COMMAND_SCREEN + 1; c < THUD_COMMANDS; c++) {
-            char words[300], word[40];
-            snprintf(words, sizeof words, " %s ", matrix[i].commands);
-            snprintf(word, sizeof word, " %s ", thud_command_at((enum thud_command_id)c)->name);
-            bool wanted =
-                strstr(words, word) != NULL || (strcmp(matrix[i].option, "record") == 0 && c == THUD_COMMAND_VERIFY);
-            ck_assert_msg(wanted == (thud_option_find((enum thud_command_id)c, matrix[i].option) != NULL), "%s %s",
-                          word, matrix[i].option);
-        }
-}
-END_TEST
-
 START_TEST(choices_are_where_they_are_promised)
 {
     for (int i = 0; i < thud_option_count(); i++) {
@@ -152,7 +111,6 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, help_fits_a_screen);
     tcase_add_test(tcase, commands_are_found_by_name);
     tcase_add_test(tcase, an_option_belongs_to_its_commands_only);
-    tcase_add_test(tcase, each_option_is_where_it_makes_sense);
     tcase_add_test(tcase, choices_are_where_they_are_promised);
     tcase_add_test(tcase, every_shell_is_told_of_every_option);
     suite_add_tcase(suite, tcase);

@@ -14,7 +14,7 @@ struct thud_made_by {
     const char *folder;
     char group[16];           /* of commands that write files of the same names: "run", "study" */
     char what[240];           /* in words, for messages: "sweep of towers (gap 5 cm to 25 cm, 41 values)" */
-    unsigned long long scene; /* thud_hash of the scene */
+    unsigned long long scene; /* thud_hash of the scene; 0: of none, which lies beside those of any */
     unsigned long long asked; /* of everything that is asked of it */
     bool replace;             /* remove what another scene's results are made of */
     const struct thud_schema *(*schema)(int); /* kinds of rows, for datapackage.json; NULL: none is written */

@@ -4,7 +4,7 @@
 #include "io/file/schema.h"
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
-    thud_curve_schema, thud_best_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
+    thud_curve_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
     thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema;
 
 struct thud_gap_rule_row {
@@ -44,6 +44,13 @@ struct thud_best_row {
     const char *record, *which;
     double ratio, drift_ratio, worst_ratio;
     const char *remark;
+};
+
+/* A value that was tried, as text and in SI units. */
+struct thud_tried_row {
+    const char *value;
+    double x;
+    int motions, held;
 };
 
 /* What a run with another stiffness gives, for each structure; and where a stiffness comes from. */

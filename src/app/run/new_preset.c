@@ -312,6 +312,16 @@ void thud_new_preset_title(const struct thud_new_preset *preset, char *title, si
     snprintf(title, size, "%s: %s and %s", preset->text[THUD_NEW_NAME][0], left, right);
 }
 
+/* What `thud sweep` varies: the gap, from a quarter of what it is to four times that. */
+static void study(const char *gap, struct thud_text *out)
+{
+    struct thud_quantity q;
+    if (thud_quantity_parse(gap, THUD_LENGTH, NULL, &q, NULL) != THUD_OK || !(q.value > 0))
+        return;
+    thud_text_append(out, "study: # of `thud sweep`\n  vary: gap\n  from: %.6g cm\n  to: %.6g cm\n  step: %.6g cm\n",
+                     25 * q.value, 400 * q.value, 25 * q.value);
+}
+
 enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,
                                       struct thud_error *err)
 {
@@ -338,5 +348,6 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
                      "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
                      text);
     damper(preset, out);
+    study(preset->text[THUD_NEW_GAP][0], out);
     return out->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : THUD_OK;
 }

@@ -7,6 +7,7 @@
 
 #include "app/sweep/sweep_jobs.h"
 #include "io/file/json.h"
+#include "io/result/study_rows.h"
 
 enum { SCAN = 9, PARTS = 5 };    /* values of the scan; parts that a change is cut into in each round */
 static const double fine = 1e-3; /* of the range: where a change is known so well it is known */
@@ -241,6 +242,17 @@ void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
                      "\nBetween values that were tried nothing is known: a change and its way back may lie there.\n");
 }
 
+static void make_tried(const void *of, int i, void *row)
+{
+    const struct thud_solve_try *t = (const struct thud_solve_try *)of + i;
+    *(struct thud_tried_row *)row = (struct thud_tried_row){t->text, t->x, t->n, t->held};
+}
+
+void thud_solve_csv(const struct thud_solve *solve, struct thud_text *out)
+{
+    thud_rows_csv(&(struct thud_rows){&thud_tried_schema, 0, solve->n, make_tried, solve->tried}, out);
+}
+
 void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
 {
     const struct thud_solve_try *answer = thud_solve_answer(solve);
@@ -248,17 +260,13 @@ void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
     thud_json_string(out, solve->criterion.text);
     thud_text_append(out, ", \"key\": ");
     thud_json_string(out, solve->key);
-    thud_text_append(out, ", \"share\": %.17g, \"changes\": %d, \"answer\": ", solve->share, solve->changes);
+    thud_text_append(out, ", ");
+    thud_json_field(out, "share", solve->share);
+    thud_text_append(out, ", \"changes\": %d, \"answer\": ", solve->changes);
     if (answer)
         thud_json_string(out, answer->text);
     else
         thud_text_append(out, "null");
-    thud_text_append(out, ", \"tried\": [");
-    for (int i = 0; i < solve->n; i++) {
-        thud_text_append(out, "%s\n  {\"value\": ", i ? "," : "");
-        thud_json_string(out, solve->tried[i].text);
-        thud_text_append(out, ", \"x\": %.17g, \"motions\": %d, \"held\": %d}", solve->tried[i].x, solve->tried[i].n,
-                         solve->tried[i].held);
-    }
-    thud_text_append(out, "\n]}\n");
+    thud_json_list("tried", &(struct thud_rows){&thud_tried_schema, 0, solve->n, make_tried, solve->tried}, out);
+    thud_text_append(out, "}\n");
 }

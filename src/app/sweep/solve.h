@@ -44,4 +44,5 @@ const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve);
 void thud_solve_words(const struct thud_solve *solve, struct thud_text *out);
 /* The words, and a line per value that was tried. */
 void thud_solve_report(const struct thud_solve *solve, struct thud_text *out);
+void thud_solve_csv(const struct thud_solve *solve, struct thud_text *out); /* a row per value that was tried */
 void thud_solve_json(const struct thud_solve *solve, struct thud_text *out);

@@ -163,6 +163,8 @@ static enum thud_status walk_folder(const char *path, bool make, struct thud_err
     size_t length = strlen(path);
     if (length == 0 || length >= sizeof part)
         return thud_file_refuse(err, THUD_OUTPUT, path, "is no name for a folder");
+    if (strcmp(path, "-") == 0)
+        return thud_file_refuse(err, THUD_OUTPUT, path, "stands for standard output, which is no folder (./- is one)");
     memcpy(part, path, length + 1);
     for (size_t i = 1; i <= length; i++) {
         if (part[i] != '/' && part[i] != '\0')

@@ -129,8 +129,9 @@ static bool is_own(const struct thud_made_by *by, const struct part *part)
 
 static bool is_other(const struct thud_made_by *by, const struct part *part)
 {
+    const bool scenes = part->scene != 0 && by->scene != 0;
     return part->files.size > 0 &&
-           (part->scene != by->scene || (strcmp(part->group, by->group) == 0 && part->asked != by->asked));
+           ((scenes && part->scene != by->scene) || (strcmp(part->group, by->group) == 0 && part->asked != by->asked));
 }
 
 static enum thud_status refuse(const struct thud_made_by *by, const struct part *part, struct thud_error *err)

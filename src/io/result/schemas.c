@@ -18,7 +18,7 @@ static const struct thud_schema *const schemas[] = {
     &thud_check_schema,         &thud_fresh_schema,       &thud_published_schema,      &thud_published_value_schema,
     &thud_law_schema,           &thud_law_param_schema,   &thud_methods_schema,        &thud_stiffness_schema,
     &thud_spring_schema,        &thud_mode_schema,        &thud_quantity_schema,       &thud_effect_schema,
-    &thud_sample_schema,        &thud_index_schema};
+    &thud_sample_schema,        &thud_index_schema,       &thud_tried_schema};
 
 const struct thud_schema *thud_schema_at(int i)
 {

@@ -98,6 +98,19 @@ const struct thud_schema thud_curve_schema =
     THUD_SCHEMA("fragility-curves.csv of each curve",
                 "Behind the medians in\n.Pa fragility-curves.csv ,\nand in\n.Pa fragility.json .\n", curves);
 
+#define TRIED(member, text) THUD_FIELD(struct thud_tried_row, member, #member, text)
+static const struct thud_column tried[] = {
+    TRIED(value, "Value that was tried, with its unit."), TRIED(x, "The same in SI units."),
+    TRIED(motions, "Ground motions with an answer; 0: the value is not possible."),
+    TRIED(held, "Under how many of them the criterion holds.")};
+const struct thud_schema thud_tried_schema =
+    THUD_SCHEMA("solve",
+                "Of\n.Cm thud solve Fl -csv ,\nand with\n.Fl -json\nthe list\n.Va tried\nbehind the criterion\n"
+                ".Va for ,\nthe\n.Va key\nthat may change, the\n.Va share\nof the ground motions under which it has to "
+                "hold, how often the answer\n.Va changes ,\nand the\n.Va answer\n(no value: there is none, or "
+                "several).\n",
+                tried);
+
 #define BEST(member, key, text) THUD_FIELD(struct thud_best_row, member, key, text)
 static const struct thud_column bests[] = {
     BEST(record, "record", "Ground motion, as it was given; worst of all for the largest over them."),
