@@ -129,6 +129,35 @@ START_TEST(sentences_in_tables_and_what_is_cut)
 }
 END_TEST
 
+/* A long table goes over a page's end between its three first and its three last rows; nothing ties it to what follows. A
+ * hash that begins with a figure is no number. */
+START_TEST(no_row_of_a_long_table_stands_alone)
+{
+    thud_document_table(&document, "Rows");
+    thud_document_head(&document, "n|hash");
+    for (int i = 0; i < 10; i++) {
+        thud_document_cell(&document, "%d", i);
+        thud_document_cell(&document, "4e2be59b149134ae3166f4fdeade931c");
+        thud_document_row(&document);
+    }
+    write_both();
+    ck_assert(has(&html, "<table class=\"long\">") && has(&html, "tbody.whole { break-inside: avoid }"));
+    int rows[2] = {0, 0}, bodies = 0;
+    const char *at = strstr(html.data, "<tbody");
+    for (; at; at = strstr(at + 1, "<tbody"), bodies++) {
+        const bool whole = strncmp(at, "<tbody class=\"whole\">", 21) == 0;
+        for (const char *row = strstr(at, "<tr>"), *end = strstr(at, "</tbody>"); row && row < end;
+             row = strstr(row + 1, "<tr>"))
+            rows[whole]++;
+    }
+    ck_assert_int_eq(bodies, 3);
+    ck_assert_int_eq(rows[true], 6);
+    ck_assert_int_eq(rows[false], 4);
+    ck_assert(!strstr(html.data, "nth-"));
+    ck_assert(has(&html, "<td class=\"words\">4e2be59b"));
+}
+END_TEST
+
 START_TEST(lines_stay_as_they_are)
 {
     thud_document_lines(&document, "a: [1, 2]\n  b: <c>\n");
@@ -148,6 +177,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, lists_and_tables_open_and_close);
     tcase_add_test(tcase, figures_are_inside_and_beside);
     tcase_add_test(tcase, sentences_in_tables_and_what_is_cut);
+    tcase_add_test(tcase, no_row_of_a_long_table_stands_alone);
     tcase_add_test(tcase, lines_stay_as_they_are);
     suite_add_tcase(suite, tcase);
     return suite;

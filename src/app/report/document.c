@@ -163,7 +163,7 @@ static const char *text_of(const struct thud_document_piece *piece)
 
 static bool is_words(const char *text)
 {
-    return (strlen(text) > 24 && strchr(text, ' ')) || !strchr("0123456789+-.<[", *text);
+    return strlen(text) > 24 || !strchr("0123456789+-.<[", *text);
 }
 
 /* Words begin at the left of their column, numbers end at its right: of a table, one of whose body's cells in column k is
@@ -248,20 +248,19 @@ static const char style[] =
     "td.words, thead th.words { text-align: left } td:not(.words), th.short { white-space: nowrap }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
-    "thead th:first-child { font-weight: bold } table, tr { break-inside: avoid } table.long { break-inside: auto } "
-    "caption, thead, tbody tr:nth-child(-n+3) { break-after: avoid } tbody tr:nth-last-child(-n+3) { break-before: "
-    "avoid }\n"
+    "thead th:first-child { font-weight: bold } table, tr, tbody.whole { break-inside: avoid } table.long { "
+    "break-inside: auto } caption, thead { break-after: avoid }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
     ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
     "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } figure img { max-height: "
-    "120mm; object-fit: contain } pre { background: none; "
+    "120mm; object-fit: contain } pre { font-size: .7em; background: none; "
     "border: 1px solid #aaa } }\n";
 
-/* Where the writer stands: in a list, in a table, in which of its rows and columns. */
+/* Where the writer stands: in a list, in a table, in which column and row (of its body) of how many. */
 struct place {
     bool list, table, body;
-    int column;
+    int column, row, rows;
     size_t at; /* the table */
 };
 
@@ -285,7 +284,7 @@ static void html_element(struct thud_text *out, const char *open, const char *te
 }
 
 /* The name of a row that is kept on one line. */
-enum { SHORT_MOST = 32 };
+enum { SHORT_MOST = 48 };
 
 static void html_cell(struct thud_text *out, struct place *place, const struct thud_document *document,
                       const char *text)
@@ -305,16 +304,33 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
                      text, "</td>");
 }
 
-/* A table of more rows may go over a page's end: kept together it would leave half a page empty. */
-enum { ROWS_TOGETHER = 8 };
+/* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its head
+ * and at its foot stay together, so that no row stands alone. */
+enum { ROWS_TOGETHER = 8, ROWS_AT_END = 3 };
 
-static bool is_long(const struct thud_document *document, size_t table)
+static int count_rows(const struct thud_document *document, size_t table)
 {
-    int rows = 0;
+    int rows = -1; /* less the head */
     for (size_t i = table + 1; i < document->n && (document->piece[i].kind == CELL || document->piece[i].kind == ROW);
          i++)
         rows += document->piece[i].kind == ROW;
-    return rows > ROWS_TOGETHER;
+    return rows;
+}
+
+/* Ends a row. */
+static void html_row(struct thud_text *out, struct place *place)
+{
+    static const char whole[] = "<tbody class=\"whole\">\n";
+    const int row = place->body ? ++place->row : 0;
+    thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n");
+    if (!place->body)
+        thud_text_append(out, place->rows > ROWS_TOGETHER ? whole : "<tbody>\n");
+    else if (place->rows > ROWS_TOGETHER && row == ROWS_AT_END)
+        thud_text_append(out, "</tbody>\n<tbody>\n");
+    else if (place->rows > ROWS_TOGETHER && row == place->rows - ROWS_AT_END)
+        thud_text_append(out, "</tbody>\n%s", whole);
+    place->body = true;
+    place->column = 0;
 }
 
 /* A picture of a format that pages do not show is a link to its file. */
@@ -355,19 +371,16 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         html_element(out, "<pre>", text_of(piece), "</pre>\n");
         break;
     case TABLE:
-        thud_text_append(out,
-                         is_long(document, i) ? "<div><table class=\"long\">\n<caption>" : "<div><table>\n<caption>");
+        *place = (struct place){.table = true, .at = i, .rows = count_rows(document, i)};
+        thud_text_append(out, "<div><table%s>\n<caption>", place->rows > ROWS_TOGETHER ? " class=\"long\"" : "");
         put_number(document, i, out);
         html_element(out, "", text_of(piece), "</caption>\n");
-        *place = (struct place){.table = true, .at = i};
         break;
     case CELL:
         html_cell(out, place, document, text_of(piece));
         break;
     case ROW:
-        thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n<tbody>\n");
-        place->body = true;
-        place->column = 0;
+        html_row(out, place);
         break;
     case FIGURE:
         html_figure(out, piece);

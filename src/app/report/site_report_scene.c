@@ -164,7 +164,7 @@ void thud_site_loads(struct site *site)
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;
     }
-    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.55,
+    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.45,
                      "Acceleration, velocity and displacement of the ground.");
     point = malloc(POINTS * sizeof *point);
     if (!point) {
@@ -173,7 +173,7 @@ void thud_site_loads(struct site *site)
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
     thud_site_figure(
-        site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.55,
+        site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
         "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the buildings.");
     free(point);
 }

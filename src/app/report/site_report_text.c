@@ -436,7 +436,7 @@ static void floors(struct site *site)
         }
         thud_document_row(d);
     }
-    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.3 * s->nfloors,
+    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.25 * s->nfloors,
                      "Floor spectra of the floors struck hardest, 5 % damping.");
 }
 
@@ -466,10 +466,10 @@ static void results(struct site *site)
                          "Largest values over the height, in each case.");
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(
-            site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.62,
+            site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.5,
             "Ground acceleration and the largest contact forces over time; at the right around the largest impact.");
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
-        thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.62,
+        thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.5,
                          "Largest shear of the columns that slabs strike, over the height.");
     floors(site);
 }
