@@ -80,7 +80,7 @@ static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_
         shorten(text);
         thud_panel_tick(panel, THUD_Y, i + 1, text);
     }
-    thud_panel_limits(panel, THUD_Y, 0.5, n + 0.5);
+    thud_panel_limits(panel, THUD_Y, 0.5, n + 1.3); /* above the bars stands a word */
     thud_panel_mark(panel, THUD_X, t->nominal, t->nominal, "nominal");
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {

@@ -99,6 +99,24 @@ run run rigid-bumper -o "$tmp/rigid"
 is "rigid bodies have no drift to draw" [ ! -e "$tmp/rigid/drift.png" ]
 is "but a loop" is_png "$tmp/rigid/loop.png"
 
+# Narrow pictures, which have the least room for their texts; no title in them, but beside them.
+run run slab-against-columns --cases none,bumper --to 5s --no-title --format svg --width 90mm --quiet -o "$tmp/narrow/run"
+is "figures of a column's width" [ "$code" -eq 0 ]
+run sweep towers --vary gap=5cm:25cm:10cm --vary bumper.thickness=2cm:6cm:2cm --format svg --width 90mm --quiet -o "$tmp/narrow/map"
+run run towers --floor-spectra "5 %" --format svg --width 90mm --quiet -o "$tmp/narrow/floors"
+run figures fig3 fig5 fig6 --format svg --width 90mm --quiet -o "$tmp/narrow/paper"
+is "no text of them is cut, outside or through another" python3 tests/cli/figure_faults.py "$tmp"/narrow/*
+captions() { # every picture has its title and footer as text, and not in itself
+    for picture in "$tmp"/narrow/run/*.svg; do
+        title=$(sed 's/[:;,.].*//' "${picture%svg}txt") && [ -n "$title" ] || return 1
+        ! sed '/<title>/d' "$picture" | grep -q -F -- "<text>$title" || return 1
+        sed -n 's|.*<text>\([^<]*[.]\)</text>.*|\1|p' "$picture" | tail -n 1 | sed 's/.* //' >"$tmp/word"
+        [ ! -s "$tmp/word" ] || grep -q -F -- "$(cat "$tmp/word")" "${picture%svg}txt" || return 1
+    done
+    [ "$(find "$tmp/narrow/run" -name '*.svg' | wc -l)" -gt 5 ] && [ ! -e "$tmp/narrow/map/pounding.txt" ]
+}
+is "titles and footers stand beside pictures without a title" captions
+
 run figures all -o "$tmp/all"
 is "all the paper's figures" [ "$code" -eq 0 ]
 awk '/^[.]S[sh] / { on = $0 == ".Ss figures study.json" } on && /^[.]It Va / { print $3 }' man/thud-output.5 | sort -u >"$tmp/page"

@@ -34,6 +34,8 @@
     is "with the nearest" says 'unknown key "radios"; did you mean "radius"'
     is "walls have no foundation" gives 3 run isolated-moat --set structures.1.foundation.mass=3t
     is "and say so" says 'a wall has no foundation'
+    is "spectra of its floors" gives 0 run towers-on-soil --floor-spectra "5 %" --to 2s --quiet
+    is "are those of every floor and of no foundation" [ "$(grep -c '^[AB][.][0-9]* ' "$tmp/out")" -eq 10 ]
     is "the soil in a report" gives 0 report towers-on-soil -o "$tmp/r" --quiet
     is "its equations" grep -q 'sways by u.*_f and rocks by t: springs and dashpots act under it' "$tmp/r/report.md"
     is "its inputs" grep -q '^| foundation.vs | shear-wave velocity | 200 m/s |' "$tmp/r/report.md"

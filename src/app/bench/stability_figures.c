@@ -42,7 +42,7 @@ static void add_names(const struct grid *g, struct thud_panel *panel)
     char text[64];
     for (int row = 0; row < g->rows; row++) {
         bool below = row > 0 && g->how[row - 1]->method == g->how[row]->method;
-        snprintf(text, sizeof text, "%s", below ? "… located" : g->how[row]->method->name);
+        snprintf(text, sizeof text, "%s", below ? "located" : g->how[row]->method->name);
         thud_panel_tick(panel, THUD_Y, g->rows - 1 - row, text);
     }
     thud_panel_limits(panel, THUD_Y, -0.5, g->rows - 0.5);

@@ -161,7 +161,7 @@ static const struct thud_option options[] = {
      PICTURES | EXPORT | REPORT},
     {"no-figures", NULL, "draw nothing: tables and data alone", THUD_WORD_NONE, false, STUDY | MEASURE | SUITE},
     {"format", "FORMAT", "of pictures: png, svg or pdf", THUD_WORD_CHOICE, false, FILES},
-    {"no-title", NULL, "pictures without title: a caption says it", THUD_WORD_NONE, false, FILES},
+    {"no-title", NULL, "pictures without title, which NAME.txt says", THUD_WORD_NONE, false, FILES},
     {"size", "WIDTHxHEIGHT", "of pictures, in pixels", THUD_WORD_TEXT, false, FILES | REPORT},
     {"width", "LENGTH", "of pictures on paper, such as 90mm", THUD_WORD_TEXT, false, FILES | REPORT},
     {"font", "NAME[,PIXELS]", "of pictures", THUD_WORD_TEXT, false, FILES | REPORT},

@@ -16,7 +16,7 @@ static enum thud_status path_of(const struct thud_figure *figure, const char *fo
     return thud_error_set(err, THUD_OUTPUT, "the path to %s.%s is too long", figure->name, suffix);
 }
 
-enum { SCRIPT, DATA, PICTURE, FILES };
+enum { SCRIPT, DATA, CAPTION, PICTURE, FILES };
 
 /* The files of one figure: all in the making before the first is to be seen. */
 struct set {
@@ -33,13 +33,16 @@ static enum thud_status make_script(const struct thud_figure *figure, const stru
     set->has[DATA] = !options->no_data;
     if (set->has[DATA])
         thud_figure_csv(figure, &set->text[DATA]);
+    set->has[CAPTION] = options->no_title; /* what stands no longer in the picture, and its footer */
+    if (set->has[CAPTION])
+        thud_text_append(&set->text[CAPTION], "%s.%s%s\n", figure->title, *figure->note ? " " : "", figure->note);
     return thud_gnuplot_script(figure, options, output, &set->text[SCRIPT], err);
 }
 
 static enum thud_status write_set(const struct thud_figure *figure, const char *folder, const char *picture_suffix,
                                   struct set *set, struct thud_error *err)
 {
-    const char *const suffix[FILES] = {"gp", "csv", picture_suffix};
+    const char *const suffix[FILES] = {"gp", "csv", "txt", picture_suffix};
     struct thud_file_draft draft[FILES] = {{0}};
     char path[PATH_ROOM];
     enum thud_status status = thud_folder_make(*folder ? folder : ".", err);

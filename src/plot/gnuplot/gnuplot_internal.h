@@ -3,9 +3,10 @@
 
 #include "plot/gnuplot/gnuplot.h"
 
-/* Size of the title and of the footer, room of a sample of a line and what follows a name in the key, ems. */
+/* Size of the title, of the footer and of the titles of strips, room of a sample of a line and what follows a name in the key, ems. */
 #define THUD_TITLE_EM  1.15
 #define THUD_NOTE_EM   0.85
+#define THUD_STRIP_EM  0.8
 #define THUD_SAMPLE_EM 2.6
 #define THUD_BEHIND_EM 1.6
 enum { THUD_PDF_DPI = 200, THUD_LINES_MAX = 8 };
@@ -32,16 +33,26 @@ struct sheet {
     int nkeys, key_rows;
     struct {
         int row;
-        double left; /* px */
+        double left, em; /* px */
     } key_at[24];
     double head, foot; /* px: above and below the panels */
     double key_foot;   /* px: of the foot, what the x axis of strips takes above the key */
 };
 
+/* Closer looks are left out where the titles of strips would not fit beside them: a figure of one column with them is
+ * written to *narrow, with its panels at `room`, and returned; else the figure itself. */
+const struct thud_figure *thud_sheet_narrow(const struct thud_figure *figure,
+                                            const struct thud_picture_options *options, struct thud_figure *narrow,
+                                            struct thud_panel *room);
 struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
                              struct thud_text *out);
 /* The frame of a panel. */
 struct box thud_sheet_frame(const struct sheet *sheet, int panel);
+/* Where the title of the y axis goes on in a second line, bytes; 0: in one it is not too long for the frame. */
+size_t thud_sheet_break(const struct sheet *sheet, int panel);
+/* The size of the names of ticks along y, which may take so much of the width; their room. */
+double thud_sheet_names_em(const struct sheet *sheet, int panel);
+double thud_sheet_names_room(const struct sheet *sheet);
 
 /* In quotes for gnuplot, which then takes no character for anything but itself; at most `widest` px of it (0: all),
  * control characters as spaces. */

@@ -161,30 +161,45 @@ static void named_ticks(struct thud_text *out, const struct thud_axis *axis, dou
     }
 }
 
-/* Labels stand where the sheet has room for them: the terminals disagree about distances in characters. */
-static void axis_label(const struct sheet *sheet, const struct thud_axis *a, enum thud_side side, int number,
-                       const struct box *box)
+/* Titles stand where the sheet has room for them: the terminals disagree about distances in characters. A long one is
+ * written smaller before it is cut, so that its unit stays. */
+static void x_title(const struct sheet *sheet, int number, const struct box *box)
 {
-    struct thud_text *out = sheet->out;
+    const double length = box->right - box->left;
     char text[512];
-    double length = side == THUD_X ? box->right - box->left : box->top - box->bottom;
-    thud_axis_text(a, text, sizeof text);
-    /* a long one is written smaller before it is cut, so that its unit stays */
-    double em = thud_gnuplot_fit(text, 1.15 * length, sheet->em);
-    thud_text_append(out, "set label %d ", 92 + (int)side);
-    thud_gnuplot_quote(out, text, 1.35 * length, em);
-    if (side == THUD_X)
-        thud_text_append(out, " at graph 0.5, screen B%d-2.85*EY center", number);
-    else
-        thud_text_append(out, " at screen L%d-%.4g*EX, graph 0.5 center rotate by 90", number,
-                         (box->left - box->label - 0.2 * sheet->em) / sheet->em);
-    thud_text_append(out, " font sprintf(',%%.4g', %.3g*PT)\n", em / sheet->em);
+    thud_axis_text(&sheet->figure->panel[number - 1].axis[THUD_X], text, sizeof text);
+    const double em = thud_gnuplot_fit(text, 1.15 * length, sheet->em);
+    thud_text_append(sheet->out, "set label 92 ");
+    thud_gnuplot_quote(sheet->out, text, 1.35 * length, em);
+    thud_text_append(sheet->out, " at graph 0.5, screen B%d-2.85*EY center font sprintf(',%%.4g', %.3g*PT)\n", number,
+                     em / sheet->em);
 }
 
-/* The step along x, made longer until the numbers at it stand apart in a frame that is `ems` wide. */
-static double roomy_step(const struct thud_range *range, double ems)
+/* In one line, or in two beside each other. */
+static void y_title(const struct sheet *sheet, int number, const struct box *box)
 {
-    const double digit = 0.64;
+    const double length = box->top - box->bottom, at = (box->left - box->label) / sheet->em - 0.2;
+    const size_t part = thud_sheet_break(sheet, number - 1);
+    char text[512];
+    thud_axis_text(&sheet->figure->panel[number - 1].axis[THUD_Y], text, sizeof text);
+    text[part] = part > 0 ? '\0' : *text;
+    double em = thud_gnuplot_fit(text, 1.15 * length, sheet->em);
+    if (part > 0)
+        em = fmin(em, thud_gnuplot_fit(text + part + 1, 1.15 * length, sheet->em));
+    for (int line = 0; line < 1 + (part > 0); line++) {
+        const char *own = text + (line > 0 ? part + 1 : 0);
+        thud_text_append(sheet->out, "set label %d ", 93 + 2 * line);
+        thud_gnuplot_quote(sheet->out, own, 1.35 * length, em);
+        thud_text_append(sheet->out,
+                         " at screen L%d-%.4g*EX, graph 0.5 center rotate by 90 font sprintf(',%%.4g', %.3g*PT)\n",
+                         number, at + (part > 0 ? 0.3 - 1.1 * line : 0.0), em / sheet->em);
+    }
+}
+
+/* The step, made longer until the numbers at it stand apart in a frame that is `ems` wide or high. */
+static double roomy_step(const struct thud_range *range, enum thud_side side, double ems)
+{
+    const double digit = 0.64, line = 1.25;
     double step = range->step;
     for (int i = 0; i < 6; i++) {
         size_t longest = 0;
@@ -194,7 +209,8 @@ static double roomy_step(const struct thud_range *range, double ems)
             size_t n = (size_t)snprintf(text, sizeof text, "%.4g", at);
             longest = n > longest ? n : longest;
         }
-        if ((digit * (double)longest + 0.5) * (range->most - range->least) <= ems * step)
+        const double need = side == THUD_X ? digit * (double)longest + 0.5 : line;
+        if (need * (range->most - range->least) <= ems * step)
             break;
         double lead = step / pow(10.0, floor(log10(step) + 1e-9));
         step *= lead > 1.9 && lead < 2.1 ? 2.5 : 2.0; /* 1, 2, 5, 10; 2.5, 5, 10 */
@@ -202,12 +218,17 @@ static double roomy_step(const struct thud_range *range, double ems)
     return step;
 }
 
-/* The step along y of a strip, which has room for three numbers: 0 and one to either side, none of them at an edge where
- * the next strip has its own. */
-static double strip_step(const struct thud_range *range)
+/* The numbers along y of a strip, which has room for three: 0 and one to either side, none of them at an edge where the
+ * next strip has its own; 0 without its number where they would touch. */
+static void strip_ticks(struct thud_text *out, const struct thud_range *range, double ems_of_one)
 {
-    double reach = 0.85 * fmax(fabs(range->least), fabs(range->most)), unit = pow(10.0, floor(log10(reach)));
-    return unit * (reach >= 5.0 * unit ? 5.0 : reach >= 2.0 * unit ? 2.0 : 1.0);
+    const double reach = 0.85 * fmax(fabs(range->least), fabs(range->most)), unit = pow(10.0, floor(log10(reach))),
+                 step = unit * (reach >= 5.0 * unit   ? 5.0
+                                : reach >= 2.0 * unit ? 2.0
+                                                      : 1.0);
+    const bool close = step * ems_of_one < 0.95;
+    thud_text_append(out, close ? "('%g' %.10g, '' 0, '%g' %.10g)\n" : "('%g' %.10g, 0, '%g' %.10g)\n", -step, -step,
+                     step, step);
 }
 
 /* The title of a strip stands inside, in its upper left corner: what share of the height it takes, and whether a curve
@@ -222,7 +243,7 @@ static bool hits_title(const struct sheet *sheet, int number)
     const struct thud_panel *panel = &sheet->figure->panel[number];
     struct box box = thud_sheet_frame(sheet, number);
     struct thud_range x = thud_panel_range(panel, THUD_X), y = thud_panel_range(panel, THUD_Y);
-    double width = thud_gnuplot_width(panel->title, 0.9 * sheet->em) + sheet->em;
+    double width = thud_gnuplot_width(panel->title, THUD_STRIP_EM * sheet->em) + sheet->em;
     double right = x.least + (x.most - x.least) * width / (box.right - box.left);
     double low = y.most - (y.most - y.least) * title_share(sheet, &box);
     for (int i = 0; i < panel->nseries; i++)
@@ -261,15 +282,21 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair) + 0.0,
                      most * (1.0 + hair) + 0.0, /* + 0.0: no -0 */ a->log ? "set" : "unset", name);
     bool last = !panel->strip || number > (sheet->rows - 1) * sheet->columns;
-    if (panel->strip ? last && side == THUD_X : true)
-        axis_label(sheet, a, side, number, box);
+    if (side == THUD_X && last)
+        x_title(sheet, number, box);
+    if (side == THUD_Y && !panel->strip)
+        y_title(sheet, number, box);
     if (!last && side == THUD_X)
         thud_text_append(out, "set format x ''\n");
+    if (a->nticks) /* a font of ticks may be a variable but no expression */
+        thud_text_append(out, "NAMES = sprintf(',%%.4g', %.3g*PT)\n",
+                         side == THUD_Y ? thud_sheet_names_em(sheet, number - 1) / sheet->em : 1.0);
     thud_text_append(out, "set %ctics %s", name, side == THUD_X && sheet->points == 1.0 ? "offset 0,0.5 " : "");
     if (a->nticks) {
         thud_text_append(out, "(");
-        named_ticks(out, a, sheet->em, side == THUD_Y ? 0.3 * sheet->width : 0.0);
-        thud_text_append(out, ")\n");
+        const double em = side == THUD_Y ? thud_sheet_names_em(sheet, number - 1) : sheet->em;
+        named_ticks(out, a, em, side == THUD_Y ? thud_sheet_names_room(sheet) : 0.0);
+        thud_text_append(out, ") font NAMES\n");
     } else if (a->log) {
         thud_text_append(out, "(");
         double room = side == THUD_X ? (box->right - box->left) / (2.5 * sheet->em)
@@ -277,11 +304,11 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
     } else if (panel->strip && side == THUD_Y && range.least <= 0.0 && range.most >= 0.0) {
-        double step = strip_step(&range);
-        thud_text_append(out, "%.10g,%.10g,%.10g\n", -step, step, step);
+        strip_ticks(out, &range, (box->top - box->bottom) / sheet->em / (most - range.least));
     } else
-        thud_text_append(out, "autofreq %.10g\n",
-                         side == THUD_X ? roomy_step(&range, (box->right - box->left) / sheet->em) : range.step);
+        thud_text_append(
+            out, "autofreq %.10g\n",
+            roomy_step(&range, side, (side == THUD_X ? box->right - box->left : box->top - box->bottom) / sheet->em));
 }
 
 /* ---- what is drawn ---- */
@@ -323,11 +350,12 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
         if (style.kind != THUD_POINTS && *dash)
             thud_text_append(sheet->out, "dt %s ", dash);
     }
+    const double size = style.kind == THUD_LINES_POINTS || series->n > MARKS_MOST ? 1.0
+                        : style.wide                                              ? 2.4 /* rings around others */
+                        : style.thin                                              ? 0.4
+                                                                                  : 1.5;
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
-        thud_text_append(sheet->out, "pt %d ps %.3g*DOT ", shape[mark % THUD_COLORS],
-                         style.kind == THUD_POINTS && style.wide   ? 2.4
-                         : style.kind == THUD_POINTS && style.thin ? 0.4
-                                                                   : 1.0); /* rings around others */
+        thud_text_append(sheet->out, "pt %d ps %.3g*DOT ", shape[mark % THUD_COLORS], size);
     if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))
         thud_text_append(sheet->out, "pi 3 ");
     bool behind =
@@ -335,9 +363,21 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     thud_text_append(sheet->out, "lc rgb '#%06X'", behind ? 0xB8B8B8U : thud_color_rgb(style.color));
 }
 
+/* Whether a vertical line would run through words at the right. */
+static bool has_line_right(const struct thud_panel *panel)
+{
+    const struct thud_range x = thud_panel_range(panel, THUD_X);
+    for (int i = 0; i < panel->nmarks; i++)
+        if (panel->mark[i].side == THUD_X && panel->mark[i].from == panel->mark[i].to &&
+            2.0 * panel->mark[i].from > x.least + x.most)
+            return true;
+    return false;
+}
+
 static void marks(const struct sheet *sheet, const struct thud_panel *panel)
 {
     struct thud_text *out = sheet->out;
+    const bool left = has_line_right(panel);
     for (int i = 0; i < panel->nmarks; i++) {
         const struct thud_mark *mark = &panel->mark[i];
         struct thud_range range = thud_panel_range(panel, mark->side);
@@ -366,10 +406,9 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
         if (across)
             thud_text_append(out, " at first %.9g, graph 0.97 %s", from,
                              2.0 * from > range.least + range.most ? "right offset -0.4,0" : "left offset 0.4,0");
-        else if (mark->from == mark->to)
-            thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.5", from);
         else
-            thud_text_append(out, " at graph 0.985, first %.9g right offset 0,0.7", from);
+            thud_text_append(out, " at graph %s, first %.9g %s offset 0,%s", left ? "0.015" : "0.985", from,
+                             left ? "left" : "right", mark->from == mark->to ? "0.5" : "0.7");
         thud_text_append(out, " front font sprintf(',%%.4g', 0.85*PT) textcolor rgb '#404040'\n");
     }
 }
@@ -416,7 +455,8 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, in
         least = most = isnan(map->centre) ? 0.0 : map->centre;
     if (!(most > least))
         most = least + 1.0;
-    thud_text_append(out, "set palette maxcolors 0\nset cbtics autofreq scale default\n");
+    const double ems = (box->top - box->bottom) / sheet->em;
+    thud_text_append(out, "set palette maxcolors 0\n");
     if (isnan(map->centre))
         thud_text_append(out, "set palette defined (0 '#FFF7D6', 1 '#E69F00', 2 '#9C3A00', 3 '#2B0B00')\n");
     else {
@@ -430,12 +470,14 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, in
         class_colors(sheet, map, number);
         return;
     }
+    const struct thud_range range = {least, most, pow(10.0, floor(log10(most - least)) - 1.0)};
+    thud_text_append(out, "set cbtics autofreq %.10g scale default\n", roomy_step(&range, THUD_Y, ems));
     color_box(sheet, number, least, most);
     thud_text_append(out, "set label 94 ");
     const double length = box->top - box->bottom,
                  em = thud_gnuplot_fit(thud_axis_text(&label, text, sizeof text), 1.15 * length, sheet->em);
     thud_gnuplot_quote(out, text, 1.5 * length, em);
-    thud_text_append(out, " at screen R%d+5.9*EX, graph 0.5 center rotate by 90 font sprintf(',%%.4g', %.3g*PT)\n",
+    thud_text_append(out, " at screen R%d+6.6*EX, graph 0.5 center rotate by 90 font sprintf(',%%.4g', %.3g*PT)\n",
                      number, em / sheet->em);
 }
 
@@ -478,11 +520,12 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
         thud_text_append(out, "unset grid\nunset xtics\n");
     double room = 1.1 * (box.right - box.left), em = thud_gnuplot_fit(panel->title, room, sheet->em);
     if (panel->strip)
-        em = 0.9 * sheet->em;
+        em = THUD_STRIP_EM * sheet->em;
     thud_text_append(out, "set label 90 ");
     thud_gnuplot_quote(out, panel->title, room, em);
     if (panel->strip)
-        thud_text_append(out, " at graph 0.01, screen T%d-0.7*EY left front font sprintf(',%%.4g', 0.9*PT)\n", number);
+        thud_text_append(out, " at graph 0.01, screen T%d-0.7*EY left front font sprintf(',%%.4g', %.3g*PT)\n", number,
+                         THUD_STRIP_EM);
     else
         thud_text_append(out, " at graph 0.5, screen T%d+%.3g*EY center font sprintf(',%%.4g', %.3g*PT)\n", number,
                          *panel->note ? 1.9 : 0.8, em / sheet->em);

@@ -118,9 +118,11 @@ static void surroundings(const struct sheet *sheet)
     wide_label(sheet, 1 + THUD_LINES_MAX, sheet->figure->note, footer, THUD_NOTE_EM);
     for (int i = 0; i < sheet->nkeys; i++) {
         thud_text_append(out, "set label %d ", 40 + i);
-        thud_gnuplot_quote(out, sheet->key[i]->name, 0.96 * sheet->width, sheet->em);
-        thud_text_append(out, " at screen %.5f+%.3g*EX, screen KEY-%.3g*EY left\n",
-                         sheet->key_at[i].left / sheet->width, THUD_SAMPLE_EM + 0.5, 1.6 * sheet->key_at[i].row);
+        thud_gnuplot_quote(out, sheet->key[i]->name, 0.96 * sheet->width - (THUD_SAMPLE_EM + 0.5) * sheet->em,
+                           sheet->key_at[i].em);
+        thud_text_append(out, " at screen %.5f+%.3g*EX, screen KEY-%.3g*EY left font sprintf(',%%.4g', %.3g*PT)\n",
+                         sheet->key_at[i].left / sheet->width, THUD_SAMPLE_EM + 0.5, 1.6 * sheet->key_at[i].row,
+                         sheet->key_at[i].em / sheet->em);
     }
     for (int i = 0; i < sheet->nkeys; i++)
         key_sample(sheet, i);
@@ -133,6 +135,11 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
     enum thud_status status = thud_figure_check(figure, err);
     if (status != THUD_OK)
         return status;
+    struct thud_figure narrow;
+    struct thud_panel *room = malloc((size_t)figure->rows * sizeof *room);
+    if (!room)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for a figure's script");
+    figure = thud_sheet_narrow(figure, options, &narrow, room);
     struct sheet sheet = thud_sheet_make(figure, options, script);
     int panels = figure->rows * figure->columns;
     thud_text_append(script, "# A figure by thud " THUD_VERSION "; `gnuplot` and this file's name draw it again.\n"
@@ -151,6 +158,7 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
         thud_gnuplot_panel(&sheet, i);
     surroundings(&sheet);
     thud_text_append(script, "unset multiplot\nset output\n");
+    free(room);
     if (!script->failed)
         return THUD_OK;
     thud_text_clear(script);

@@ -16,7 +16,9 @@ static void lay_key(struct sheet *sheet)
     if (sheet->nkeys == 1) /* nothing to tell apart */
         sheet->nkeys = 0;
     for (int i = 0; i < sheet->nkeys; i++) {
-        double width = thud_gnuplot_width(sheet->key[i]->name, sheet->em) + (THUD_SAMPLE_EM + 0.5) * sheet->em;
+        const double beside = (THUD_SAMPLE_EM + 0.5) * sheet->em;
+        sheet->key_at[i].em = thud_gnuplot_fit(sheet->key[i]->name, widest - beside, sheet->em);
+        double width = fmin(widest, thud_gnuplot_width(sheet->key[i]->name, sheet->key_at[i].em) + beside);
         if (left > 0.0 && left + width > widest) {
             row++;
             left = 0.0;
@@ -43,6 +45,30 @@ static bool has_map(const struct thud_figure *figure)
         if (figure->panel[i].map)
             return true;
     return false;
+}
+
+const struct thud_figure *thud_sheet_narrow(const struct thud_figure *figure,
+                                            const struct thud_picture_options *options, struct thud_figure *narrow,
+                                            struct thud_panel *room)
+{
+    const struct sheet sheet = thud_sheet_make(figure, options, NULL);
+    const double frame = sheet.width / 2 - 5.4 * sheet.em;
+    bool fits = figure->columns != 2 || !figure->panel[0].strip;
+    for (int i = 0; !fits && i < figure->rows; i++)
+        if (thud_gnuplot_width(figure->panel[2 * i].title, THUD_STRIP_EM * sheet.em) > frame)
+            break;
+        else
+            fits = i + 1 == figure->rows;
+    if (fits)
+        return figure;
+    *narrow = *figure;
+    narrow->panel = room;
+    narrow->columns = 1;
+    for (int i = 0; i < figure->rows; i++) {
+        room[i] = figure->panel[2 * i];
+        room[i].nmarks = 0; /* of the closer look */
+    }
+    return narrow;
 }
 
 /* Size, font and room for the key, from the options and the figure. On paper an inch has 300 pixels, and as many as the
@@ -114,29 +140,74 @@ static double numbers_width(const struct sheet *sheet, const struct thud_panel *
     return widest;
 }
 
+double thud_sheet_names_room(const struct sheet *sheet)
+{
+    return 0.43 * sheet->width / sheet->columns;
+}
+
+static double names_width(const struct thud_panel *panel, double em)
+{
+    double widest = 0.0;
+    for (int i = 0; i < panel->axis[THUD_Y].nticks; i++)
+        widest = fmax(widest, thud_gnuplot_width(panel->axis[THUD_Y].tick[i].text, em));
+    return widest;
+}
+
+double thud_sheet_names_em(const struct sheet *sheet, int panel)
+{
+    const double width = names_width(&sheet->figure->panel[panel], sheet->em), room = thud_sheet_names_room(sheet);
+    return sheet->em * fmax(0.75, fmin(1.0, room / fmax(width, sheet->em)));
+}
+
+/* Top and bottom of a frame. */
+static struct box upright(const struct sheet *sheet, int panel)
+{
+    const struct thud_panel *p = &sheet->figure->panel[panel];
+    const double height = (sheet->height - sheet->head - sheet->foot) / sheet->rows,
+                 top = sheet->height - sheet->head - panel / sheet->columns * height,
+                 above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0), below = p->drawing ? 1.2 : 3.7;
+    return (struct box){.top = top - (p->strip ? 0.3 : above) * sheet->em,
+                        .bottom = top - height + (p->strip ? 0.3 : below) * sheet->em};
+}
+
+size_t thud_sheet_break(const struct sheet *sheet, int panel)
+{
+    const struct thud_panel *p = &sheet->figure->panel[panel];
+    const struct box box = upright(sheet, panel);
+    char text[512], half[512];
+    size_t best = 0;
+    if (!p->used || p->strip ||
+        thud_gnuplot_width(thud_axis_text(&p->axis[THUD_Y], text, sizeof text), sheet->em) <=
+            1.25 * (box.top - box.bottom))
+        return 0;
+    double least = INFINITY; /* of the longer line */
+    for (const char *blank = strchr(text, ' '); blank; blank = strchr(blank + 1, ' ')) {
+        snprintf(half, sizeof half, "%.*s", (int)(blank - text), text);
+        const double longer = fmax(thud_gnuplot_width(half, 1.0), thud_gnuplot_width(blank + 1, 1.0));
+        best = longer < least ? (size_t)(blank - text) : best;
+        least = fmin(least, longer);
+    }
+    return best;
+}
+
 struct box thud_sheet_frame(const struct sheet *sheet, int panel)
 {
-    int row = panel / sheet->columns, column = panel % sheet->columns;
-    double width = sheet->width / sheet->columns;
-    double height = (sheet->height - sheet->head - sheet->foot) / sheet->rows;
-    double names = 0.0; /* room for named ticks */
+    const int column = panel % sheet->columns;
+    const double width = sheet->width / sheet->columns;
     const struct thud_panel *p = &sheet->figure->panel[panel];
-    const struct thud_axis *axis = &p->axis[THUD_Y];
-    for (int i = column; i < sheet->rows * sheet->columns; i += sheet->columns) /* those below each other begin alike */
+    double names = names_width(p, thud_sheet_names_em(sheet, panel)); /* room for named ticks */
+    bool broken = false;
+    for (int i = column; i < sheet->rows * sheet->columns;
+         i += sheet->columns) { /* below each other: they begin alike */
         names = fmax(names, numbers_width(sheet, &sheet->figure->panel[i]));
-    for (int i = 0; i < axis->nticks; i++)
-        names = fmax(names, thud_gnuplot_width(axis->tick[i].text, sheet->em));
-    struct box box;
-    box.left = column * width + fmin(fmax(5.8 * sheet->em, names + 3.0 * sheet->em), 0.5 * width);
-    box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;
-    box.right = (column + 1) * width - (p->map ? 7.4 : 1.2) * sheet->em;
-    double above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0);
-    box.top = sheet->height - sheet->head - row * height - above * sheet->em;
-    box.bottom = sheet->height - sheet->head - (row + 1) * height + (p->drawing ? 1.2 : 3.7) * sheet->em;
-    if (p->strip) {
-        box.top = sheet->height - sheet->head - row * height - 0.3 * sheet->em;
-        box.bottom = sheet->height - sheet->head - (row + 1) * height + 0.3 * sheet->em;
-        box.left = column * width + 4.2 * sheet->em;
+        broken |= thud_sheet_break(sheet, i) > 0;
     }
+    struct box box = upright(sheet, panel);
+    box.left = column * width + fmin(fmax(5.8 * sheet->em, names + 3.0 * sheet->em), 0.5 * width) +
+               (broken ? 0.9 * sheet->em : 0.0);
+    box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;
+    box.right = (column + 1) * width - (p->map ? 7.8 : 1.2) * sheet->em;
+    if (p->strip)
+        box.left = column * width + 4.2 * sheet->em;
     return box;
 }

@@ -52,7 +52,9 @@ static enum thud_status prepare(struct thud_floor_spectra *s, const struct thud_
 {
     s->damping = ask->damping;
     s->nperiods = ask->count;
-    s->nfloors = ask->nfloors > 0 ? ask->nfloors : model->ndof;
+    s->nfloors = ask->nfloors;
+    for (int k = 0; ask->nfloors == 0 && k < model->nstructures; k++) /* foundations have no spectra */
+        s->nfloors += model->structure[k].n;
     s->ncases = thud_scene_has_bumper(scene) ? THUD_FLOOR_CASES : THUD_FLOOR_CASES - 1;
     const size_t np = (size_t)s->nperiods, nf = (size_t)s->nfloors, nc = (size_t)s->ncases;
     s->period_s = calloc(np, sizeof(double));
@@ -66,9 +68,12 @@ static enum thud_status prepare(struct thud_floor_spectra *s, const struct thud_
         double part = (double)k / (double)(s->nperiods - 1);
         s->period_s[k] = k + 1 < s->nperiods ? ask->from_s * pow(ask->to_s / ask->from_s, part) : ask->to_s;
     }
-    for (int f = 0; f < s->nfloors; f++) {
-        int k = ask->nfloors > 0 ? ask->floor[f].structure : model->dof_structure[f];
-        int floor = ask->nfloors > 0 ? ask->floor[f].floor : f - model->structure[k].first;
+    struct thud_floor_place next = {0, 0};
+    for (int f = 0; f < s->nfloors; f++, next.floor++) {
+        for (; ask->nfloors == 0 && next.floor >= model->structure[next.structure].n; next.floor = 0)
+            next.structure++;
+        const int k = ask->nfloors > 0 ? ask->floor[f].structure : next.structure,
+                  floor = ask->nfloors > 0 ? ask->floor[f].floor : next.floor;
         s->floor[f] = (struct thud_floor_place){k, floor};
         (*dof)[f] = model->structure[k].first + floor;
         if (floor < 0 || floor >= model->structure[k].n)
