@@ -82,6 +82,7 @@ takes --set run sweep gap solve fragility uncertainty bench stability report exp
 verify: expectations are of the preset as it is
 figures suite laws methods: no scene
 END
+# shellcheck disable=SC2016 # for the inner shell
 is "one text of help" sh -c 'for c in $1; do [ "$("$THUD" help "$c")" = "$("$THUD" "$c" --help)" ] || exit 1; done' sh "$commands"
 
 # - for standard input and output
