@@ -1,7 +1,7 @@
 #!/bin/sh
 # Takes one protection after the other out of a scratch copy of the sources; the tests named beside it must then fail.
 # So each protection is known to be needed, and to be held by a test.  TAP.
-# usage: mutants.sh [WORD]    WORD: only the mutants that have it in their name
+# usage: mutants.sh [WORD]    WORD: only the mutants that have it in their name; CK_DEFAULT_TIMEOUT: for each test, 60 s
 #        mutants.sh --fit     only whether each still fits the sources
 # The lists (tests/mutants/*.txt): `mutant` what is taken out, `file`, `from` the piece of a line that stands in the
 # file just once, `to` what replaces it (nothing: the empty text), `tests` the unit tests that should notice, a test's
@@ -13,7 +13,7 @@ if [ "$only" = --fit ]; then fit=1 only=; fi
 tree=$PWD/build/mutants
 lists="$PWD/tests/mutants"
 unit=build/release/unit
-export CK_DEFAULT_TIMEOUT=60
+export CK_DEFAULT_TIMEOUT="${CK_DEFAULT_TIMEOUT:-60}"
 count=0
 survivors=0
 
@@ -21,6 +21,10 @@ mkdir -p "$tree" || exit 2
 [ -n "$fit" ] || rm -rf "${tree:?}/src" "${tree:?}/include" "${tree:?}/tests" # of files that are no more
 [ -n "$fit" ] || tar cf - Makefile src include tests/unit tests/tools presets records man | tar xf - -C "$tree" || exit 2
 here=$PWD
+if [ -z "$fit" ]; then # as they are now, whatever becomes of the sources while this runs
+    here=$tree/whole
+    rm -rf "$here" && mkdir -p "$here" && tar cf - src include | tar xf - -C "$here" || exit 2
+fi
 cd "$tree" || exit 2
 
 build() { # TEST...: what a mutant leaves unused is no error
@@ -31,7 +35,7 @@ build() { # TEST...: what a mutant leaves unused is no error
 }
 fails() { # TEST or TEST/CASE: runs it; how it failed into $how
     case $1 in */*) only_case=${1#*/} ;; *) only_case= ;; esac
-    env ${only_case:+CK_RUN_CASE="$only_case"} timeout -k 5 120 "$unit/test_${1%/*}" >test.log 2>&1 </dev/null
+    env ${only_case:+CK_RUN_CASE="$only_case"} timeout -k 5 $((2 * CK_DEFAULT_TIMEOUT)) "$unit/test_${1%/*}" >test.log 2>&1 </dev/null
     status=$?
     how="test_$1: $(sed -n 's/^not ok [0-9]* - [^:]*:[^:]*:\([^:]*\):.*/\1/p' test.log | head -1)"
     case $status in 124 | 137) how="test_$1 does not end" ;; esac

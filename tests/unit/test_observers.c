@@ -241,6 +241,45 @@ static void check_sooner(struct thud_run *const run[2])
 }
 
 /* Without the peaks, the end begins where no contact can follow. */
+/* An observer: the length of the shortest piece. */
+static enum thud_status note_shortest(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    double *shortest_s = own;
+    (void)err;
+    *shortest_s = fmin(*shortest_s, o->s * o->seg->h_s);
+    return THUD_OK;
+}
+
+/* A body meets the wall so short before a kink of the ground motion that rounding alone lies between: the motion goes on
+ * from the kink, as a piece of that length would have nothing but rounding in it. */
+START_TEST(no_piece_is_of_rounding_alone)
+{
+    static const struct thud_observer shortest = {.segment = note_shortest};
+    static const double zeros[40];
+    const struct march_law law = march_law("linear", "stiffness", 1e9, NULL);
+    struct thud_record *record = NULL;
+    ck_assert_int_eq(thud_record_create(zeros, 40, 0.01, &record, NULL), THUD_OK);
+    for (double before = 1e-15; before < 2e-13; before *= 10) {
+        struct thud_model *model = march_mass_and_wall(320e3, 0, 0, 1, 0.05 * (1 - before), &law);
+        struct thud_run_options options;
+        struct thud_run *run = NULL;
+        double shortest_s = INFINITY;
+        bool done = false;
+        thud_run_options_init(&options);
+        options.keep_history = true; /* without it what is free of contact is one block */
+        ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+        thud_run_observe(run, &shortest, &shortest_s);
+        while (!done)
+            ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+        ck_assert_int_eq(run->result.contact[0].impacts, 1);
+        ck_assert_msg(shortest_s > 1e-13, "%g before: a piece of %g s", before, shortest_s);
+        thud_run_free(run);
+        thud_model_free(model);
+    }
+    thud_record_free(record);
+}
+END_TEST
+
 START_TEST(the_end_is_asked_of_those_that_are_there)
 {
     struct thud_run *run[2];
@@ -257,6 +296,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(t, each_may_be_left_out_of_random_scenes, 0, 4);
     tcase_add_loop_test(t, one_more_sees_the_whole_motion, 0, SCENES);
     tcase_add_test(t, one_more_sees_the_end_in_a_study_too);
+    tcase_add_test(t, no_piece_is_of_rounding_alone);
     tcase_add_test(t, the_end_is_asked_of_those_that_are_there);
     suite_add_tcase(s, t);
     return s;

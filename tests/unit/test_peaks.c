@@ -257,6 +257,21 @@ START_TEST(stepping_methods)
 }
 END_TEST
 
+/* A motion that ends with a jump: the largest velocity comes after it, and falls up to it. */
+START_TEST(a_motion_that_ends_with_a_jump)
+{
+    static const double samples[] = {0.4053597618231075, -0.5974876657229524, 2.598552175178571};
+    static const int row[] = {2, 1};
+    const struct march_law law = rubber();
+    struct thud_record *record = NULL;
+    ck_assert_int_eq(thud_record_create(samples, 3, sqrt(50.0 / 600.0) / 10, &record, NULL), THUD_OK);
+    struct thud_model *model = march_row(2, row, false, 5, &law);
+    ck_assert_int_eq(run_and_compare(model, record, "exact", 1e-6), 0);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* Any law, walls, rigid bodies, floors struck between two others, storeys that yield. */
 START_TEST(random_scenes)
 {
@@ -284,6 +299,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, a_history_changes_no_bit_of_the_peaks);
     tcase_add_test(tc, isolated_buildings);
     tcase_add_test(tc, stepping_methods);
+    tcase_add_test(tc, a_motion_that_ends_with_a_jump);
     tcase_add_test(tc, random_scenes);
     suite_add_tcase(suite, tc);
     return suite;

@@ -437,28 +437,6 @@ static double side_term(const struct thud_model_side *side, const double *modal)
     return thud_dot(side->modes, side->row, modal + side->first_mode);
 }
 
-/* Bound of the rounding in a side's term of order k > 0: the parts of its modes may be large and cancel, and so may those
- * of the order below, from which they come. */
-static double side_rounding(const struct thud_segment *seg, const struct thud_model_side *side, int nmodes, int k)
-{
-    const double *modal = seg->q + k * nmodes + side->first_mode, *below = modal - nmodes;
-    double sum = 0;
-    for (int j = 0; j < side->modes; j++)
-        sum += fabs(side->row[j]) * (fabs(modal[j]) + fabs(below[j]));
-    return THUD_TOL_MODAL_SUM * sum;
-}
-
-/* Whether the neighbours' terms of order k differ by no more than rounding. */
-static bool is_no_motion(const struct thud_state *state, const struct thud_segment *seg,
-                         const struct thud_model_side *l, const struct thud_model_side *r, int k, double difference,
-                         double noise)
-{
-    int n = state->model->nmodes;
-    if (fabs(difference) <= noise)
-        return true;
-    return k > 1 && fabs(difference) <= side_rounding(seg, l, n, k) + side_rounding(seg, r, n, k);
-}
-
 int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = state->model;
@@ -474,8 +452,7 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
     out[0] -= thud_state_clearance(state, c);
     if (!thud_row_starts_at_zero(state, c))
         return 0;
-    while (suppressed < seg->terms && is_no_motion(state, seg, l, r, suppressed, out[suppressed],
-                                                   term_noise(seg->interpolates, suppressed, size, largest)))
+    while (suppressed < seg->terms && fabs(out[suppressed]) <= term_noise(seg->interpolates, suppressed, size, largest))
         suppressed++;
     return suppressed;
 }

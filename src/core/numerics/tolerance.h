@@ -77,8 +77,6 @@
 /* The same for a stepping method, of the largest coefficient: its higher coefficients are differences of the states at
  * the two ends of a step. */
 #define THUD_TOL_STEP_COEFFICIENT 2e-14
-/* The same, of the sum of the modes' absolute parts and of those of the order below. */
-#define THUD_TOL_MODAL_SUM 1e-14
 /* Part of the largest coefficient that a collocated contact force does not resolve, however strict the tolerance. */
 #define THUD_TOL_UNRESOLVED 1e-6
 /* Terms of a series below this part of its first are left out: 1/100 of epsilon. */

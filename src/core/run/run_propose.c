@@ -63,14 +63,13 @@ static bool is_boundary(enum thud_event event)
 
 /* The same, and where a stepping method meets an event, a second step that ends just behind it, and where a contact
  * begins or ends a third that ends still closer: between its ends a segment is less accurate than at them, and by a
- * bias that would add up from impact to impact. Turns are left at the second: nothing jumps there. At its very start a
- * segment is as accurate as at its ends, and a step as short as that would be lost in the rounding of its state. */
+ * bias that would add up from impact to impact. Turns are left at the second: nothing jumps there. */
 enum thud_status thud_run_propose(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
 {
-    static const double behind[] = {1.02, 1.0002}, start = 1e-3;
+    static const double behind[] = {1.02, 1.0002};
     run->state.step_cap_s = INFINITY;
     enum thud_status status = propose(run, p, err);
-    for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0 && p->s > start; i++) {
+    for (int i = 0; i < 2 && status == THUD_OK && p->switched && run->method->order > 0; i++) {
         double cap = behind[i] * p->s * run->seg.h_s, before = run->state.step_cap_s;
         if (p->s * behind[i] >= p->limit || (i > 0 && !is_boundary(p->event)) ||
             p->s * run->seg.h_s <= THUD_TOL_MOMENT_S)
