@@ -151,7 +151,7 @@ described() { # FOLDER: the columns of every table, in their order; but of names
     done
 }
 for folder in run sweep suite gap fragility uncertainty bench stability cost; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
-is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Gap that is needed' "$tmp/gap/datapackage.json"
+is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Required gap' "$tmp/gap/datapackage.json"
 is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"
 sum=$(sha256sum <records/kobe-surrogate.csv | cut -d ' ' -f 1)
 is "a ground motion is told by the SHA-256 of its file" grep -q "\"file\": \"[^\"]*kobe-surrogate.csv\".* \"sha256\": \"$sum\"" "$tmp/gap/needed-gaps.json"

@@ -318,7 +318,7 @@ is "between them and within" anova
 nothing="--uncertain gap=0 --uncertain stiffness=0 --uncertain damping=0 --uncertain mass=0 --uncertain contact-stiffness=1 --uncertain restitution=0 --uncertain bumper-stiffness=0 --uncertain bumper-exponent=0"
 # shellcheck disable=SC2086 # words
 is "the needed gap over a suite" gives 0 uncertainty towers $nothing --records "$three" --samples 9 --quiet -o "$tmp/needed"
-is "in a sentence" shows "^The needed gap is 1[0-9.]* cm in the median, in 90 % of 9 samples [0-9.]* to 19.7 cm;"
+is "in a sentence" shows "^The required gap is 1[0-9.]* cm in the median, in 90 % of 9 samples [0-9.]* to 19.7 cm;"
 is "all of it between motions" shows "100 % of its variance is between ground motions"
 needed_by_motion() { "$THUD" gap towers --records "$three" --csv 2>/dev/null | awk -F, 'FNR == NR { if (FNR > 1 && $7 > most[$1]) most[$1] = $7; next }
     FNR == 1 { for (i = 1; i <= NF; i++) if ($i == "ground-motion") r = i; file++; next }
@@ -351,7 +351,7 @@ is "and no fragility" gives 2 fragility three-in-a-row --records "$three"
 # of which point a needed gap over a grid is: thud gap at that point
 is "a grid that changes the motion without pounding" gives 0 sweep towers --to 12s --vary structures.1.stiffness=500MN/m,700MN/m --vary gap=8cm,12cm --cases none --quiet
 needed() { "$THUD" gap towers --to 12s --set "structures.1.stiffness=$1 MN/m" --csv 2>/dev/null | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.2f", 100 * m }'; }
-is "says where the widest gap is needed" shows "needed gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
+is "says where the widest gap is needed" shows "required gap $(needed 500) cm (floors 4-4) at structures.1.stiffness 500 MN/m;"
 is "and the narrowest" shows "least $(needed 700) cm at structures.1.stiffness 700 MN/m"
 # selected and scaled to a design spectrum
 mkdir "$tmp/motions"

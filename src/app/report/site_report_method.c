@@ -164,9 +164,9 @@ static const struct phrase model[] = {
 static const struct phrase unmade[] = {
     {has_suite,
      "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors are "
-     "under the governing load case alone."},
+     "under the one ground motion of the verdicts alone."},
     {has_motion, "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
-                 "suite of motions (option --records) adds fractions and fractiles over several."},
+                 "suite of motions adds fractions and fractiles over several."},
     {has_samples,
      "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
      "same in every sample."},
@@ -198,19 +198,14 @@ static void say(struct site *site, const struct phrase *phrase, size_t n, bool i
         }
 }
 
-/* What a choice means: of "keep: it widens the clearance; recover: ..." the words behind its own. */
 static void add_choice(struct thud_text *out, const struct thud_param *param, double value)
 {
-    char key[64];
-    if (param->kind != THUD_PARAM_CHOICE || isnan(value))
-        return;
-    int n = snprintf(key, sizeof key, "%s: ", param->choices[(int)value]);
-    const char *at = strstr(param->help, key);
-    if (!at || n <= 0)
-        return;
-    at += n;
-    thud_text_append(out, " %c%s: %.*s.", param->title[0] - 'a' + 'A', param->title + 1,
-                     (int)(strcspn(at, ";") - (at[strcspn(at, ";")] == '\0')), at);
+    int n = 0;
+    const char *words = param->kind == THUD_PARAM_CHOICE && !isnan(value)
+                            ? thud_site_choice(param, param->choices[(int)value], &n)
+                            : NULL;
+    if (words)
+        thud_text_append(out, " %c%s: %.*s.", param->title[0] - 'a' + 'A', param->title + 1, n, words);
 }
 
 static void say_law(struct site *site, const char *what, const struct thud_law_choice *choice)

@@ -139,12 +139,18 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
-/* "floor 4 of A and floor 4 of B"; of a wall its name. */
+/* "floor 4 of A", counted from 1; "the base slab of B", which is the first floor of an isolated building; of a wall its
+ * name. Returns `text`. */
+const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size);
+/* "floor 4 of A and floor 4 of B". */
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size);
-/* "kobe-surrogate.csv (synthetic)", or event, station and component. */
+/* Event, station and component, or "kobe.csv"; "(synthetic)" where it is. */
 void thud_site_motion(const struct thud_record *record, char *text, size_t size);
 /* Whose struck columns they are: "floor 5 of B". Returns `name`. */
 const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size);
+/* What a choice stands for, of "keep: it widens the clearance; recover: ..." the words behind the value's own, and their
+ * length; NULL: its help has none. */
+const char *thud_site_choice(const struct thud_param *param, const char *value, int *length);
 /* "force of floor 4 of A and floor 4 of B", of a measure's name. */
 void thud_site_measure(const struct site *site, const char *name, char *text, size_t size);
 /* The contact with the largest force; NULL where there was no contact. */

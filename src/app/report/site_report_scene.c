@@ -10,6 +10,7 @@
 #include "ground/spectrum.h"
 #include "plot/figures/figures_record.h"
 #include "plot/figures/figures_scene.h"
+#include "study/sweep/sweep_table.h"
 
 static void add_structure_rows(struct site *site)
 {
@@ -43,11 +44,29 @@ static void add_structure_rows(struct site *site)
     }
 }
 
+/* Periods of isolators that yield or slide: those above are of their initial stiffness, which they leave at once. */
+static void say_sliding(struct site *site, int s)
+{
+    const struct thud_structure *p = &site->scene->structure[s];
+    if (p->kind != THUD_ISOLATED || !thud_isolator_slides(p))
+        return;
+    const struct thud_isolator own = thud_structure_isolator(p);
+    const double mass_kg = thud_isolated_weight(p) / THUD_GRAVITY;
+    thud_document_item(&site->document,
+                       "Periods of %s, and Sa and Sd at its T1, are those before its isolators %s. On the stiffness "
+                       "beyond it, K_d = %s MN/m, it has as a rigid body the period 2 pi sqrt(m/K_d) = %.3f s.",
+                       thud_site_name(site, s), own.law == THUD_ISOLATOR_PENDULUM ? "slide" : "yield",
+                       thud_site_number(1e-6 * own.hardening * own.stiffness_npm, 3).text,
+                       2 * acos(-1) * sqrt(mass_kg / (own.hardening * own.stiffness_npm)));
+}
+
 void thud_site_scene(struct site *site)
 {
     struct thud_document *d = &site->document;
     thud_document_heading(d, "Buildings and gap");
     add_structure_rows(site);
+    for (int s = 0; s < site->scene->nstructures; s++)
+        say_sliding(site, s);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
         char gap[64];
         const struct thud_interface *f = &site->scene->interface[i];
@@ -110,9 +129,12 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     thud_document_head(d, head);
     for (int r = 0; r < n; r++)
         add_case_row(site, r + 1, record[r]);
-    thud_document_table(d, "Files of the ground motions");
+    thud_document_table(d, n > 1 ? "Files of the ground motions; a reversed one is of the same file"
+                                 : "File of the ground motion");
     thud_document_head(d, "no.|file|licence|SHA-256");
     for (int r = 0; r < n; r++) {
+        if (r > 0 && thud_motion_is_turned(record[r]->file, record[r - 1]->file))
+            continue;
         thud_document_cell(d, "%d", r + 1);
         thud_document_cell(d, "%s", thud_path_name(record[r]->file));
         thud_document_cell(d, "%s",

@@ -8,6 +8,7 @@
 #include "app/report/site_report_private.h"
 #include "app/run/summary_line.h"
 #include "app/sweep/sweep_jobs.h"
+#include "ground/identity.h"
 #include "plot/figures/figures_fragility.h"
 #include "plot/figures/figures_gap.h"
 #include "study/suite/scaling.h"
@@ -247,6 +248,7 @@ void thud_site_suite_summary(struct site *site)
 
 static void add_motions(struct site *site)
 {
+    char motion[320];
     struct thud_document *d = &site->document;
     const struct site_suite *suite = &site->suite;
     int ncases = suite->plan.ncases;
@@ -254,7 +256,7 @@ static void add_motions(struct site *site)
                                ? "Every ground motion as it was given; ratio: mean acceleration with the bumper over "
                                  "that without"
                                : "Every ground motion as it was given");
-    thud_document_cell(d, "ground motion");
+    thud_document_cell(d, "load case");
     thud_document_cell(d, "peak g");
     thud_document_cell(d, "factor");
     thud_document_cell(d, "required gap cm");
@@ -265,7 +267,8 @@ static void add_motions(struct site *site)
             thud_document_cell(d, "ratio of %s", thud_site_name(site, s));
     thud_document_row(d);
     for (int r = 0; r < suite->runs->nrecords; r++) {
-        thud_document_cell(d, "%s", suite->gaps.name[r]);
+        thud_record_title(suite->plan.record[r], motion, sizeof motion);
+        thud_document_cell(d, "%d, %s", r + 1, motion);
         thud_document_cell(d, "%.3f", thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY);
         thud_document_cell(d, "%.4g", suite->plan.record[r]->scale);
         thud_document_cell(d, "%.1f",
@@ -285,11 +288,11 @@ static void add_motions(struct site *site)
 }
 
 static void add_fractiles(struct site *site, enum thud_suite_measure measure, int structure, double unit,
-                          const char *what)
+                          const char *what, const char *unit_name)
 {
     struct thud_document *d = &site->document;
-    thud_document_cell(d, structure >= 0 ? "%s of %s" : "%s", what,
-                       structure >= 0 ? thud_site_name(site, structure) : "");
+    thud_document_cell(d, "%s%s%s%s", what, structure >= 0 ? " of " : "",
+                       structure >= 0 ? thud_site_name(site, structure) : "", unit_name);
     for (int k = 0; k < site->suite.plan.ncases; k++) {
         struct thud_fractiles f = over(site, k, measure, structure, 0);
         const double three[] = {f.p16, f.median, f.p84};
@@ -309,15 +312,15 @@ static void add_statistics(struct site *site)
         for (int q = 0; q < 3; q++)
             thud_document_cell(d, "%s: %s", site->cases[SITE_NONE + k].name, quantile[q]);
     thud_document_row(d);
-    add_fractiles(site, THUD_SUITE_FORCE, -1, 1e6, "force, MN");
+    add_fractiles(site, THUD_SUITE_FORCE, -1, 1e6, "force", ", MN");
     for (int s = 0; s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;
-        add_fractiles(site, THUD_SUITE_ACCELERATION, s, THUD_GRAVITY, "acceleration, g,");
+        add_fractiles(site, THUD_SUITE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
         if (thud_site_is_building(site, s))
-            add_fractiles(site, THUD_SUITE_DRIFT, s, 1e-3, "drift, mm,");
+            add_fractiles(site, THUD_SUITE_DRIFT, s, 1e-3, "drift", ", mm");
         if (site->suite.runs->yields)
-            add_fractiles(site, THUD_SUITE_DUCTILITY, s, 1, "ductility");
+            add_fractiles(site, THUD_SUITE_DUCTILITY, s, 1, "ductility", "");
     }
 }
 

@@ -5,8 +5,23 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "app/run/summary_line.h"
 
 /* ---- one input at a time ---- */
+
+/* Whether there are buildings among every second structure from `first` on, whose stiffness is changed together; their
+ * names into `names`, NULL: nowhere. */
+static bool changes(const struct site *site, int first, struct thud_text *names)
+{
+    bool any = false;
+    for (int s = first; s < site->scene->nstructures; s += 2)
+        if (thud_site_is_building(site, s)) {
+            if (names)
+                thud_text_append(names, "%s%s", any ? ", " : "", thud_site_name(site, s));
+            any = true;
+        }
+    return any;
+}
 
 static void add_sensitivity_row(struct site *site, const char *what, double peak, const char *unit,
                                 const struct thud_spread *spread)
@@ -15,7 +30,8 @@ static void add_sensitivity_row(struct site *site, const char *what, double peak
     thud_document_cell(d, "%s", what);
     thud_document_cell(d, "%s %s", thud_site_number(peak, 3).text, unit);
     for (int i = 0; i < THUD_CHANGES; i++)
-        thud_document_cell(d, "%.1f", 100 * spread->by[i]);
+        if (i < THUD_CHANGE_STIFFNESS_ODD || changes(site, i == THUD_CHANGE_STIFFNESS_EVEN, NULL))
+            thud_document_cell(d, "%.1f", 100 * spread->by[i]);
     thud_document_row(d);
 }
 
@@ -34,11 +50,13 @@ static void sensitivity(struct site *site)
     thud_document_cell(d, "value");
     thud_document_cell(d, "gap");
     thud_document_cell(d, "ground motion");
-    for (int first = 0; first < 2; first++) /* with two buildings, of each */
-        thud_document_cell(d, "storey stiffness of %s",
-                           r->nstructures == 2 ? thud_site_name(site, first)
-                           : first             ? "every even building"
-                                               : "every odd building");
+    for (int first = 0; first < 2; first++) {
+        struct thud_text names = {0};
+        if (changes(site, first, &names) && names.data)
+            thud_document_cell(d, "stiffness of %s", names.data);
+        d->failed = d->failed || names.failed;
+        thud_text_clear(&names);
+    }
     thud_document_row(d);
     for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
         int a = 0, b = 0;
@@ -48,7 +66,7 @@ static void sensitivity(struct site *site)
         }
         if (r->structure[k].floors == 0)
             continue;
-        snprintf(what, sizeof what, "acceleration of floor %d of %s", a + 1, thud_site_name(site, k));
+        snprintf(what, sizeof what, "acceleration of %s", thud_site_floor(site, k, a + 1, between, sizeof between));
         add_sensitivity_row(site, what, r->structure[k].floor[a].acceleration.value / THUD_GRAVITY, "g",
                             &s->floor[row + a][0]);
         if (!thud_site_is_building(site, k))
@@ -71,23 +89,27 @@ static void sensitivity(struct site *site)
 
 /* ---- all of them at once ---- */
 
-/* Shown in g, mm and MN; a ratio without factor. */
+/* Shown in g, mm and MN, a gap as everywhere; a ratio without factor. */
 static double unit_of(const struct thud_quantity_of_run *q)
 {
     static const double unit[] = {[THUD_OF_ACCELERATION] = THUD_GRAVITY,
                                   [THUD_OF_DRIFT] = 1e-3,
                                   [THUD_OF_FORCE] = 1e6,
                                   [THUD_OF_NUMBER] = 1,
-                                  [THUD_OF_GAP] = 1e-3};
+                                  [THUD_OF_GAP] = 1};
     return q->ratio ? 1 : unit[q->kind];
 }
 
-/* "stiffness of B" of "stiffness.B", "contact stiffness" of "contact-stiffness"; "no bumper" of the case "none". */
-static void input_words(const char *name, char *text, size_t size)
+/* "stiffness of B" of "stiffness.B", "contact stiffness" of "contact-stiffness", "gap between A and B" of "gap.1". */
+static void input_words(const struct site *site, const struct thud_drawn_input *input, char *text, size_t size)
 {
-    const char *dot = strchr(name, '.');
+    const char *name = input->name, *dot = strchr(name, '.');
     const int n = dot ? (int)(dot - name) : (int)strlen(name);
-    snprintf(text, size, "%.*s%s%s", n, name, dot ? " of " : "", dot ? dot + 1 : "");
+    if (dot && input->of >= 0 && thud_input_info(input->input)->each == THUD_INPUT_EACH_INTERFACE)
+        snprintf(text, size, "%.*s between %.40s and %.40s", n, name, thud_site_name(site, input->of),
+                 thud_site_name(site, input->of + 1));
+    else
+        snprintf(text, size, "%.*s%s%s", n, name, dot ? " of " : "", dot ? dot + 1 : "");
     for (int i = 0; i < n && text[i]; i++)
         text[i] = text[i] == '-' ? ' ' : text[i];
 }
@@ -99,18 +121,30 @@ static void add_sampled_row(struct site *site, int q)
     const struct thud_quantity_of_run *quantity = &study->uncertainty->quantity[q];
     const struct thud_uncertainty_told *t = &study->told[q];
     const double value[] = {t->nominal, t->low, t->median, t->high};
+    const bool gap = quantity->kind == THUD_OF_GAP, same = t->low == t->high && t->nominal == t->median;
     double unit = unit_of(quantity);
-    const bool none = strncmp(quantity->name, "none: ", 6) == 0;
-    thud_document_cell(d, "%s%s%s", none ? "no bumper: " : "", quantity->name + (none ? 6 : 0),
-                       unit == THUD_GRAVITY ? ", g"
-                       : unit == 1e-3       ? ", mm"
-                       : unit == 1e6        ? ", MN"
-                                            : "");
+    const char *what = strstr(quantity->name, ": ");
+    const bool isolators = quantity->kind == THUD_OF_DRIFT && !quantity->ratio && quantity->structure >= 0 &&
+                           site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
+    thud_document_cell(d, "%s%s%s%s",
+                       quantity->which == THUD_CASE_AS_WRITTEN || !what ? "" : thud_case_title(quantity->which),
+                       !what ? quantity->name : what + (quantity->which == THUD_CASE_AS_WRITTEN ? 2 : 0),
+                       isolators ? " or its isolators" : "",
+                       gap                    ? ", cm"
+                       : unit == THUD_GRAVITY ? ", g"
+                       : unit == 1e-3         ? ", mm"
+                       : unit == 1e6          ? ", MN"
+                                              : "");
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
-        thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / unit, 3).text);
+        if (isnan(value[i]))
+            thud_document_cell(d, "-");
+        else if (gap)
+            thud_document_cell(d, "%.1f", thud_summary_gap_cm(value[i]));
+        else
+            thud_document_cell(d, "%s", thud_site_number(value[i] / unit, 3).text);
     char input[160];
-    input_words(study->uncertainty->input[thud_uncertainty_strongest(study, t)].name, input, sizeof input);
-    thud_document_cell(d, "%s", input);
+    input_words(site, &study->uncertainty->input[thud_uncertainty_strongest(study, t)], input, sizeof input);
+    thud_document_cell(d, "%s", same ? "-" : input);
     thud_document_row(d);
 }
 
@@ -134,7 +168,7 @@ static void samples(struct site *site)
     for (int i = 0; i < u->ninputs; i++) {
         char input[160], sized[160];
         thud_uncertainty_input_text(u, i, sized, sizeof sized); /* its name, and its size */
-        input_words(u->input[i].name, input, sizeof input);
+        input_words(site, &u->input[i], input, sizeof input);
         thud_text_append(&inputs, "%s%s%s", i ? ", " : "", input, sized + strlen(u->input[i].name));
     }
     thud_document_paragraph(d,

@@ -298,6 +298,8 @@ static void add_case_table(struct site *site, int s, const struct floor_table *t
         const int slab = table->storeys && site->scene->structure[s].kind == THUD_ISOLATED;
         if (f < slab)
             thud_document_cell(d, "isolators");
+        else if (f == 0 && site->scene->structure[s].kind == THUD_ISOLATED)
+            thud_document_cell(d, "1, base slab");
         else
             thud_document_cell(d, "%d", f + 1 - slab);
         for (int i = 0; i < site->ncases; i++) {
@@ -419,6 +421,7 @@ static void floors(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct thud_floor_spectra *s = site->floors;
+    char name[THUD_NAME_MAX + 32];
     int k;
     if (!s)
         return;
@@ -429,7 +432,8 @@ static void floors(struct site *site)
         thud_document_cell(d, "%s", thud_case_title(thud_case_compared(i)));
     thud_document_row(d);
     for (int f = 0; f < s->nfloors; f++) {
-        thud_document_cell(d, "%s, floor %d", thud_site_name(site, s->floor[f].structure), s->floor[f].floor + 1);
+        thud_document_cell(d, "%s",
+                           thud_site_floor(site, s->floor[f].structure, s->floor[f].floor + 1, name, sizeof name));
         for (int i = 0; i < s->ncases; i++) {
             const double *sa = thud_floor_spectrum(s, i, f, &k);
             thud_document_cell(d, "%.3g at %.3g s", sa[k] / THUD_GRAVITY, s->period_s[k]);
@@ -511,12 +515,18 @@ static void gap_rules(struct site *site)
         thud_document_row(d);
         thud_text_clear(&numbers);
     }
+    struct thud_text less = {0};
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
         double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
         if (thud_gap_falls_short(ruled, needed))
-            thud_document_item(d, "%s asks for %.1f cm, less than the %.1f cm that this motion needs.",
-                               thud_gap_rule_at(rule)->name, thud_summary_gap_cm(ruled), thud_summary_gap_cm(needed));
+            thud_text_append(&less, "%s%s (%.1f cm)", less.size > 0 ? ", " : "", thud_gap_rule_at(rule)->name,
+                             thud_summary_gap_cm(ruled));
     }
+    if (less.size > 0)
+        thud_document_paragraph(d, "Less than the %.1f cm that this motion requires: %s.", thud_summary_gap_cm(needed),
+                                less.data);
+    d->failed = d->failed || less.failed;
+    thud_text_clear(&less);
     thud_document_paragraph(
         d, "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
            "displacement from the property line, so that the gap is the sum. The codes take design "
@@ -532,7 +542,7 @@ static void gap(struct site *site)
     thud_document_paragraph(
         d,
         "The gap between bare faces from which there is no contact under this ground motion, level by level, from the "
-        "motion without pounding: exact (the largest relative displacement), and by rules that know the two largest "
+        "motion without pounding: needed is the largest relative displacement itself; the rules know the two largest "
         "displacements alone. A bumper needs the part that it stands out besides. Required gaps are rounded up to a "
         "millimetre.");
     thud_document_table(d, "Required gap, cm");

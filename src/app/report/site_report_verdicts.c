@@ -5,6 +5,8 @@
 
 #include "app/report/site_report_private.h"
 #include "app/run/summary_line.h"
+#include "core/laws/law.h"
+#include "core/methods/method.h"
 #include "ground/identity.h"
 #include "io/preset/preset.h"
 
@@ -38,7 +40,7 @@ void thud_site_title_block(struct site *site)
         row(site, "Signature", "");
 }
 
-/* The gap that is there, and the one that is needed, of an interface (from 1). */
+/* The gap that is there, and the one that is required, of an interface (from 1). */
 static void gap_rows(struct site *site, int i)
 {
     const struct thud_interface *f = &site->scene->interface[i - 1];
@@ -71,8 +73,9 @@ static void gap_rows(struct site *site, int i)
         row(site, what, text);
         return;
     }
-    size_t n = (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm needed between bare faces under this motion",
-                                100 * f->gap_m, thud_summary_gap_cm(needed));
+    size_t n =
+        (size_t)snprintf(text, sizeof text, "%.1f cm given; %.1f cm required between bare faces under this motion",
+                         100 * f->gap_m, thud_summary_gap_cm(needed));
     if (stands_out > 0)
         n += (size_t)snprintf(text + n, sizeof text - n, ", %.1f cm with the bumper between them",
                               thud_summary_gap_cm(needed + stands_out));
@@ -167,8 +170,9 @@ static void governing_rows(struct site *site)
         }
     }
     if (most > 0) {
-        snprintf(text, sizeof text, "%s g, floor %d of %s", thud_site_number(most / THUD_GRAVITY, 3).text, at[1] + 1,
-                 thud_site_name(site, at[0]));
+        char floor[THUD_NAME_MAX + 32];
+        snprintf(text, sizeof text, "%s g, %s", thud_site_number(most / THUD_GRAVITY, 3).text,
+                 thud_site_floor(site, at[0], at[1] + 1, floor, sizeof floor));
         row(site, own_words(site, "largest acceleration", name, sizeof name), text);
     }
     if (drift > 0) {
@@ -216,13 +220,13 @@ static void failing_row(struct site *site)
     row(site, "storeys and columns that fail", text);
 }
 
-/* Of a suite the ground motion that needs the widest gap. */
+/* Of a suite the ground motion with the widest required gap. */
 static void governing_motion(struct site *site)
 {
     const struct thud_gap_study *gaps = &site->suite.gaps;
     double widest = 0;
     int at = 0;
-    char text[400];
+    char text[400], motion[320];
     for (int r = 0; r < gaps->suite.nrecords; r++) {
         double needed = thud_needed_gap_widest(gaps->gap[r], 0, THUD_GAP_EXACT, NULL);
         if (needed > widest) {
@@ -230,8 +234,8 @@ static void governing_motion(struct site *site)
             at = r;
         }
     }
-    snprintf(text, sizeof text, "load case %d, %.280s: needs %.1f cm", at + 1, gaps->name[at],
-             thud_summary_gap_cm(widest));
+    thud_site_motion(site->suite.plan.record[at], motion, sizeof motion);
+    snprintf(text, sizeof text, "load case %d, %s: %.1f cm required", at + 1, motion, thud_summary_gap_cm(widest));
     row(site, "governing ground motion of the suite", text);
 }
 
@@ -292,6 +296,23 @@ static void owner_name(const struct site *site, const char *owner, char *text, s
                                                 : "the analysis");
 }
 
+/* A value as it is said: laws and the method by their titles, choices by what they stand for. */
+static void add_value(struct inputs *inputs, const char *key, const struct thud_param *param, const char *value)
+{
+    struct thud_document *d = &inputs->site->document;
+    const struct thud_law *law = strcmp(key, "law") == 0 ? thud_law_find(value) : NULL;
+    const struct thud_method *method =
+        strcmp(key, "method") == 0 ? thud_method_find(inputs->site->own->result->method) : NULL;
+    int n = 0;
+    const char *words = NULL;
+    if (param && param->kind == THUD_PARAM_CHOICE && strcmp(key, "kind") != 0 && strcmp(key, "law") != 0)
+        words = thud_site_choice(param, value, &n);
+    if (law || method)
+        thud_document_cell(d, "%s", law ? law->title : method->title);
+    else
+        thud_document_cell(d, "%.*s", words ? n : (int)strlen(value), words ? words : value);
+}
+
 static void put_input(void *context, const char *section, const char *key, const char *value)
 {
     struct inputs *inputs = context;
@@ -306,13 +327,13 @@ static void put_input(void *context, const char *section, const char *key, const
         owner_name(inputs->site, inputs->owner, name, sizeof name);
         snprintf(caption, sizeof caption, "Inputs of %s", name);
         thud_document_table(d, caption);
-        thud_document_head(d, "key in the preset|meaning|value");
+        thud_document_head(d, "input|value|key in the preset");
     }
     snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", key);
     const struct thud_param *param = thud_scene_param(inputs->site->scene, path, &floor);
+    thud_document_cell(d, "%s", param ? param->title : key);
+    add_value(inputs, key, param, value);
     thud_document_cell(d, "%s%s%s", rest, *rest ? "." : "", key);
-    thud_document_cell(d, "%s", param ? param->title : "");
-    thud_document_cell(d, "%s", value);
     thud_document_row(d);
 }
 

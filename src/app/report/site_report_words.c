@@ -32,17 +32,28 @@ const struct thud_contact_result *thud_site_strongest(const struct thud_result *
     return most;
 }
 
+const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size)
+{
+    const char *name = thud_site_name(site, structure);
+    const enum thud_structure_kind kind = site->scene->structure[structure].kind;
+    if (kind == THUD_WALL)
+        snprintf(text, size, "%s", name);
+    else if (kind == THUD_ISOLATED && floor == 1)
+        snprintf(text, size, "the base slab of %s", name);
+    else
+        snprintf(text, size, "floor %d of %s", floor, name);
+    return text;
+}
+
 void thud_site_sides(const struct site *site, int interface, int left, int right, int struck, char *text, size_t size)
 {
     char side[2][THUD_NAME_MAX + 40];
+    static const char columns_below[] = "the columns below ";
     const int floor[2] = {left, right}, columns[2] = {struck<0, struck> 0};
     for (int i = 0; i < 2; i++) {
-        const char *name = thud_site_name(site, interface - 1 + i);
-        if (site->scene->structure[interface - 1 + i].kind == THUD_WALL)
-            snprintf(side[i], sizeof side[i], "%s", name);
-        else
-            snprintf(side[i], sizeof side[i], "%sfloor %d of %s", columns[i] ? "the columns below " : "", floor[i],
-                     name);
+        const size_t n = columns[i] ? sizeof columns_below - 1 : 0;
+        memcpy(side[i], columns_below, n);
+        thud_site_floor(site, interface - 1 + i, floor[i], side[i] + n, sizeof side[i] - n);
     }
     snprintf(text, size, "%s and %s", side[0], side[1]);
 }
@@ -91,15 +102,26 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
 
 void thud_site_motion(const struct thud_record *record, char *text, size_t size)
 {
-    const char *name = *record->event ? record->event : thud_path_name(record->file);
-    snprintf(text, size, "%s%s%s%s%s%s", name, *record->station ? ", station " : "", record->station,
-             *record->component ? ", component " : "", record->component, thud_record_synthetic_mark(record));
+    thud_record_title(record, text, size);
+    const size_t n = strlen(text);
+    snprintf(text + n, size - n, "%s", thud_record_synthetic_mark(record));
 }
 
 const char *thud_site_columns(const struct site *site, const struct thud_column_result *r, char *name, size_t size)
 {
-    snprintf(name, size, "floor %d of %s", r->storey, thud_site_name(site, r->structure));
-    return name;
+    return thud_site_floor(site, r->structure, r->storey, name, size);
+}
+
+const char *thud_site_choice(const struct thud_param *param, const char *value, int *length)
+{
+    char key[64];
+    const int n = snprintf(key, sizeof key, "%s: ", value);
+    const char *at = strstr(param->help, key);
+    if (!at)
+        return NULL;
+    at += n;
+    *length = (int)(strcspn(at, ";") - (at[strcspn(at, ";")] == '\0'));
+    return at;
 }
 
 /* The quantity without its unit, blanks in place of `_`: "shear_lower_n" as "shear lower". */
@@ -147,7 +169,10 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
         snprintf(place, sizeof place, "the columns below floor %s of %.*s", last + 1, (int)(last - owner - used),
                  owner + used);
     } else if (last && strspn(last + 1, "0123456789") == strlen(last + 1)) {
-        snprintf(place, sizeof place, "floor %s of %.*s", last + 1, (int)(last - owner), owner);
+        *last = '\0';
+        for (int s = 0; s < site->scene->nstructures; s++)
+            if (strcmp(site->scene->structure[s].name, owner) == 0)
+                thud_site_floor(site, s, atoi(last + 1), place, sizeof place);
     }
     snprintf(text, size, "%s of %s", quantity, place);
 }

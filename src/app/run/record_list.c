@@ -194,10 +194,12 @@ static enum thud_status add_turned(struct reading *r, const struct thud_scene *s
     enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &turned, err);
     if (status != THUD_OK)
         return status;
-    turned->scale = record->scale;
-    turned->synthetic = record->synthetic;
-    memcpy(turned->sha256, record->sha256, sizeof turned->sha256);
+    const struct thud_record own = *turned;
+    *turned = *record; /* all that is known of it */
+    turned->a_mps2 = own.a_mps2;
     thud_record_scale(turned, -1);
+    snprintf(turned->component, sizeof turned->component, "%.50s%sreversed", record->component,
+             *record->component ? ", " : "");
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
     return add(r, turned, scene, err);
 }

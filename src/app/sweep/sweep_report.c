@@ -95,7 +95,7 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
-/* The varied keys that change the motion without pounding, and so the needed gap. */
+/* The varied keys that change the motion without pounding, and so the required gap. */
 static const char *place_of_need(const struct thud_sweep_plan *plan, const struct thud_sweep_need_row *need,
                                  char text[PLACE])
 {
@@ -121,7 +121,8 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
     thud_contact_pair_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
-    thud_text_append(out, "  needed gap %.2f cm (%sfloors %s)", 100 * worst->relative_displacement_m, interface, pair);
+    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)", 100 * worst->relative_displacement_m, interface,
+                     pair);
     if (varies)
         thud_text_append(out, " at %s", place_of_need(plan, worst, at));
     thud_text_append(out, "; ABS %.2f, SRSS %.2f", 100 * worst->abs_m, 100 * worst->srss_m);

@@ -136,7 +136,7 @@ static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_u
 {
     if (u->quantity[q].kind != THUD_OF_GAP || isnan(t->median))
         return;
-    thud_text_append(out, "The needed gap is %.1f cm in the median, in 90 %% of %.0f samples %.1f to %.1f cm",
+    thud_text_append(out, "The required gap is %.1f cm in the median, in 90 %% of %.0f samples %.1f to %.1f cm",
                      100 * t->median, t->count, 100 * t->low, 100 * t->high);
     if (!isnan(t->between))
         thud_text_append(out, ";\n  %.0f %% of its variance is between ground motions", 100 * t->between);
@@ -163,7 +163,7 @@ static void put_indices(const struct thud_uncertainty *u, int q, const struct th
                          t->of[THUD_INPUT_TOTAL][i], t->of[THUD_INPUT_TOTAL_LOW][i], t->of[THUD_INPUT_TOTAL_HIGH][i]);
 }
 
-/* Of the needed gap and the ratios, or where there are none of the largest peaks. */
+/* Of the required gap and the ratios, or where there are none of the largest peaks. */
 static bool has_indices(const struct thud_uncertainty *u, int q)
 {
     if (u->quantity[q].kind == THUD_OF_GAP)
@@ -189,7 +189,7 @@ static void put_nominal(const struct thud_uncertainty *u, struct thud_text *out)
 {
     for (int r = 0; r < u->nsuite && u->nsuite > 1; r++)
         if (u->suite[r] == u->record)
-            thud_text_append(out, "nominal and tornado: under %.60s,\nthe median of the %d motions' needed gaps\n\n",
+            thud_text_append(out, "nominal and tornado: under %.60s,\nthe median of the %d motions' required gaps\n\n",
                              thud_path_name(u->record->file), u->nsuite);
 }
 

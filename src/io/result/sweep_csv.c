@@ -171,7 +171,7 @@ static const struct thud_column needs[] = {
     {NEED(right_floor, "right_floor", "Floor on its right.")},
     {NEED(left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
     {NEED(right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
-    {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Gap that is needed: how far the two close, m.")},
+    {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Required gap: how far the two close, m.")},
     {RULE(THUD_GAP_ABS, "abs_m", "Sum of both peaks, m.")},
     {RULE(THUD_GAP_SRSS, "srss_m", "Root of the sum of their squares, m.")},
     {RULE(THUD_GAP_DDC, "ddc_m", "Double difference combination, m; no value where storeys yield.")},

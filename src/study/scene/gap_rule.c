@@ -180,7 +180,7 @@ static const struct thud_gap_rule rules[THUD_GAP_RULES + 1] = {
      "max($a x $R x sqrt($l^2 + $r^2), 3, 3 + ($h - 6)/3) cm", no_height, by_tbdy},
     {"GB 50011", "gb50011_m", "6.1.4", "GB 50011-2010", "China, frames", SECOND_HAND,
      "max(10 cm, 10 cm + 2 cm (H - 15 m)/(11 - intensity))", "max(10, 10 + 2 x ($H - 15)/(11 - $I)) cm",
-     "it needs --code intensity=6 to 9, and heights", by_gb50011},
+     "the design intensity (6 to 9) or a height is not given", by_gb50011},
     {"E.030", "e030_m", "joints between buildings", "E.030", "Peru", SECOND_HAND, "max(2/3 (uL + uR), 0.006 h, 3 cm)",
      "max(2/3 x ($l + $r), 0.006 x 100 x $h, 3) cm", no_height, by_e030},
 };
@@ -204,7 +204,7 @@ void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_
         double value;
     } number[] = {{'l', "%.2f", 100 * level->left_m},
                   {'r', "%.2f", 100 * level->right_m},
-                  {'p', "%.4g", level->correlation},
+                  {'p', "%.3g", level->correlation},
                   {'k', "%g", reduction(level)},
                   {'a', "%g", alpha(level)},
                   {'q', "%g", code->q},

@@ -503,7 +503,7 @@ static void add_quantities(struct thud_uncertainty *u)
                                             {"largest column shear", "shear_n", THUD_OF_FORCE, false, false}};
     if (has_gap(&u->scene))
         u->quantity[u->nquantities++] = (struct thud_quantity_of_run){
-            .name = "needed gap", .column = "needed_gap_m", .kind = THUD_OF_GAP, .structure = -1};
+            .name = "required gap", .column = "needed_gap_m", .kind = THUD_OF_GAP, .structure = -1};
     for (int k = 0; k < u->ncases; k++) {
         enum thud_case which = u->which[k];
         for (int s = 0; s < u->scene.nstructures; s++) {
