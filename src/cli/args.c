@@ -29,7 +29,7 @@ static bool owners(const char *word, char *text, size_t size)
 static enum thud_status unknown_option(enum thud_command_id command, const char *word, struct thud_error *err)
 {
     const char *names[64];
-    char others[60];
+    char others[96];
     int n = 0;
     for (int i = 0; i < thud_option_count() && n < 64; i++)
         if (thud_option_belongs(thud_option_at(i), command))
