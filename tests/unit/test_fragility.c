@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "plot/figures/figures_case.h"
 #include "plot/figures/figures_fragility.h"
+#include "plot/figures/figures_sweep.h"
 #include "study/suite/fragility.h"
 #include "study_setup.h"
 
@@ -464,6 +465,41 @@ START_TEST(a_figure_against_the_gap_has_its_line)
 }
 END_TEST
 
+/* A spectral acceleration is told with its damping and its period: that which is asked for, the mean of the first ones, or
+ * in words where it is not the same at every point. */
+START_TEST(a_spectral_acceleration_has_its_period)
+{
+    static const struct {
+        double asked_s;
+        const char *also, *want;
+    } cases[] = {{0.7, NULL, "Sa at 0.7 s, 5 % damped"},
+                 {0.7, "structures.1.mass=300 t,400 t", "Sa at 0.7 s, 5 % damped"},
+                 {NAN, "gap=5 cm,10 cm", NULL},
+                 {NAN, "structures.1.mass=300 t,400 t", "Sa at the mean first period, 5 % damped"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char mean[64];
+        struct thud_record_choice choice = scene->record;
+        choice.sa_mps2 = 1;
+        choice.period_s = NAN;
+        ck_assert_int_eq(thud_record_choice_resolve(scene, &choice, &error), THUD_OK);
+        snprintf(mean, sizeof mean, "Sa at %.3g s, 5 %% damped", choice.period_s);
+        thud_sweep_plan_clear(plan);
+        scene->record.period_s = cases[i].asked_s;
+        thud_sweep_plan_init(plan, scene);
+        vary("record.sa=0.5 g,1 g");
+        if (cases[i].also)
+            vary(cases[i].also);
+        struct thud_figure *figure = thud_figure_create("x", "", 1, 1);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+        for (int a = 0; a < plan->naxes; a++)
+            if (strcmp(plan->axis[a].key, "record.sa") == 0)
+                thud_panel_varied(panel, THUD_X, &plan->axis[a]);
+        ck_assert_str_eq(panel->axis[THUD_X].label, cases[i].want ? cases[i].want : mean);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 /* Measures have the colour of their case, and a mark for each setting; of shares there is Wilson's band. */
 START_TEST(what_lowers_is_drawn_by_case)
 {
@@ -514,6 +550,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, hazard_of_exact_values);
     tcase_add_test(tcase, counts_and_band_of_a_suite);
     tcase_add_test(tcase, a_figure_against_the_gap_has_its_line);
+    tcase_add_test(tcase, a_spectral_acceleration_has_its_period);
     tcase_add_test(tcase, what_lowers_is_drawn_by_case);
     tcase_add_test(tcase, both_signs_are_one_draw);
     tcase_add_test(tcase, equal_motions_and_few);

@@ -26,8 +26,9 @@ struct thud_scaled_motion {
 struct thud_scaled_suite {
     int n, chosen;
     struct thud_scaled_motion *motion; /* (n) */
-    bool narrowed; /* fewer periods count than were asked for: the motions' steps, the target's ends */
-    double common; /* the last factor, a part of all of them */
+    bool narrowed;  /* fewer periods count than were asked for: the motions' steps, the target's ends */
+    double common;  /* the last factor, a part of all of them */
+    double damping; /* of the spectra */
     double period_s[THUD_TARGET_PERIODS], target_mps2[THUD_TARGET_PERIODS], mean_mps2[THUD_TARGET_PERIODS];
     double ratio, ratio_s;            /* least mean over target, and its period */
     double mean_peak_mps2, zero_mps2; /* mean peak of the scaled motions, and the target's at T = 0 */

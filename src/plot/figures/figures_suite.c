@@ -23,7 +23,8 @@ struct thud_figure *thud_figure_of_suite(const struct thud_scaled_suite *suite, 
     struct thud_figure *figure = thud_figure_create("suite", title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Period", "s");
-    thud_panel_axis(panel, THUD_Y, "Sa (pseudo)", "g");
+    snprintf(note, sizeof note, "Sa, %.3g %% damped", 100 * suite->damping);
+    thud_panel_axis(panel, THUD_Y, note, "g");
     thud_panel_log(panel, THUD_X);
     thud_panel_limits(panel, THUD_X, suite->period_s[0], suite->period_s[N - 1]);
     thud_panel_limits(panel, THUD_Y, 0, NAN);

@@ -132,6 +132,10 @@ static void axis_of_key(struct thud_panel *panel, enum thud_side side, const str
     else if (table && sscanf(axis->key, "structures.%d.", &structure) == 1 && structure >= 1 &&
              structure <= table->nstructures)
         snprintf(label, sizeof label, "%s: %s", table->structure[structure - 1], title);
+    if (strcmp(axis->key, "record.sa") == 0 && isnan(axis->period_s))
+        snprintf(label, sizeof label, "Sa at the mean first period, 5 %% damped");
+    else if (strcmp(axis->key, "record.sa") == 0)
+        snprintf(label, sizeof label, "Sa at %.3g s, 5 %% damped", axis->period_s);
     thud_panel_axis(panel, side, label, thud_axis_has_numbers(axis) && axis->param->unit ? axis->param->unit : "");
     if (!thud_axis_has_numbers(axis))
         thud_panel_limits(panel, side, 0.5, axis->n + 0.5);

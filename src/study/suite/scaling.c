@@ -144,7 +144,9 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
                                   const struct thud_scaling *scaling, struct thud_scaled_suite *out,
                                   struct thud_error *err)
 {
-    *out = (struct thud_scaled_suite){.n = n, .motion = calloc((size_t)(n > 0 ? n : 1), sizeof *out->motion)};
+    *out = (struct thud_scaled_suite){.n = n,
+                                      .damping = target ? target->damping : 0.05,
+                                      .motion = calloc((size_t)(n > 0 ? n : 1), sizeof *out->motion)};
     if (!out->motion)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     enum thud_status status = set_range(record, n, target, scaling, out, err);
@@ -154,7 +156,7 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
         struct thud_scaled_motion *m = &out->motion[i];
         m->peak_mps2 = thud_record_peak(record[i]);
         m->factor = 1;
-        thud_target_motion(record[i], target ? target->damping : 0.05, out->period_s, THUD_TARGET_PERIODS, m->sa_mps2);
+        thud_target_motion(record[i], out->damping, out->period_s, THUD_TARGET_PERIODS, m->sa_mps2);
         if (target && m->peak_mps2 > 0)
             m->factor = thud_target_factor(out->target_mps2, m->sa_mps2, THUD_TARGET_PERIODS, &m->misfit);
         m->chosen = !target;

@@ -251,12 +251,30 @@ static enum thud_status try_values(const struct thud_sweep_plan *plan, const str
     return status;
 }
 
+/* The period of a spectral acceleration that is varied, where it is the same at every point. */
+static void find_period(struct thud_sweep_plan *plan)
+{
+    struct thud_record_choice choice = plan->scene.record;
+    bool same = true;
+    for (int a = 0; a < plan->naxes; a++)
+        same &= choice.period_s > 0 || strncmp(plan->axis[a].key, "structures.", 11) != 0;
+    for (int a = 0; a < plan->naxes; a++) {
+        if (strcmp(plan->axis[a].key, "record.sa") != 0)
+            continue;
+        choice.sa_mps2 = plan->axis[a].value[0];
+        if (!same || thud_record_choice_resolve(&plan->scene, &choice, NULL) != THUD_OK)
+            choice.period_s = NAN;
+        plan->axis[a].period_s = choice.period_s;
+    }
+}
+
 static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis)
 {
     int at = is_outer(axis->key) ? plan->nouter++ : plan->naxes;
     memmove(plan->axis + at + 1, plan->axis + at, (size_t)(plan->naxes - at) * sizeof *axis);
     plan->axis[at] = *axis;
     plan->naxes++;
+    find_period(plan);
 }
 
 static enum thud_status check_axis(const struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis,
