@@ -74,6 +74,11 @@ START_TEST(logarithmic_limits_are_whole_decades)
     thud_panel_log(panel, THUD_X);
     struct thud_range range = thud_panel_range(panel, THUD_X);
     ck_assert(fabs(log10(range.least) + 9.0) < 1e-9 && fabs(log10(range.most) + 2.0) < 1e-9);
+    const double high[] = {98.0, 1.0, 3.0}; /* results stand off the frame */
+    thud_panel_add(panel, line, "b", 3, x, high);
+    thud_panel_log(panel, THUD_Y);
+    range = thud_panel_range(panel, THUD_Y);
+    ck_assert(range.least < 0.97 && range.least > 0.5 && range.most > 103.0 && range.most < 200.0);
     thud_figure_free(figure);
 }
 END_TEST

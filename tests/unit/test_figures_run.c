@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "plot/figures/figures_case.h"
+#include "plot/figures/figures_floor.h"
 #include "plot/figures/figures_run.h"
 #include "plot/figures/figures_scene.h"
 #include "plot/gnuplot/gnuplot.h"
@@ -211,6 +212,42 @@ START_TEST(walls_do_not_set_the_scale_of_floors)
         ck_assert(figure->panel[2 * r].axis[THUD_Y].most == *floors);
     ck_assert(figure->panel[2 * LEFT + 1].axis[THUD_Y].most == *wall); /* the closer look too */
     ck_assert_ptr_nonnull(strstr(figure->note, "Walls have scales of their own."));
+    thud_figure_free(figure);
+    s->scene.structure[0].kind = THUD_ISOLATED; /* beside drifts isolators stand apart, and walls have none */
+    s->scene.structure[0].storeys = LEFT - 1;
+    s->floor[0].drift.value = 0.5;
+    for (int i = 0; i < ROWS; i++)
+        for (int d = 0; d < LEFT; d++)
+            s->value[i * s->history.columns + thud_history_displacement(&s->history, d)] += 0.49 * sin(s->time[i]);
+    figure = thud_run_figure(THUD_FIGURE_DRIFT, &s->source, 1);
+    ck_assert_int_eq(figure->rows, LEFT);
+    ck_assert(figure->panel[4].axis[THUD_Y].most > 500 && figure->panel[0].axis[THUD_Y].most < 100);
+    ck_assert_ptr_nonnull(strstr(figure->note, "Isolators have scales of their own."));
+    thud_figure_free(figure);
+    figure = thud_run_figure(THUD_FIGURE_ENVELOPE, &s->source, 1);
+    ck_assert(isnan(figure->panel[2].series[0]->x[0]) && figure->panel[2].axis[THUD_X].most < 10);
+    thud_figure_free(figure);
+    drop(s);
+}
+END_TEST
+
+START_TEST(walls_do_not_set_the_scale_of_spectra)
+{
+    struct sample *s = make();
+    double period[] = {0.1, 1}, sa[] = {10, 5, 500, 5, 20, 5, 600, 5}, peak[4] = {0};
+    struct thud_floor_place floor[] = {{0, 0}, {1, 0}};
+    struct thud_floor_spectra spectra = {.nperiods = 2,
+                                         .nfloors = 2,
+                                         .ncases = 2,
+                                         .damping = 0.05,
+                                         .period_s = period,
+                                         .floor = floor,
+                                         .sa_mps2 = sa,
+                                         .peak_mps2 = peak};
+    s->scene.structure[1].kind = THUD_WALL;
+    struct thud_figure *figure = thud_figure_of_floors(&s->scene, &spectra);
+    ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
+    ck_assert(figure->panel[0].axis[THUD_Y].most < 5 && figure->panel[1].axis[THUD_Y].most > 60);
     thud_figure_free(figure);
     drop(s);
 }
@@ -426,6 +463,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_scene_is_drawn_to_scale);
     tcase_add_test(tcase, a_drawing_shows_where_columns_are_struck);
     tcase_add_test(tcase, walls_do_not_set_the_scale_of_floors);
+    tcase_add_test(tcase, walls_do_not_set_the_scale_of_spectra);
     tcase_add_test(tcase, a_wall_that_gives_is_drawn_with_what_holds_it);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_keep_their_colours);

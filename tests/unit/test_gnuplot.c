@@ -635,6 +635,7 @@ START_TEST(scales_can_be_read)
     map->class_name = classes;
     map->classes = 3;
     thud_panel_log(narrow, THUD_Y);
+    thud_panel_limits(narrow, THUD_Y, y[0], y[1]);
     thud_panel_add(narrow, (struct thud_style){.kind = THUD_LINES}, "", 2, x, y);
     struct thud_text script = {0};
     struct thud_picture_options options = {.width_px = 1800, .font_px = 28};

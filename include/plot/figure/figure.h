@@ -161,7 +161,7 @@ void thud_panel_bars(struct thud_panel *panel, int color, size_t n, const double
 struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
                                 const double *z, const char *label, const char *unit);
 
-/* Makes all panels of a figure strips. */
+/* Makes all panels of a figure strips, where there is more than a row of them. */
 void thud_figure_strips(struct thud_figure *figure);
 
 /* Makes `panel` a closer look at `from` between two values of x: same series and labels; the stretch is marked in

@@ -294,7 +294,7 @@ struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const doubl
 
 void thud_figure_strips(struct thud_figure *figure)
 {
-    for (int i = 0; figure && i < figure->rows * figure->columns; i++)
+    for (int i = 0; figure && figure->rows > 1 && i < figure->rows * figure->columns; i++)
         figure->panel[i].strip = true;
 }
 

@@ -92,13 +92,15 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
     return range;
 }
 
-static struct thud_range round_log(struct thud_range range, const struct thud_axis *axis)
+static struct thud_range round_log(struct thud_range range, const struct thud_axis *axis, enum thud_side side)
 {
-    if (isnan(range.least)) {
-        range.least = 1.0;
-        range.most = 10.0;
-    }
-    double least = floor(log10(range.least) + 1e-9), most = ceil(log10(range.most) - 1e-9);
+    if (isnan(range.least))
+        return (struct thud_range){1.0, 10.0, 0.0};
+    const double low = log10(range.least), high = log10(range.most),
+                 hair = side == THUD_Y || axis->results ? 0.02 * (high - low) : 0.0; /* no result on the frame */
+    double least = floor(low + 1e-9), most = ceil(high - 1e-9);
+    least = low - least < hair ? low - 2.0 * hair : least;
+    most = most - high < hair ? high + 2.0 * hair : most;
     if (isnan(axis->least))
         range.least = pow(10.0, least);
     if (isnan(axis->most))
@@ -128,7 +130,7 @@ struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_sid
         range.least = axis->log ? 0.1 * range.most : range.most - 1.0;
     if (isnan(range.most) && !isnan(range.least))
         range.most = axis->log ? 10.0 * range.least : range.least + 1.0;
-    return axis->log ? round_log(range, axis) : round_linear(range, axis, side, panel->map != NULL);
+    return axis->log ? round_log(range, axis, side) : round_linear(range, axis, side, panel->map != NULL);
 }
 
 void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, int first, int step, int n,

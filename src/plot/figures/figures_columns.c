@@ -7,13 +7,14 @@
 
 enum { PANELS_MAX = 4, RING = THUD_COLORS - 1 };
 
-/* Elevation of the struck place: of the contact with the largest force on these columns. */
-static double struck_at(const struct thud_result *result, int column, double low, double high)
+/* Elevation of the struck place: of the contact with the largest force on these columns. *impacts: whether there are any. */
+static double struck_at(const struct thud_result *result, int column, double low, double high, bool *impacts)
 {
     const struct thud_contact_result *most = NULL;
     for (int c = 0; c < result->ncontacts; c++)
         if (result->contact[c].column == column && (!most || result->contact[c].force.value > most->force.value))
             most = &result->contact[c];
+    *impacts = most && most->impacts > 0;
     return low + (most ? most->eta : 0.5) * (high - low);
 }
 
@@ -43,7 +44,8 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
         for (int q = 0; q < 2; q++)
             shear[q] = is_shown(c, structure, interface) ? 1e-3 * c->peak[q].value : NAN;
         ends_of(&source->scene->structure[c->structure], c, &low, &high);
-        double at = struck_at(result, i, low, high);
+        bool impacts;
+        double at = struck_at(result, i, low, high, &impacts);
         const double x[] = {shear[0], shear[0], shear[1], shear[1], NAN}, y[] = {low, at, at, high, NAN};
         for (int k = 0; k < 5; k++, n++) {
             series->x[n] = x[k];
@@ -63,8 +65,10 @@ static void add_strikes(struct thud_panel *panel, const struct thud_figure_sourc
         const struct thud_column_result *c = &result->column[i];
         double low, high;
         ends_of(&source->scene->structure[c->structure], c, &low, &high);
-        series->x[i] = is_shown(c, structure, interface) ? 1e-3 * fmax(c->peak[0].value, c->peak[1].value) : NAN;
-        series->y[i] = struck_at(result, i, low, high);
+        bool impacts;
+        series->y[i] = struck_at(result, i, low, high, &impacts);
+        series->x[i] =
+            impacts && is_shown(c, structure, interface) ? 1e-3 * fmax(c->peak[0].value, c->peak[1].value) : NAN;
     }
 }
 

@@ -296,6 +296,8 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
         if (zoom)
             thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);
     }
+    if (figure)
+        thud_figure_share_scale(figure, THUD_Y, 0, 1, figure->rows * figure->columns, NULL);
     thud_figure_shorten(figure);
     return figure;
 }

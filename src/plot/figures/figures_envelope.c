@@ -28,7 +28,8 @@ static double storey(const struct thud_structure *structure, int floor)
 static double peak_of(const struct thud_figure_source *source, int structure, int f, int q)
 {
     const struct thud_floor_result *floor = &source->result->structure[structure].floor[f];
-    if (q == ACCELERATION && thud_floor_struck(source->result, structure, f))
+    const bool isolators = source->scene->structure[structure].kind == THUD_ISOLATED && f == 0;
+    if ((q == ACCELERATION && thud_floor_struck(source->result, structure, f)) || (q == DRIFT && isolators))
         return NAN;
     return q == ACCELERATION   ? floor->acceleration.value
            : q == DISPLACEMENT ? floor->displacement.value

@@ -12,18 +12,13 @@ static struct thud_panel *panel_of(struct thud_figure *figure, int row, int colu
                                    const struct thud_floor_spectra *s)
 {
     struct thud_panel *panel = thud_figure_panel(figure, row, column, title);
-    double most = 0;
-    int k;
-    for (int i = 0; i < s->ncases; i++)
-        for (int f = 0; f < s->nfloors; f++)
-            most = fmax(most, thud_floor_spectrum(s, i, f, &k)[k]);
     thud_panel_axis(panel, THUD_X, "Period", "s");
     char label[64];
     snprintf(label, sizeof label, "Sa, %.3g %% damped", 100 * s->damping);
     thud_panel_axis(panel, THUD_Y, label, "g");
     thud_panel_log(panel, THUD_X);
     thud_panel_limits(panel, THUD_X, s->period_s[0], s->period_s[s->nperiods - 1]);
-    thud_panel_limits(panel, THUD_Y, 0, most > 0 ? 1.05 * most / THUD_GRAVITY : NAN);
+    thud_panel_limits(panel, THUD_Y, 0, NAN);
     return panel;
 }
 
@@ -79,6 +74,15 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
             curve(panel, s, i, f, at.floor % THUD_COLORS_ALL, name);
         }
     }
+    for (int r = 0; figure && r < figure->rows; r++) { /* a light wall that is struck would leave the floors flat */
+        int f = apart ? r : 0;
+        while (!apart && row[s->floor[f].structure] != r)
+            f++;
+        if (scene->structure[s->floor[f].structure].kind == THUD_WALL)
+            thud_figure_share_scale(figure, THUD_Y, r * figure->columns, 1, figure->columns, NULL);
+    }
+    if (figure)
+        thud_figure_share_scale(figure, THUD_Y, 0, 1, figure->rows * figure->columns, NULL);
     snprintf(title, sizeof title, "Oscillators of %.3g %% damping on the floors. Pseudo spectral acceleration.",
              100 * s->damping);
     thud_figure_note(figure, title);

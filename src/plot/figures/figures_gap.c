@@ -12,7 +12,8 @@ enum { LEVELS_MAX = 256 };
 /* Medians by level, with the band from 16 to 84 % of what is needed. false: out of memory. */
 static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *suite)
 {
-    double x[LEVELS_MAX], low[LEVELS_MAX], high[LEVELS_MAX], y[LEVELS_MAX];
+    enum { MOST = LEVELS_MAX + THUD_STRUCTURES_MAX };
+    double x[MOST], low[MOST], high[MOST], y[MOST];
     const struct thud_needed_gap *first = suite->gap[0];
     int n = first->nlevels < LEVELS_MAX ? first->nlevels : LEVELS_MAX, every = (n + 11) / 12;
     bool several = first->level[n - 1].interface != first->level[0].interface;
@@ -26,20 +27,25 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
     thud_panel_limits(panel, THUD_X, 0.5, n + 0.5);
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_ASCE7; rule++) {
         struct thud_style style = {.kind = THUD_LINES_POINTS, .color = rule + 1, .wide = rule == THUD_GAP_EXACT};
-        for (int l = 0; l < n; l++) {
+        size_t m = 0;
+        for (int l = 0; l < n; l++, m++) {
             struct thud_fractiles f;
             if (thud_gap_suite_fractiles(suite, l, rule, &f, NULL) != THUD_OK)
                 return false;
-            x[l] = l + 1;
-            y[l] = 100 * f.median;
-            low[l] = 100 * f.p16;
-            high[l] = 100 * f.p84;
+            if (l > 0 && first->level[l].interface != first->level[l - 1].interface) { /* no line to other buildings */
+                x[m] = y[m] = low[m] = high[m] = NAN;
+                m++;
+            }
+            x[m] = l + 1;
+            y[m] = 100 * f.median;
+            low[m] = 100 * f.p16;
+            high[m] = 100 * f.p84;
         }
         if (isnan(y[0])) /* the rule has no value here */
             continue;
         if (rule == THUD_GAP_EXACT && suite->nrecords >= THUD_SHARES_LEAST)
-            thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", (size_t)n, x, low, high);
-        thud_panel_add(panel, style, thud_gap_rule_at(rule)->name, (size_t)n, x, y);
+            thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", m, x, low, high);
+        thud_panel_add(panel, style, thud_gap_rule_at(rule)->name, m, x, y);
     }
     return true;
 }

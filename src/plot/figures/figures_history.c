@@ -59,7 +59,8 @@ static void floor_line(struct thud_panel *panel, const struct thud_figure_source
 bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which)
 {
     enum thud_structure_kind kind = source->scene->structure[structure].kind;
-    return source->result->structure[structure].floors > 0 && !(which == THUD_FIGURE_DRIFT && kind == THUD_RIGID);
+    return source->result->structure[structure].floors > 0 &&
+           !(which == THUD_FIGURE_DRIFT && !thud_kind_is_building(kind));
 }
 
 /* A floor of a structure, both from 0. */
@@ -95,11 +96,18 @@ static int pick_floors(const struct thud_figure_source *source, int nsources, en
     return n;
 }
 
+/* Whether a strip has a scale of its own: a wall, and what isolators move beside drifts of storeys. */
+static bool is_apart(const struct thud_figure_source *source, const struct place *place, enum thud_run_figure which)
+{
+    const enum thud_structure_kind kind = source->scene->structure[place->structure].kind;
+    return kind == THUD_WALL || (which == THUD_FIGURE_DRIFT && kind == THUD_ISOLATED && place->floor == 0);
+}
+
 struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
                                           int nsources)
 {
     struct place place[THUD_STRIPS_MAX];
-    bool all, walls = false, ground = thud_source_ground(source);
+    bool all, apart = false, ground = thud_source_ground(source);
     double from, to;
     char title[3 * THUD_TEXT_MAX], what[128];
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
@@ -133,17 +141,19 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
                 thud_panel_zoom(thud_figure_panel(figure, row, 1, strip), panel, from, to);
         }
     }
-    for (int i = 0; figure && i < n; i++) /* a light wall that is struck would leave the floors flat */
-        if (source->scene->structure[place[i].structure].kind == THUD_WALL) {
+    for (int i = 0; figure && i < n;
+         i++) /* a light wall that is struck would leave the floors flat, as would isolators */
+        if (is_apart(source, &place[i], which)) {
             thud_figure_share_scale(figure, THUD_Y, (i * nsources + ground) * figure->columns, 1,
                                     nsources * figure->columns, NULL);
-            walls = true;
+            apart = true;
         }
     thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
     thud_figure_shorten(figure);
-    if (walls)
-        thud_figure_note(figure, "Walls have scales of their own.");
+    if (apart)
+        thud_figure_note(figure, which == THUD_FIGURE_DRIFT ? "Isolators have scales of their own."
+                                                            : "Walls have scales of their own.");
     if (!all)
         thud_figure_note(figure, "Of each structure the floors with the largest peaks; histories.csv has all.");
     return figure;
