@@ -2,7 +2,12 @@
  *
  *     q(t + dt)  = e0 q + e1 q' + p0 a(t) + p1 a(t + dt),   q'(t + dt) = e2 q + e3 q' + p2 a(t) + p3 a(t + dt)
  *
- * over all of them, the floors' values at their ends, and the energies as sums of products. */
+ * over all of them, the floors' values at their ends, and the energies as sums of products.
+ *
+ * Rows are modes or floors, and the ends of the intervals stand beside each other in them: the loops over ends, which are
+ * the long ones, then take neighbours in memory. The energies of a block are not read interval by interval: each is a
+ * quadratic form in (q - s, q', a0, a1) with the same coefficients in all of them (free_vibration_tables.c), so that sums
+ * of the products over the intervals are all that is needed. */
 #include "core/motion/free_vibration_parts.h"
 
 #include <math.h>
@@ -244,7 +249,7 @@ static double spring_at(const struct thud_free_vibration *f, const struct thud_m
     return -sum;
 }
 
-/* Third derivative of a floor's displacement. */
+/* Rate of a floor's total acceleration: that of -(Omega^2 (q - s) + D q'), in which the slope of the ground has no part. */
 static double jerk(const struct thud_free_vibration *f, const struct thud_model *m, int structure, int floor, int t,
                    double ground)
 {

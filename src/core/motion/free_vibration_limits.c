@@ -1,5 +1,19 @@
 /* How far a value inside an interval may lie above those at its ends, and with that the first interval in which a contact
- * closes or a storey yields: for |f''| <= B, |f - chord| <= B dt^2/8 (thud-methods(7), eqs. 4 and 5). */
+ * closes or a storey yields (thud-methods(7), eqs. 4 and 5).
+ *
+ * Glossary, for a block of intervals of length dt; j is a mode, x a quantity of a floor.
+ *
+ *     S_j        f->speed: largest sqrt(q'^2 + omega^2 (q - s)^2) at the ends; inside an interval it grows by no more than
+ *                dt |gamma| times the largest ground acceleration, as damping takes energy and the springs keep it
+ *     bound[k]   B_k, bound of the k-th derivative of q_j inside the intervals: from q'' = -omega^2 (q - s) - z q' -
+ *                gamma a_g (z = 2 zeta omega) with |omega (q - s)| and |q'| both below S, and its derivatives
+ *     slope      largest |da_g/dt|; a_g is a straight line in each interval, so that no higher one has a part
+ *     margin     dt^2/8 B_2 of a value: error of the chord between its ends, whose largest is at an end
+ *     cubic      dt^4/384 B_4 of a value: error of the cubic through values and rates at the ends (Hermite's)
+ *     limit      clearance of a contact less the margins of its sides: below it at both ends, the contact stays open
+ *
+ * Three sieves, each for what the one before lets through: by S alone for the whole block (gap_bound), by the values at
+ * the ends of an interval and the margin (find_near), and by the power series of the interval (closes). */
 #include "core/motion/free_vibration_parts.h"
 
 #include <math.h>
@@ -16,7 +30,7 @@ static void mode_bounds(const struct thud_free_vibration *f, const struct thud_m
                         double bound[BOUNDS])
 {
     double w2 = m->spring[j], z = m->dashpot[j], gamma = fabs(m->gamma[j]);
-    double speed = f->speed[j] + f->dt_s * gamma * f->ground_most;
+    const double speed = f->speed[j] + f->dt_s * gamma * f->ground_most; /* S_j inside the intervals */
     bound[2] = (m->omega[j] + z) * speed + gamma * f->ground_most;
     bound[3] = w2 * speed + z * bound[2] + gamma * slope;
     for (int k = 4; k < BOUNDS; k++)
@@ -38,7 +52,7 @@ static double coupling(const struct thud_model_structure *p, int i, const double
 static void coupled_bounds(struct thud_free_vibration *f, const struct thud_model *m,
                            const struct thud_model_structure *p, double slope)
 {
-    enum { TIMES = 3 };
+    enum { TIMES = 3 }; /* the bound of one mode's speed by those of the others, made narrower so often */
     const int n = p->modes, first = p->first_mode;
     const double dt = f->dt_s, ground = f->ground_most;
     double energy = 0, influence = 0;
@@ -129,6 +143,8 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
         structure_margins(f, m, s, slope / f->dt_s);
 }
 
+/* Whether contact c closes in the piece of the segment. At the very start of the block a contact may have just opened: so
+ * many of its lowest orders say nothing of a new onset. */
 static bool closes_in_piece(const struct thud_state *state, const struct thud_segment *seg, int c, bool first)
 {
     double d[THUD_SEGMENT_TERMS];

@@ -1,5 +1,16 @@
 /* The tables of one interval of the ground motion: the recurrence of every mode, and the energies of an interval as
- * quadratic forms, both from the four unit motions by power series and quadrature. */
+ * quadratic forms, both from the four unit motions by power series and quadrature.
+ *
+ * The motion of a mode in an interval is linear in its state and the ground's two values: with the unit motions w_u(t),
+ *
+ *     q'(t) = q w_Q + q' w_QD + a0 w_A0 + a1 w_A1
+ *
+ * so that its end gives the recurrence, and the integrals over the interval of
+ *
+ *     loss in damping   2 zeta omega q'^2           work of the ground   -gamma a_g q',  a_g = a0 (1 - s) + a1 s
+ *
+ * are quadratic forms whose coefficients are integrals of products of two w_u, made once by Gauss's rule (exact for the
+ * series' polynomials to rounding). */
 #include "core/motion/free_vibration_parts.h"
 
 #include <stdlib.h>
