@@ -263,7 +263,7 @@ static void add_symbols(struct site *site)
         {"k; c; m", "stiffness; dashpot; mass (of a contact the effective mass m1 m2/(m1 + m2))", "MN/m; MN s/m; t"},
         {"e; xi", "coefficient of restitution; damping ratio", "-; %"},
         {"T1, T2, T3", "periods of the first modes", "s"},
-        {"Sa; Sd", "pseudo-acceleration; displacement of an oscillator (response spectrum)", "g; cm"},
+        {"Sa; Sd", "pseudo-acceleration (2 pi/T)^2 Sd; displacement of an oscillator (response spectrum)", "g; cm"},
         {"gap", "distance of bare faces at rest; required ones are rounded up to a millimetre", "cm"},
     };
     struct thud_document *d = &site->document;

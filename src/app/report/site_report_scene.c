@@ -98,9 +98,18 @@ static const char *said(const char *text)
     return *text ? text : "-";
 }
 
+/* Of the first mode of structure s: its pseudo-acceleration omega^2 Sd in g; *sd_m the largest displacement. */
+static double first_mode(const struct site *site, const struct thud_record *record, int s, double *sd_m)
+{
+    const double period = site->own->result->structure[s].period_s[0], omega = 2 * acos(-1) / period;
+    *sd_m = thud_spectrum_at(record, period, thud_gap_damping(site->own->solution.model, s)).displacement_m;
+    return omega * omega * *sd_m / THUD_GRAVITY;
+}
+
 static void add_case_row(struct site *site, int number, const struct thud_record *record)
 {
     struct thud_document *d = &site->document;
+    double sd_m;
     thud_document_cell(d, "%d", number);
     thud_document_cell(d, "%s", *record->event ? record->event : thud_path_name(record->file));
     thud_document_cell(d, "%s", record->synthetic ? "none: synthetic" : said(record->station));
@@ -108,12 +117,8 @@ static void add_case_row(struct site *site, int number, const struct thud_record
     thud_document_cell(d, "%.4g", record->scale);
     thud_document_cell(d, "%.3g", thud_record_peak(record) / THUD_GRAVITY);
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (thud_site_is_building(site, s)) {
-            const double period = site->own->result->structure[s].period_s[0];
-            const struct thud_spectrum_point p =
-                thud_spectrum_at(record, period, thud_gap_damping(site->own->solution.model, s));
-            thud_document_cell(d, "%.3g", p.acceleration_mps2 / THUD_GRAVITY);
-        }
+        if (thud_site_is_building(site, s))
+            thud_document_cell(d, "%s", thud_site_number(first_mode(site, record, s, &sd_m), 3).text);
     thud_document_row(d);
 }
 
@@ -125,7 +130,7 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     for (int s = 0; s < site->scene->nstructures && used + 100 < sizeof head; s++)
         if (thud_site_is_building(site, s))
             used += (size_t)snprintf(head + used, sizeof head - used, "|Sa g at T1 of %.64s", thud_site_name(site, s));
-    thud_document_table(d, "Load cases; Sa with the damping of each building");
+    thud_document_table(d, "Load cases; Sa: pseudo-acceleration with the damping of each building");
     thud_document_head(d, head);
     for (int r = 0; r < n; r++)
         add_case_row(site, r + 1, record[r]);
@@ -174,13 +179,12 @@ void thud_site_loads(struct site *site)
         const struct thud_structure_result *r = &site->own->result->structure[s];
         if (!thud_site_is_building(site, s))
             continue;
-        double zeta = thud_gap_damping(site->own->solution.model, s);
-        struct thud_spectrum_point p = thud_spectrum_at(site->record, r->period_s[0], zeta);
+        double sd_m, sa_g = first_mode(site, site->record, s, &sd_m);
         thud_document_cell(d, "%s", thud_site_name(site, s));
         thud_document_cell(d, "%.3f", r->period_s[0]);
-        thud_document_cell(d, "%.3g", 100 * zeta);
-        thud_document_cell(d, "%.3g", p.acceleration_mps2 / THUD_GRAVITY);
-        thud_document_cell(d, "%.3g", 100 * p.displacement_m);
+        thud_document_cell(d, "%.3g", 100 * thud_gap_damping(site->own->solution.model, s));
+        thud_document_cell(d, "%s", thud_site_number(sa_g, 3).text);
+        thud_document_cell(d, "%s", thud_site_number(100 * sd_m, 3).text);
         thud_document_row(d);
         mark[nmarks].period_s = r->period_s[0];
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
@@ -194,8 +198,9 @@ void thud_site_loads(struct site *site)
         return;
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
-    thud_site_figure(
-        site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
-        "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the buildings.");
+    thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
+                     "Response spectrum of the ground motion at 5 % damping (Sa of the total acceleration, not the "
+                     "pseudo-acceleration "
+                     "of the tables), with the fundamental periods of the buildings.");
     free(point);
 }

@@ -123,13 +123,15 @@ static void bumper_row(struct site *site)
     const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
     size_t n = (size_t)snprintf(
         text, sizeof text,
-        "%s: it lowers %d accelerations and %d drifts by more than 2 %%, raises %d and %d, leaves %d and %d",
+        "%s: of %d floor accelerations and %d storey drifts it lowers %d and %d by more than 2 %%, raises %d and %d, "
+        "leaves %d and %d",
         higher == 0 && lower > 0   ? "yes"
         : lower == 0 && higher > 0 ? "no"
         : lower == 0               ? "it changes nothing"
         : lower > higher           ? "in part, more lower than higher"
                                    : "in part, not more lower than higher",
-        a[LOWER], d[LOWER], a[HIGHER], d[HIGHER], a[SAME], d[SAME]);
+        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], a[LOWER], d[LOWER], a[HIGHER], d[HIGHER],
+        a[SAME], d[SAME]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
                                      *with = thud_site_strongest(site->cases[SITE_BUMPER].result);
     if (without && with)
