@@ -262,6 +262,9 @@ bool thud_isolator_slides(const struct thud_structure *structure);
 bool thud_structure_on_soil(const struct thud_structure *structure);
 /* Whether a wall moves against the ground, and whether it has soil behind it. */
 bool thud_wall_gives(const struct thud_structure *structure);
+/* Usual values, each under its key, up to an empty key: a concrete wall that stands on its foot, 15 m long, 1.5 m high and
+ * 0.5 m thick, and the soil of bridge abutments behind it, 20.3 MN/m and 326 kN per metre. */
+extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
 bool thud_wall_has_backfill(const struct thud_structure *structure);
 double thud_wall_damping(const struct thud_structure *structure);
 /* Weight above storey i (from 0) of a building. */

@@ -178,12 +178,6 @@ static enum thud_status bearings(const struct thud_new_preset *preset, int side,
     return THUD_OK;
 }
 
-/* A concrete wall that stands on its foot, 15 m long, 1.5 m high and 0.5 m thick, with the soil of bridge abutments behind
- * it, 20.3 MN/m and 326 kN per metre. */
-static const char moat_wall[] = "    mass: 27 t\n    stiffness: 40 MN/m # of the wall alone\n    damping: 5 %\n"
-                                "    backfill:\n      stiffness: 304.5 MN/m\n      strength: 4890 kN\n"
-                                "      ratio: 0.7\n";
-
 /* KEY: VALUE, and what is to be said of it. */
 static void line(struct thud_text *out, const char *key, const char *value, const char *comment)
 {
@@ -193,6 +187,15 @@ static void line(struct thud_text *out, const char *key, const char *value, cons
         thud_text_append(out, "    %-30s # %s\n", text, comment);
     else
         thud_text_append(out, "    %s\n", text);
+}
+
+static void moat_wall(struct thud_text *out)
+{
+    for (int i = 0; thud_usual_wall[i][0]; i++)
+        line(out, thud_usual_wall[i][0], thud_usual_wall[i][1], i == 1 ? "of the wall alone" : NULL);
+    thud_text_append(out, "    backfill:\n");
+    for (int i = 0; thud_usual_backfill[i][0]; i++)
+        thud_text_append(out, "      %s: %s\n", thud_usual_backfill[i][0], thud_usual_backfill[i][1]);
 }
 
 /* From the mass of its floors their area; in the place of the stiffness one of the systems. */
@@ -257,7 +260,8 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
                         : k,
          side ? NULL : "shear | isolated | rigid | wall | matrix | modes | estimated");
     if (is_wall(k)) {
-        thud_text_append(out, "%s", k[0] == 'b' ? moat_wall : "");
+        if (strcmp(k, "backfill") == 0)
+            moat_wall(out);
         return THUD_OK;
     }
     value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);

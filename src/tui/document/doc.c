@@ -222,9 +222,7 @@ static void set_foundation(struct thud_scene *next, int s, const char *name, con
 
 static void set_wall(struct thud_scene *next, int s, const char *name, const char *text)
 {
-    static const char *const wall[][2] = {{"mass", "27 t"}, {"stiffness", "40 MN/m"}, {NULL}},
-                             *const no_wall[][2] = {{"mass", ""}, {"stiffness", ""}, {"damping", ""}, {NULL}},
-                             *const soil[][2] = {{"stiffness", "300 MN/m"}, {"strength", "4.9 MN"}, {NULL}};
+    static const char *const no_wall[][2] = {{"mass", ""}, {"stiffness", ""}, {"damping", ""}, {NULL}};
     const struct thud_structure *structure = &next->structure[s - 1];
     const bool of_soil = thud_scan_word(&name, "backfill."), mass = strcmp(name, "mass") == 0;
     if (!*text && (mass || (of_soil && (strcmp(name, "stiffness") == 0 || strcmp(name, "strength") == 0))))
@@ -233,9 +231,9 @@ static void set_wall(struct thud_scene *next, int s, const char *name, const cha
         set_each(next, s, "", no_wall);
     else if (*text && !thud_wall_gives(structure) &&
              (of_soil || mass || strcmp(name, "stiffness") == 0 || strcmp(name, "damping") == 0))
-        set_each(next, s, "", wall);
+        set_each(next, s, "", thud_usual_wall);
     if (*text && of_soil && !thud_wall_has_backfill(structure))
-        set_each(next, s, "backfill.", soil);
+        set_each(next, s, "backfill.", thud_usual_backfill);
 }
 
 static void set_together(struct thud_scene *next, const char *key, const char *text)
