@@ -89,7 +89,7 @@ static void add_tornado(struct thud_panel *panel, const struct thud_uncertainty_
             x[3 * i + 2] = NAN;
             y[3 * i] = y[3 * i + 1] = y[3 * i + 2] = i + 1;
         }
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = end, .wide = true},
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES_POINTS, .color = end, .wide = end == 0},
                        end ? "input at its most" : "input at its least", 3 * (size_t)n, x, y);
     }
 }

@@ -500,7 +500,7 @@ START_TEST(a_spectral_acceleration_has_its_period)
 }
 END_TEST
 
-/* Measures have the colour of their case, and a mark for each setting; of shares there is Wilson's band. */
+/* Measures have the colour of their case, and a size of marks for each setting; of shares there is Wilson's band. */
 START_TEST(what_lowers_is_drawn_by_case)
 {
     const double needed[] = {0.075, 0.085, 0.105, 0.125, 0.145, 0.165, 0.115};
@@ -509,7 +509,7 @@ START_TEST(what_lowers_is_drawn_by_case)
     struct thud_figure *figure = thud_suite_lowered_figure(suite);
     ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
     const struct thud_panel *shares = &figure->panel[1];
-    int points = 0, shape = 0;
+    int points = 0, rank = 0;
     for (int i = 0; i < shares->nseries; i++) {
         const struct thud_series *s = shares->series[i];
         if (s->style.kind != THUD_POINTS)
@@ -522,8 +522,8 @@ START_TEST(what_lowers_is_drawn_by_case)
         ck_assert(band->y[0] == s->y[0] && isnan(band->y[2]));
         ck_assert_int_eq(s->style.color,
                          thud_case_color(strncmp(s->name, "cavity", 6) == 0 ? THUD_CASE_CAVITY : THUD_CASE_BUMPER));
-        shape = points % 3 == 0 ? 1 : shape + 1;
-        ck_assert_int_eq(s->style.shape, shape);
+        rank = points % 3 == 0 ? 1 : rank + 1;
+        ck_assert_int_eq(s->style.rank, rank);
         points++;
     }
     ck_assert_int_eq(points, 6);

@@ -188,6 +188,21 @@ START_TEST(a_width_on_paper)
 }
 END_TEST
 
+/* Points above each other are all drawn; long curves alone are thinned. */
+START_TEST(few_points_are_all_drawn)
+{
+    const double x[] = {1, 1, 1, 1, 2}, y[] = {1, 2, 3, 4, 5};
+    struct thud_picture_options options = {0};
+    struct thud_text script = {0};
+    struct thud_figure *figure = thud_figure_create("marks", "", 1, 1);
+    thud_panel_add(thud_figure_panel(figure, 0, 0, ""), (struct thud_style){.kind = THUD_POINTS}, "", 5, x, y);
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "$P1S1 << EOD\n1 1\n1 2\n1 3\n1 4\n2 5\n"));
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* A mark is as large beside the letters in an SVG of any width: its terminal makes marks grow with the font. */
 START_TEST(marks_have_one_size)
 {
@@ -667,6 +682,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, a_width_on_paper);
+    tcase_add_test(tcase, few_points_are_all_drawn);
     tcase_add_test(tcase, marks_have_one_size);
     tcase_add_test(tcase, many_panels_fit_a_page);
     tcase_add_test(tcase, titles_of_strips_have_room);

@@ -32,7 +32,7 @@ unsigned thud_color_rgb(int color); /* 0xRRGGBB */
 struct thud_style {
     enum thud_series_kind kind;
     int color;
-    int shape;   /* of its marks: 0 by the colour; 1, 2, ...: others of the same colour */
+    int rank;    /* among those of one colour, from 1: the higher, the larger its marks; 0: alone */
     bool wide;   /* drawn heavier */
     bool thin;   /* drawn lighter: many curves, or what stands behind */
     bool dashed; /* of another state, to compare with */

@@ -269,8 +269,8 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     static const double broad = 0.6, most_shown = 1e3;
     const struct measure *m = &c->measure[i];
     struct thud_style style = {.kind = THUD_LINES, .color = thud_case_color(c->suite->plan->cases[m->k])};
-    for (int k = i; k >= 0 && c->measure[k].k == m->k; k--) /* one colour for a case, a shape for each setting */
-        style.shape++;
+    for (int k = i; k >= 0 && c->measure[k].k == m->k; k--) /* one colour for a case, a size for each setting */
+        style.rank++;
     struct thud_series *spread = thud_panel_add(ratios, style, "", PIECE * rows, NULL, NULL);
     struct thud_series *band = thud_panel_add(shares, style, "", PIECE * rows, NULL, NULL);
     style.kind = THUD_POINTS;

@@ -20,6 +20,7 @@ static bool motion_name(const struct thud_sweep_table *table, int record, char t
             return false;
     }
     snprintf(text, 128, "%s%s%.30s", own->event, *own->station ? ", " : "", own->station);
+    text[0] = thud_ascii_upper(text[0]);
     return true;
 }
 

@@ -22,10 +22,12 @@ static void end_block(const struct sheet *sheet)
     thud_text_append(sheet->out, "NaN NaN NaN\nEOD\n");
 }
 
-/* `to` NULL: all points. */
+/* `to` NULL: all points, as of few: above each other each of them is seen. */
 static void series_block(const struct sheet *sheet, int panel, int i, const struct thud_reduce *to)
 {
+    enum { FEW = 200 };
     const struct thud_series *series = sheet->figure->panel[panel].series[i];
+    to = series->n > FEW ? to : NULL;
     size_t *index = malloc((series->n + 1) * sizeof *index);
     if (!index) {
         sheet->out->failed = 1;
@@ -334,9 +336,7 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
         style.kind = THUD_LINES;
     double width = style.wide && style.kind != THUD_POINTS ? 3.0 : style.thin ? 1.0 : 1.8;
     bool bars = style.kind == THUD_BARS && !key;
-    const int mark = style.shape > 0   ? style.shape - 1
-                     : style.color < 0 ? 0
-                                       : style.color + 3 * (style.color / THUD_COLORS);
+    const int mark = style.color < 0 ? 0 : style.color + 3 * (style.color / THUD_COLORS);
     thud_text_append(sheet->out, "with %s ", style.kind == THUD_BARS && key ? "filledcurves" : with[style.kind]);
     if (style.kind == THUD_FILL || style.kind == THUD_BARS)
         thud_text_append(sheet->out, "fs transparent solid %s noborder ",
@@ -350,10 +350,11 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
         if (style.kind != THUD_POINTS && *dash)
             thud_text_append(sheet->out, "dt %s ", dash);
     }
-    const double size = style.kind == THUD_LINES_POINTS || series->n > MARKS_MOST ? 1.0
-                        : style.wide                                              ? 2.4 /* rings around others */
-                        : style.thin                                              ? 0.4
-                                                                                  : 1.5;
+    const double size = style.rank > 0                                              ? 0.4 + 0.6 * style.rank
+                        : style.kind == THUD_LINES_POINTS || series->n > MARKS_MOST ? 1.0
+                        : style.wide                                                ? 2.4 /* rings around others */
+                        : style.thin                                                ? 0.4
+                                                                                    : 1.5;
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g*DOT ", shape[mark % THUD_COLORS], size);
     if (key && (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS))

@@ -68,6 +68,12 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
     thud_text_bytes(out, quote, 1);
 }
 
+/* Whether a number stands before a blank and a unit, or another short word, behind it. */
+static bool before_unit(const char *begin, const char *blank)
+{
+    return blank > begin && blank[-1] >= '0' && blank[-1] <= '9' && strcspn(blank + 1, " ,.;:)") <= 2;
+}
+
 /* Lines that a text takes, at most THUD_LINES_MAX; where each begins (the last one's end comes after it) in *at. */
 static int wrapped_at(const char *text, double widest, double em, size_t at[THUD_LINES_MAX + 1])
 {
@@ -79,7 +85,7 @@ static int wrapped_at(const char *text, double widest, double em, size_t at[THUD
         while (end < length && used <= widest) {
             size_t step = (size_t)thud_utf8_length(text + end);
             used += em * (step == 1 ? advance((unsigned char)text[end]) : 0.65);
-            if (text[end] == ' ')
+            if (text[end] == ' ' && !before_unit(text + begin, text + end))
                 blank = end;
             end += step ? step : 1;
         }
