@@ -14,6 +14,7 @@ struct thud_text {
 };
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
+void thud_text_base64(struct thud_text *text, const char *bytes, size_t n);
 void thud_text_number(struct thud_text *text, double value); /* shortest text that reads back the same */
 /* A text as a field of CSV, in quotation marks where it needs them, and where it has what a terminal would obey or
  * bytes that are not UTF-8: these are written as they are. A spreadsheet computes what begins with = + - @ and

@@ -43,6 +43,19 @@ void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size)
     text->data[text->size] = '\0';
 }
 
+void thud_text_base64(struct thud_text *out, const char *bytes, size_t n)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < n; i += 3) {
+        unsigned long bits = (unsigned long)(unsigned char)bytes[i] << 16;
+        bits |= i + 1 < n ? (unsigned long)(unsigned char)bytes[i + 1] << 8 : 0;
+        bits |= i + 2 < n ? (unsigned long)(unsigned char)bytes[i + 2] : 0;
+        const char four[4] = {digit[bits >> 18 & 63], digit[bits >> 12 & 63], i + 1 < n ? digit[bits >> 6 & 63] : '=',
+                              i + 2 < n ? digit[bits & 63] : '='};
+        thud_text_bytes(out, four, sizeof four);
+    }
+}
+
 void thud_text_append(struct thud_text *text, const char *fmt, ...)
 {
     va_list args, again;

@@ -197,7 +197,7 @@ is "has their largest shear" in_text "the largest shear of those below floor 5 o
 is "and a table of them" in_text 'Columns that slabs strike: largest shear and moment at their ends'
 sed 's/gap: 8 cm/gap: 9 cm/' "$tmp/own.yaml" >"$tmp/wider.yaml"
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0 --beside "$tmp/wider.yaml"
-is "a variant is run as its preset is written" in_text "| own | 8.000 | 5.000 | $(count) | $(force) | .* | wider | 9.000 | 5.000 | $(count --set gap=9cm) | $(force --set gap=9cm) |"
+is "a variant is run as its preset is written" in_text "| own | 8.00 | 5.00 | $(count) | $(force) | .* | wider | 9.00 | 5.00 | $(count --set gap=9cm) | $(force --set gap=9cm) |"
 "$THUD" run "$tmp/own.yaml" --to 5s -o "$tmp/drawn" --format svg --quiet >/dev/null
 is "figures drawn before" report 0 "$tmp/own.yaml" --samples 0 --figures "$tmp/drawn/loop.svg,$tmp/drawn"
 is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*. .*: total floor acceleration (g); .*[^.]\.  '

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "app/paper/paper_report.h"
+#include "app/run/summary_line.h"
 #include "base/version.h"
 #include "io/file/json.h"
 #include "io/result/scene_json.h"
@@ -44,16 +45,11 @@ static void motions(const struct thud_paper_study *study, struct thud_document *
     thud_document_head(d, "ground motion|file|peak in the file, g|factor|peak, g|step, s|samples|sign|kind");
     for (int r = 0; r < study->table->nrecords; r++) {
         const struct thud_paper_record *record = &study->record[r];
-        thud_document_cell(d, "%s", record->name);
-        thud_document_cell(d, "%s", record->file);
-        thud_document_cell(d, "%.3f", record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY);
-        thud_document_cell(d, "%.4f", fabs(record->scale));
-        thud_document_cell(d, "%.3f", record->peak_mps2 / THUD_GRAVITY);
-        thud_document_cell(d, "%.4g", record->dt_s);
-        thud_document_cell(d, "%zu", record->samples);
-        thud_document_cell(d, "%s", record->scale < 0 ? "reversed" : "as in the file");
-        thud_document_cell(d, "%s", record->surrogate ? "synthetic, not the recorded motion" : "recorded");
-        thud_document_row(d);
+        thud_document_line(d, "%s\t%s\t%.3f\t%.4f\t%.3f\t%.4g\t%zu\t%s\t%s", record->name, record->file,
+                           record->peak_mps2 / fabs(record->scale) / THUD_GRAVITY, fabs(record->scale),
+                           record->peak_mps2 / THUD_GRAVITY, record->dt_s, record->samples,
+                           record->scale < 0 ? "reversed" : "as in the file",
+                           record->surrogate ? "synthetic, not the recorded motion" : "recorded");
     }
 }
 
@@ -75,13 +71,8 @@ static void parameters(const struct thud_paper_study *study, struct thud_documen
         const struct thud_structure *s = &study->scene->structure[i];
         if (s->storeys == 0)
             continue;
-        thud_document_cell(d, "%s", s->name);
-        thud_document_cell(d, "%d", s->storeys);
-        thud_document_cell(d, "%.6g", 1e-3 * s->mass_kg[0]);
-        thud_document_cell(d, "%.6g", 1e-3 * s->mass_kg[s->storeys - 1]);
-        thud_document_cell(d, "%.6g", 1e-6 * s->stiffness_npm[0]);
-        thud_document_cell(d, "%.6g", 1e2 * s->damping);
-        thud_document_row(d);
+        thud_document_line(d, "%s\t%d\t%.6g\t%.6g\t%.6g\t%.6g", s->name, s->storeys, 1e-3 * s->mass_kg[0],
+                           1e-3 * s->mass_kg[s->storeys - 1], 1e-6 * s->stiffness_npm[0], 1e2 * s->damping);
     }
     motions(study, d);
     put_figure(study, 6, d);
@@ -101,15 +92,9 @@ static void pairs(const struct thud_paper_study *study, struct thud_document *d)
         "obtained|residual, mm");
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
         const struct thud_paper_pair *p = &study->pair[i];
-        thud_document_cell(d, "%s", p->name);
-        thud_document_cell(d, "%.1f", p->approach_mps);
-        thud_document_cell(d, "%.2f", 1e-6 * p->force_n);
-        thud_document_cell(d, "%.2f", 1e3 * p->indentation_m);
-        thud_document_cell(d, "%.1f", 1e3 * p->duration_s);
-        thud_document_cell(d, "%.1f", p->nominal);
-        thud_document_cell(d, "%.3f", p->restitution);
-        thud_document_cell(d, "%.2f", 1e3 * p->residual_m);
-        thud_document_row(d);
+        thud_document_line(d, "%s\t%.1f\t%.2f\t%.2f\t%.1f\t%.1f\t%.3f\t%.2f", p->name, p->approach_mps,
+                           1e-6 * p->force_n, 1e3 * p->indentation_m, 1e3 * p->duration_s, p->nominal, p->restitution,
+                           1e3 * p->residual_m);
     }
     for (int number = 3; number <= 5; number++)
         put_figure(study, number, d);
@@ -151,13 +136,11 @@ static struct extremes extremes_of(const struct thud_sweep_table *table, int rec
 static void extremes_cells(struct thud_document *d, const struct extremes *e)
 {
     if (e->n == 0) {
-        for (int i = 0; i < 3; i++)
-            thud_document_cell(d, "-");
+        thud_document_cells(d, "-\t-\t-");
         return;
     }
-    thud_document_cell(d, "%.2f at %.4g", e->least, 1e2 * e->least_gap_m);
-    thud_document_cell(d, "%.2f at %.4g", e->most, 1e2 * e->most_gap_m);
-    thud_document_cell(d, "%d of %d", e->below, e->n);
+    thud_document_cells(d, "%.2f at %.4g\t%.2f at %.4g\t%d of %d", e->least, 1e2 * e->least_gap_m, e->most,
+                        1e2 * e->most_gap_m, e->below, e->n);
 }
 
 #define RATIOS                                                                                                         \
@@ -178,8 +161,7 @@ static void by_floor(const struct thud_paper_study *study, struct thud_document 
     thud_document_head(d, "building|floor|" RATIOS);
     for (int s = 0; s < table->nstructures && s < study->scene->nstructures; s++) {
         for (int f = study->scene->structure[s].storeys; f >= 1; f--) {
-            thud_document_cell(d, "%s", table->structure[s]);
-            thud_document_cell(d, "%d", f);
+            thud_document_cells(d, "%s\t%d", table->structure[s], f);
             for (int drift = 0; drift < 2; drift++) {
                 struct extremes e = extremes_of(table, 0, THUD_CASE_BUMPER, s, f, drift == 1);
                 extremes_cells(d, &e);
@@ -198,8 +180,7 @@ static void means(const struct thud_paper_study *study, enum thud_case which, co
     thud_document_head(d, "building|ground motion|" RATIOS);
     for (int s = 0; s < table->nstructures; s++) {
         for (int r = 0; r < table->nrecords; r++) {
-            thud_document_cell(d, "%s", table->structure[s]);
-            thud_document_cell(d, "%s", table->record[r]);
+            thud_document_cells(d, "%s\t%s", table->structure[s], table->record[r]);
             for (int drift = 0; drift < 2; drift++) {
                 struct extremes e = extremes_of(table, r, which, s, 0, drift == 1);
                 extremes_cells(d, &e);
@@ -223,19 +204,16 @@ static void needs(const struct thud_paper_study *study, struct thud_document *d)
     thud_document_paragraph(d,
                             "The required gap is the largest relative displacement of two floors that move without "
                             "contact, at the level that needs most; beside it stands what three rules of combination "
-                            "ask for there.");
+                            "ask for there; all are rounded up to a millimetre.");
     thud_document_table(d, "Required gap, cm");
     thud_document_head(d, "ground motion|floor|required|ABS|SRSS|DDC");
     for (int r = 0; r < table->nrecords; r++) {
         const struct thud_sweep_need_row *most = &table->need[r];
         if (most->interface <= 0)
             continue;
-        thud_document_cell(d, "%s", table->record[r]);
-        thud_document_cell(d, "%d", most->left_floor);
-        const double cell[] = {most->relative_displacement_m, most->abs_m, most->srss_m, most->ddc_m};
-        for (int i = 0; i < 4; i++)
-            thud_document_cell(d, "%.1f", 1e2 * cell[i]);
-        thud_document_row(d);
+        thud_document_line(d, "%s\t%d\t%.1f\t%.1f\t%.1f\t%.1f", table->record[r], most->left_floor,
+                           thud_summary_gap_cm(most->relative_displacement_m), thud_summary_gap_cm(most->abs_m),
+                           thud_summary_gap_cm(most->srss_m), thud_summary_gap_cm(most->ddc_m));
     }
 }
 

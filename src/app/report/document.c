@@ -92,6 +92,33 @@ void thud_document_head(struct thud_document *document, const char *cells)
     thud_document_row(document);
 }
 
+static void add_cells(struct thud_document *document, const char *fmt, va_list args)
+{
+    char text[SENTENCES_MAX], *at = text;
+    vsnprintf(text, sizeof text, fmt, args);
+    for (size_t n; at; at = at[n] ? at + n + 1 : NULL) {
+        n = strcspn(at, "\t");
+        thud_document_cell(document, "%.*s", (int)n, at);
+    }
+}
+
+void thud_document_cells(struct thud_document *document, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    add_cells(document, fmt, args);
+    va_end(args);
+}
+
+void thud_document_line(struct thud_document *document, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    add_cells(document, fmt, args);
+    va_end(args);
+    thud_document_row(document);
+}
+
 void thud_document_figure(struct thud_document *document, const char *file, const char *caption, const char *alt,
                           struct thud_text *picture)
 {
@@ -189,44 +216,13 @@ static bool column_is_words(const struct thud_document *document, size_t table, 
 
 static void escape_html(struct thud_text *out, const char *text)
 {
+    static const char special[] = "&<>\"'", *const entity[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     for (const char *at = text; *at; at++) {
-        switch (*at) {
-        case '&':
-            thud_text_append(out, "&amp;");
-            break;
-        case '<':
-            thud_text_append(out, "&lt;");
-            break;
-        case '>':
-            thud_text_append(out, "&gt;");
-            break;
-        case '"':
-            thud_text_append(out, "&quot;");
-            break;
-        case '\'':
-            thud_text_append(out, "&#39;");
-            break;
-        default:
-            if ((unsigned char)*at >= ' ' || *at == '\n' || *at == '\t')
-                thud_text_bytes(out, at, 1);
-            else
-                thud_text_append(out, "?");
-        }
-    }
-}
-
-static void base64(struct thud_text *out, const struct thud_text *bytes)
-{
-    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < bytes->size; i += 3) {
-        unsigned long three = 0;
-        size_t n = bytes->size - i < 3 ? bytes->size - i : 3;
-        for (size_t k = 0; k < 3; k++)
-            three = three << 8 | (k < n ? (unsigned char)bytes->data[i + k] : 0);
-        char four[4];
-        for (size_t k = 0; k < 4; k++)
-            four[k] = k <= n ? digit[three >> (18 - 6 * k) & 63] : '=';
-        thud_text_bytes(out, four, sizeof four);
+        const char *found = strchr(special, *at);
+        if (found)
+            thud_text_append(out, "%s", entity[found - special]);
+        else
+            thud_text_bytes(out, (unsigned char)*at >= ' ' || *at == '\n' || *at == '\t' ? at : "?", 1);
     }
 }
 
@@ -340,7 +336,7 @@ static void html_figure(struct thud_text *out, const struct thud_document_piece 
     if (piece->picture.size > 0) {
         html_element(out, "<figure><img alt=\"", piece->alt.data ? piece->alt.data : "", "\" src=\"data:image/");
         thud_text_append(out, "%s;base64,", dot && strcmp(dot, ".png") == 0 ? "png" : "svg+xml");
-        base64(out, &piece->picture);
+        thud_text_base64(out, piece->picture.data, piece->picture.size);
         thud_text_append(out, "\"><figcaption>");
     } else {
         html_element(out, "<figure><a href=\"", file, "\">");

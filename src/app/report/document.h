@@ -28,7 +28,9 @@ void thud_document_lines(struct thud_document *document, const char *text);
  * first column the name of its row. Ends with whatever is no cell. */
 void thud_document_table(struct thud_document *document, const char *caption);
 void thud_document_cell(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
-/* A row of cells parted by `|`. */
+/* Cells parted by tabs; a row of them; a row of plain ones, parted by `|`. */
+void thud_document_cells(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
+void thud_document_line(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_document_head(struct thud_document *document, const char *cells);
 void thud_document_row(struct thud_document *document);
 /* A picture in SVG or PNG, also beside the Markdown as `file`; without bytes the page links to that file. The caption

@@ -59,8 +59,6 @@ enum thud_status thud_site_variants_run(struct site *site, struct thud_error *er
 
 void thud_site_variants(struct site *site)
 {
-    static const char *const head[] = {
-        "Preset", "Gap (cm)", "Bumper (cm)", "Impacts", "Force (MN)", "Acceleration (m/s2)", "Drift (mm)"};
     struct thud_document *document = &site->document;
     if (site->nvariants == 0)
         return;
@@ -69,9 +67,7 @@ void thud_site_variants(struct site *site)
                             "Each as its preset is written, under its own ground motion: the smallest gap, the "
                             "thickest bumper, and the largest values of all contacts, floors and storeys.");
     thud_document_table(document, "The scene and its variants");
-    for (size_t i = 0; i < sizeof head / sizeof *head; i++)
-        thud_document_cell(document, "%s", head[i]);
-    thud_document_row(document);
+    thud_document_head(document, "preset|gap cm|bumper cm|impacts|force MN|acceleration g|drift mm");
     for (int i = 0; i < site->nvariants; i++) {
         const struct site_variant *v = &site->variant[i];
         double acceleration = 0, drift = 0;
@@ -79,13 +75,11 @@ void thud_site_variants(struct site *site)
             acceleration = fmax(acceleration, v->row.acceleration_mps2[s]);
             drift = fmax(drift, v->row.drift_m[s]);
         }
-        thud_document_cell(document, "%s", v->name);
-        thud_document_cell(document, "%s", isfinite(v->gap_m) ? thud_site_number(100 * v->gap_m, 4).text : "-");
-        thud_document_cell(document, "%s", v->bumper_m > 0 ? thud_site_number(100 * v->bumper_m, 4).text : "-");
-        thud_document_cell(document, "%d", v->row.impacts);
-        thud_document_cell(document, "%s", thud_site_number(1e-6 * v->row.force_n, 3).text);
-        thud_document_cell(document, "%s", thud_site_number(acceleration, 3).text);
-        thud_document_cell(document, "%s", thud_site_number(1e3 * drift, 3).text);
-        thud_document_row(document);
+        thud_document_line(document, "%s\t%s\t%s\t%d\t%s\t%s\t%s", v->name,
+                           isfinite(v->gap_m) ? thud_site_number(100 * v->gap_m, 3).text : "-",
+                           v->bumper_m > 0 ? thud_site_number(100 * v->bumper_m, 3).text : "-", v->row.impacts,
+                           thud_site_number(1e-6 * v->row.force_n, 3).text,
+                           thud_site_number(acceleration / THUD_GRAVITY, 3).text,
+                           thud_site_number(1e3 * drift, 3).text);
     }
 }

@@ -11,21 +11,9 @@
 
 /* ---- method ---- */
 
-static bool always(const struct site *site)
-{
-    (void)site;
-    return true;
-}
-/* Storeys of buildings; isolators are told of apart. */
 static bool yields(const struct site *site)
 {
-    const struct thud_result *r = site->own->result;
-    for (int s = 0; s < r->nstructures; s++)
-        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
-             r->structure[s].storey && f < r->structure[s].floors; f++)
-            if (r->structure[s].storey[f].yields)
-                return true;
-    return false;
+    return thud_site_storeys(site, NULL) > 0;
 }
 static bool has_columns(const struct site *site)
 {
@@ -35,53 +23,9 @@ static bool has_p_delta(const struct site *site)
 {
     return site->scene->p_delta;
 }
-/* Any structure of which it holds. */
-static bool any(const struct site *site, bool (*holds)(const struct thud_structure *structure))
-{
-    for (int s = 0; s < site->scene->nstructures; s++)
-        if (holds(&site->scene->structure[s]))
-            return true;
-    return false;
-}
-static bool rests_on_springs(const struct thud_structure *p)
-{
-    return p->kind == THUD_ISOLATED && !thud_isolator_slides(p);
-}
-static bool has_linear_isolators(const struct site *site)
-{
-    return any(site, rests_on_springs);
-}
-static bool has_sliding_isolators(const struct site *site)
-{
-    return any(site, thud_isolator_slides);
-}
-static bool has_walls(const struct site *site)
-{
-    return any(site, thud_wall_gives);
-}
-static bool has_backfill(const struct site *site)
-{
-    return any(site, thud_wall_has_backfill);
-}
 static bool has_links(const struct site *site)
 {
     return site->scene->nlinks > 0;
-}
-static bool has_soil(const struct site *site)
-{
-    return any(site, thud_structure_on_soil);
-}
-static bool no_soil(const struct site *site)
-{
-    return !has_soil(site);
-}
-static bool guessed(const struct thud_structure *p)
-{
-    return p->kind == THUD_ESTIMATED;
-}
-static bool is_estimated(const struct site *site)
-{
-    return any(site, guessed);
 }
 static bool has_suite(const struct site *site)
 {
@@ -95,102 +39,115 @@ static bool has_samples(const struct site *site)
 {
     return site->uncertainty != NULL;
 }
-static bool is_elastic(const struct site *site)
+static bool rests_on_springs(const struct thud_structure *p)
 {
-    return !yields(site);
+    return p->kind == THUD_ISOLATED && !thud_isolator_slides(p);
 }
-static bool no_columns(const struct site *site)
+static bool guessed(const struct thud_structure *p)
 {
-    return !has_columns(site);
+    return p->kind == THUD_ESTIMATED;
 }
 
-/* A sentence or two that stand where their condition holds. */
+/* A sentence or two that stand where they hold: for the scene, or for any of its structures; always where neither is
+ * asked, `NOT`: where it does not. */
 struct phrase {
-    bool (*when)(const struct site *site);
     const char *text;
+    bool (*when)(const struct site *site);
+    bool (*of)(const struct thud_structure *structure);
+    enum { IS, NOT } unless;
 };
 
+static bool holds(const struct site *site, const struct phrase *phrase)
+{
+    bool found = phrase->when ? phrase->when(site) : !phrase->of;
+    for (int s = 0; phrase->of && s < site->scene->nstructures; s++)
+        found = found || phrase->of(&site->scene->structure[s]);
+    return found != (phrase->unless == NOT);
+}
+
 static const struct phrase model[] = {
-    {always,
-     "Each building is a column of masses m at its floors, joined by storeys of lateral stiffness k. Relative to "
-     "the ground it moves by M u'' + C u' + K u = -M 1 a_g(t) + F, with the ground acceleration a_g and the "
-     "contact forces F. C gives every mode the damping ratio of the building (A. K. Chopra, Dynamics of "
-     "Structures, 4th ed., 11.4)."},
-    {yields,
-     "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the drift "
-     "d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift."},
-    {has_linear_isolators,
-     "An isolated building stands on a base slab of its own mass; its isolators are one storey below the slab, with a "
-     "stiffness k and a damping ratio z of their own: c = 2 z sqrt(k m), with the mass m of the whole building."},
-    {has_sliding_isolators,
-     "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - d_p| "
-     "<= u_y, k = Q_d/u_y + K_d, r = K_d/k. Lead-rubber bearings have the strength Q_d, the stiffness K_d beyond yield "
-     "and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have Q_d = mu W and K_d "
-     "= W/R. Periods of such a building are those before its isolators yield or slide."},
-    {has_walls,
-     "A wall that gives is one mass on a spring and a dashpot against the ground; the periods of walls are those "
-     "without the soil behind them."},
-    {has_backfill,
-     "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's displacement x "
-     "into it, unloads by K_max from the largest x so far, and leaves a gap behind."},
-    {has_links,
-     "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by F = k d "
-     "+ c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a restrainer while "
-     "-d does. Links stand in every case."},
-    {has_soil,
-     "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and rocks by "
-     "t: "
-     "springs and dashpots act under it, given or of a rigid disk of radius a on an elastic half-space (K_x = 8 G a/(2 "
-     "- "
-     "nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. Gazetas, Formulas and charts for "
-     "impedances "
-     "of surface and embedded foundations, 1991). Displacements count from the free field; the drift of a storey is "
-     "without the rocking, contacts see the whole motion, and the building's damping acts on its deformation."},
-    {is_estimated,
-     "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN 1998-1:2004, "
-     "4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates."},
-    {has_p_delta,
-     "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by "
-     "a tenth of its height has collapsed."},
-    {always, "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
+    {.text = "Each building is a column of masses m at its floors, joined by storeys of lateral stiffness k. Relative "
+             "to the ground it moves by M u'' + C u' + K u = -M 1 a_g(t) + F, with the ground acceleration a_g and the "
+             "contact forces F. C gives every mode the damping ratio of the building (A. K. Chopra, Dynamics of "
+             "Structures, 4th ed., 11.4)."},
+    {.text = "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the "
+             "drift d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift.",
+     .when = yields},
+    {.text = "An isolated building stands on a base slab of its own mass; its isolators are one storey below the slab, "
+             "with a stiffness k and a damping ratio z of their own: c = 2 z sqrt(k m), with the mass m of the whole "
+             "building.",
+     .of = rests_on_springs},
+    {.text =
+         "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - "
+         "d_p| <= u_y, k = Q_d/u_y + K_d, r = K_d/k. Lead-rubber bearings have the strength Q_d, the stiffness K_d "
+         "beyond yield and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have "
+         "Q_d = mu W and K_d = W/R. Periods of such a building are those before its isolators yield or slide.",
+     .of = thud_isolator_slides},
+    {.text = "A wall that gives is one mass on a spring and a dashpot against the ground; the periods of walls are "
+             "those without the soil behind them.",
+     .of = thud_wall_gives},
+    {.text = "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's "
+             "displacement x into it, unloads by K_max from the largest x so far, and leaves a gap behind.",
+     .of = thud_wall_has_backfill},
+    {.text = "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by "
+             "F = k d + c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a "
+             "restrainer while -d does. Links stand in every case.",
+     .when = has_links},
+    {.text = "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and "
+             "rocks by t: springs and dashpots act under it, given or of a rigid disk of radius a on an elastic "
+             "half-space (K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. "
+             "Gazetas, Formulas and charts for impedances of surface and embedded foundations, 1991). Displacements "
+             "count from the free field; the drift of a storey is without the rocking, contacts see the whole motion, "
+             "and the building's damping acts on its deformation.",
+     .of = thud_structure_on_soil},
+    {.text = "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN "
+             "1998-1:2004, 4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates.",
+     .of = guessed},
+    {.text = "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by a "
+             "tenth of its height has collapsed.",
+     .when = has_p_delta},
+    {.text = "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
              "the approach velocity. The clearance is the gap less what the bumper stands out. Faces of slabs that "
              "overlap in elevation meet."},
-    {has_columns,
-     "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
-     "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
-     "place of the strike."},
+    {.text = "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
+             "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
+             "place of the strike.",
+     .when = has_columns},
 };
 
 static const struct phrase unmade[] = {
-    {has_suite,
-     "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors are "
-     "under the one ground motion of the verdicts alone."},
-    {has_motion, "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
-                 "suite of motions adds fractions and fractiles over several."},
-    {has_samples,
-     "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
-     "same in every sample."},
-    {is_elastic, "Yielding: the storeys are elastic."},
-    {yields, "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength."},
-    {has_sliding_isolators, "Uplift of isolators, heating, and friction that changes with speed or pressure."},
-    {no_soil, "Soil and foundations: the ground under the buildings is rigid."},
-    {has_soil,
-     "Soil that yields, foundations that lift off, and waves between neighbouring foundations: the springs and "
-     "dashpots are linear, and each building has its own."},
-    {always,
-     "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, and different "
-     "ground motions under the buildings."},
-    {no_columns, "Slabs striking columns: in this scene floors meet floors."},
-    {has_columns, "Failure of struck columns: they stay elastic and whole, also above their capacity."},
-    {always, "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
+    {.text = "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors "
+             "are under the one ground motion of the verdicts alone.",
+     .when = has_suite},
+    {.text = "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
+             "suite of motions adds fractions and fractiles over several.",
+     .when = has_motion},
+    {.text = "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
+             "same in every sample.",
+     .when = has_samples},
+    {.text = "Yielding: the storeys are elastic.", .when = yields, .unless = NOT},
+    {.text = "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength.", .when = yields},
+    {.text = "Uplift of isolators, heating, and friction that changes with speed or pressure.",
+     .of = thud_isolator_slides},
+    {.text = "Soil and foundations: the ground under the buildings is rigid.",
+     .of = thud_structure_on_soil,
+     .unless = NOT},
+    {.text = "Soil that yields, foundations that lift off, and waves between neighbouring foundations: the springs and "
+             "dashpots are linear, and each building has its own.",
+     .of = thud_structure_on_soil},
+    {.text = "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, and "
+             "different ground motions under the buildings."},
+    {.text = "Slabs striking columns: in this scene floors meet floors.", .when = has_columns, .unless = NOT},
+    {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = has_columns},
+    {.text = "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
              "Local damage at the contact is in neither."},
-    {always, "Resistance of members, foundations and non-structural parts, by any code."},
+    {.text = "Resistance of members, foundations and non-structural parts, by any code."},
 };
 
 static void say(struct site *site, const struct phrase *phrase, size_t n, bool items)
 {
     for (size_t i = 0; i < n; i++)
-        if (phrase[i].when(site)) {
+        if (holds(site, &phrase[i])) {
             if (items)
                 thud_document_item(&site->document, "%s", phrase[i].text);
             else
@@ -255,25 +212,22 @@ static void say_laws(struct site *site)
 
 static void add_symbols(struct site *site)
 {
-    static const char *const symbol[][3] = {
-        {"a", "acceleration of a floor, total", "g = 9.80665 m/s2"},
-        {"u; d of a storey", "displacement relative to the ground; drift of a storey", "cm; mm"},
-        {"F; d of a contact; v", "contact force; indentation; approach velocity", "MN; mm; m/s"},
-        {"V; M of columns", "shear; bending moment", "MN; MN m"},
-        {"k; c; m", "stiffness; dashpot; mass (of a contact the effective mass m1 m2/(m1 + m2))", "MN/m; MN s/m; t"},
-        {"e; xi", "coefficient of restitution; damping ratio", "-; %"},
-        {"T1, T2, T3", "periods of the first modes", "s"},
-        {"Sa; Sd", "pseudo-acceleration (2 pi/T)^2 Sd; displacement of an oscillator (response spectrum)", "g; cm"},
-        {"gap", "distance of bare faces at rest; required ones are rounded up to a millimetre", "cm"},
+    static const char *const symbol[] = {
+        "a|acceleration of a floor, total|g = 9.80665 m/s2",
+        "u; d of a storey|displacement relative to the ground; drift of a storey|cm; mm",
+        "F; d of a contact; v|contact force; indentation; approach velocity|MN; mm; m/s",
+        "V; M of columns|shear; bending moment|MN; MN m",
+        "k; c; m|stiffness; dashpot; mass (of a contact the effective mass m1 m2/(m1 + m2))|MN/m; MN s/m; t",
+        "e; xi|coefficient of restitution; damping ratio|-; %",
+        "T1, T2, T3|periods of the first modes|s",
+        "Sa; Sd|pseudo-acceleration (2 pi/T)^2 Sd; displacement of an oscillator (response spectrum)|g; cm",
+        "gap|distance of bare faces at rest; required ones are rounded up to a millimetre|cm",
     };
     struct thud_document *d = &site->document;
     thud_document_table(d, "Symbols and units; every value is the largest over time unless it says otherwise");
     thud_document_head(d, "symbol|meaning|unit");
-    for (size_t i = 0; i < sizeof symbol / sizeof *symbol; i++) {
-        for (int k = 0; k < 3; k++)
-            thud_document_cell(d, "%s", symbol[i][k]);
-        thud_document_row(d);
-    }
+    for (size_t i = 0; i < sizeof symbol / sizeof *symbol; i++)
+        thud_document_head(d, symbol[i]);
 }
 
 void thud_site_method(struct site *site)
@@ -299,43 +253,38 @@ void thud_site_method(struct site *site)
 
 /* ---- checks ---- */
 
-static void row(struct thud_document *d, const char *what, const char *found)
-{
-    thud_document_cell(d, "%s", what);
-    thud_document_cell(d, "%s", found);
-    thud_document_row(d);
-}
-
 void thud_site_checks(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct thud_method *method = thud_method_find(site->second.method);
-    char text[600], of[320];
+    const char *name = method ? method->title : site->second.method;
+    char of[320];
     double worst = 0;
     for (int i = 0; i < site->ncases; i++)
         worst = fmax(worst, site->cases[i].result->energy.error_ratio);
     thud_site_measure(site, site->second.of, of, sizeof of);
     thud_document_heading(d, "Checks made");
     thud_document_table(d, "Checks and what they found");
-    row(d, "check", "found");
+    thud_document_head(d, "check|found");
+    thud_document_cell(d,
+                       "second solution, %s, by the method \"%s\", which has no time stepping in common with the first",
+                       site->own->words, name);
     if (site->second.values == 0)
-        snprintf(text, sizeof text, "not done: the scene is so stiff that %s takes more steps than are given to it",
-                 method ? method->title : site->second.method);
+        thud_document_cell(d, "not done: the scene is so stiff that %s takes more steps than are given to it", name);
     else
-        snprintf(text, sizeof text, "%d values compared; largest relative difference %.1e (%s); %s%s",
-                 site->second.values, site->second.difference, of,
-                 site->second.counts == 0 ? "all impact counts are equal" : "impact counts differ",
-                 site->second.difference > 1e-3 || site->second.counts > 0
-                     ? ". The methods do not agree to three digits: use no number before it is clear why"
-                     : "");
-    char second[200];
-    snprintf(second, sizeof second,
-             "second solution, %s, by the method \"%s\", which has no time stepping in common with the first",
-             site->own->words, method ? method->title : site->second.method);
-    row(d, second, text);
-    snprintf(text, sizeof text, "at most %.1e of the energy is unaccounted for", worst);
-    row(d, "energy balance of every case: input, kinetic, strain, damping, contact", text);
-    row(d, "inputs within their usual ranges", thud_scene_warning(site->scene, 0, NULL) ? "see the cautions" : "yes");
+        thud_document_cell(d, "%d values compared; largest relative difference %.1e (%s); %s%s", site->second.values,
+                           site->second.difference, of,
+                           site->second.counts == 0 ? "all impact counts are equal" : "impact counts differ",
+                           site->second.difference > 1e-3 || site->second.counts > 0
+                               ? ". The methods do not agree to three digits: use no number before it is clear why"
+                               : "");
+    thud_document_row(d);
+    thud_document_line(d,
+                       "energy balance of every case: input, kinetic, strain, damping, contact\tat most %.1e of the "
+                       "energy is unaccounted for",
+                       worst);
+    thud_document_line(d, "inputs within their usual ranges\t%s",
+                       thud_scene_warning(site->scene, 0, NULL) ? "see the cautions" : "yes");
     thud_document_paragraph(
         d, "These checks show that the equations are solved right, not that they are the right equations: "
            "the command thud verify --published lists what is validated against published results, and "

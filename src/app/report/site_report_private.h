@@ -101,6 +101,8 @@ void thud_site_provenance(struct site *site);
 
 /* Impacts of a run, and at how many levels. */
 int thud_site_impacts(const struct thud_result *result, int *levels);
+/* Storeys of buildings that can yield, in the scene as written; isolators are none. *past, unless NULL: those that do. */
+int thud_site_storeys(const struct site *site, int *past);
 /* How many floors (storeys, for drifts) the bumper lowers, leaves unchanged and raises. */
 void thud_site_effect(const struct site *site, bool drifts, int count[3]);
 

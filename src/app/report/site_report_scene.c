@@ -110,12 +110,10 @@ static void add_case_row(struct site *site, int number, const struct thud_record
 {
     struct thud_document *d = &site->document;
     double sd_m;
-    thud_document_cell(d, "%d", number);
-    thud_document_cell(d, "%s", *record->event ? record->event : thud_path_name(record->file));
-    thud_document_cell(d, "%s", record->synthetic ? "none: synthetic" : said(record->station));
-    thud_document_cell(d, "%s", said(record->component));
-    thud_document_cell(d, "%.4g", record->scale);
-    thud_document_cell(d, "%.3g", thud_record_peak(record) / THUD_GRAVITY);
+    thud_document_cells(d, "%d\t%s\t%s\t%s\t%.4g\t%.3g", number,
+                        *record->event ? record->event : thud_path_name(record->file),
+                        record->synthetic ? "none: synthetic" : said(record->station), said(record->component),
+                        record->scale, thud_record_peak(record) / THUD_GRAVITY);
     for (int s = 0; s < site->scene->nstructures; s++)
         if (thud_site_is_building(site, s))
             thud_document_cell(d, "%s", thud_site_number(first_mode(site, record, s, &sd_m), 3).text);
@@ -140,12 +138,9 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     for (int r = 0; r < n; r++) {
         if (r > 0 && thud_motion_is_turned(record[r]->file, record[r - 1]->file))
             continue;
-        thud_document_cell(d, "%d", r + 1);
-        thud_document_cell(d, "%s", thud_path_name(record[r]->file));
-        thud_document_cell(d, "%s",
-                           *record[r]->licence || !record[r]->synthetic ? said(record[r]->licence) : "none: synthetic");
-        thud_document_cell(d, "%s", said(record[r]->sha256));
-        thud_document_row(d);
+        thud_document_line(d, "%d\t%s\t%s\t%s", r + 1, thud_path_name(record[r]->file),
+                           *record[r]->licence || !record[r]->synthetic ? said(record[r]->licence) : "none: synthetic",
+                           said(record[r]->sha256));
     }
 }
 
@@ -180,12 +175,9 @@ void thud_site_loads(struct site *site)
         if (!thud_site_is_building(site, s))
             continue;
         double sd_m, sa_g = first_mode(site, site->record, s, &sd_m);
-        thud_document_cell(d, "%s", thud_site_name(site, s));
-        thud_document_cell(d, "%.3f", r->period_s[0]);
-        thud_document_cell(d, "%.3g", 100 * thud_gap_damping(site->own->solution.model, s));
-        thud_document_cell(d, "%s", thud_site_number(sa_g, 3).text);
-        thud_document_cell(d, "%s", thud_site_number(100 * sd_m, 3).text);
-        thud_document_row(d);
+        thud_document_line(d, "%s\t%.3f\t%.3g\t%s\t%s", thud_site_name(site, s), r->period_s[0],
+                           100 * thud_gap_damping(site->own->solution.model, s), thud_site_number(sa_g, 3).text,
+                           thud_site_number(100 * sd_m, 3).text);
         mark[nmarks].period_s = r->period_s[0];
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;

@@ -256,10 +256,7 @@ static void add_motions(struct site *site)
                                ? "Every ground motion as it was given; ratio: mean acceleration with the bumper over "
                                  "that without"
                                : "Every ground motion as it was given");
-    thud_document_cell(d, "load case");
-    thud_document_cell(d, "peak g");
-    thud_document_cell(d, "factor");
-    thud_document_cell(d, "required gap cm");
+    thud_document_cells(d, "load case\tpeak g\tfactor\trequired gap cm");
     for (int k = 0; k < ncases; k++)
         thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
     for (int s = 0; s < site->scene->nstructures && ncases > 1; s++)
@@ -268,11 +265,9 @@ static void add_motions(struct site *site)
     thud_document_row(d);
     for (int r = 0; r < suite->runs->nrecords; r++) {
         thud_record_title(suite->plan.record[r], motion, sizeof motion);
-        thud_document_cell(d, "%d, %s", r + 1, motion);
-        thud_document_cell(d, "%.3f", thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY);
-        thud_document_cell(d, "%.4g", suite->plan.record[r]->scale);
-        thud_document_cell(d, "%.1f",
-                           thud_summary_gap_cm(thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
+        thud_document_cells(d, "%d, %s\t%.3f\t%.4g\t%.1f", r + 1, motion,
+                            thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY, suite->plan.record[r]->scale,
+                            thud_summary_gap_cm(thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
         for (int k = 0; k < ncases; k++)
             thud_document_cell(
                 d, "%s",

@@ -27,8 +27,7 @@ static void add_sensitivity_row(struct site *site, const char *what, double peak
                                 const struct thud_spread *spread)
 {
     struct thud_document *d = &site->document;
-    thud_document_cell(d, "%s", what);
-    thud_document_cell(d, "%s %s", thud_site_number(peak, 3).text, unit);
+    thud_document_cells(d, "%s\t%s %s", what, thud_site_number(peak, 3).text, unit);
     for (int i = 0; i < THUD_CHANGES; i++)
         if (i < THUD_CHANGE_STIFFNESS_ODD || changes(site, i == THUD_CHANGE_STIFFNESS_EVEN, NULL))
             thud_document_cell(d, "%.1f", 100 * spread->by[i]);
@@ -46,10 +45,7 @@ static void sensitivity(struct site *site)
     snprintf(what, sizeof what, "Largest change of each peak, %%, when one input is %.0f %% less or more (%s)",
              100 * s->change, site->own->words);
     thud_document_table(d, what);
-    thud_document_cell(d, "peak");
-    thud_document_cell(d, "value");
-    thud_document_cell(d, "gap");
-    thud_document_cell(d, "ground motion");
+    thud_document_cells(d, "peak\tvalue\tgap\tground motion");
     for (int first = 0; first < 2; first++) {
         struct thud_text names = {0};
         if (changes(site, first, &names) && names.data)
@@ -150,7 +146,6 @@ static void add_sampled_row(struct site *site, int q)
 
 static void samples(struct site *site)
 {
-    static const char *const head[] = {"peak", "nominal", "5 %", "median", "95 %", "governed by"};
     struct thud_document *d = &site->document;
     const struct thud_uncertainty *u = site->uncertainty;
     char caption[120];
@@ -159,9 +154,7 @@ static void samples(struct site *site)
     snprintf(caption, sizeof caption, "All uncertain inputs drawn together: %zu samples",
              thud_uncertainty_samples(&site->samples));
     thud_document_table(d, caption);
-    for (size_t i = 0; i < sizeof head / sizeof *head; i++)
-        thud_document_cell(d, "%s", head[i]);
-    thud_document_row(d);
+    thud_document_head(d, "peak|nominal|5 %|median|95 %|governed by");
     for (int q = 0; q < u->nquantities; q++)
         add_sampled_row(site, q);
     struct thud_text inputs = {0};
@@ -201,14 +194,11 @@ void thud_site_samples_summary(struct site *site)
 static void add_stiffness_row(struct site *site, const char *what, const struct thud_stiffness_row *row)
 {
     struct thud_document *d = &site->document;
-    thud_document_cell(d, "%s", what);
-    thud_document_cell(d, "%d", row->impacts);
-    thud_document_cell(d, "%s", thud_site_number(1e-6 * row->force_n, 3).text);
+    thud_document_cells(d, "%s\t%d\t%s", what, row->impacts, thud_site_number(1e-6 * row->force_n, 3).text);
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind != THUD_WALL) {
-            thud_document_cell(d, "%s", thud_site_number(row->acceleration_mps2[s] / THUD_GRAVITY, 3).text);
-            thud_document_cell(d, "%s", thud_site_number(1e3 * row->drift_m[s], 3).text);
-        }
+        if (site->scene->structure[s].kind != THUD_WALL)
+            thud_document_cells(d, "%s\t%s", thud_site_number(row->acceleration_mps2[s] / THUD_GRAVITY, 3).text,
+                                thud_site_number(1e3 * row->drift_m[s], 3).text);
     thud_document_row(d);
 }
 
@@ -221,15 +211,12 @@ static void stiffness(struct site *site)
         return;
     snprintf(what, sizeof what, "Stiffness of the %s, and the motion with reversed polarity", name);
     thud_document_table(d, what);
-    thud_document_cell(d, "scene");
-    thud_document_cell(d, "impacts");
-    thud_document_cell(d, "force MN");
+    thud_document_cells(d, "scene\timpacts\tforce MN");
     for (int s = 0; s < site->scene->nstructures; s++)
-        if (site->scene->structure[s].kind != THUD_WALL) {
-            thud_document_cell(d, "acceleration of %s g", thud_site_name(site, s));
-            thud_document_cell(d, "drift of %s%s mm", thud_site_name(site, s),
-                               site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
-        }
+        if (site->scene->structure[s].kind != THUD_WALL)
+            thud_document_cells(d, "acceleration of %s g\tdrift of %s%s mm", thud_site_name(site, s),
+                                thud_site_name(site, s),
+                                site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
     thud_document_row(d);
     for (int i = 0; i < site->nrows; i++) {
         snprintf(what, sizeof what, site->row[i].factor == 1 ? "nominal" : "%g times the stiffness",

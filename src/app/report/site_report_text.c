@@ -35,6 +35,21 @@ int thud_site_impacts(const struct thud_result *r, int *levels)
     return n;
 }
 
+int thud_site_storeys(const struct site *site, int *past)
+{
+    const struct thud_result *r = site->own->result;
+    int n = 0, over = 0;
+    for (int s = 0; s < r->nstructures; s++)
+        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
+             r->structure[s].storey && f < r->structure[s].floors; f++) {
+            n += r->structure[s].storey[f].yields;
+            over += r->structure[s].storey[f].yields && r->structure[s].storey[f].ductility > 1;
+        }
+    if (past)
+        *past = over;
+    return n;
+}
+
 static double largest_acceleration(const struct thud_structure_result *r)
 {
     double most = 0;
@@ -393,8 +408,7 @@ static void add_column_table(struct site *site)
     thud_document_table(d, "Columns that slabs strike: largest shear and moment at their ends");
     thud_document_cell(d, "columns below");
     for (int i = SITE_NONE; i < site->ncases; i++) {
-        thud_document_cell(d, "%s: shear MN", site->cases[i].name);
-        thud_document_cell(d, "%s: moment MN m", site->cases[i].name);
+        thud_document_cells(d, "%s: shear MN\t%s: moment MN m", site->cases[i].name, site->cases[i].name);
         if (limited)
             thud_document_cell(d, "%s: shear / capacity", site->cases[i].name);
     }
@@ -403,8 +417,8 @@ static void add_column_table(struct site *site)
         thud_document_cell(d, "%s", thud_site_columns(site, &own->column[k], name, sizeof name));
         for (int i = SITE_NONE; i < site->ncases; i++) {
             const struct thud_column_result *r = &site->cases[i].result->column[k];
-            thud_document_cell(d, "%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text);
-            thud_document_cell(d, "%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text);
+            thud_document_cells(d, "%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
+                                thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text);
             if (limited)
                 thud_document_cell(d, "%s", isnan(r->ratio) ? "-" : thud_site_number(r->ratio, 3).text);
         }
@@ -495,9 +509,7 @@ static void gap_rules(struct site *site)
     struct thud_document *d = &site->document;
     double needed = thud_needed_gap_widest(site->gap, 0, THUD_GAP_EXACT, NULL);
     thud_document_table(d, "Required gap by rule, cm");
-    for (int i = 0; i < 4; i++)
-        thud_document_cell(d, "%s", ((const char *const[]){"rule", "clause", "formula", "cm"})[i]);
-    thud_document_row(d);
+    thud_document_head(d, "rule|clause|formula|cm");
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
         const struct thud_gap_rule *r = thud_gap_rule_at(rule);
         int level = 0;
@@ -546,17 +558,14 @@ static void gap(struct site *site)
         "displacements alone. A bumper needs the part that it stands out besides. Required gaps are rounded up to a "
         "millimetre.");
     thud_document_table(d, "Required gap, cm");
-    thud_document_cell(d, "floors");
-    thud_document_cell(d, "left moves");
-    thud_document_cell(d, "right moves");
+    thud_document_cells(d, "floors\tleft moves\tright moves");
     for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_SHORT; rule++)
         thud_document_cell(d, "%s", thud_gap_rule_at(rule)->name);
     thud_document_row(d);
     for (int i = site->gap->nlevels - 1; i >= 0; i--) {
         const struct thud_gap_level *l = &site->gap->level[i];
         add_level_cell(site, l->interface, l->left_floor, l->right_floor, l->struck);
-        thud_document_cell(d, "%.2f", 100 * l->left_m);
-        thud_document_cell(d, "%.2f", 100 * l->right_m);
+        thud_document_cells(d, "%.2f\t%.2f", 100 * l->left_m, 100 * l->right_m);
         for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_SHORT; rule++)
             add_gap_cell(d, thud_gap_value(l, rule));
         thud_document_row(d);

@@ -12,9 +12,7 @@
 
 static void row(struct site *site, const char *what, const char *found)
 {
-    thud_document_cell(&site->document, "%s", what);
-    thud_document_cell(&site->document, "%s", found);
-    thud_document_row(&site->document);
+    thud_document_line(&site->document, "%s\t%s", what, found);
 }
 
 void thud_site_title_block(struct site *site)
@@ -195,14 +193,9 @@ static void governing_rows(struct site *site)
 static void failing_row(struct site *site)
 {
     const struct thud_result *r = site->own->result;
-    int yielding = 0, storeys = 0, failing = 0, known = 0;
+    int yielding = 0, failing = 0, known = 0;
+    const int storeys = thud_site_storeys(site, &yielding);
     char text[1600];
-    for (int s = 0; s < r->nstructures; s++)
-        for (int f = site->scene->structure[s].kind == THUD_ISOLATED;
-             r->structure[s].storey && f < r->structure[s].floors; f++) {
-            storeys += r->structure[s].storey[f].yields;
-            yielding += r->structure[s].storey[f].yields && r->structure[s].storey[f].ductility > 1;
-        }
     for (int k = 0; k < r->ncolumns; k++) {
         known += isfinite(r->column[k].ratio);
         failing += r->column[k].ratio > 1;

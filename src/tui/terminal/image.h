@@ -30,8 +30,6 @@ enum thud_image thud_image_known(enum thud_image_choice choice, const struct thu
 extern const char thud_image_question[];
 bool thud_image_answer_has_sixel(const char *sequence); /* the whole answer */
 
-void thud_text_base64(struct thud_text *out, const char *bytes, size_t n);
-
 /* The bytes that draw a picture from the upper left corner on; the cursor stays. A PNG for kitty (over so many columns
  * and rows), else as gnuplot's sixelgd gave it. */
 void thud_image_draw(enum thud_image kind, const char *picture, size_t n, int columns, int rows, struct thud_text *out);
