@@ -4,49 +4,43 @@
 
 #include "plot/figures/figures_run_internal.h"
 
-static double peak_force(const struct thud_figure_source *source, int nsources, int contact)
+/* Largest force of a contact; of laws without force the largest impulse. */
+static double peak_of(const struct thud_figure_source *source, int nsources, int contact, bool impulse)
 {
     double peak = 0.0;
-    for (int s = 0; s < nsources; s++)
-        if (!thud_contact_struck(&source[s].result->contact[contact]))
-            peak = fmax(peak, source[s].result->contact[contact].force.value);
-    return peak;
-}
-
-/* The largest impulse of a contact; only of laws without force. */
-static double peak_impulse(const struct thud_figure_source *source, int nsources, int contact)
-{
-    double peak = 0.0;
-    for (int s = 0; s < nsources; s++)
-        for (int i = 0; i < source[s].nimpacts && thud_contact_struck(&source[s].result->contact[contact]); i++)
+    for (int s = 0; s < nsources; s++) {
+        const struct thud_contact_result *c = &source[s].result->contact[contact];
+        if (!thud_contact_struck(c) && !impulse)
+            peak = fmax(peak, c->force.value);
+        for (int i = 0; thud_contact_struck(c) && impulse && i < source[s].nimpacts; i++)
             if (source[s].impact[i].contact == contact)
                 peak = fmax(peak, source[s].impact[i].impulse_ns);
+    }
     return peak;
 }
 
 enum { CONTACTS_MAX = 4000 };
 
-/* The contacts worth a curve; the largest force in *peak. */
-static int pick_contacts(const struct thud_figure_source *source, int nsources, int most, int *index, double *peak)
+/* The contacts worth a curve; the largest of all in *peak, and how many have any in *pounding. */
+static int pick_contacts(const struct thud_figure_source *source, int nsources, bool impulse, int most, int *index,
+                         double *peak, int *pounding)
 {
-    double force[CONTACTS_MAX];
+    double own[CONTACTS_MAX];
     int n = source->result->ncontacts < CONTACTS_MAX ? source->result->ncontacts : CONTACTS_MAX;
-    *peak = 0.0;
+    *peak = *pounding = 0;
     for (int c = 0; c < n; c++) {
-        force[c] = peak_force(source, nsources, c);
-        *peak = fmax(*peak, force[c]);
+        own[c] = peak_of(source, nsources, c, impulse);
+        *peak = fmax(*peak, own[c]);
+        *pounding += own[c] > 0.0;
     }
-    return *peak > 0.0 ? thud_pick_largest(force, n, most, index) : 0;
+    return *peak > 0.0 ? thud_pick_largest(own, n, most, index) : 0;
 }
 
 /* Says which contacts are shown where it is not all with impacts. */
 static void contact_note(struct thud_panel *panel, const struct thud_figure_source *source, int nsources, int n,
-                         const int *index)
+                         int pounding, const int *index)
 {
     char name[160], text[256];
-    int pounding = 0;
-    for (int c = 0; c < source->result->ncontacts; c++)
-        pounding += peak_force(source, nsources, c) > 0.0;
     if (pounding == 0)
         thud_panel_note(panel, "No contact");
     else if (nsources > 1) {
@@ -101,42 +95,6 @@ static struct thud_panel *contact_strip(struct thud_figure *figure, int row, con
     return panel;
 }
 
-enum { IMPACTS_MANY = 100 };
-
-/* Where no contact has a force: a strip for each that passed impulses, each of them a point. */
-static struct thud_figure *impulses(const struct thud_figure_source *source, int nsources)
-{
-    double size[CONTACTS_MAX], from = 0, to = 0;
-    int index[THUD_CURVES_MAX], contacts = source->result->ncontacts;
-    char title[3 * THUD_TEXT_MAX];
-    bool ground = thud_source_ground(source);
-    if (contacts > CONTACTS_MAX)
-        contacts = CONTACTS_MAX;
-    for (int c = 0; c < contacts; c++)
-        size[c] = peak_impulse(source, nsources, c);
-    int n = thud_pick_largest(size, contacts, most_contacts(nsources), index);
-    while (n > 0 && !(size[index[n - 1]] > 0.0))
-        n--;
-    if (n == 0)
-        return NULL;
-    thud_source_title(source, nsources, "impulse of every impact (kN s)", title, sizeof title);
-    struct thud_figure *figure =
-        thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), title, n * nsources + ground, 1);
-    thud_source_zoom(source, nsources, &from, &to);
-    if (ground)
-        thud_figure_ground(figure, source, from, to);
-    for (int i = 0; i < n * nsources; i++)
-        contact_strip(figure, i + ground, &source[i % nsources], nsources, index[n - 1 - i / nsources], IMPULSES,
-                      (struct thud_shown){1e-3, "kN s"});
-    thud_figure_same_height(figure, ground);
-    thud_figure_strips(figure);
-    for (int r = ground; figure && r < figure->rows; r++)
-        thud_panel_limits(&figure->panel[r], THUD_Y, 0.0, figure->panel[r].axis[THUD_Y].most);
-    thud_figure_shorten(figure);
-    thud_figure_note(figure, "A law without force: an impulse lasts no time, and has no largest force.");
-    return figure;
-}
-
 /* One time axis for all rows: the run's, or up to the last impact where much of the run is left then. */
 static void until_last_impact(struct thud_figure *figure, const struct thud_figure_source *source, int nsources,
                               int rows)
@@ -155,57 +113,66 @@ static void until_last_impact(struct thud_figure *figure, const struct thud_figu
         thud_figure_note(figure, text);
 }
 
-/* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis. */
+enum { IMPACTS_MANY = 100 };
+
+/* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis. Where
+ * no contact has a force, every impulse is a point. */
 struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
 {
-    int index[THUD_CURVES_MAX], n, most = 0;
+    int index[THUD_CURVES_MAX], pounding, most = 0;
     double peak, from, to;
     char text[3 * THUD_TEXT_MAX], what[64];
     if (nsources > 1 && source->which == THUD_CASE_FREE) { /* without contacts */
         source++;
         nsources--;
     }
-    bool zoom = thud_source_zoom(source, nsources, &from, &to), ground = thud_source_ground(source);
-    n = pick_contacts(source, nsources, most_contacts(nsources), index, &peak);
-    struct thud_figure *struck = n == 0 ? impulses(source, nsources) : NULL;
-    if (struck)
-        return struck;
+    const bool ground = thud_source_ground(source), zoom = thud_source_zoom(source, nsources, &from, &to);
+    enum told told = FORCE;
+    int n = pick_contacts(source, nsources, false, most_contacts(nsources), index, &peak, &pounding);
+    struct thud_shown shown = thud_shown_force(peak);
     for (int s = 0; s < nsources; s++)
         most = source[s].nimpacts > most ? source[s].nimpacts : most;
-    bool many = most > IMPACTS_MANY;
-    struct thud_shown shown = thud_shown_force(peak);
-    snprintf(what, sizeof what, many ? "largest force of every impact (%s)" : "impact force (%s)", shown.unit);
+    if (n == 0 && (n = pick_contacts(source, nsources, true, most_contacts(nsources), index, &peak, &pounding)) > 0) {
+        told = IMPULSES;
+        shown = (struct thud_shown){1e-3, "kN s"};
+    } else if (most > IMPACTS_MANY)
+        told = FORCES;
+    snprintf(what, sizeof what, "%s (%s)",
+             told == IMPULSES ? "impulse of every impact"
+             : told == FORCES ? "largest force of every impact"
+                              : "impact force",
+             shown.unit);
     thud_source_title(source, nsources, what, text, sizeof text);
-    zoom = zoom && !many;
+    const bool closer = zoom && told == FORCE;
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text,
-                                                    (n > 0 ? n * nsources : 1) + ground, zoom ? 2 : 1);
+                                                    (n > 0 ? n * nsources : 1) + ground, closer ? 2 : 1);
     if (ground)
         thud_figure_ground(figure, source, from, to);
     if (n == 0)
         thud_figure_panel(figure, ground, 0, "no contact");
     for (int i = 0; i < n * nsources; i++) {
         struct thud_panel *panel = contact_strip(figure, i + ground, &source[i % nsources], nsources,
-                                                 index[n - 1 - i / nsources], many ? FORCES : FORCE, shown);
-        if (many)
+                                                 index[n - 1 - i / nsources], told, shown);
+        if (told == FORCES)
             thud_panel_log(panel, THUD_Y);
-        if (zoom)
+        if (told == IMPULSES)
+            thud_panel_limits(panel, THUD_Y, 0.0, NAN);
+        if (closer)
             thud_panel_zoom(thud_figure_panel(figure, i + ground, 1, panel ? panel->title : ""), panel, from, to);
     }
     if (n > 0)
         thud_figure_same_height(figure, ground);
     thud_figure_strips(figure);
-    if (many)
+    if (told == FORCES)
         until_last_impact(figure, source, nsources, figure ? figure->rows : 0);
     else
         thud_figure_shorten(figure);
-    int pounding = 0;
-    for (int c = 0; c < source->result->ncontacts; c++)
-        pounding += peak_force(source, nsources, c) > 0.0;
-    if (n < pounding) {
-        snprintf(text, sizeof text, "The %d of %d contacts with the largest forces; histories.csv has all.", n,
-                 pounding);
+    snprintf(text, sizeof text, "The %d of %d contacts with the largest %s; histories.csv has all.", n, pounding,
+             told == IMPULSES ? "impulses" : "forces");
+    if (n < pounding)
         thud_figure_note(figure, text);
-    }
+    if (told == IMPULSES)
+        thud_figure_note(figure, "A law without force: an impulse lasts no time, and has no largest force.");
     return figure;
 }
 
@@ -237,10 +204,10 @@ static void loop_line(struct thud_panel *panel, const struct thud_figure_source 
 
 struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources)
 {
-    int index[THUD_CURVES_MAX], n;
+    int index[THUD_CURVES_MAX], pounding;
     double peak;
     char text[3 * THUD_TEXT_MAX];
-    n = pick_contacts(source, nsources, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak);
+    int n = pick_contacts(source, nsources, false, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak, &pounding);
     struct thud_shown shown = thud_shown_force(peak);
     thud_source_title(source, nsources, "impact force against indentation", text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
@@ -256,7 +223,7 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
                       nsources > 1 ? thud_case_color(source[s].which) : i);
         }
     }
-    contact_note(panel, source, nsources, n, index);
+    contact_note(panel, source, nsources, n, pounding, index);
     return figure;
 }
 

@@ -50,12 +50,6 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
     return true;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Wilson's 90 % band of the share at each of the n + 1 steps, from x[i] to x[i + 1]. */
 static void add_band(struct thud_panel *panel, size_t n, double independent, const double *x)
 {
@@ -78,9 +72,7 @@ static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *su
     if (!x)
         return false;
     for (size_t r = 0; r < n; r++)
-        most = thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_ABS, NULL) > most
-                   ? thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_ABS, NULL)
-                   : most;
+        most = fmax(most, thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_ABS, NULL));
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_ASCE7; rule++) {
         struct thud_style style = {.kind = THUD_STEPS, .color = rule + 1, .wide = rule == THUD_GAP_EXACT};
         bool missing = false;
@@ -92,7 +84,7 @@ static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *su
         if (missing) /* the rule has no value for every motion */
             continue;
         x[n + 1] = 100 * most * 1.02;
-        qsort(x + 1, n, sizeof *x, by_value);
+        thud_sort_numbers(x + 1, n);
         for (size_t i = 0; i < n + 2; i++)
             y[i] = 100.0 * (double)(i < n ? i : n) / (double)n;
         if (rule == THUD_GAP_EXACT && draws >= THUD_SHARES_LEAST)

@@ -53,13 +53,10 @@ const struct thud_figure *thud_sheet_narrow(const struct thud_figure *figure,
 {
     const struct sheet sheet = thud_sheet_make(figure, options, NULL);
     const double frame = sheet.width / 2 - 5.4 * sheet.em;
-    bool fits = figure->columns != 2 || !figure->panel[0].strip;
-    for (int i = 0; !fits && i < figure->rows; i++)
-        if (thud_gnuplot_width(figure->panel[2 * i].title, THUD_STRIP_EM * sheet.em) > frame)
-            break;
-        else
-            fits = i + 1 == figure->rows;
-    if (fits)
+    double widest = 0.0;
+    for (int i = 0; figure->columns == 2 && figure->panel[0].strip && i < figure->rows; i++)
+        widest = fmax(widest, thud_gnuplot_width(figure->panel[2 * i].title, THUD_STRIP_EM * sheet.em));
+    if (widest <= frame)
         return figure;
     *narrow = *figure;
     narrow->panel = room;
