@@ -77,6 +77,8 @@ struct thud_event {
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
+/* Whether a fragility may be against it: numbers, and more than one. */
+bool thud_axis_is_drawn(const struct thud_sweep_axis *axis);
 /* Whether an intensity of the ground motion is varied. */
 bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
 /* One event and case along one axis, at one setting of the others. */

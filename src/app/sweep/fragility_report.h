@@ -40,6 +40,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
+/* Whether the i-th of n is one of at most five, evenly spread: those that a table shows. */
+bool thud_is_spread(int n, int i);
 /* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them; as
  * a table, 80 columns wide, of at most five values of every varied key. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);

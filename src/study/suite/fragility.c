@@ -322,6 +322,11 @@ static bool is_monotone(enum thud_event_kind kind, const struct thud_sweep_axis 
            (gap || thud_axis_is_intensity(axis));
 }
 
+bool thud_axis_is_drawn(const struct thud_sweep_axis *axis)
+{
+    return !axis->words && axis->n > 1;
+}
+
 bool thud_axis_is_intensity(const struct thud_sweep_axis *axis)
 {
     static const char *const keys[] = {"record.peak", "record.sa", "record.factor"};

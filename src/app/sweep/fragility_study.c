@@ -1,0 +1,208 @@
+/* The curves of a study, and the hazard that they are held against. */
+#include "app/sweep/fragility_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "io/file/file.h"
+
+/* ---- hazard ---- */
+
+static enum thud_status refuse(const char *path, int line, const char *what, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "%s", what);
+    thud_error_place(err, path, line, 0);
+    thud_error_allow(err, "intensity, annual rate of being exceeded: intensities rise, rates fall");
+    return THUD_INPUT;
+}
+
+/* A line of two numbers; false where it has none. */
+static bool two_numbers(const char *line, double *x, double *rate)
+{
+    const char *end;
+    if (thud_number_parse(line + strspn(line, " \t"), &end, x) != 0)
+        return false;
+    end += strspn(end, " \t,;");
+    if (thud_number_parse(end, &end, rate) != 0)
+        return false;
+    return end[strspn(end, " \t\r")] == '\0';
+}
+
+/* The unit that the name of a first column ends with, `sa_g`, `Sa (cm/s2)`, `PGA [m/s2]`: its factor to SI; 0: none. */
+static double unit_of_head(const char *head, enum thud_dimension *dimension)
+{
+    static const char *const suffix[][2] = {{"mps2", "m/s2"}, {"cmps2", "cm/s2"}, {"gal", "cm/s2"}, {"mmps2", "mm/s2"}};
+    char name[64], *unit;
+    size_t n = strcspn(head, ",;\t\r");
+    snprintf(name, sizeof name, "%.*s", (int)n, head);
+    if ((unit = strpbrk(name, "([")) != NULL) {
+        unit++;
+        unit[strcspn(unit, ")]")] = '\0';
+    } else if ((unit = strrchr(name, '_')) != NULL) {
+        unit++;
+        unit[strcspn(unit, " ")] = '\0';
+    } else {
+        return 0;
+    }
+    for (size_t i = 0; i < sizeof suffix / sizeof *suffix; i++)
+        if (strcmp(unit, suffix[i][0]) == 0)
+            unit = (char *)suffix[i][1];
+    return thud_unit_factor(unit, dimension, NULL);
+}
+
+/* What the first column is multiplied by. Of an acceleration the unit must be said. */
+static enum thud_status read_unit(const char *path, int line, const char *head, const struct thud_sweep_axis *axis,
+                                  double *factor, struct thud_error *err)
+{
+    enum thud_dimension dimension = axis->param->dimension;
+    double said = unit_of_head(head, &dimension);
+    *factor = said > 0 ? said : 1;
+    if (said > 0 ? dimension == axis->param->dimension : axis->param->dimension != THUD_ACCELERATION)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT,
+                   said > 0 ? "its intensity has a unit of another kind than %s"
+                            : "the unit of its intensity is not said (%s)",
+                   axis->key);
+    thud_error_place(err, path, line, 0);
+    thud_error_allow(err, axis->param->dimension == THUD_ACCELERATION
+                              ? "a first line such as sa_g,annual_rate or sa (cm/s2),annual_rate; g, m/s2, cm/s2, gal"
+                              : "a number without unit: factor,annual_rate");
+    return THUD_INPUT;
+}
+
+static enum thud_status add_point(const char *path, int number, double x, double rate, struct thud_hazard *out,
+                                  struct thud_error *err)
+{
+    if (!(x > 0 && rate > 0 && isfinite(x) && isfinite(rate)))
+        return refuse(path, number, "has a number that is not above 0", err);
+    if (out->n > 0 && !(x > out->x[out->n - 1] && rate <= out->rate[out->n - 1]))
+        return refuse(path, number, "does not go on: intensities rise, rates fall", err);
+    out->x[out->n] = x;
+    out->rate[out->n++] = rate;
+    return THUD_OK;
+}
+
+enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
+                                  struct thud_error *err)
+{
+    enum { BYTES_MAX = 16 << 20 };
+    char *text, *rest, *line;
+    size_t room = 1;
+    int number = 0;
+    double x, rate, factor = NAN;
+    *out = (struct thud_hazard){0};
+    enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
+    if (status != THUD_OK)
+        return status;
+    for (line = text; *line; line++)
+        room += *line == '\n';
+    out->x = malloc(room * sizeof *out->x);
+    out->rate = malloc(room * sizeof *out->rate);
+    if (!out->x || !out->rate)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (rest = text; status == THUD_OK && (line = thud_text_line(&rest)) != NULL;) {
+        number++;
+        line[strcspn(line, "#")] = '\0';
+        if (line[strspn(line, " \t\r")] == '\0')
+            continue;
+        bool numbers = two_numbers(line, &x, &rate), first = isnan(factor);
+        if (first)
+            status = read_unit(path, number, numbers ? "" : line, axis, &factor, err);
+        if (status == THUD_OK && numbers)
+            status = add_point(path, number, x * factor, rate, out, err);
+        else if (status == THUD_OK && !first)
+            status = refuse(path, number, "is no line of two numbers", err);
+    }
+    if (status == THUD_OK && out->n < 2)
+        status = refuse(path, 0, "has fewer than two points", err);
+    free(text);
+    if (status != THUD_OK)
+        thud_hazard_clear(out);
+    return status;
+}
+
+/* ---- all curves ---- */
+
+/* Goes on to the next setting of all axes but one; false after the last. */
+static bool next_setting(const struct thud_sweep_plan *plan, int axis, int *at)
+{
+    for (int a = plan->naxes - 1; a >= 0; a--) {
+        if (a == axis)
+            continue;
+        if (++at[a] < plan->axis[a].n)
+            return true;
+        at[a] = 0;
+    }
+    return false;
+}
+
+/* The event `worse` asks for a bumper. */
+static bool is_asked(const struct thud_fragility_study *study, int event, int k)
+{
+    return study->event[event].kind != THUD_EVENT_WORSE || study->suite->plan->cases[k] != THUD_CASE_NONE;
+}
+
+static size_t count_lines(const struct thud_fragility_study *study)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    size_t n = 0;
+    for (int a = 0; a < plan->naxes; a++)
+        if (thud_axis_is_drawn(&plan->axis[a]))
+            n += (size_t)(study->suite->settings / plan->axis[a].n);
+    return n * (size_t)plan->ncases * (size_t)study->nevents;
+}
+
+/* An event of a case along an axis, at every setting of the others. */
+static enum thud_status add_lines(struct thud_fragility_study *study, int event, int axis, int k,
+                                  struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    int at[THUD_VARY_MAX] = {0};
+    do {
+        struct thud_fragility_line *line = &study->line[study->n];
+        struct thud_fragility_ask ask = {&study->event[event], k, axis, {0}, study->samples, study->seed};
+        memcpy(ask.at, at, sizeof at);
+        *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN}};
+        memcpy(line->at, at, sizeof at);
+        enum thud_status status = thud_fragility_make(study->suite, &ask, &line->fragility, err);
+        if (status != THUD_OK)
+            return status;
+        study->n++;
+        if (study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]))
+            line->rate = thud_hazard_rate(&study->hazard, &line->fragility);
+    } while (next_setting(plan, axis, at));
+    return THUD_OK;
+}
+
+enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    size_t most = count_lines(study);
+    if (most == 0)
+        return thud_error_refuse(err, THUD_USAGE, NULL,
+                                 "--vary record.sa=0.1g:2g:0.1g, --vary gap=5cm:25cm:0.5cm, or both",
+                                 "no number is varied that a fragility could be against");
+    study->line = calloc(most, sizeof *study->line);
+    if (!study->line)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int e = 0; e < study->nevents; e++)
+        for (int a = 0; a < plan->naxes; a++)
+            for (int k = 0; k < plan->ncases && thud_axis_is_drawn(&plan->axis[a]); k++) {
+                enum thud_status status = is_asked(study, e, k) ? add_lines(study, e, a, k, err) : THUD_OK;
+                if (status != THUD_OK)
+                    return status;
+            }
+    return THUD_OK;
+}
+
+void thud_fragility_study_clear(struct thud_fragility_study *study)
+{
+    for (size_t i = 0; i < study->n; i++)
+        thud_fragility_clear(&study->line[i].fragility);
+    free(study->line);
+    study->line = NULL;
+    study->n = 0;
+    thud_hazard_clear(&study->hazard);
+}
