@@ -9,8 +9,8 @@
 
 static const char *const difference[] = {
     "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as the "
-    "paper has it, the bodies leave faster: 0.632 for a coefficient of 0.6. The preset keeps the paper's way (damping: "
-    "paper); contact.damping=exact makes the bodies part with 0.6.",
+    "paper has it, the bodies leave faster: 0.632 for a coefficient of 0.6. The preset keeps the paper's "
+    "way; with the exact damping the bodies part with 0.6.",
     "Restitution of rubber. Eq. (7) is a fit and its units do not cancel; with the mass in kg and the speed in m/s it "
     "gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.",
     "Eq. (1) is taken as a force law, not as a rule that uses the step before: that would create energy, and the "
@@ -235,7 +235,7 @@ static void differences(const struct thud_paper_study *study, struct thud_docume
         thud_document_item(d,
                            "Ground motions. %d of the %d are synthetic motions with the peak and the main pulse of the "
                            "recorded ones and nothing else of them; the curves of Figs. 7, 8 and 10 are theirs. "
-                           "--records takes files with the recorded ones.",
+                           "The recorded ones can be given in their place.",
                            surrogates, study->table->nrecords);
     else
         thud_document_item(d, "Ground motions. The files above, with the peaks above. Other processings of the same "

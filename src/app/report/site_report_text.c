@@ -482,10 +482,12 @@ static void results(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
                          "Largest values over the height, in each case.");
-    if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1))
+    if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
+        struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
         thud_site_figure(
-            site, thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1), 0.5,
+            site, forces, fmin(0.63, 0.2 + 0.05 * (forces ? forces->rows : 0)), /* a strip for each contact and case */
             "Ground acceleration and the largest contact forces over time; at the right around the largest impact.");
+    }
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.5,
                          "Largest shear of the columns that slabs strike, over the height.");
