@@ -5,6 +5,11 @@
 
 pages=$PWD/man
 mkdir "$tmp/bin" && ln -s "$THUD" "$tmp/bin/thud" && PATH=$tmp/bin:$PATH
+missing() { # PAGE: numbers with decimals in its sentences that no output had
+    sed '/^\.Bd/,/^\.Ed/d; /^\.[A-Z]/d' "$pages/$1.7" | grep -o '[0-9][0-9]*[.][0-9][0-9]*' | sort -u | while read -r number; do
+        grep -q -F -e "$number" outs || printf ' %s' "$number"
+    done
+}
 walk() { # PAGE COMMANDS: what the page displays: the preset; of each command its lines, and those that it shows below them
     mkdir "$tmp/$1" && cd "$tmp/$1" || exit 1
     sed -n '/^\.Bd -literal/,/^\.Ed/p' "$pages/$1.7" >displays
@@ -16,12 +21,15 @@ walk() { # PAGE COMMANDS: what the page displays: the preset; of each command it
     while [ $((n += 1)) -le "$2" ]; do
         code=0
         sh "step$n.sh" >"$tmp/out" 2>"$tmp/err" || code=$?
+        cat "$tmp/out" >>outs
         is "step $n ends well: $(head -1 "step$n.sh" | cut -c 1-40)" [ "$code" -eq 0 ]
         is "it shows something" test -s "step$n.shown"
         while IFS= read -r line; do
             is "it shows: $line" grep -q -F -e "$line" "$tmp/out"
         done <"step$n.shown"
     done
+    cat mine.yaml >>outs
+    is "$1: every number of its sentences is one that appeared$(missing "$1")" [ -z "$(missing "$1")" ]
 }
 walk thud-tutorial 9
 is "the report has its title block" grep -q '| Checked by | N. N. |' report/report.md
