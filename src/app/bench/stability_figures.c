@@ -122,7 +122,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
 
 /* ---- energy ---- */
 
-static const double least_ratio = 1e-3, most_ratio = 1e4; /* of the energy shown; the rim stands for what is beyond */
+static const double least_ratio = 1e-3, most_ratio = 1e4; /* of the energy shown; the most stands for what is beyond */
 
 static double shown(double ratio)
 {
@@ -176,7 +176,7 @@ struct thud_figure *thud_stability_energies(const struct thud_stability *s)
             thud_panel_log(panel, THUD_X);
             thud_panel_log(panel, THUD_Y);
             thud_panel_limits(panel, THUD_X, 0.1, 10);
-            thud_panel_limits(panel, THUD_Y, least_ratio, most_ratio);
+            thud_panel_limits(panel, THUD_Y, least_ratio, 2 * most_ratio); /* no curve on the frame */
             thud_panel_mark(panel, THUD_Y, 1, 1, "");
             at++;
         }
@@ -184,6 +184,6 @@ struct thud_figure *thud_stability_energies(const struct thud_stability *s)
         i = add_way(s, i, panel);
     }
     thud_figure_note(figure, "Curves: the largest energy within 50 s, at the worst of several starts; shaded down to "
-                             "the least that is left at the end. At the upper rim: 10,000 times or more, or blown up.");
+                             "the least that is left at the end. At 10,000: that or more, or blown up.");
     return figure;
 }

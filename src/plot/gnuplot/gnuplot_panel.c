@@ -221,16 +221,20 @@ static double roomy_step(const struct thud_range *range, enum thud_side side, do
 }
 
 /* The numbers along y of a strip, which has room for three: 0 and one to either side, none of them at an edge where the
- * next strip has its own; 0 without its number where they would touch. */
+ * next strip has its own; 0 without its number where they would touch, and alone where those would. */
 static void strip_ticks(struct thud_text *out, const struct thud_range *range, double ems_of_one)
 {
     const double reach = 0.85 * fmax(fabs(range->least), fabs(range->most)), unit = pow(10.0, floor(log10(reach))),
                  step = unit * (reach >= 5.0 * unit   ? 5.0
                                 : reach >= 2.0 * unit ? 2.0
                                                       : 1.0);
-    const bool close = step * ems_of_one < 0.95;
-    thud_text_append(out, close ? "('%g' %.10g, '' 0, '%g' %.10g)\n" : "('%g' %.10g, 0, '%g' %.10g)\n", -step, -step,
-                     step, step);
+    const double line = 0.95;
+    if (2.0 * step * ems_of_one < line)
+        thud_text_append(out, "(0)\n");
+    else
+        thud_text_append(
+            out, step * ems_of_one < line ? "('%g' %.10g, '' 0, '%g' %.10g)\n" : "('%g' %.10g, 0, '%g' %.10g)\n", -step,
+            -step, step, step);
 }
 
 /* The title of a strip stands inside, in its upper left corner: what share of the height it takes, and whether a curve
