@@ -44,15 +44,16 @@ static int caution_failures(struct site *site)
     return used > 0;
 }
 
-/* The largest drift of a building's elastic storeys over their height, and that storey (from 1). */
-static double drift_ratio(const struct site *site, const struct site_case *one, int s, int *storey)
+double thud_site_drift_ratio(const struct site *site, const struct thud_result *result, int s, bool elastic,
+                             int *storey)
 {
     const struct thud_structure *p = &site->scene->structure[s];
-    int base = p->kind == THUD_ISOLATED; /* the slab's storey is the isolator */
+    const struct thud_structure_result *r = &result->structure[s];
+    const int base = p->kind == THUD_ISOLATED; /* the slab's storey is the isolators */
     double most = 0;
-    for (int i = base; thud_site_is_building(site, s) && i < one->result->structure[s].floors; i++) {
-        const struct thud_structure_result *r = &one->result->structure[s];
-        double ratio = r->storey && r->storey[i].yields ? 0 : r->floor[i].drift.value / p->height_m[i - base];
+    for (int i = base; thud_site_is_building(site, s) && i < r->floors; i++) {
+        const bool left_out = elastic && r->storey && r->storey[i].yields;
+        const double ratio = left_out ? 0 : r->floor[i].drift.value / p->height_m[i - base];
         if (ratio > most) {
             most = ratio;
             *storey = i + 1 - base;
@@ -69,7 +70,7 @@ static int caution_drifts(struct site *site)
         size_t used = 0;
         for (int i = 0; i < site->ncases; i++) {
             int storey = 0;
-            double ratio = drift_ratio(site, &site->cases[i], s, &storey);
+            double ratio = thud_site_drift_ratio(site, site->cases[i].result, s, true, &storey);
             if (ratio > drift_limit)
                 used += (size_t)snprintf(said + used, sizeof said - used, "%s%.2f %% %s (storey %d)", used ? ", " : "",
                                          100 * ratio, site->cases[i].words, storey);

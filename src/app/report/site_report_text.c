@@ -7,6 +7,7 @@
 
 #include "app/report/site_report_private.h"
 #include "app/run/figure_files.h"
+#include "app/run/run_cases.h"
 #include "app/run/summary_line.h"
 #include "base/version.h"
 #include "ground/identity.h"
@@ -23,17 +24,6 @@
 static const double same_within = 0.02;
 
 /* ---- the result ---- */
-
-int thud_site_impacts(const struct thud_result *r, int *levels)
-{
-    int n = 0;
-    *levels = 0;
-    for (int c = 0; c < r->ncontacts; c++) {
-        n += r->contact[c].impacts;
-        *levels += r->contact[c].impacts > 0;
-    }
-    return n;
-}
 
 int thud_site_storeys(const struct site *site, int *past)
 {
@@ -255,8 +245,8 @@ static void say_results(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct site_case *free_case = &site->cases[SITE_FREE], *none = &site->cases[SITE_NONE];
-    int levels;
-    bool pounds = thud_site_impacts(none->result, &levels) > 0;
+    int impacts;
+    bool pounds = thud_contact_hardest(none->result, &impacts) != NULL;
     for (int s = 0; pounds && s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;

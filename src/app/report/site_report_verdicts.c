@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "app/run/run_cases.h"
 #include "app/run/summary_line.h"
 #include "core/laws/law.h"
 #include "core/methods/method.h"
@@ -86,11 +87,11 @@ static void gap_rows(struct site *site, int i)
 
 static void pounding_row(struct site *site, const struct site_case *one)
 {
-    const struct thud_contact_result *most = thud_site_strongest(one->result);
     char what[64], text[400], between[320];
-    int levels, n = thud_site_impacts(one->result, &levels);
+    int n;
+    const struct thud_contact_result *most = thud_contact_hardest(one->result, &n);
     snprintf(what, sizeof what, "pounding %s", one->words);
-    if (n == 0 || !most) {
+    if (!most || !(most->force.value > 0)) {
         snprintf(text, sizeof text, n == 0 ? "none" : "%d impacts, by a law without force", n);
     } else {
         thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between,
@@ -104,14 +105,14 @@ static void pounding_row(struct site *site, const struct site_case *one)
 static void bumper_row(struct site *site)
 {
     enum { LOWER, SAME, HIGHER };
-    int a[3], d[3], levels;
+    int a[3], d[3], impacts;
     char text[300];
     if (site->ncases <= SITE_BUMPER) {
         row(site, "bumper of use", "there is none");
         return;
     }
-    if (thud_site_impacts(site->cases[SITE_NONE].result, &levels) == 0) {
-        bool in_contact = thud_site_impacts(site->cases[SITE_BUMPER].result, &levels) > 0;
+    if (!thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
+        bool in_contact = thud_contact_hardest(site->cases[SITE_BUMPER].result, &impacts) != NULL;
         row(site, "bumper of use",
             in_contact ? "no: there is no contact without it, and it is struck" : "no: there is no contact without it");
         return;
@@ -154,20 +155,17 @@ static void governing_rows(struct site *site)
     int at[2] = {0, 0}, under[2] = {0, 0};
     char text[300], name[64];
     for (int s = 0; s < r->nstructures; s++) {
-        const struct thud_structure *p = &site->scene->structure[s];
-        const int slab = p->kind == THUD_ISOLATED;
-        for (int f = 0; p->kind != THUD_WALL && f < r->structure[s].floors; f++) {
-            const struct thud_floor_result *floor = &r->structure[s].floor[f];
-            if (floor->acceleration.value > most) {
-                most = floor->acceleration.value;
+        int storey = 0;
+        const double ratio = thud_site_drift_ratio(site, r, s, false, &storey);
+        if (ratio > drift) {
+            drift = ratio;
+            under[0] = s, under[1] = storey;
+        }
+        for (int f = 0; site->scene->structure[s].kind != THUD_WALL && f < r->structure[s].floors; f++)
+            if (r->structure[s].floor[f].acceleration.value > most) {
+                most = r->structure[s].floor[f].acceleration.value;
                 at[0] = s, at[1] = f;
             }
-            double ratio = thud_site_is_building(site, s) && f >= slab ? floor->drift.value / p->height_m[f - slab] : 0;
-            if (ratio > drift) {
-                drift = ratio;
-                under[0] = s, under[1] = f;
-            }
-        }
     }
     if (most > 0) {
         char floor[THUD_NAME_MAX + 32];
@@ -177,14 +175,13 @@ static void governing_rows(struct site *site)
     }
     if (drift > 0) {
         const struct thud_structure_result *b = &r->structure[under[0]];
-        const int slab = site->scene->structure[under[0]].kind == THUD_ISOLATED;
-        const bool yields = b->storey && b->storey[under[1]].yields;
+        const int f = under[1] - (site->scene->structure[under[0]].kind != THUD_ISOLATED); /* its storey, from 0 */
         int n = snprintf(text, sizeof text, "%s mm, %s %% of the height, storey %d of %s",
-                         thud_site_number(1e3 * b->floor[under[1]].drift.value, 3).text,
-                         thud_site_number(100 * drift, 2).text, under[1] + 1 - slab, thud_site_name(site, under[0]));
-        if (yields)
+                         thud_site_number(1e3 * b->floor[f].drift.value, 3).text, thud_site_number(100 * drift, 2).text,
+                         under[1], thud_site_name(site, under[0]));
+        if (b->storey && b->storey[f].yields)
             snprintf(text + n, sizeof text - (size_t)n, "; ductility %s",
-                     thud_site_number(b->storey[under[1]].ductility, 3).text);
+                     thud_site_number(b->storey[f].ductility, 3).text);
         row(site, own_words(site, "largest drift", name, sizeof name), text);
     }
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "app/run/run_cases.h"
 #include "ground/identity.h"
 
 /* Picture width and letters, px: 190 mm on paper gives letters of 9 pt. */
@@ -25,11 +26,9 @@ bool thud_site_is_building(const struct site *site, int structure)
 
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *r)
 {
-    const struct thud_contact_result *most = NULL;
-    for (int c = 0; c < r->ncontacts; c++)
-        if (r->contact[c].force.value > 0 && (!most || r->contact[c].force.value > most->force.value))
-            most = &r->contact[c];
-    return most;
+    int impacts;
+    const struct thud_contact_result *most = thud_contact_hardest(r, &impacts);
+    return most && most->force.value > 0 ? most : NULL;
 }
 
 const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size)

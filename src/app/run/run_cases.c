@@ -197,13 +197,14 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     }
 }
 
-static const struct thud_contact_result *hardest(const struct thud_result *r, int *impacts)
+const struct thud_contact_result *thud_contact_hardest(const struct thud_result *r, int *impacts)
 {
     const struct thud_contact_result *most = NULL;
     *impacts = 0;
     for (int c = 0; c < r->ncontacts; c++) {
         *impacts += r->contact[c].impacts;
-        if (r->contact[c].impacts > 0 && (!most || r->contact[c].force.value > most->force.value))
+        if ((r->contact[c].impacts > 0 || r->contact[c].force.value > 0) &&
+            (!most || r->contact[c].force.value > most->force.value))
             most = &r->contact[c];
     }
     return most;
@@ -222,7 +223,7 @@ static void put_struck(const struct thud_structure *left, int left_floor, int ri
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
     int impacts, before;
-    const struct thud_contact_result *most = hardest(result_of(cases, i), &impacts);
+    const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), &impacts);
     const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
                       : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
                       : cases->item[i].which == THUD_CASE_LINK   ? "With the links"
@@ -246,7 +247,8 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
         thud_text_append(out, ", %.3f s", most->force.time_s);
     }
     int none = without(cases);
-    const struct thud_contact_result *bare = none && none != i ? hardest(result_of(cases, none), &before) : NULL;
+    const struct thud_contact_result *bare =
+        none && none != i ? thud_contact_hardest(result_of(cases, none), &before) : NULL;
     if (bare && bare->force.value > 0)
         thud_text_append(out, " (%+.0f %% of the force without)",
                          thud_shown(100 * (most->force.value / bare->force.value - 1), 0));
