@@ -89,7 +89,7 @@ static void add_note(const struct thud_cost *cost, struct thud_panel *panel, enu
                  thud_cost_axis_info(thud_cost_axis(cost))->name, fit.b);
     else
         snprintf(text, sizeof text, "%.3g%s and %.3g%s more for each impact", time ? 1e3 * fit.a : fit.a,
-                 time ? " ms" : "", time ? 1e6 * fit.b : fit.b, time ? " us" : "");
+                 time ? " ms" : "", time ? 1e6 * fit.b : fit.b, time ? " µs" : "");
     thud_panel_note(panel, text);
 }
 
@@ -109,7 +109,9 @@ struct thud_figure *thud_cost_figure(struct thud_cost *cost, const char *title)
                                   : "Steps and force evaluations",
                         k ? "" : "ms");
         add_series(cost, panel, k ? THUD_COST_STEPS : THUD_COST_TIME, k ? 2 : 0);
-        if (!impacts) {
+        if (impacts)
+            thud_panel_results_on_x(panel);
+        else {
             thud_panel_log(panel, THUD_X);
             thud_panel_log(panel, THUD_Y);
             add_series(cost, panel, k ? THUD_COST_FORCES : THUD_COST_SETUP, k ? 3 : 1);

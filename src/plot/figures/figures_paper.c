@@ -141,11 +141,12 @@ enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error 
     return finish(figure, status, out, err);
 }
 
+/* Told apart in grey too. */
 static void rectangle(struct thud_panel *panel, const char *name, int color, double left, double right, double bottom,
                       double top)
 {
     const double x[] = {left, right}, low[] = {bottom, bottom}, high[] = {top, top};
-    thud_panel_fill(panel, (struct thud_style){.color = color}, name, 2, x, low, high);
+    thud_panel_fill(panel, (struct thud_style){.color = color, .wide = color >= 0}, name, 2, x, low, high);
 }
 
 /* The two buildings of the paper, with bumpers. */
@@ -201,7 +202,8 @@ enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error 
             rectangle(panel, "concrete", THUD_COLOR_GREY, -cavity[p], 0.0, 7.0, 10.0);
         }
         rectangle(panel, "rubber that can be compressed, 4 cm", 2, 1.0 - cavity[p], thickness - cavity[p], 3.0, 7.0);
-        rectangle(panel, "rubber that cannot be compressed, 1 cm", 1, -cavity[p], 1.0 - cavity[p], 3.0, 7.0);
+        rectangle(panel, "rubber that cannot be compressed, 1 cm", THUD_COLORS - 1, -cavity[p], 1.0 - cavity[p], 3.0,
+                  7.0);
         rectangle(panel, "concrete", THUD_COLOR_GREY, gap, 14.0, 0.0, 10.0);
     }
     thud_figure_note(figure,

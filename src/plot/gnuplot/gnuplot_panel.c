@@ -379,10 +379,10 @@ static bool has_line_right(const struct thud_panel *panel)
     return false;
 }
 
-static void marks(const struct sheet *sheet, const struct thud_panel *panel)
+static void marks(const struct sheet *sheet, const struct thud_panel *panel, const struct box *box)
 {
     struct thud_text *out = sheet->out;
-    const bool left = has_line_right(panel);
+    const bool left = has_line_right(panel), low = box->top - box->bottom < 8.0 * sheet->em;
     for (int i = 0; i < panel->nmarks; i++) {
         const struct thud_mark *mark = &panel->mark[i];
         struct thud_range range = thud_panel_range(panel, mark->side);
@@ -404,13 +404,14 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel)
             thud_text_append(out, " nohead %s lw 1.4 lc rgb '#404040'\n", panel->map ? "front" : "back");
         else
             thud_text_append(out, " back fs solid 1.0 noborder fc rgb '#E8F1F7'\n");
-        if (!*mark->text)
+        if (!*mark->text || (low && mark->from != mark->to)) /* words of a band would lie on its curves */
             continue;
         thud_text_append(out, "set label %d ", 100 + i);
         thud_gnuplot_quote(out, mark->text, 0.0, sheet->em);
         if (across)
-            thud_text_append(out, " at first %.9g, graph 0.97 %s", from,
-                             2.0 * from > range.least + range.most ? "right offset -0.4,0" : "left offset 0.4,0");
+            thud_text_append(out, " at first %.9g, graph 1 %s", from,
+                             2.0 * from > range.least + range.most ? "right offset -0.4,-0.65"
+                                                                   : "left offset 0.4,-0.65");
         else
             thud_text_append(out, " at graph %s, first %.9g %s offset 0,%s", left ? "0.015" : "0.985", from,
                              left ? "left" : "right", mark->from == mark->to ? "0.5" : "0.7");
@@ -545,7 +546,7 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     }
     if (panel->map)
         map_colors(sheet, panel->map, number_of + 1, &box);
-    marks(sheet, panel);
+    marks(sheet, panel, &box);
     labels(sheet, panel);
     plots(sheet, number_of);
 }
