@@ -11,59 +11,43 @@
 
 /* ---- method ---- */
 
-static bool yields(const struct site *site)
-{
-    return thud_site_storeys(site, NULL) > 0;
-}
-static bool has_columns(const struct site *site)
-{
-    return site->own->result->ncolumns > 0;
-}
-static bool has_p_delta(const struct site *site)
-{
-    return site->scene->p_delta;
-}
-static bool has_links(const struct site *site)
-{
-    return site->scene->nlinks > 0;
-}
-static bool has_suite(const struct site *site)
-{
-    return site->suite.runs != NULL;
-}
-static bool has_motion(const struct site *site)
-{
-    return site->record && !has_suite(site);
-}
-static bool has_samples(const struct site *site)
-{
-    return site->uncertainty != NULL;
-}
-static bool rests_on_springs(const struct thud_structure *p)
-{
-    return p->kind == THUD_ISOLATED && !thud_isolator_slides(p);
-}
-static bool guessed(const struct thud_structure *p)
-{
-    return p->kind == THUD_ESTIMATED;
-}
-
-/* A sentence or two that stand where they hold: for the scene, or for any of its structures; always where neither is
- * asked, `NOT`: where it does not. */
-struct phrase {
-    const char *text;
-    bool (*when)(const struct site *site);
-    bool (*of)(const struct thud_structure *structure);
-    enum { IS, NOT } unless;
+/* What a scene has, and what was computed. */
+enum {
+    YIELDS = 1 << 0,
+    COLUMNS = 1 << 1,
+    P_DELTA = 1 << 2,
+    LINKS = 1 << 3,
+    SUITE = 1 << 4,
+    MOTION = 1 << 5,
+    SAMPLES = 1 << 6,
+    SPRINGS = 1 << 7, /* under an isolated building */
+    SLIDES = 1 << 8,  /* its isolators */
+    WALL = 1 << 9,    /* that gives */
+    BACKFILL = 1 << 10,
+    SOIL = 1 << 11,
+    ESTIMATED = 1 << 12
 };
 
-static bool holds(const struct site *site, const struct phrase *phrase)
+static unsigned facts_of(const struct site *site)
 {
-    bool found = phrase->when ? phrase->when(site) : !phrase->of;
-    for (int s = 0; phrase->of && s < site->scene->nstructures; s++)
-        found = found || phrase->of(&site->scene->structure[s]);
-    return found != (phrase->unless == NOT);
+    unsigned facts = (thud_site_storeys(site, NULL) > 0 ? YIELDS : 0) |
+                     (site->own->result->ncolumns > 0 ? COLUMNS : 0) | (site->scene->p_delta ? P_DELTA : 0) |
+                     (site->scene->nlinks > 0 ? LINKS : 0) | (site->suite.runs ? SUITE : 0) |
+                     (site->record ? MOTION : 0) | (site->uncertainty ? SAMPLES : 0);
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        const struct thud_structure *p = &site->scene->structure[s];
+        facts |= thud_isolator_slides(p) ? SLIDES : p->kind == THUD_ISOLATED ? SPRINGS : 0;
+        facts |= (thud_wall_gives(p) ? WALL : 0) | (thud_wall_has_backfill(p) ? BACKFILL : 0) |
+                 (thud_structure_on_soil(p) ? SOIL : 0) | (p->kind == THUD_ESTIMATED ? ESTIMATED : 0);
+    }
+    return facts;
 }
+
+/* A sentence or two that stand where the facts `when` hold and none of `unless`. */
+struct phrase {
+    const char *text;
+    unsigned when, unless;
+};
 
 static const struct phrase model[] = {
     {.text = "Each building is a column of masses m at its floors, joined by storeys of lateral stiffness k. Relative "
@@ -72,73 +56,71 @@ static const struct phrase model[] = {
              "Structures, 4th ed., 11.4)."},
     {.text = "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the "
              "drift d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift.",
-     .when = yields},
+     .when = YIELDS},
     {.text = "An isolated building stands on a base slab of its own mass; its isolators are one storey below the slab, "
              "with a stiffness k and a damping ratio z of their own: c = 2 z sqrt(k m), with the mass m of the whole "
              "building.",
-     .of = rests_on_springs},
+     .when = SPRINGS},
     {.text =
          "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - "
          "d_p| <= u_y, k = Q_d/u_y + K_d, r = K_d/k. Lead-rubber bearings have the strength Q_d, the stiffness K_d "
          "beyond yield and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have "
          "Q_d = mu W and K_d = W/R. Periods of such a building are those before its isolators yield or slide.",
-     .of = thud_isolator_slides},
+     .when = SLIDES},
     {.text = "A wall that gives is one mass on a spring and a dashpot against the ground; the periods of walls are "
              "those without the soil behind them.",
-     .of = thud_wall_gives},
+     .when = WALL},
     {.text = "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's "
              "displacement x into it, unloads by K_max from the largest x so far, and leaves a gap behind.",
-     .of = thud_wall_has_backfill},
+     .when = BACKFILL},
     {.text = "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by "
              "F = k d + c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a "
              "restrainer while -d does. Links stand in every case.",
-     .when = has_links},
+     .when = LINKS},
     {.text = "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and "
              "rocks by t: springs and dashpots act under it, given or of a rigid disk of radius a on an elastic "
              "half-space (K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. "
              "Gazetas, Formulas and charts for impedances of surface and embedded foundations, 1991). Displacements "
              "count from the free field; the drift of a storey is without the rocking, contacts see the whole motion, "
              "and the building's damping acts on its deformation.",
-     .of = thud_structure_on_soil},
+     .when = SOIL},
     {.text = "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN "
              "1998-1:2004, 4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates.",
-     .of = guessed},
+     .when = ESTIMATED},
     {.text = "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by a "
              "tenth of its height has collapsed.",
-     .when = has_p_delta},
+     .when = P_DELTA},
     {.text = "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
              "the approach velocity. The clearance is the gap less what the bumper stands out. Faces of slabs that "
              "overlap in elevation meet."},
     {.text = "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
              "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
              "place of the strike.",
-     .when = has_columns},
+     .when = COLUMNS},
 };
 
 static const struct phrase unmade[] = {
     {.text = "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors "
              "are under the one ground motion of the verdicts alone.",
-     .when = has_suite},
+     .when = SUITE},
     {.text = "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
              "suite of motions adds fractions and fractiles over several.",
-     .when = has_motion},
+     .when = MOTION,
+     .unless = SUITE},
     {.text = "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
              "same in every sample.",
-     .when = has_samples},
-    {.text = "Yielding: the storeys are elastic.", .when = yields, .unless = NOT},
-    {.text = "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength.", .when = yields},
-    {.text = "Uplift of isolators, heating, and friction that changes with speed or pressure.",
-     .of = thud_isolator_slides},
-    {.text = "Soil and foundations: the ground under the buildings is rigid.",
-     .of = thud_structure_on_soil,
-     .unless = NOT},
+     .when = SAMPLES},
+    {.text = "Yielding: the storeys are elastic.", .unless = YIELDS},
+    {.text = "Degradation and fracture: storeys are bilinear, without loss of stiffness or strength.", .when = YIELDS},
+    {.text = "Uplift of isolators, heating, and friction that changes with speed or pressure.", .when = SLIDES},
+    {.text = "Soil and foundations: the ground under the buildings is rigid.", .unless = SOIL},
     {.text = "Soil that yields, foundations that lift off, and waves between neighbouring foundations: the springs and "
              "dashpots are linear, and each building has its own.",
-     .of = thud_structure_on_soil},
+     .when = SOIL},
     {.text = "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, and "
              "different ground motions under the buildings."},
-    {.text = "Slabs striking columns: in this scene floors meet floors.", .when = has_columns, .unless = NOT},
-    {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = has_columns},
+    {.text = "Slabs striking columns: in this scene floors meet floors.", .unless = COLUMNS},
+    {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = COLUMNS},
     {.text = "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
              "Local damage at the contact is in neither."},
     {.text = "Resistance of members, foundations and non-structural parts, by any code."},
@@ -146,8 +128,9 @@ static const struct phrase unmade[] = {
 
 static void say(struct site *site, const struct phrase *phrase, size_t n, bool items)
 {
+    const unsigned facts = facts_of(site);
     for (size_t i = 0; i < n; i++)
-        if (holds(site, &phrase[i])) {
+        if ((facts & phrase[i].when) == phrase[i].when && !(facts & phrase[i].unless)) {
             if (items)
                 thud_document_item(&site->document, "%s", phrase[i].text);
             else
