@@ -50,42 +50,30 @@ static double largest_acceleration(const struct thud_structure_result *r)
 
 /* What is told of every floor in every case. What no floor has in any case is left out. */
 enum { FLOOR_ACCELERATION, FLOOR_DRIFT, FLOOR_DUCTILITY, FLOOR_PERMANENT };
-static double acceleration_of(const struct thud_structure_result *r, int floor)
+static double floor_value(const struct thud_structure_result *r, int floor, int table) /* SI; NaN: there is none */
 {
-    return r->floor[floor].acceleration.value;
-}
-static double drift_of(const struct thud_structure_result *r, int floor)
-{
-    return r->floor[floor].drift.value;
-}
-static double ductility_of(const struct thud_structure_result *r, int floor)
-{
-    return r->storey && r->storey[floor].yields ? r->storey[floor].ductility : NAN;
-}
-static double permanent_of(const struct thud_structure_result *r, int floor)
-{
-    return r->storey && r->storey[floor].yields ? fabs(r->storey[floor].permanent_m) : NAN;
+    const struct thud_storey_result *storey = r->storey && r->storey[floor].yields ? &r->storey[floor] : NULL;
+    const double value[] = {r->floor[floor].acceleration.value, r->floor[floor].drift.value,
+                            storey ? storey->ductility : NAN, storey ? fabs(storey->permanent_m) : NAN};
+    return value[table];
 }
 static const struct floor_table {
     const char *caption, *row; /* "Largest drift of the storeys of %s, mm", "storey" */
     double unit;
-    bool storeys;                                                      /* of buildings alone */
-    double (*value)(const struct thud_structure_result *r, int floor); /* SI; NaN: there is none */
+    bool storeys; /* of buildings alone */
 } floor_table[] = {
-    [FLOOR_ACCELERATION] = {"Largest acceleration of the floors of %s, g", "floor", THUD_GRAVITY, false,
-                            acceleration_of},
-    [FLOOR_DRIFT] = {"Largest drift of the storeys of %s, mm", "storey", 1e-3, true, drift_of},
-    [FLOOR_DUCTILITY] = {"Ductility of the storeys of %s (largest drift over yield drift)", "storey", 1, true,
-                         ductility_of},
-    [FLOOR_PERMANENT] = {"Drift that stays in the storeys of %s, mm", "storey", 1e-3, true, permanent_of},
+    [FLOOR_ACCELERATION] = {"Largest acceleration of the floors of %s, g", "floor", THUD_GRAVITY, false},
+    [FLOOR_DRIFT] = {"Largest drift of the storeys of %s, mm", "storey", 1e-3, true},
+    [FLOOR_DUCTILITY] = {"Ductility of the storeys of %s (largest drift over yield drift)", "storey", 1, true},
+    [FLOOR_PERMANENT] = {"Drift that stays in the storeys of %s, mm", "storey", 1e-3, true},
 };
 enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 
 /* With the bumper over without it; NaN where there is nothing to compare. */
 static double ratio_of(const struct site *site, int s, int floor, int table)
 {
-    double with = floor_table[table].value(&site->cases[SITE_BUMPER].result->structure[s], floor);
-    double without = floor_table[table].value(&site->cases[SITE_NONE].result->structure[s], floor);
+    double with = floor_value(&site->cases[SITE_BUMPER].result->structure[s], floor, table);
+    double without = floor_value(&site->cases[SITE_NONE].result->structure[s], floor, table);
     return without > 0 ? with / without : NAN;
 }
 
@@ -168,7 +156,7 @@ static double largest_of(const struct site_case *one, int s, int table)
     const struct thud_structure_result *r = &one->result->structure[s];
     double most = NAN;
     for (int f = 0; f < r->floors; f++)
-        most = fmax(most, floor_table[table].value(r, f)); /* a NaN gives way */
+        most = fmax(most, floor_value(r, f, table)); /* a NaN gives way */
     return most;
 }
 
@@ -274,20 +262,21 @@ static void say_results(struct site *site)
 
 /* ---- the cases ---- */
 
-static bool has_values(const struct site *site, int s, const struct floor_table *table)
+static bool has_values(const struct site *site, int s, int table)
 {
     for (int i = 0; i < site->ncases; i++)
         for (int f = 0; f < site->cases[i].result->structure[s].floors; f++)
-            if (!isnan(table->value(&site->cases[i].result->structure[s], f)))
+            if (!isnan(floor_value(&site->cases[i].result->structure[s], f, table)))
                 return true;
     return false;
 }
 
-static void add_case_table(struct site *site, int s, const struct floor_table *table)
+static void add_case_table(struct site *site, int s, int which)
 {
+    const struct floor_table *table = &floor_table[which];
     struct thud_document *d = &site->document;
     char caption[THUD_NAME_MAX + 96];
-    if ((table->storeys && !thud_site_is_building(site, s)) || !has_values(site, s, table))
+    if ((table->storeys && !thud_site_is_building(site, s)) || !has_values(site, s, which))
         return;
     snprintf(caption, sizeof caption, table->caption, thud_site_name(site, s));
     thud_document_table(d, caption);
@@ -308,7 +297,7 @@ static void add_case_table(struct site *site, int s, const struct floor_table *t
         else
             thud_document_cell(d, "%d", f + 1 - slab);
         for (int i = 0; i < site->ncases; i++) {
-            value[i] = table->value(&site->cases[i].result->structure[s], f);
+            value[i] = floor_value(&site->cases[i].result->structure[s], f, which);
             thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / table->unit, 3).text);
         }
         for (int i = 1; i < site->ncases; i++)
@@ -328,32 +317,25 @@ static void add_level_cell(struct site *site, int interface, int left, int right
 }
 
 /* What is told of every contact; a column that no contact has a value for is left out. */
-static double impacts_of(const struct thud_contact_result *r)
-{
-    return r->impacts;
-}
-static double force_of(const struct thud_contact_result *r)
-{
-    return r->force.value;
-}
-static double indentation_of(const struct thud_contact_result *r)
-{
-    return r->indentation.value;
-}
 static const struct contact_column {
     const char *name;
     double unit;
-    int digits;                                           /* significant ones; 0: a count */
-    double (*value)(const struct thud_contact_result *r); /* SI; NaN: there is none */
-} contact_column[] = {
-    {"impacts", 1, 0, impacts_of}, {"force MN", 1e6, 3, force_of}, {"compressed mm", 1e-3, 3, indentation_of}};
+    int digits; /* significant ones; 0: a count */
+} contact_column[] = {{"impacts", 1, 0}, {"force MN", 1e6, 3}, {"compressed mm", 1e-3, 3}};
 enum { CONTACT_COLUMNS = sizeof contact_column / sizeof *contact_column };
 
-static bool has_column(const struct site *site, const struct contact_column *column)
+/* In the unit of its column; NaN: there is none. */
+static double contact_value(const struct thud_contact_result *r, int column)
+{
+    const double value[CONTACT_COLUMNS] = {r->impacts, r->force.value, r->indentation.value};
+    return value[column] / contact_column[column].unit;
+}
+
+static bool has_column(const struct site *site, int column)
 {
     for (int i = SITE_NONE; i < site->ncases; i++)
         for (int c = 0; c < site->cases[i].result->ncontacts; c++)
-            if (!isnan(column->value(&site->cases[i].result->contact[c])))
+            if (!isnan(contact_value(&site->cases[i].result->contact[c], column)))
                 return true;
     return false;
 }
@@ -367,7 +349,7 @@ static void add_contact_table(struct site *site)
     thud_document_cell(d, "floors");
     for (int i = SITE_NONE; i < site->ncases; i++)
         for (int k = 0; k < CONTACT_COLUMNS; k++)
-            if (has_column(site, &contact_column[k]))
+            if (has_column(site, k))
                 thud_document_cell(d, "%s: %s", site->cases[i].name, contact_column[k].name);
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
@@ -375,10 +357,10 @@ static void add_contact_table(struct site *site)
         add_level_cell(site, p->interface, p->left_floor, p->right_floor, p->struck);
         for (int i = SITE_NONE; i < site->ncases; i++)
             for (int k = 0; k < CONTACT_COLUMNS; k++) {
-                const struct contact_column *column = &contact_column[k];
-                double value = column->value(&site->cases[i].result->contact[c]) / column->unit;
-                if (has_column(site, column))
-                    thud_document_cell(d, "%s", isnan(value) ? "-" : thud_site_number(value, column->digits).text);
+                double value = contact_value(&site->cases[i].result->contact[c], k);
+                if (has_column(site, k))
+                    thud_document_cell(d, "%s",
+                                       isnan(value) ? "-" : thud_site_number(value, contact_column[k].digits).text);
             }
         thud_document_row(d);
     }
@@ -463,7 +445,7 @@ static void results(struct site *site)
     for (int s = 0; s < site->scene->nstructures; s++)
         if (thud_site_is_building(site, s) || site->scene->structure[s].kind == THUD_RIGID) {
             for (int i = 0; i < FLOOR_TABLES; i++)
-                add_case_table(site, s, &floor_table[i]);
+                add_case_table(site, s, i);
         }
     add_contact_table(site);
     add_column_table(site);
