@@ -35,7 +35,7 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
                        const char *name, int color)
 {
     const struct thud_result *result = source->result;
-    struct thud_style style = {.kind = THUD_LINES, .color = color, .wide = true};
+    struct thud_style style = {.kind = THUD_LINES, .color = color};
     struct thud_series *series = thud_panel_add(panel, style, name, 5 * (size_t)result->ncolumns, NULL, NULL);
     size_t n = 0;
     for (int i = 0; series && i < result->ncolumns; i++) {

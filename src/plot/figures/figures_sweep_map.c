@@ -99,7 +99,8 @@ struct thud_figure *thud_figure_of_map(const struct thud_sweep_table *table, int
              free                      ? "Ratio to no pounding; red: pounding harms;"
              : which == THUD_CASE_LINK ? "Ratio to no link at the same gap; blue: the links help;"
                                        : "Ratio to no bumper at the same gap; blue: the bumper helps;",
-             line ? " line: ratio 1 where there is contact;" : "", " white: no change; empty: no result.");
+             line ? " line: ratio 1 where there is contact;" : "",
+             " dots: above 1.01; white: no change; empty: no result.");
     thud_figure_note(figure, text);
     thud_sweep_note_gap(figure, table, 2);
     return figure;

@@ -357,7 +357,7 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
     const double size = style.rank > 0                                              ? 0.4 + 0.6 * style.rank
                         : style.kind == THUD_LINES_POINTS || series->n > MARKS_MOST ? 1.0
                         : style.wide                                                ? 2.4 /* rings around others */
-                        : style.thin                                                ? 0.4
+                        : style.thin                                                ? 0.7
                                                                                     : 1.5;
     if (style.kind == THUD_POINTS || style.kind == THUD_LINES_POINTS)
         thud_text_append(sheet->out, "pt %d ps %.3g*DOT ", shape[mark % THUD_COLORS], size);
