@@ -28,6 +28,7 @@ new: it writes a preset
 figures report export: what they write is files, which --json lists; their tables are among them
 END
 takes --quiet run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new </dev/null
+takes --help run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new </dev/null
 takes -o run sweep gap fragility uncertainty suite record bench stability figures report export <<END
 solve verify stiffness building laws methods: one table, which standard output takes
 new: its operand is the file

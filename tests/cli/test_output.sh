@@ -180,7 +180,7 @@ quantities uncertainty towers --to 5s --samples 3 --quiet
 modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
     is "run: the floors of the CSV are those of the JSON" python3 tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
-    for folder in run sweep suite gap fragility uncertainty bench stability cost; do
+    for folder in run sweep suite gap fragility uncertainty bench stability cost figures; do
         is "$folder: every table reads as datapackage.json says, scenes are SI too" python3 tests/cli/read_tables.py "$tmp/$folder"
     done
     is "stability: CSV and JSON have one content" python3 tests/cli/same_rows.py "$tmp/stability/verdicts.csv" "$tmp/stability.json" verdicts

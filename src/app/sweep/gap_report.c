@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/summary_line.h"
 #include "io/file/json.h"
 #include "io/result/result_file.h"
 #include "io/result/study_rows.h"
@@ -178,8 +179,8 @@ static void put_ranges(const struct thud_gap_study *study, const struct thud_sce
         const bool both = left->kind == THUD_ESTIMATED && right->kind == THUD_ESTIMATED;
         if (isnan(x->most_m))
             continue;
-        thud_text_append(out, "\nNeeds %.3g to %.3g cm, depending on the period of ", 100 * x->least_m,
-                         100 * x->most_m);
+        thud_text_append(out, "\nNeeds %.1f to %.1f cm, depending on the period of ", thud_summary_gap_cm(x->least_m),
+                         thud_summary_gap_cm(x->most_m));
         if (left->kind == THUD_ESTIMATED)
             put_period(left, "", out);
         if (right->kind == THUD_ESTIMATED)
@@ -264,11 +265,11 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     if (status == THUD_OK && suite->nrecords > 1) {
         thud_text_append(out, "\n");
         put_suite(f, out);
-        thud_text_append(out, "\nA gap of %.2f cm is enough for %zu of the %d ground motions", 100 * f[0].median,
-                         f[0].half, suite->nrecords);
+        thud_text_append(out, "\nA gap of %.1f cm is enough for %zu of the %d ground motions",
+                         thud_summary_gap_cm(f[0].median), f[0].half, suite->nrecords);
         if (f[0].most84 < f[0].n && f[0].most84 > f[0].half)
-            thud_text_append(out, ", %.2f cm for %zu of them", 100 * f[0].p84, f[0].most84);
-        thud_text_append(out, f[0].half < f[0].n ? ",\n%.2f cm for all.\n" : ".\n", 100 * f[0].most);
+            thud_text_append(out, ", %.1f cm for %zu of them", thud_summary_gap_cm(f[0].p84), f[0].most84);
+        thud_text_append(out, f[0].half < f[0].n ? ",\n%.1f cm for all.\n" : ".\n", thud_summary_gap_cm(f[0].most));
     }
     put_ranges(study, scene, out);
     put_bumpers(scene, out);
