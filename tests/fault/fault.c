@@ -46,6 +46,14 @@ bool thud_fault_end(void)
     return fired;
 }
 
+static void (*before_open)(void), (*after_open)(void);
+
+void thud_fault_around_open(void (*before)(void), void (*after)(void))
+{
+    before_open = before;
+    after_open = after;
+}
+
 static bool fails(enum thud_fault kind, int error)
 {
     if (left == 0 || kind != armed || --left != 0)
@@ -152,7 +160,13 @@ int __wrap_open(const char *path, int flags, ...)
     va_end(args);
     if (fails((flags & O_ACCMODE) == O_RDONLY ? THUD_FAULT_READ : THUD_FAULT_WRITE, EACCES))
         return -1;
-    return __real_open(path, flags, mode);
+    const bool writing = (flags & O_ACCMODE) != O_RDONLY;
+    if (writing && before_open)
+        before_open();
+    const int fd = __real_open(path, flags, mode);
+    if (writing && after_open)
+        after_open();
+    return fd;
 }
 
 int __wrap_mkstemp(char *path)

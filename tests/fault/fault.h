@@ -15,6 +15,8 @@ enum thud_fault {
 /* From now on the n-th call (from 1) of the kind fails, once. Check is linked in and calls these functions too, so no
  * assertion may stand before thud_fault_end. */
 void thud_fault_arm(enum thud_fault kind, long n);
+/* From now on each file is opened for writing between these two calls; NULL: nothing is called. */
+void thud_fault_around_open(void (*before)(void), void (*after)(void));
 /* No call fails any more; whether the armed one came. */
 bool thud_fault_end(void);
 /* Blocks allocated through the shim and not freed. */

@@ -2,10 +2,13 @@
  * whole, nothing is left beside it, and the status says what happened. */
 #include <check.h>
 #include <dirent.h>
+#include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "fault.h"
@@ -179,6 +182,50 @@ START_TEST(what_the_dead_left_is_tidied)
 }
 END_TEST
 
+static atomic_bool opening;
+
+static void end(void)
+{
+    thud_file_drop_all();
+    _exit(0);
+}
+
+static void end_elsewhere(void) /* the first thread ends meanwhile */
+{
+    const struct timespec half = {.tv_nsec = 1000000};
+    opening = true;
+    nanosleep(&half, NULL);
+}
+
+static void *write_file(void *unused)
+{
+    (void)unused;
+    thud_file_write(path, after, sizeof after - 1, NULL);
+    pause();
+    return NULL;
+}
+
+/* A signal ends the program while a file is made: just behind that in the same thread, just before it in another one. */
+START_TEST(a_file_just_made_is_dropped_too)
+{
+    const bool other_thread = _i;
+    pid_t child = fork();
+    if (child == 0) {
+        pthread_t thread;
+        thud_fault_around_open(other_thread ? end_elsewhere : NULL, other_thread ? NULL : end);
+        if (other_thread && pthread_create(&thread, NULL, write_file, NULL) == 0)
+            while (!opening)
+                ;
+        if (other_thread)
+            end();
+        write_file(NULL);
+    }
+    ck_assert_int_gt(child, 0);
+    ck_assert_int_eq(waitpid(child, NULL, 0), child);
+    ck_assert_int_eq(files_in_folder(), 1);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -189,6 +236,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_read_that_fails_says_so_and_leaks_nothing);
     tcase_add_test(tcase, a_text_that_ran_out_of_memory_is_not_written);
     tcase_add_test(tcase, a_folder_that_cannot_be_made_is_named);
+    tcase_add_loop_test(tcase, a_file_just_made_is_dropped_too, 0, 2);
     tcase_add_test(tcase, what_the_dead_left_is_tidied);
     suite_add_tcase(suite, tcase);
     return suite;

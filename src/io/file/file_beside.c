@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "base/scan.h"
@@ -25,6 +26,8 @@ static struct {
     char path[PATH_ROOM];
 } part[PARTS_MAX];
 static pthread_mutex_t part_lock = PTHREAD_MUTEX_INITIALIZER;
+static int numbered;                   /* so many names have been given */
+static volatile sig_atomic_t dropping; /* from then on no file is begun */
 
 /* A file that thud_file_drop_all removes until it is forgotten. */
 static void note(const char *path)
@@ -48,11 +51,29 @@ static void forget(const char *path)
     pthread_mutex_unlock(&part_lock);
 }
 
-void thud_file_drop_all(void)
+static void unlink_all(void)
 {
     for (int i = 0; i < PARTS_MAX; i++)
         if (part[i].living)
             unlink(part[i].path);
+}
+
+/* Twice: another thread may be just about to make a file that it has put into the list. */
+void thud_file_drop_all(void)
+{
+    const struct timespec moment = {.tv_nsec = 2000000};
+    dropping = 1;
+    unlink_all();
+    nanosleep(&moment, NULL);
+    unlink_all();
+}
+
+static int next_number(void)
+{
+    pthread_mutex_lock(&part_lock);
+    const int number = numbered++;
+    pthread_mutex_unlock(&part_lock);
+    return number;
 }
 
 /* 0; EACCES or EAGAIN: another program holds it; another errno: locks are not known here. */
@@ -62,21 +83,28 @@ static int lock_file(int fd)
     return fcntl(fd, F_SETLK, &whole) == 0 ? 0 : errno;
 }
 
+/* Into the list before it is made, as a signal may come between. No two names of a process are the same, so that a file
+ * that is there is one that a dead process of the same number left. */
 int thud_file_open_beside(const char *path, char *name, size_t size)
 {
     for (int i = 0; i < 1000; i++) {
-        int n = snprintf(name, size, "%s.thud-%ld-%d.part", path, (long)getpid(), i);
+        int n = snprintf(name, size, "%s.thud-%ld-%d.part", path, (long)getpid(), next_number());
         if (n < 0 || (size_t)n >= size) {
             errno = ENAMETOOLONG;
             return -1;
         }
-        int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        note(name);
+        errno = EINTR;
+        int fd = dropping ? -1 : open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (fd >= 0) {
             (void)lock_file(fd);
-            note(name);
-        }
-        if (fd >= 0 || errno != EEXIST)
             return fd;
+        }
+        int why = errno;
+        forget(name);
+        errno = why;
+        if (why != EEXIST)
+            return -1;
     }
     return -1;
 }
