@@ -9,7 +9,8 @@
 
 extern const struct thud_schema thud_motion_info_schema, thud_motion_list_schema, thud_spectrum_schema,
     thud_spectrum_point_schema, thud_verified_schema, thud_check_schema, thud_fresh_schema, thud_published_schema,
-    thud_published_value_schema, thud_law_schema, thud_law_param_schema, thud_methods_schema;
+    thud_published_value_schema, thud_law_schema, thud_law_param_schema, thud_methods_schema,
+    thud_sampled_motion_schema, thud_series_schema;
 
 struct thud_motion_info_row {
     const char *file, *format, *note, *event, *station, *component, *sha256;

@@ -6,7 +6,7 @@
 
 extern const struct thud_schema thud_record_schema, thud_method_schema, thud_floor_schema, thud_storey_schema,
     thud_contact_schema, thud_column_schema, thud_link_schema, thud_impact_schema, thud_event_schema,
-    thud_energy_schema, thud_truncation_schema;
+    thud_energy_schema, thud_truncation_schema, thud_history_schema, thud_floor_spectrum_schema;
 
 /* Marks of rows that have more fields. */
 enum {

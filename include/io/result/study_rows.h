@@ -5,7 +5,8 @@
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
     thud_curve_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
-    thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema;
+    thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema, thud_suite_row_schema,
+    thud_median_schema, thud_drawn_schema;
 
 struct thud_gap_rule_row {
     int interface;

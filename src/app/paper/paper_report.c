@@ -5,6 +5,7 @@
 #include "app/run/summary_line.h"
 #include "base/version.h"
 #include "io/file/json.h"
+#include "io/file/schema.h"
 #include "io/result/scene_json.h"
 
 static const char *const difference[] = {
@@ -271,10 +272,9 @@ void thud_paper_study_json(const struct thud_paper_study *study, struct thud_tex
 {
     const struct thud_sweep_table *table = study->table;
     const struct thud_sweep_axis *axis = &table->axis[0];
-    thud_text_append(out, "{\n  \"preset\": ");
-    thud_json_string(out, study->scene->name);
-    thud_text_append(
-        out, ", \"version\": \"%s\",\n  \"cases\": [\"none\", \"bumper\", \"cavity\"],\n  \"vary\": ", THUD_VERSION);
+    thud_text_append(out, "{\n  ");
+    thud_json_head(out, study->scene->name);
+    thud_text_append(out, ",\n  \"cases\": [\"none\", \"bumper\", \"cavity\"],\n  \"vary\": ");
     thud_json_string(out, axis->key);
     thud_text_append(out, ",\n  \"values\": [");
     for (int i = 0; i < axis->n; i++) {

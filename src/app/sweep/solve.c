@@ -256,7 +256,9 @@ void thud_solve_csv(const struct thud_solve *solve, struct thud_text *out)
 void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
 {
     const struct thud_solve_try *answer = thud_solve_answer(solve);
-    thud_text_append(out, "{\"format\": 1, \"for\": ");
+    thud_text_append(out, "{");
+    thud_json_head(out, NULL);
+    thud_text_append(out, ", \"for\": ");
     thud_json_string(out, solve->criterion.text);
     thud_text_append(out, ", \"key\": ");
     thud_json_string(out, solve->key);

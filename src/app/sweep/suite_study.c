@@ -209,7 +209,9 @@ void thud_suite_motions_csv(const struct thud_suite_study *study, struct thud_te
 void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_text *out)
 {
     const struct thud_scaled_suite *s = &study->scaled;
-    thud_text_append(out, "{\"format\": 1, \"target\": ");
+    thud_text_append(out, "{");
+    thud_json_head(out, NULL);
+    thud_text_append(out, ", \"target\": ");
     thud_json_string(out, study->has_target ? study->target.text : "");
     thud_text_append(out, ", \"scale\": \"%s\", \"chosen\": %d, ", study->scaling.common ? "common" : "each",
                      s->chosen);

@@ -1,6 +1,7 @@
 #include "io/file/data_package.h"
 
 #include <errno.h>
+#include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,17 +43,36 @@ static const char *unit_of(const char *name)
     return NULL;
 }
 
-/* The column of that name in the tables of the file (first), or of any; NULL: none. *own: of the file's. */
+/* Whether a name is of the form of a pattern, in which words in capitals stand for others: NAME.FLOOR.velocity_mps. */
+static bool is_like(const char *pattern, const char *name)
+{
+    char glob[128];
+    size_t n = 0;
+    for (const char *c = pattern; *c && n + 1 < sizeof glob; c++) {
+        const bool any = *c >= 'A' && *c <= 'Z';
+        if (!any || n == 0 || glob[n - 1] != '*')
+            glob[n++] = any ? '*' : *c;
+    }
+    glob[n] = '\0';
+    return fnmatch(glob, name, 0) == 0;
+}
+
+/* The column of that name in the tables of the file, or of that form there, or in any table; NULL: none. *own: its kind
+ * is known. */
 static const struct thud_column *find(const struct thud_schema *(*schema)(int), const char *file, const char *name,
                                       bool *own)
 {
     const struct thud_schema *s;
-    for (int pass = 0; pass < 2; pass++)
+    for (int pass = 0; pass < 3; pass++)
         for (int i = 0; (s = schema(i)) != NULL; i++)
             for (int k = 0; k < s->n; k++) {
-                *own = strncmp(s->name, file, strlen(file)) == 0 && s->column[k].only != THUD_ONLY_MANUAL;
-                if ((*own || pass == 1) && strcmp(s->column[k].name, name) == 0)
-                    return &s->column[k];
+                const struct thud_column *column = &s->column[k];
+                const bool of_file =
+                    strncmp(s->name, file, strlen(file)) == 0 || strncmp(s->name, file, strlen(s->name)) == 0;
+                *own = of_file && column->only != THUD_ONLY_MANUAL;
+                if ((of_file || pass == 2) &&
+                    (pass == 1 ? is_like(column->name, name) : strcmp(column->name, name) == 0))
+                    return column;
             }
     return NULL;
 }

@@ -1,7 +1,22 @@
 #include "io/result/floor_spectra_file.h"
 
 #include "io/file/json.h"
-#include "io/file/schema.h"
+#include "io/result/result_rows.h"
+
+static const struct thud_column spectra[] = {
+    THUD_STANDS_FOR("structure", "Name of the structure."),
+    THUD_STANDS_FOR("floor", "Floor, from 1."),
+    THUD_STANDS_FOR("period_s", "Period of the oscillator, s."),
+    THUD_STANDS_FOR("no_pounding_mps2",
+                    "Its largest pseudo-acceleration, omega^2 times its largest displacement relative "
+                    "to the floor, without pounding, m/s2."),
+    THUD_STANDS_FOR("none_mps2", "Likewise without bumper."),
+    THUD_STANDS_FOR("bumper_mps2", "Likewise with the bumper of the scene; where there is one.")};
+const struct thud_schema thud_floor_spectrum_schema = THUD_SCHEMA(
+    "floor-spectra.csv",
+    "Written by\n.Cm run Fl -floor-spectra Fl o ,\nalso to standard output with\n.Fl -csv :\na row for each "
+    "structure, floor and period.\n",
+    spectra);
 
 void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_floor_spectra *s, struct thud_text *out)
 {

@@ -263,3 +263,18 @@ void thud_methods_put(bool json, struct thud_text *out)
     }
     thud_list_end(&list);
 }
+
+static const struct thud_column samples[] = {THUD_STANDS_FOR("time_s", "Time, s."),
+                                             THUD_STANDS_FOR("acceleration_mps2", "Acceleration of the ground, m/s2.")};
+const struct thud_schema thud_sampled_motion_schema =
+    THUD_SCHEMA("record convert", "CSV under comments with what was done.\n", samples);
+
+static const struct thud_column of_figures[] = {
+    THUD_STANDS_FOR("panel", "The panel that a row belongs to."), THUD_STANDS_FOR("series", "Its series there."),
+    THUD_STANDS_FOR("kind", "line, points, steps, bars, band (between two columns) or map.")};
+const struct thud_schema thud_series_schema =
+    THUD_SCHEMA("FIGURE.csv",
+                "Beside every figure whose data stand in no other file.\nBehind these one column for each variable, "
+                "headed by the axis and its unit; empty\nwhere a panel has no such variable.\nNumbers have 15 "
+                "digits.\n",
+                of_figures);

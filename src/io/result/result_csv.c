@@ -1,5 +1,7 @@
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "io/result/result_rows.h"
 
@@ -30,90 +32,137 @@ void thud_result_csv(const struct thud_report *report, int n, struct thud_text *
     }
 }
 
-/* Column name such as A.3.displacement_m. */
+static const struct thud_column history[] = {
+    THUD_STANDS_FOR("time_s", "Time, s."),
+    THUD_STANDS_FOR("ground_mps2", "Acceleration of the ground, m/s2."),
+    THUD_STANDS_FOR("NAME.FLOOR.displacement_m", "Of a floor of the structure NAME, relative to the ground, m."),
+    THUD_STANDS_FOR("NAME.FLOOR.velocity_mps", "Relative to the ground, m/s."),
+    THUD_STANDS_FOR("NAME.FLOOR.acceleration_mps2", "Total acceleration, m/s2."),
+    THUD_STANDS_FOR("contact.I.L-R.force_n",
+                    "Of the contact in interface I between floor L on its left and R on its right, N."),
+    THUD_STANDS_FOR("contact.I.L-R.indentation_m", "How far the sides have come into each other, m."),
+    THUD_STANDS_FOR("energy.input_j", "Work of the ground so far, J."),
+    THUD_STANDS_FOR("energy.kinetic_j", "Kinetic energy, J."),
+    THUD_STANDS_FOR("energy.strain_j", "Strain energy of the structures, J."),
+    THUD_STANDS_FOR("energy.viscous_j", "Dissipated by the structures' damping, J."),
+    THUD_STANDS_FOR("energy.contact_j", "Taken by the contacts, J."),
+    THUD_STANDS_FOR("energy.hysteretic_j", "Lost in storeys that yield and links that slip, J; where there are any."),
+    THUD_STANDS_FOR("NAME.storey.FLOOR.drift_m", "Of a storey that yields, the one below the floor, m."),
+    THUD_STANDS_FOR("NAME.storey.FLOOR.shear_n", "Its shear, N."),
+    THUD_STANDS_FOR("NAME.storey.FLOOR.plastic_m", "Its plastic drift d_p, m."),
+    THUD_STANDS_FOR("column.I.NAME.F.shear_lower_n", "Where slabs strike columns: shear at the lower end of those "
+                                                     "below floor F of the structure NAME, I being the interface, N."),
+    THUD_STANDS_FOR("column.I.NAME.F.shear_upper_n", "At their upper end, N."),
+    THUD_STANDS_FOR("link.L.force_n", "Force of link L, N; > 0: it pushes its ends apart."),
+    THUD_STANDS_FOR("link.L.stroke_m", "By how much its ends have come closer, m."),
+    THUD_STANDS_FOR("energy.gravity_j",
+                    "Work of the weight on drifting storeys, J; with P-Delta, as the last column.")};
+const struct thud_schema thud_history_schema =
+    THUD_SCHEMA("histories.csv",
+                "Written by\n.Cm run Fl o :\na row at every instant that is kept, with two rows where something "
+                "jumps.\nFLOOR counts "
+                "from 1 and from below; for a building on soil it also is\n.Va foundation ,\nits sway, and\n.Va "
+                "rocking ,\nwhat its "
+                "rotation makes at the roof.\n",
+                history);
+
+static void add_name(struct thud_text *out, const char *format, ...) THUD_PRINTF(2, 3);
+static void add_name(struct thud_text *out, const char *format, ...)
+{
+    char name[2 * THUD_NAME_MAX + 64];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(name, sizeof name, format, values);
+    va_end(values);
+    thud_text_append(out, ",");
+    thud_text_csv(out, name);
+}
+
 static void add_floor_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
-    for (int s = 0; s < report->result->nstructures; s++)
-        for (int i = 0; i < report->result->structure[s].floors; i++) {
-            char name[THUD_NAME_MAX + 64];
-            snprintf(name, sizeof name, "%s.%d.%s", report->scene->structure[s].name, i + 1, quantity);
-            thud_text_append(out, ",");
-            thud_text_csv(out, name);
-            if (i + 1 < report->result->structure[s].floors || !report->result->structure[s].foundation)
-                continue;
-            for (int row = 0; row < 2; row++) {
-                snprintf(name, sizeof name, "%s.%s.%s", report->scene->structure[s].name,
-                         row == 0 ? "foundation" : "rocking", quantity);
-                thud_text_append(out, ",");
-                thud_text_csv(out, name);
-            }
+    for (int s = 0; s < report->result->nstructures; s++) {
+        const char *name = report->scene->structure[s].name;
+        for (int i = 0; i < report->result->structure[s].floors; i++)
+            add_name(out, "%s.%d%s", name, i + 1, quantity);
+        if (report->result->structure[s].foundation) {
+            add_name(out, "%s.foundation%s", name, quantity);
+            add_name(out, "%s.rocking%s", name, quantity);
         }
+    }
 }
 
 static void add_contact_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
     for (int c = 0; c < report->result->ncontacts; c++) {
         const struct thud_contact_result *r = &report->result->contact[c];
-        thud_text_append(out, ",contact.%d.%d-%d.%s", r->interface, r->left_floor, r->right_floor, quantity);
+        add_name(out, "contact.%d.%d-%d%s", r->interface, r->left_floor, r->right_floor, quantity);
     }
 }
 
-/* column.1.B.3.shear_lower_n: of the columns below floor 3 of B that slabs strike at interface 1. */
-static void add_struck_columns(const struct thud_report *report, struct thud_text *out)
+/* Lower and upper shear of a column stand beside each other. */
+static void add_struck_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
-    static const char *const quantity[] = {"shear_lower_n", "shear_upper_n"};
-    for (int i = 0; i < report->result->ncolumns; i++)
-        for (int q = 0; q < 2; q++) {
-            const struct thud_column_result *c = &report->result->column[i];
-            char name[THUD_NAME_MAX + 64];
-            snprintf(name, sizeof name, "column.%d.%s.%d.%s", c->interface, report->scene->structure[c->structure].name,
-                     c->storey, quantity[q]);
-            thud_text_append(out, ",");
-            thud_text_csv(out, name);
-        }
+    for (int i = 0; i < report->result->ncolumns && strcmp(quantity, ".shear_lower_n") == 0; i++) {
+        const struct thud_column_result *c = &report->result->column[i];
+        const char *name = report->scene->structure[c->structure].name;
+        add_name(out, "column.%d.%s.%d.shear_lower_n", c->interface, name, c->storey);
+        add_name(out, "column.%d.%s.%d.shear_upper_n", c->interface, name, c->storey);
+    }
 }
 
-/* link.1.force_n: of the first link. */
 static void add_link_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
     for (int i = 0; i < report->result->nlinks; i++)
-        thud_text_append(out, ",link.%d.%s", i + 1, quantity);
+        add_name(out, "link.%d%s", i + 1, quantity);
 }
 
-/* Of the storeys that yield: column name such as A.storey.3.shear_n. */
+/* Of the storeys that yield. */
 static void add_storey_columns(const struct thud_report *report, const char *quantity, struct thud_text *out)
 {
     for (int s = 0; s < report->result->nstructures; s++)
         for (int i = 0; i < report->result->structure[s].floors; i++) {
             const struct thud_storey_result *storey = report->result->structure[s].storey;
-            char name[THUD_NAME_MAX + 64];
-            if (!storey || !storey[i].yields)
-                continue;
-            snprintf(name, sizeof name, "%s.storey.%d.%s", report->scene->structure[s].name, i + 1, quantity);
-            thud_text_append(out, ",");
-            thud_text_csv(out, name);
+            if (storey && storey[i].yields)
+                add_name(out, "%s.storey.%d%s", report->scene->structure[s].name, i + 1, quantity);
         }
+}
+
+static void add_plain_column(const struct thud_report *report, const char *name, struct thud_text *out)
+{
+    const struct thud_history *h = report->history;
+    if ((strcmp(name, "energy.hysteretic_j") != 0 || h->loses) && (strcmp(name, "energy.gravity_j") != 0 || h->weighs))
+        add_name(out, "%s", name);
+}
+
+static void add_heading(const struct thud_report *report, struct thud_text *out)
+{
+    static const struct {
+        const char *begin;
+        void (*add)(const struct thud_report *report, const char *quantity, struct thud_text *out);
+    } kinds[] = {{"NAME.storey.", add_storey_columns},
+                 {"NAME.", add_floor_columns},
+                 {"contact.", add_contact_columns},
+                 {"column.", add_struck_columns},
+                 {"link.", add_link_columns}};
+    enum { KINDS = sizeof kinds / sizeof *kinds };
+    thud_text_append(out, "%s", history[0].name);
+    for (int i = 1; i < thud_history_schema.n; i++) {
+        const char *name = history[i].name;
+        int k = 0;
+        while (k < KINDS && strncmp(name, kinds[k].begin, strlen(kinds[k].begin)) != 0)
+            k++;
+        if (k < KINDS)
+            kinds[k].add(report, strrchr(name, '.'), out);
+        else
+            add_plain_column(report, name, out);
+    }
+    thud_text_append(out, "\n");
 }
 
 void thud_history_csv(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_history *h = report->history;
-    thud_text_append(out, "time_s,ground_mps2");
-    add_floor_columns(report, "displacement_m", out);
-    add_floor_columns(report, "velocity_mps", out);
-    add_floor_columns(report, "acceleration_mps2", out);
-    add_contact_columns(report, "force_n", out);
-    add_contact_columns(report, "indentation_m", out);
-    thud_text_append(out, ",energy.input_j,energy.kinetic_j,energy.strain_j,energy.viscous_j,energy.contact_j");
-    if (h->loses)
-        thud_text_append(out, ",energy.hysteretic_j");
-    add_storey_columns(report, "drift_m", out);
-    add_storey_columns(report, "shear_n", out);
-    add_storey_columns(report, "plastic_m", out);
-    add_struck_columns(report, out);
-    add_link_columns(report, "force_n", out);
-    add_link_columns(report, "stroke_m", out);
-    thud_text_append(out, "%s\n", h->weighs ? ",energy.gravity_j" : "");
+    add_heading(report, out);
     for (size_t i = 0; i < h->rows; i++) {
         thud_text_number(out, h->time_s[i]);
         for (int k = 0; k < h->columns; k++)

@@ -221,3 +221,60 @@ const struct thud_schema thud_index_schema =
                 "Written by\n.Cm uncertainty Fl -indices Fl o :\nthe runs that the indices rest on, a row for each run "
                 "and\nquantity, so that anybody can compute them again, as thud(1) says.\n",
                 of_designs);
+
+/* What is written by column and not from rows: named for the manual and the description of tables. */
+static const struct thud_column of_suite[] = {
+    THUD_STANDS_FOR("case", "Case."),
+    THUD_STANDS_FOR("structure", "Name of the structure."),
+    THUD_STANDS_FOR("motions", "Ground motions with a result."),
+    THUD_STANDS_FOR("pounding", "How many of them make contact."),
+    THUD_STANDS_FOR("amplified", "How many of them give an acceleration ratio above 1."),
+    THUD_STANDS_FOR("MEASURE_p16", "16 % of the motions are below; empty: fewer than three independent motions."),
+    THUD_STANDS_FOR("MEASURE_median", "Half of them are."),
+    THUD_STANDS_FOR("MEASURE_p84", "84 % of them are."),
+    THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit.")};
+const struct thud_schema thud_suite_row_schema = THUD_SCHEMA(
+    "suite.csv",
+    "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: a row for each setting, "
+    "case and structure.\n.Va KEY\nstands for every varied key, in SI units and with its unit, behind the case, "
+    "and\n.Va MEASURE\nfor\n.Va force_n\n(the largest of all contacts),\n.Va acceleration_mps2 ,\n.Va "
+    "drift_m\nand\n.Va drift_angle\n(the largest of the structure) and\n.Va acceleration_ratio\nand\n.Va "
+    "drift_ratio\n(of the means over its floors, over those of case none), where storeys yield\n.Va "
+    "ductility\nand\n.Va "
+    "permanent_m\n(the largest of the structure, and of the sizes of its permanent drifts), and\nwhere a capacity of "
+    "columns is given\n.Va shear_over_capacity\n(the largest of the structure's columns that slabs strike).\nThe "
+    "fractiles are those of the logarithms where every value is positive.\n",
+    of_suite);
+
+static const struct thud_column medians[] = {
+    THUD_STANDS_FOR("fit",
+                    "curve: a lognormal curve; separated: the counts go from none to all, so the likelihood has no "
+                    "maximum; rejected: its deviance rejects a curve at 5 %, or it goes the other way than it "
+                    "must; counted: the event need not be monotone in the key, none is tried; never, always: "
+                    "under no motion or under all; none: fewer than two values."),
+    THUD_STANDS_FOR("thetaUNIT", "Median; empty: no curve, or it lies outside the values."),
+    THUD_STANDS_FOR("theta_lowUNIT", "Lower end of its bootstrapped 90 % band; empty: none, or outside the values."),
+    THUD_STANDS_FOR("theta_highUNIT", "Its upper end."),
+    THUD_STANDS_FOR("median_aboveUNIT", "Without theta: the median lies above this; empty: not known."),
+    THUD_STANDS_FOR("median_belowUNIT", "And below this."),
+    THUD_STANDS_FOR("exact_p16UNIT",
+                    "Of pounding, exact and without a fit: from which intensity on at least 16 % of the motions cause "
+                    "contact, or which gap is enough for as many; empty: other events, storeys that yield against an "
+                    "intensity, or never."),
+    THUD_STANDS_FOR("exact_medianUNIT", "The same of at least half of them."),
+    THUD_STANDS_FOR("exact_p84UNIT", "And of at least 84 %."),
+    THUD_STANDS_FOR("exact_median_lowUNIT", "Lower end of the bootstrapped 90 % band of exact_median."),
+    THUD_STANDS_FOR("exact_median_highUNIT", "Its upper end.")};
+const struct thud_schema thud_median_schema =
+    THUD_SCHEMA("fragility-curves.csv",
+                "Written by\n.Cm fragility Fl o :\nwhat is told of each event and case, between the columns of\n.Sx "
+                "fragility\nand of\n.Sx fragility-curves.csv of each curve .\n.Va theta\nand the medians end with "
+                "their SI unit,\n.Va UNIT\n(_m, _mps2, nothing for a number);\neach unit along which there are curves "
+                "has its columns.\n",
+                medians);
+
+static const struct thud_column drawn[] = {
+    THUD_STANDS_FOR("sample", "Its number, from 1."),
+    THUD_STANDS_FOR("INPUT", "Place within its range, from 0 to 1; the ground motion by name.")};
+const struct thud_schema thud_drawn_schema =
+    THUD_SCHEMA("samples.csv", "Written by\n.Cm uncertainty Fl o :\na row for each sample.\n", drawn);
