@@ -274,7 +274,7 @@ static const struct thud_column of_figures[] = {
     THUD_STANDS_FOR("kind", "line, points, steps, bars, band (between two columns) or map.")};
 const struct thud_schema thud_series_schema =
     THUD_SCHEMA("FIGURE.csv",
-                "Beside every figure whose data stand in no other file.\nBehind these one column for each variable, "
-                "headed by the axis and its unit; empty\nwhere a panel has no such variable.\nNumbers have 15 "
-                "digits.\n",
+                "Beside every figure whose data stand in no other file.\nBehind these one column for each "
+                "variable, headed by the axis and its unit;\nempty where a panel has no such variable.\nNumbers have "
+                "15 digits.\n",
                 of_figures);
