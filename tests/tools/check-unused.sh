@@ -12,7 +12,6 @@ status=0
 door=$(sed -n 's/^THUD_API .*[ *]\(thud_[a-z_]*\)(.*/\1/p' include/thud.h 2>/dev/null)
 # Only tests and assertions use these, and shall: what the laws are held against, and where a test takes the place of a person.
 for_tests="
-    thud_kelvin_voigt_restitution thud_kelvin_voigt_cut_collision
     thud_tui_keys_text thud_manual_part_name
     thud_branch_fault"
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "closed_form.h"
 #include "core/laws/law_closed_form.h"
 #include "core/run/run.h"
 #include "law_examples.h"
@@ -44,7 +45,7 @@ START_TEST(concrete_by_closed_form)
             thud_two_body_set(&pair, "restitution", e);
             thud_two_body_set(&pair, "damping", exact);
             double xi = exact ? thud_kelvin_voigt_cut_xi(e) : thud_kelvin_voigt_xi(e);
-            struct thud_two_body_collision want = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
+            struct two_body_collision want = kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
             struct outcome got = collide(&pair);
             ck_assert_int_eq(got.impacts, 1);
             ck_assert_double_eq_tol(got.force / want.force_n, 1, 1e-9);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/quantity.h"
+#include "closed_form.h"
 #include "core/laws/law.h"
 #include "core/laws/law_closed_form.h"
 
@@ -78,7 +79,7 @@ START_TEST(relations)
         ck_assert_ldouble_eq_tol(-x - logl(1 - x), x * x / (2.0L * e * e), 1e-13L + 1e-15L / (1 - x));
         long double angle = xi < 1 ? acosl(xi) / sqrtl(1 - xi * xi) : acoshl(xi) / sqrtl(xi * xi - 1);
         ck_assert_ldouble_eq_tol(expl(-2 * xi * angle), e, 1e-13L);
-        ck_assert_double_eq_tol(thud_kelvin_voigt_restitution(thud_kelvin_voigt_xi(e)), e, 1e-14);
+        ck_assert_double_eq_tol(kelvin_voigt_restitution(thud_kelvin_voigt_xi(e)), e, 1e-14);
     }
 }
 END_TEST
@@ -129,14 +130,14 @@ START_TEST(critical_damping)
     for (int sign = -1; sign <= 1; sign += 2) {
         double xi = 1 + sign * 1e-9;
         ck_assert_double_eq_tol(thud_kelvin_voigt_cut_restitution(xi), exp(-2), 1e-9);
-        struct thud_two_body_collision at = thud_kelvin_voigt_cut_collision(2.5e9, 1, 160e3, 0.5),
-                                       beside = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
+        struct two_body_collision at = kelvin_voigt_cut_collision(2.5e9, 1, 160e3, 0.5),
+                                  beside = kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5);
         ck_assert_double_eq_tol(beside.duration_s / at.duration_s, 1, 1e-8);
         ck_assert_double_eq_tol(beside.indentation_m / at.indentation_m, 1, 1e-8);
     }
     /* contact time */
     double xi = 0.25528, omega = 125;
-    ck_assert_double_eq_tol(thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5).duration_s,
+    ck_assert_double_eq_tol(kelvin_voigt_cut_collision(2.5e9, xi, 160e3, 0.5).duration_s,
                             2 * acos(xi) / (omega * sqrt(1 - xi * xi)), 1e-15);
 }
 END_TEST

@@ -1,6 +1,7 @@
 /* Collisions under the laws of springs and dashpots, integrated from the printed equations, against the laws and their
  * closed forms. */
 #include "base/quantity.h"
+#include "closed_form.h"
 #include "collision.h"
 #include "core/laws/law_closed_form.h"
 
@@ -14,7 +15,7 @@ START_TEST(concrete_figures)
         struct outcome out = collide(&q, mass, mass, figures[i].v, 2e-6);
         check_figure(&out, &figures[i]);
         check_balance(&out, mass, mass, figures[i].v);
-        struct thud_two_body_collision closed = thud_kelvin_voigt_cut_collision(2.5e9, xi, 160e3, figures[i].v);
+        struct two_body_collision closed = kelvin_voigt_cut_collision(2.5e9, xi, 160e3, figures[i].v);
         CLOSE(closed.force_n, out.force, 1e-7);
         CLOSE(closed.indentation_m, out.indentation, 1e-9);
         CLOSE(closed.duration_s, out.duration, 1e-9);
@@ -49,7 +50,7 @@ START_TEST(cut_dashpot_at_any_damping)
         double m1 = 250e3, m2 = 320e3, m = m1 * m2 / (m1 + m2);
         struct equation q = {DASHPOT, 2.5e9, 1, 2 * xis[i] * sqrt(2.5e9 * m), false, INFINITY, 0, false};
         struct outcome out = collide(&q, m1, m2, 0.7, 2e-6);
-        struct thud_two_body_collision closed = thud_kelvin_voigt_cut_collision(2.5e9, xis[i], m, 0.7);
+        struct two_body_collision closed = kelvin_voigt_cut_collision(2.5e9, xis[i], m, 0.7);
         CLOSE(closed.force_n, out.force, 1e-7);
         CLOSE(closed.indentation_m, out.indentation, 1e-7);
         CLOSE(closed.duration_s, out.duration, 1e-7);

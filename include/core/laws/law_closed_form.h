@@ -5,25 +5,13 @@
 
 /* Kelvin-Voigt, F = k d + c v with c = 2 xi sqrt(k m). */
 
-/* Classical (the force may pull, contact ends at d = 0): xi = -ln e / sqrt(pi^2 + ln^2 e), the paper's eq. (3), and
- * back (xi < 1). 0 < e <= 1. */
+/* Classical (the force may pull, contact ends at d = 0): xi = -ln e / sqrt(pi^2 + ln^2 e), the paper's eq. (3).
+ * 0 < e <= 1. */
 double thud_kelvin_voigt_xi(double e);
-double thud_kelvin_voigt_restitution(double xi);
 /* Cut where the force reaches 0: e = exp(-2 xi acos(xi)/sqrt(1 - xi^2)), with acosh and sqrt(xi^2 - 1) for xi > 1 and
  * e^-2 at 1, xi >= 0; and back, 0 < e <= 1. */
 double thud_kelvin_voigt_cut_restitution(double xi);
 double thud_kelvin_voigt_cut_xi(double e);
-
-/* One collision of two free bodies under the cut law. */
-struct thud_two_body_collision {
-    double force_n;       /* largest; at contact onset where xi >= 1/2 */
-    double indentation_m; /* largest */
-    double duration_s;
-    double restitution;
-    double residual_m; /* indentation left where the force reaches 0 */
-};
-struct thud_two_body_collision thud_kelvin_voigt_cut_collision(double stiffness_npm, double xi, double mass_kg,
-                                                               double v_mps);
 
 /* Damping in both phases, F = k d^n (1 + s v/v0), any n: e solves s (1 + e) = ln((1 + s)/(1 - s e)), s >= 0; and back,
  * 0 < e <= 1. */

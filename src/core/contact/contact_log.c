@@ -2,6 +2,7 @@
  * they grow. Nothing that moves reads them. */
 #include "core/contact/contact_log.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
@@ -12,6 +13,14 @@ enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud
     log->counted = calloc((size_t)ncontacts + 1, sizeof *log->counted);
     log->waiting_s = calloc((size_t)ncontacts + 1, sizeof *log->waiting_s);
     return log->now && log->counted && log->waiting_s ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+}
+
+void thud_contact_log_begin(struct thud_contact_log *log, int contact, double time_s, double approach_mps)
+{
+    log->now[contact] =
+        (struct thud_impact){.contact = contact, .start_s = time_s, .approach_mps = approach_mps, .restitution = NAN};
+    log->counted[contact] = false;
+    log->waiting_s[contact] = 0;
 }
 
 enum thud_status thud_contact_log_add(struct thud_contact_log *log, const struct thud_impact *impact,

@@ -81,7 +81,7 @@ struct thud_state {
     struct thud_work *work; /* counters */
     double *free_mps2;      /* (nmodes + nrows) workspace of state.c */
     int *set_now;           /* (2 nrows) and */
-    double *collide;        /* workspace of contact.c */
+    double *collide;        /* workspace of impulse.c */
     double *force_now;      /* (nrows) workspace of the functions that switch a contact */
     double *delassus;       /* (nrows x nrows), and as much as thud_lcp_work asks for: workspace of state.c */
     void *block;

@@ -1,6 +1,6 @@
 /* Newton's impact: no force, but an impulse at d = 0 with v > 0 (Newton 1687; Papadrakakis and Mouzakis 1995).
  *     p = (1 + e) m v
- * Assumes that contact takes no time. Impulses at one instant are one linear complementarity problem (contact.c). Not for
+ * Assumes that contact takes no time. Impulses at one instant are one linear complementarity problem (impulse.c). Not for
  * forces or accelerations of the floors that are struck: there are none. */
 #include "core/laws/law_common.h"
 

@@ -1,0 +1,23 @@
+/* What the states of contacts (contact.c) and impulses (impulse.c) need of each other. */
+#pragma once
+
+#include "core/contact/contact.h"
+
+/* impulse.c: impulses of all stereomechanical contacts that touch now. Errors: as thud_contact_switch. */
+enum thud_status thud_contact_impulse(struct thud_state *state, struct thud_contact_log *log, int contact,
+                                      struct thud_error *err);
+
+/* Changes the mode and keeps the counts of contacts. */
+void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode);
+/* The force has come to its end. */
+void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c);
+/* Leaves `suppressed` coefficients of the indentation out of what the next contact is looked for in: 1 where it is 0, 2
+ * where its rate is too, 3 where the bodies had come to rest together. Errors: THUD_MEMORY. */
+enum thud_status thud_contact_open(struct thud_state *state, struct thud_contact_log *log, int c, int suppressed,
+                                   struct thud_error *err);
+/* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
+ * that rate, with no guard suppressed. */
+void thud_contact_impulse_received(struct thud_state *state, int c, double change);
+/* Separation over approach velocity; NaN where the approach velocity is no more than rounding, or the bodies did not
+ * part. */
+double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact);
