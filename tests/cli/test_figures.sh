@@ -119,7 +119,7 @@ is "titles and footers stand beside pictures without a title" captions
 
 run figures all -o "$tmp/all"
 is "all the paper's figures" [ "$code" -eq 0 ]
-awk '/^[.]S[sh] / { on = $0 == ".Ss figures study.json" || $0 == ".Ss head" } on && /^[.]It Va / { print $3 }' man/thud-output.5 | sort -u >"$tmp/page"
+awk '/^[.]S[sh] / { on = $0 == ".Ss figures study.json" || $0 == ".Ss figures study.json of motions" || $0 == ".Ss head" } on && /^[.]It Va / { print $3 }' man/thud-output.5 | sort -u >"$tmp/page"
 sed '/^  "scene\(_si\)\{0,1\}": /,$d' "$tmp/all/study.json" | grep -o '"[^"]*": ' | tr -d '": ' | sort -u >"$tmp/keys"
 is "the manual names every key of its study.json" cmp "$tmp/page" "$tmp/keys"
 for name in fig2 fig3 fig4 fig5 fig6 fig7 fig8 fig9 fig10; do

@@ -6,7 +6,7 @@
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
     thud_curve_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
     thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema, thud_suite_row_schema,
-    thud_median_schema, thud_drawn_schema;
+    thud_median_schema, thud_drawn_schema, thud_gap_fractile_schema, thud_gap_range_schema, thud_used_motion_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -66,6 +66,14 @@ struct thud_stiffness_fields {
 struct thud_spring_row {
     const char *part;
     double alpha, exponent, stiffness;
+};
+
+/* A ground motion as the paper's study uses it. */
+struct thud_used_motion_row {
+    const char *name, *file;
+    double file_peak_mps2, scale, peak_mps2, dt_s;
+    size_t samples;
+    bool synthetic;
 };
 
 /* A mode of a building that was read. */

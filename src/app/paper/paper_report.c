@@ -5,8 +5,8 @@
 #include "app/run/summary_line.h"
 #include "base/version.h"
 #include "io/file/json.h"
-#include "io/file/schema.h"
 #include "io/result/scene_json.h"
+#include "io/result/study_rows.h"
 
 static const char *const difference[] = {
     "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as the "
@@ -268,6 +268,13 @@ void thud_paper_report(const struct thud_paper_study *study, struct thud_documen
     differences(study, d);
 }
 
+static void make_motion(const void *of, int i, void *row)
+{
+    const struct thud_paper_record *r = (const struct thud_paper_record *)of + i;
+    *(struct thud_used_motion_row *)row = (struct thud_used_motion_row){
+        r->name, r->file, r->peak_mps2 / fabs(r->scale), r->scale, r->peak_mps2, r->dt_s, r->samples, r->surrogate};
+}
+
 void thud_paper_study_json(const struct thud_paper_study *study, struct thud_text *out)
 {
     const struct thud_sweep_table *table = study->table;
@@ -281,20 +288,10 @@ void thud_paper_study_json(const struct thud_paper_study *study, struct thud_tex
         thud_text_append(out, i ? ", " : "");
         thud_json_string(out, axis->text[i]);
     }
-    thud_text_append(out, "],\n  \"turned_round_too\": %s,\n  \"records\": [", study->turned ? "true" : "false");
-    for (int r = 0; r < table->nrecords; r++) {
-        const struct thud_paper_record *record = &study->record[r];
-        thud_text_append(out, "%s\n    {\"name\": ", r ? "," : "");
-        thud_json_string(out, record->name);
-        thud_text_append(out, ", \"file\": ");
-        thud_json_string(out, record->file);
-        thud_text_append(out, ", ");
-        THUD_JSON_FIELDS(out, {"file_peak_mps2", record->peak_mps2 / fabs(record->scale)}, {"scale", record->scale},
-                         {"peak_mps2", record->peak_mps2}, {"dt_s", record->dt_s});
-        thud_text_append(out, ", \"samples\": %zu, \"synthetic\": %s}", record->samples,
-                         record->surrogate ? "true" : "false");
-    }
-    thud_text_append(out, "\n  ],\n");
+    const struct thud_rows rows = {&thud_used_motion_schema, 0, table->nrecords, make_motion, study->record};
+    thud_text_append(out, "],\n  \"turned_round_too\": %s", study->turned ? "true" : "false");
+    thud_json_list("records", &rows, out);
+    thud_text_append(out, ",\n");
     thud_scene_members_json(study->scene, NULL, out);
     thud_text_append(out, "\n}\n");
 }

@@ -361,14 +361,6 @@ void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *ou
     put_rules_data(study, false, out);
 }
 
-static void put_json_fractiles(const struct thud_fractiles *f, const char *column, bool exact, struct thud_text *out)
-{
-    thud_text_append(out, "\"%s\": {", column);
-    THUD_JSON_FIELDS(out, {"p16", f->p16}, {"median", f->median}, {"p84", f->p84}, {"largest", f->most},
-                     {"falls_short_share", exact ? 0 : f->share});
-    thud_text_append(out, "}");
-}
-
 /* Of the interfaces beside an estimated building. */
 static void put_json_ranges(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
 {
@@ -378,8 +370,7 @@ static void put_json_ranges(const struct thud_gap_study *study, const struct thu
         if (isnan(x->most_m))
             continue;
         thud_text_append(out, "%s\n  {\"interface\": %d, ", before, i + 1);
-        THUD_JSON_FIELDS(out, {"least_m", x->least_m}, {"most_m", x->most_m}, {"left_factor", x->left_factor},
-                         {"right_factor", x->right_factor});
+        thud_json_members(&thud_gap_range_schema, 0, x, out);
         thud_text_append(out, "}");
         before = ",";
     }
@@ -415,14 +406,16 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
         status = fractiles(suite, l, f, err);
         if (status != THUD_OK)
             return status;
+        f[0].share = 0;
         thud_text_append(out, "%s\n  {\"level\": ", l < 0 ? "" : ",");
         if (l < 0)
             thud_text_append(out, "null");
         else
             thud_text_append(out, "%d", l + 1);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
-            thud_text_append(out, ",\n   ");
-            put_json_fractiles(&f[rule + 1], thud_gap_rule_at(rule)->column, rule == THUD_GAP_EXACT, out);
+            thud_text_append(out, ",\n   \"%s\": {", thud_gap_rule_at(rule)->column);
+            thud_json_members(&thud_gap_fractile_schema, 0, &f[rule + 1], out);
+            thud_text_append(out, "}");
         }
         thud_text_append(out, "}");
     }

@@ -1,5 +1,8 @@
 #include "io/result/study_rows.h"
 
+#include "base/statistics.h"
+#include "study/suite/gap_suite.h"
+
 #define RULE(member, text) THUD_FIELD(struct thud_gap_rule_row, member, #member, text)
 static const struct thud_column rules[] = {
     RULE(interface, "Interface."),
@@ -278,3 +281,30 @@ static const struct thud_column drawn[] = {
     THUD_STANDS_FOR("INPUT", "Place within its range, from 0 to 1; the ground motion by name.")};
 const struct thud_schema thud_drawn_schema =
     THUD_SCHEMA("samples.csv", "Written by\n.Cm uncertainty Fl o :\na row for each sample.\n", drawn);
+
+#define FRACTILE(member, key, text) THUD_FIELD(struct thud_fractiles, member, key, text)
+static const struct thud_column of_rules[] = {
+    FRACTILE(p16, "p16", "Narrowest that is enough for at least 16 % of the motions, m."),
+    FRACTILE(median, "median", "For at least half of them, m."), FRACTILE(p84, "p84", "For at least 84 %, m."),
+    FRACTILE(most, "largest", "Largest, m."),
+    FRACTILE(share, "falls_short_share", "Share of the motions for which a rule asks for less than is needed.")};
+const struct thud_schema thud_gap_fractile_schema = THUD_SCHEMA("gap --json of each rule", "", of_rules);
+
+#define RANGE(member, text) THUD_FIELD(struct thud_gap_range, member, #member, text)
+static const struct thud_column ranges[] = {
+    RANGE(least_m, "Least required gap over all motions at one of the periods, m."), RANGE(most_m, "Widest, m."),
+    RANGE(left_factor, "Over the estimated period of the building on the left, where the widest is needed; no value "
+                       "where it is not estimated."),
+    RANGE(right_factor, "The same of the building on the right.")};
+const struct thud_schema thud_gap_range_schema = THUD_SCHEMA("gap --json of periods", "", ranges);
+
+#define USED(member, text) THUD_FIELD(struct thud_used_motion_row, member, #member, text)
+static const struct thud_column used[] = {USED(name, "In figures."),
+                                          USED(file, "As it was given."),
+                                          USED(file_peak_mps2, "Largest acceleration in the file, m/s2."),
+                                          USED(scale, "Factor on it."),
+                                          USED(peak_mps2, "Largest acceleration as used, m/s2."),
+                                          USED(dt_s, "Step, s."),
+                                          USED(samples, "How many."),
+                                          USED(synthetic, "Whether it is computed, in place of a recorded one.")};
+const struct thud_schema thud_used_motion_schema = THUD_SCHEMA("figures study.json of motions", "", used);
