@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
+#include "app/run/summary_line.h"
 #include "core/run/baseline.h"
 #include "ground/identity.h"
 #include "study/scene/level.h"
@@ -308,7 +309,7 @@ static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
             thud_interface_level(&scene->interface[i], cases->need_pair[i] - first_pair(r, i));
         thud_text_append(out, "%s%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ",
                          fall->happened ? "Until then " : "", scene->structure[i].name, scene->structure[i + 1].name,
-                         100 * cases->need_m[i], 100 * at.gap_m);
+                         thud_table_gap_cm(cases->need_m[i]), 100 * at.gap_m);
         if (c->struck != 0)
             put_struck(&scene->structure[i], c->left_floor, c->right_floor, c->struck, out);
         else

@@ -11,6 +11,11 @@ double thud_summary_gap_cm(double gap_m)
     return 0.1 * thud_shown(ceil(1e3 * gap_m - 1e-6), 0);
 }
 
+double thud_table_gap_cm(double gap_m)
+{
+    return 0.01 * thud_shown(ceil(1e4 * gap_m - 1e-6), 0);
+}
+
 /* Adds a part where it fits. Everything here is ASCII. */
 static void add(char *text, size_t size, int columns, const char *part)
 {

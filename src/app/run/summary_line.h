@@ -19,6 +19,8 @@ struct thud_summary_line {
 
 /* A gap in cm, up to the next millimetre, so that the number written is enough. */
 double thud_summary_gap_cm(double gap_m);
+/* Up to the next tenth of a millimetre: of tables, where rules stand beside each other. */
+double thud_table_gap_cm(double gap_m);
 
 /* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". Gaps are rounded up
  * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without a result. */

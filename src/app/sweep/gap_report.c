@@ -64,7 +64,7 @@ static void put_gap(struct thud_text *out, double gap_m)
     if (isnan(gap_m))
         thud_text_append(out, " %7s", "-");
     else
-        thud_text_append(out, " %7.2f", 100 * gap_m);
+        thud_text_append(out, " %7.2f", thud_table_gap_cm(gap_m));
 }
 
 static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
@@ -212,7 +212,7 @@ static void put_rule(const struct thud_gap_study *study, int rule, int interface
         return;
     }
     snprintf(count, sizeof count, "%d of %d", x->pounding, study->suite.nrecords);
-    thud_text_append(out, " %8.1f %9s", 1e3 * x->gap_m, count);
+    thud_text_append(out, " %8.1f %9s", 10 * thud_table_gap_cm(x->gap_m), count);
     if (x->pounding > 0 && isnan(x->force_n))
         thud_text_append(out, " %7s", "-");
     else if (x->pounding > 0)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/summary_line.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 #include "study/scene/level.h"
@@ -121,17 +122,17 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (table->nstructures > 2)
         snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
     thud_contact_pair_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
-    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)", 100 * worst->relative_displacement_m, interface,
-                     pair);
+    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)", thud_table_gap_cm(worst->relative_displacement_m),
+                     interface, pair);
     if (varies)
         thud_text_append(out, " at %s", place_of_need(plan, worst, at));
-    thud_text_append(out, "; ABS %.2f, SRSS %.2f", 100 * worst->abs_m, 100 * worst->srss_m);
+    thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(worst->abs_m), thud_table_gap_cm(worst->srss_m));
     if (!isnan(worst->ddc_m)) /* where storeys yield it has no value */
-        thud_text_append(out, ", DDC %.2f", 100 * worst->ddc_m);
+        thud_text_append(out, ", DDC %.2f", thud_table_gap_cm(worst->ddc_m));
     thud_text_append(out, " cm\n");
     if (varies)
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
-                         100 * least->relative_displacement_m, place_of_need(plan, least, at));
+                         thud_table_gap_cm(least->relative_displacement_m), place_of_need(plan, least, at));
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
