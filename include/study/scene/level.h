@@ -11,6 +11,8 @@ int thud_structure_floors(const struct thud_structure *structure);
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
 /* The number of the storey below a floor (from 0) as presets and messages count them; 0: the isolators. */
 int thud_structure_storey(const struct thud_structure *structure, int floor);
+/* What a floor (from 0), or the storey below it, is called: "floor 3", "base slab"; "storey 3", "isolators". */
+const char *thud_structure_level_name(const struct thud_structure *structure, int floor, bool storey, char text[24]);
 
 /* Depth of its slab: its face covers [z - depth, z]; 0 for a rigid body. */
 double thud_structure_depth(const struct thud_structure *structure, int floor);

@@ -269,9 +269,9 @@ void thud_site_checks(struct site *site)
     thud_document_line(d, "inputs within their usual ranges\t%s",
                        thud_scene_warning(site->scene, 0, NULL) ? "see the cautions" : "yes");
     thud_document_paragraph(
-        d, "These checks show that the equations are solved right, not that they are the right equations: "
-           "the command thud verify --published lists what is validated against published results, and "
-           "what is not.");
+        d, "These checks show that the equations are solved right, not that they are the right equations. "
+           "Which published examples the program gives again, and what it has not been held against, stands in its "
+           "manual, thud(1), under published.");
 }
 
 void thud_site_unmade(struct site *site)

@@ -42,7 +42,7 @@ static void add_shears(struct thud_panel *panel, const struct thud_figure_source
         const struct thud_column_result *c = &result->column[i];
         double low, high, shear[2];
         for (int q = 0; q < 2; q++)
-            shear[q] = is_shown(c, structure, interface) ? 1e-3 * c->peak[q].value : NAN;
+            shear[q] = is_shown(c, structure, interface) ? 1e-6 * c->peak[q].value : NAN;
         ends_of(&source->scene->structure[c->structure], c, &low, &high);
         bool impacts;
         double at = struck_at(result, i, low, high, &impacts);
@@ -68,7 +68,7 @@ static void add_strikes(struct thud_panel *panel, const struct thud_figure_sourc
         bool impacts;
         series->y[i] = struck_at(result, i, low, high, &impacts);
         series->x[i] =
-            impacts && is_shown(c, structure, interface) ? 1e-3 * fmax(c->peak[0].value, c->peak[1].value) : NAN;
+            impacts && is_shown(c, structure, interface) ? 1e-6 * fmax(c->peak[0].value, c->peak[1].value) : NAN;
     }
 }
 
@@ -84,7 +84,7 @@ static void add_capacities(struct thud_panel *panel, const struct thud_figure_so
         any ? thud_panel_add(panel, style, "capacity", 3 * (size_t)result->ncolumns, NULL, NULL) : NULL;
     for (int i = 0; series && i < result->ncolumns; i++) {
         const struct thud_column_result *c = &result->column[i];
-        double low, high, x = is_shown(c, structure, interface) ? 1e-3 * c->capacity_n : NAN;
+        double low, high, x = is_shown(c, structure, interface) ? 1e-6 * c->capacity_n : NAN;
         ends_of(&source->scene->structure[c->structure], c, &low, &high);
         const double y[] = {low, high, NAN};
         for (int k = 0; k < 3; k++) {
@@ -121,7 +121,7 @@ struct thud_figure *thud_figure_columns(const struct thud_figure_source *source,
         const struct thud_structure *own = &source->scene->structure[s], *other = own + (s == i - 1 ? 1 : -1);
         snprintf(text, sizeof text, "%.60s, struck by %.60s", own->name, other->name);
         struct thud_panel *panel = thud_figure_panel(figure, 0, p, text);
-        thud_panel_axis(panel, THUD_X, "Largest shear", "kN");
+        thud_panel_axis(panel, THUD_X, "Largest shear", "MN");
         thud_panel_results_on_x(panel);
         thud_panel_axis(panel, THUD_Y, "Height", "m");
         thud_panel_limits(panel, THUD_X, 0.0, NAN);

@@ -5,6 +5,7 @@
 
 #include "base/quantity.h"
 #include "plot/figures/figures_case.h"
+#include "study/scene/level.h"
 
 enum { APART = 4 }; /* floors that have a panel of their own */
 
@@ -55,7 +56,9 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
                                                     apart ? s->nfloors : rows_of(s, row), apart ? 1 : s->ncases);
     for (int f = 0; apart && f < s->nfloors; f++) {
         const struct thud_floor_place at = s->floor[f];
-        snprintf(title, sizeof title, "%s, floor %d", scene->structure[at.structure].name, at.floor + 1);
+        char name[24];
+        snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name,
+                 thud_structure_level_name(&scene->structure[at.structure], at.floor, false, name));
         struct thud_panel *panel = panel_of(figure, f, 0, title, s);
         for (int i = 0; i < s->ncases; i++)
             curve(panel, s, i, f, thud_case_color(thud_case_compared(i)), thud_case_title(thud_case_compared(i)));
@@ -69,9 +72,9 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
                          thud_case_title(thud_case_compared(i)));
                 panel = panel_of(figure, row[at.structure], i, title, s);
             }
-            char name[32];
-            snprintf(name, sizeof name, "floor %d", at.floor + 1);
-            curve(panel, s, i, f, at.floor % THUD_COLORS_ALL, name);
+            char name[24];
+            curve(panel, s, i, f, at.floor % THUD_COLORS_ALL,
+                  thud_structure_level_name(&scene->structure[at.structure], at.floor, false, name));
         }
     }
     for (int r = 0; figure && r < figure->rows; r++) { /* a light wall that is struck would leave the floors flat */

@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "plot/figures/figures_run_internal.h"
+#include "study/scene/level.h"
 
 /* First dof of a structure. */
 static int first_dof(const struct thud_figure_source *source, int structure)
@@ -121,14 +122,9 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
     for (int i = 0; i < n; i++) {
         const struct thud_structure *structure = &source->scene->structure[place[i].structure];
         bool one = source->result->structure[place[i].structure].floors == 1;
-        char name[128], text[256];
-        if (one)
-            snprintf(name, sizeof name, "%s", structure->name);
-        else if (structure->kind == THUD_ISOLATED && place[i].floor == 0)
-            snprintf(name, sizeof name, "%s, base slab", structure->name);
-        else
-            snprintf(name, sizeof name, "%s, %s %d", structure->name, which == THUD_FIGURE_DRIFT ? "storey" : "floor",
-                     place[i].floor + 1);
+        char name[128], text[256], level[24];
+        snprintf(name, sizeof name, "%s%s%s", structure->name, one ? "" : ", ",
+                 one ? "" : thud_structure_level_name(structure, place[i].floor, which == THUD_FIGURE_DRIFT, level));
         for (int s = 0; s < nsources; s++) {
             const int row = i * nsources + s + ground;
             const char *strip = thud_source_strip(&source[s], nsources, name, text);

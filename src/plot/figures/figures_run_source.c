@@ -5,6 +5,7 @@
 
 #include "base/quantity.h"
 #include "plot/figures/figures_run_internal.h"
+#include "study/scene/level.h"
 
 struct thud_shown thud_shown_force(double peak_n)
 {
@@ -101,12 +102,14 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
 {
     const struct thud_contact_result *c = &source->result->contact[contact];
     const struct thud_structure *left = &source->scene->structure[c->interface - 1], *right = left + 1;
-    int floor = c->left_floor ? c->left_floor : c->right_floor;
+    char name[24];
+    const char *floor = thud_structure_level_name(c->left_floor ? left : right,
+                                                  (c->left_floor ? c->left_floor : c->right_floor) - 1, false, name);
     bool level = c->struck == 0 && (c->left_floor == c->right_floor || !c->left_floor || !c->right_floor);
     if (level && source->result->nstructures <= 2)
-        snprintf(text, size, "floor %d", floor);
+        snprintf(text, size, "%s", floor);
     else if (level)
-        snprintf(text, size, "%s–%s, floor %d", left->name, right->name, floor);
+        snprintf(text, size, "%s–%s, %s", left->name, right->name, floor);
     else
         snprintf(text, size, "%s, %s %d – %s, %s %d", left->name, c->struck < 0 ? "columns" : "floor", c->left_floor,
                  right->name, c->struck > 0 ? "columns" : "floor", c->right_floor);

@@ -33,6 +33,14 @@ int thud_structure_storey(const struct thud_structure *structure, int floor)
     return floor + 1 - (structure->kind == THUD_ISOLATED);
 }
 
+const char *thud_structure_level_name(const struct thud_structure *structure, int floor, bool storey, char text[24])
+{
+    if (structure->kind == THUD_ISOLATED && floor == 0)
+        return storey ? "isolators" : "base slab";
+    snprintf(text, 24, storey ? "storey %d" : "floor %d", storey ? thud_structure_storey(structure, floor) : floor + 1);
+    return text;
+}
+
 double thud_structure_elevation(const struct thud_structure *s, int floor)
 {
     if (!thud_kind_is_building(s->kind))

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "tui/screens/figures.h"
 
@@ -29,15 +30,17 @@ static const char *file_name(enum thud_plot plot)
     return name[plot];
 }
 
-/* "A 4" for a dof of the model. Returns `text`. */
-static char *dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, char *text, size_t size)
+/* "A, floor 4" for a dof of the model; of a drift the storey below it. */
+static void dof_name(const struct thud_model *model, const struct thud_scene *scene, int dof, bool storey, char *text,
+                     size_t size)
 {
+    char level[24];
     const int s = model->dof_structure[dof], floor = dof - model->structure[s].first, n = model->structure[s].n;
     if (floor >= n)
         snprintf(text, size, "%.40s, %s", scene->structure[s].name, floor == n ? "foundation" : "rocking at the roof");
     else
-        snprintf(text, size, "%.40s, floor %d", scene->structure[s].name, floor + 1);
-    return text;
+        snprintf(text, size, "%.40s, %s", scene->structure[s].name,
+                 thud_structure_level_name(&scene->structure[s], floor, storey, level));
 }
 
 /* "A 4 and B 4", "A 4 and B c5" where it strikes columns below B's floor 5. */
@@ -206,14 +209,11 @@ static struct thud_figure *curves(const struct thud_live *live, const struct thu
     char title[200], where[140] = "";
     if ((*why = lacks(live, plot, sight)) != NULL)
         return NULL;
-    if (plot == THUD_PLOT_HYSTERESIS) {
-        const int s = model->dof_structure[sight->dof];
-        snprintf(where, sizeof where, "%.40s, storey %d", scene->structure[s].name,
-                 sight->dof - model->structure[s].first + 1);
-    } else if (is_of_contact(plot))
+    if (is_of_contact(plot))
         contact_name(model, scene, sight->contact, where, sizeof where);
     else
-        dof_name(model, scene, sight->dof, where, sizeof where);
+        dof_name(model, scene, sight->dof, plot == THUD_PLOT_DRIFT || plot == THUD_PLOT_HYSTERESIS, where,
+                 sizeof where);
     if (plot == THUD_PLOT_LOOP)
         snprintf(title, sizeof title, "%s", thud_plot_title(plot));
     else
