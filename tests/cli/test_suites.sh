@@ -19,6 +19,11 @@ is "there is no contact" shows "^summary  *NO CONTACT at 14.3 cm   needs 14.3 cm
 is "nor at that of the table" gives 0 run towers --case none --record records/northridge-surrogate.csv --set gap=14.22cm
 is "of 14.2135 cm" shows "^summary  *NO CONTACT at 14.22 cm"
 is "the figure is a picture" is_png "$tmp/gap/needed-gap.png"
+# the ends p of Wilson's 90 % interval: (share - p)^2 = z^2 p (1 - p)/n
+wilson() { awk -F, '/^Ground motions.*,band,/ { rows += 1; share = int((rows - 1) / 2) / 3; if (off(share, $7 / 100) || off(share, $8 / 100) || !($7 < 100 * share || share == 0) || !($8 > 100 * share || share == 1)) bad = 1 }
+    function off(share, p, x) { x = (share - p) ^ 2 - 1.6448536269515 ^ 2 * p * (1 - p) / 3; return x > 1e-9 || x < -1e-9 }
+    END { exit rows != 8 || bad }' "$tmp/gap/needed-gap.csv"; }
+is "the share that a gap keeps apart has its band" wilson
 rules() { awk -F, 'NR > 1 { rows++; s = sqrt($5 * $5 + $6 * $6); near(s, $9); near(0.7 * s, $11); near(s, $12); near($5 + $6, $8); if ($7 > $8) bad = 1 }
     function near(a, b) { if (a - b > 1e-12 || b - a > 1e-12) bad = 1 }
     END { exit rows != 12 || bad }' "$tmp/gap/needed-gaps.csv"; }
@@ -117,6 +122,7 @@ medians() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
     END { exit rows < 20 || bad }' "$tmp/fragility/fragility-curves.csv"; }
 is "fragility-curves.csv: medians of curves only" medians
 for figure in fragility-pounding fragility-worse ida-none ida-bumper; do is "$figure is a picture" is_png "$tmp/fragility/$figure.png"; done
+is "fractiles have the colour of their case, beside the median" sh -c "grep -q 'lines lw 1.8 dt (2,4) lc rgb .#D55E00.*lines lw 3 lc rgb .#D55E00' '$tmp/fragility/ida-bumper.gp'"
 # a second way: without bumper a motion pounds where the needed gap times the factor is wider than the gap
 "$THUD" gap towers --csv --records "$three" >"$tmp/needed.csv"
 counted() { awk -F, 'NR == FNR { if (FNR > 1 && $7 > m[$1]) m[$1] = $7; next }
@@ -225,6 +231,8 @@ $PWD/records/san-fernando-surrogate.csv:peak=0.6 g
 LIST
 is "a study of eight motions" gives 0 sweep towers --records "$tmp/eight.list" --vary gap=5cm,9cm,15cm --cases none,bumper --quiet -o "$tmp/eight"
 is "five figures" test "$(find "$tmp/eight" -name '*.png' | wc -l)" -eq 5
+is "bands of cases have edges with their dashes" grep -q 'using 1:3 with lines lw 0.7 dt (14,5)' "$tmp/eight/pounding.gp"
+is "those of floors would hide each other" sh -c "! grep -q ',band,' '$tmp/eight/floors-bumper.csv'"
 drawn() { # the median of the force without bumper, in the order of the gaps, as in suite.csv
     awk -F, 'NR > 1 && $1 == "none" && $3 == "A" { printf "%.4g\n", $8 / 1e6 }' "$tmp/eight/suite.csv" >"$tmp/c"
     awk -F, 'NR > 1 && $1 == "Largest impact force" && $2 == "no bumper" && $3 != "band" && $5 != "" { printf "%.4g\n", $5 }' "$tmp/eight/contact-forces.csv" >"$tmp/j"

@@ -7,6 +7,7 @@
 
 #include "plot/figures/figures_case.h"
 #include "plot/figures/figures_sweep.h"
+#include "plot/figures/figures_sweep_internal.h"
 
 enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
 
@@ -73,9 +74,8 @@ static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *pl
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name, FINE, x, y);
     }
-    const int which = plan->cases[curve->k]; /* counts of cases are often the same: they stand beside each other */
-    for (size_t i = 0; i < f->n; i++) {
-        point[i] += 0.005 * (2 * which - (int)THUD_CASES) * (f->most - f->least) * unit;
+    for (size_t i = 0; i < f->n; i++) { /* counts of cases are often the same: they stand beside each other */
+        point[i] += 0.005 * (2 * curve->k - (plan->ncases - 1)) * (f->most - f->least) * unit;
         low[i] = 100 * f->share_low[i];
         high[i] = 100 * f->share_high[i];
     }
@@ -102,6 +102,15 @@ static void event_words(const char *event, char *text, size_t size)
         snprintf(text, size, "%.*s above %s", (int)(limit - event), event, limit + 1);
     else
         snprintf(text, size, "%s", strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
+}
+
+/* Points at the ends of the axis stand inside the frame. */
+static void clear_of_frame(struct thud_panel *panel, const struct thud_sweep_axis *axis)
+{
+    const double least = axis->value[0] * thud_varied_factor(axis),
+                 most = axis->value[axis->n - 1] * thud_varied_factor(axis), margin = 0.03 * (most - least);
+    if (thud_axis_has_numbers(axis) && margin > 0)
+        thud_panel_limits(panel, THUD_X, least - margin, most + margin);
 }
 
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
@@ -136,6 +145,7 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
         snprintf(against, sizeof against, "against %s", plan->axis[a].param->title);
         struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], against);
         thud_panel_varied(panel, THUD_X, &plan->axis[a]);
+        clear_of_frame(panel, &plan->axis[a]);
         thud_panel_share_axis(panel, THUD_Y, "Share of the ground motions");
         for (int i = 0; i < ncurves; i++)
             if (curve[i].axis == a) {
@@ -175,8 +185,7 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = THUD_COLOR_GREY, .thin = true},
                        r == 0 ? "each motion" : "", n, x, y);
     }
-    static const char *const name[] = {"16 %", "median", "84 %"};
-    static const int color[] = {1, 0, 2}; /* the median solid */
+    static const char *const name[] = {"16 and 84 %", "median", ""};
     for (size_t i = 0; i < n; i++) {
         place[axis] = (int)i;
         struct thud_fractiles f = thud_suite_fractiles(suite, thud_suite_setting(suite->plan, place), k,
@@ -185,9 +194,10 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
         three[n + i] = 100 * f.median;
         three[2 * n + i] = 100 * f.p84;
     }
+    const int color = thud_case_color(suite->plan->cases[k]);
     for (int q = 0; q < 3; q++)
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color[q], .wide = q == 1}, name[q], n,
-                       three + (size_t)q * n, y);
+        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color, .wide = q == 1, .dashed = q != 1},
+                       name[q], n, three + (size_t)q * n, y);
     free(room);
     return true;
 }

@@ -189,11 +189,13 @@ void thud_sweep_note_gap(struct thud_figure *figure, const struct thud_sweep_tab
                                      : "Level line: no contact without bumper from here up.");
 }
 
-void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table)
+void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table, bool shaded)
 {
     char text[128];
     if (table->motions > 0)
-        snprintf(text, sizeof text, "Medians of %d ground motions, 16 to 84 %% shaded.", table->motions);
+        snprintf(text, sizeof text,
+                 shaded ? "Medians of %d ground motions, 16 to 84 %% shaded." : "Medians of %d ground motions.",
+                 table->motions);
     else
         snprintf(text, sizeof text,
                  "Shaded: spread under %g %% less or more gap, ground motion, stiffness, one at a time.",

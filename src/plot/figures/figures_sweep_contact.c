@@ -50,7 +50,7 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
         contact_scale(many, true);
     }
     if (suite) {
-        thud_sweep_note_shades(figure, table);
+        thud_sweep_note_shades(figure, table, true);
         thud_figure_note(figure,
                          "Worse: a structure's mean acceleration is larger than without bumper. Bars: 90 % bands "
                          "of the shares (Wilson).");
@@ -87,7 +87,7 @@ struct thud_figure *thud_figure_of_yielding(const struct thud_sweep_table *table
     thud_sweep_same_scale(figure, NULL);
     thud_figure_note(figure, thud_ductility_note);
     if (table->motions > 0)
-        thud_sweep_note_shades(figure, table);
+        thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);
     return figure;
 }
@@ -111,7 +111,7 @@ struct thud_figure *thud_figure_of_struck_columns(const struct thud_sweep_table 
             thud_panel_mark(panel, THUD_Y, 1.0, 1.0, "capacity");
     }
     if (table->motions > 0)
-        thud_sweep_note_shades(figure, table);
+        thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);
     return figure;
 }

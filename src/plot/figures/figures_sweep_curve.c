@@ -121,7 +121,7 @@ static void bar_of(struct thud_panel *panel, const struct thud_sweep_table *tabl
     const double low = thud_sweep_value(table, i, wanted, THUD_SWEEP_LOW),
                  high = thud_sweep_value(table, i, wanted, THUD_SWEEP_HIGH),
                  width = thud_axis_place(axis, axis->n - 1) - thud_axis_place(axis, 0),
-                 beside = 0.005 * (2 * (int)wanted->which - (int)THUD_CASES + (wanted->told == THUD_TOLD_WORSE)),
+                 beside = 0.005 * (2 * (int)wanted->which - 1 + (wanted->told == THUD_TOLD_WORSE)),
                  at = thud_axis_place(axis, table->point[i]->at[0]) + beside * width;
     thud_panel_bars(panel, color, 1, &at, &low, &high);
 }

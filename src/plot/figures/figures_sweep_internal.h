@@ -69,7 +69,7 @@ void thud_sweep_axis_of(struct thud_panel *panel, enum thud_side side, const str
 /* Added to the footer: what that line is, where one of the first axes has it; what the shades are, where there are any;
  * that line of the first axis, and the keys that are not drawn, with their first values. */
 void thud_sweep_note_gap(struct thud_figure *figure, const struct thud_sweep_table *table, int axes);
-void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table);
+void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table, bool shaded);
 void thud_sweep_note_rest(struct thud_figure *figure, const struct thud_sweep_table *table);
 /* The panels of a quantity (a row) on one scale; with those of `other` too, another figure to be compared. */
 void thud_sweep_same_scale(struct thud_figure *figure, const struct thud_figure *other);

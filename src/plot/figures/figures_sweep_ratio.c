@@ -63,7 +63,10 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
                                          .floor = f,
                                          .free = free};
             snprintf(text, sizeof text, "floor %d", f);
-            (i < curves ? thud_sweep_shade : thud_sweep_curve)(panel, table, &wanted, text, f - 1);
+            if (i >= curves)
+                thud_sweep_curve(panel, table, &wanted, text, f - 1);
+            else if (table->motions == 0) /* bands over a suite are wide: of several floors none could be read */
+                thud_sweep_shade(panel, table, &wanted, text, f - 1);
         }
         snprintf(text, sizeof text, "Every %d. floor of %d", step, floors);
         if (step > 1)
@@ -71,7 +74,7 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
     }
     thud_sweep_same_scale(figure, NULL);
     thud_figure_note(figure, free ? pounds : helps(which));
-    thud_sweep_note_shades(figure, table);
+    thud_sweep_note_shades(figure, table, table->motions == 0);
     thud_sweep_note_rest(figure, table);
     return figure;
 }
@@ -100,7 +103,7 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
         }
     }
     thud_figure_note(figure, helps(which));
-    thud_sweep_note_shades(figure, table);
+    thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);
     return figure;
 }
@@ -142,7 +145,7 @@ struct thud_figure *thud_figure_of_pounding(const struct thud_sweep_table *table
     thud_sweep_same_scale(figure, NULL);
     thud_figure_note(figure, pounds);
     if (table->motions > 0)
-        thud_sweep_note_shades(figure, table);
+        thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);
     return figure;
 }

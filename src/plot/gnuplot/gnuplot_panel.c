@@ -487,6 +487,22 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, in
                      number, em / sheet->em);
 }
 
+/* Edges of a band beside others, with the dashes of its curve: bands that overlap cannot be told apart in grey. */
+static void edges(const struct sheet *sheet, int number_of, int i)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
+    const struct thud_series *band = panel->series[i];
+    int bands = 0;
+    for (int k = 0; k < panel->nseries; k++)
+        bands += panel->series[k]->style.kind == THUD_FILL && panel->series[k]->style.thin;
+    if (band->style.kind != THUD_FILL || !band->style.thin || bands < 2)
+        return;
+    const char *dash = dashes(&(struct thud_style){.color = band->style.color}, false);
+    for (int side = 2; side <= 3; side++)
+        thud_text_append(sheet->out, ", $P%dS%d using 1:%d with lines lw 0.7 %s%s lc rgb '#%06X'", number_of + 1, i + 1,
+                         side, *dash ? "dt " : "", dash, thud_color_rgb(band->style.color));
+}
+
 static void plots(const struct sheet *sheet, int number_of)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
@@ -502,6 +518,7 @@ static void plots(const struct sheet *sheet, int number_of)
         thud_text_append(out, "%s$P%dS%d using 1:2%s ", comma, number_of + 1, i + 1,
                          panel->series[i]->y_high ? ":3" : "");
         thud_gnuplot_style(sheet, panel->series[i], false);
+        edges(sheet, number_of, i);
         comma = ", ";
     }
     thud_text_append(out, "%s\n", *comma == 'p' ? "plot NaN" : "");
