@@ -166,6 +166,14 @@ static int wide(const struct thud_run_cases *cases, int i)
     return letters > least ? letters : least;
 }
 
+/* Of a floor (from 0), or of the storey below it: "base" below the base slab. */
+static const char *number_of(const struct thud_structure *p, int floor, bool drift, char text[16])
+{
+    const int number = drift ? thud_structure_storey(p, floor) : floor + 1;
+    snprintf(text, 16, "%d", number);
+    return number > 0 ? text : "base";
+}
+
 static void put_structure(const struct thud_run_cases *cases, int s, bool drift, struct thud_text *out)
 {
     const struct thud_structure *p = &cases->item[0].scene.structure[s];
@@ -181,7 +189,8 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
             thud_text_append(out, " %6s:none", thud_case_name(cases->item[i].which));
     thud_text_append(out, "\n");
     for (int f = floors - 1; f >= 0; f--) {
-        thud_text_append(out, "%5d", f + 1);
+        char number[16];
+        thud_text_append(out, "%5s", number_of(p, f, drift, number));
         for (int i = 0; i < cases->n; i++) {
             double value = peak(cases, i, s, f, drift);
             char text[32] = "-";
@@ -220,10 +229,20 @@ static void put_struck(const struct thud_structure *left, int left_floor, int ri
                      left[by_left ? 0 : 1].name, by_left ? right_floor : left_floor, left[by_left ? 1 : 0].name);
 }
 
+/* "floor 4", "the base slab": where slabs meet; `left`: the structures of the interface. */
+static const char *meet_at(const struct thud_structure *left, const struct thud_contact_result *c, char text[24])
+{
+    const struct thud_structure *own = left + (c->left_floor == 0);
+    const int floor = thud_slab_floor(c->left_floor, c->right_floor, 0) - 1;
+    return thud_structure_storey(own, floor) == 0 ? "the base slab"
+                                                  : thud_structure_level_name(own, floor, false, text);
+}
+
 /* "Without bumper they collide 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
     int impacts, before;
+    char level[24];
     const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), &impacts);
     const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
                       : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
@@ -243,8 +262,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
         if (most->struck != 0)
             put_struck(left, most->left_floor, most->right_floor, most->struck, out);
         else
-            thud_text_append(out, "%s and %s at floor %d", left->name, left[1].name,
-                             thud_slab_floor(most->left_floor, most->right_floor, 0));
+            thud_text_append(out, "%s and %s at %s", left->name, left[1].name, meet_at(left, most, level));
         thud_text_append(out, ", %.3f s", most->force.time_s);
     }
     int none = without(cases);
@@ -264,9 +282,11 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
     for (int s = 0; s < result_of(cases, 0)->nstructures; s++)
         for (int f = 0; f < result_of(cases, 0)->structure[s].floors; f++) {
             double change = ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)) - 1;
+            const struct thud_structure *p = &cases->item[0].scene.structure[s];
+            char number[16];
             if (more ? change > 0.01 : change < -0.01)
-                thud_text_append(&list, "%s%s %d (%+.0f %%)", n++ ? ", " : "", cases->item[0].scene.structure[s].name,
-                                 f + 1, 100 * change);
+                thud_text_append(&list, "%s%s %s (%+.0f %%)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
+                                 100 * change);
         }
     const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
     const char *verb = cases->item[i].which == THUD_CASE_LINK ? (more ? "They raise" : "They lower")
@@ -296,6 +316,7 @@ static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
     const struct thud_scene *scene = &cases->item[0].scene;
     const struct thud_result *r = result_of(cases, 0);
     const struct thud_collapse *fall = &r->collapse;
+    char level[24];
     if (fall->happened) {
         const struct thud_structure *s = &scene->structure[fall->structure];
         thud_text_append(out, "Storey %d of %s collapses without contact at %.3f s, and no gap prevents it.\n",
@@ -313,7 +334,7 @@ static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
         if (c->struck != 0)
             put_struck(&scene->structure[i], c->left_floor, c->right_floor, c->struck, out);
         else
-            thud_text_append(out, "floor %d", thud_slab_floor(c->left_floor, c->right_floor, 0));
+            thud_text_append(out, "%s", meet_at(&scene->structure[i], c, level));
         thud_text_append(out, " need%s it.\n", c->struck ? "" : "s");
     }
 }

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/contact/storey.h"
+
 enum thud_status thud_contact_log_init(struct thud_contact_log *log, struct thud_contact_result *contact, int ncontacts,
                                        bool keep_impacts, struct thud_error *err)
 {
@@ -77,14 +79,17 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
         log->event_capacity = more;
     }
     const bool falls = event == THUD_EVENT_COLLAPSE;
+    const int storey = row - state->model->ncontacts;
     thud_contact_forces(state, state->force_now);
+    const double force = storey < 0 ? state->force_now[row]
+                                    : thud_storey_shear(state, storey, thud_model_gap_sum(state->model, row, state->q));
     log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
                                                            .row = row,
                                                            .event = thud_event_name(event),
                                                            .guard = thud_event_guard(event),
                                                            .then = falls ? "collapsed" : state_of(state, row),
                                                            .order = order,
-                                                           .force_n = falls ? 0 : state->force_now[row]};
+                                                           .force_n = falls ? 0 : force};
     return THUD_OK;
 }
 

@@ -21,6 +21,7 @@
 #include "base/version.h"
 #include "core/model/modes.h"
 #include "io/file/json.h"
+#include "study/scene/level.h"
 
 /* Hertzdamp and JankowskiImpact take no gap of 0, m. */
 static const double least_gap_m = 1e-12;
@@ -478,8 +479,9 @@ static void expected(struct thud_text *out, const struct thud_scene *scene, cons
         const struct thud_model_storey *storey = &model->storey[i];
         const struct thud_structure_result *r = &result->structure[storey->structure];
         for (int k = 0; k < 2; k++) {
-            char name[THUD_NAME_MAX + 32];
-            snprintf(name, sizeof name, "%s storey %d", scene->structure[storey->structure].name, storey->floor + 1);
+            const struct thud_structure *own = &scene->structure[storey->structure];
+            char name[THUD_NAME_MAX + 32], level[24];
+            snprintf(name, sizeof name, "%s %s", own->name, thud_structure_level_name(own, storey->floor, true, level));
             thud_text_append(out, "    (");
             thud_json_string(out, name);
             thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "drift" : "shear", i);

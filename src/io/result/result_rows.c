@@ -364,7 +364,7 @@ static const struct thud_column events[] = {
     {EVENT(right_floor, "right_floor", "Floor on its right."), .only = THUD_ROW_CONTACT},
     {EVENT(structure, "structure", "Name of the structure whose storey yields, unloads or collapses."),
      .only = THUD_ROW_STOREY},
-    {EVENT(storey, "storey", "Number of that storey, from 1."), .only = THUD_ROW_STOREY},
+    {EVENT(storey, "storey", "Number of that storey, from 1; 0: the isolators."), .only = THUD_ROW_STOREY},
     {EVENT(link, "link", "Number of the link, from 1; where there are links."), .only = THUD_ROW_LINK},
     {EVENT(own.event, "event",
            "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield, "
@@ -376,7 +376,7 @@ static const struct thud_column events[] = {
            "How many of the lowest coefficients of that guard were taken as 0, because the event before had just put "
            "it there; 0 as a rule."),
      .shown = {"order", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
-    {EVENT(own.force_n, "force_n", "Force just behind the event, N; of a storey the one beside its elastic stiffness."),
+    {EVENT(own.force_n, "force_n", "Force just behind the event, N; of a storey its shear."),
      .shown = {"force (kN)", NULL, 1e-3, 12, 4, THUD_DIGITS_FIXED}},
     {EVENT(own.then, "then",
            "The state that it led to: open, closed (approach or restitution), closed without force, sticking; of a "
@@ -408,9 +408,11 @@ unsigned thud_event_marks(const struct thud_report *report, int i)
 
 static void name_storey(struct event_row *row, const struct thud_report *report, int structure, int floor)
 {
-    row->structure = report->scene->structure[structure].name;
-    row->storey = floor + 1;
-    snprintf(row->text, sizeof row->text, " %.40s, storey %d", row->structure, row->storey);
+    const struct thud_structure *own = &report->scene->structure[structure];
+    char level[24];
+    row->structure = own->name;
+    row->storey = thud_structure_storey(own, floor);
+    snprintf(row->text, sizeof row->text, " %.40s, %s", own->name, thud_structure_level_name(own, floor, true, level));
 }
 
 /* The links have the rows behind the contacts, and the storeys that yield those behind, in the order of the structures

@@ -114,10 +114,10 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
             char ends[2 * THUD_NAME_MAX + 32];
             thud_link_name(linked->scene, at->floor, ends, sizeof ends);
             snprintf(text, sizeof text, "%s, %s", ends, thud_link_law_name(linked->scene, at->floor));
-        } else if (thud_isolator_slides(of) && at->floor == 0)
-            snprintf(text, sizeof text, "%s, isolators", of->name);
-        else
-            snprintf(text, sizeof text, "%s, storey %d", of->name, at->floor + 1);
+        } else {
+            char level[24];
+            snprintf(text, sizeof text, "%s, %s", of->name, thud_structure_level_name(of, at->floor, true, level));
+        }
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, text);
         thud_panel_axis(panel, THUD_X, of ? "Drift" : "Stroke", "mm");
         thud_panel_results_on_x(panel);
