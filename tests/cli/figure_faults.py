@@ -1,5 +1,6 @@
 """usage: figure_faults.py FOLDER...: what is wrong with the texts of every SVG of thud in these folders: cut, outside the
-picture, or over each other (so an axis' title through the numbers of its ticks). A line for each fault."""
+picture, over each other (so an axis' title through the numbers of its ticks), or smaller than the 7 points that journals
+ask for. A line for each fault."""
 import os
 import re
 import sys
@@ -14,7 +15,7 @@ TEXT = re.compile(r'translate\(([-\d.]+),([-\d.]+)\)( rotate\([-\d.]+\))?"[^>]*f
 
 
 def boxes(svg):
-    """(text, left, top, right, bottom) of each; the letters alone, without the room that a font keeps around them."""
+    """(text, left, top, right, bottom, points) of each; the letters alone, without the room that a font keeps around them."""
     for x, y, turned, size, anchor, text in TEXT.findall(svg):
         text = re.sub(r"<!\[CDATA\[|\]\]>|<[^>]*>", "", text)
         text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").strip()
@@ -22,9 +23,9 @@ def boxes(svg):
         width = em * sum(ADVANCE[ord(c) - 32] if " " <= c <= "~" else 64 for c in text) / 100
         from_x = {"start": 0, "middle": -width / 2, "end": -width}[anchor]
         if turned:
-            yield text, x - 0.72 * em, y - from_x - width, x, y - from_x
+            yield text, x - 0.72 * em, y - from_x - width, x, y - from_x, 0.75 * em
         else:
-            yield text, x + from_x, y - 0.72 * em, x + from_x + width, y
+            yield text, x + from_x, y - 0.72 * em, x + from_x + width, y, 0.75 * em
 
 
 def faults(path):
@@ -34,12 +35,14 @@ def faults(path):
     every = [box for box in boxes(svg) if box[0]]
     if not every:
         yield "no text"
-    for i, (text, left, top, right, bottom) in enumerate(every):
+    for i, (text, left, top, right, bottom, points) in enumerate(every):
         if "\u2026" in text:
             yield f"cut: {text}"
         if left < -1 or top < -1 or right > width + 1 or bottom > height + 1:
             yield f"outside: {text}"
-        for other, l, t, r, b in every[:i]:
+        if points < 6.95:
+            yield f"letters of {points:.2f} points: {text}"
+        for other, l, t, r, b, _ in every[:i]:
             if min(right, r) - max(left, l) > 1 and min(bottom, b) - max(top, t) > 1:
                 yield f"over each other: {other} | {text}"
 

@@ -104,8 +104,9 @@ run run slab-against-columns --cases none,bumper --to 5s --no-title --format svg
 is "figures of a column's width" [ "$code" -eq 0 ]
 run sweep towers --vary gap=5cm:25cm:10cm --vary bumper.thickness=2cm:6cm:2cm --format svg --width 90mm --quiet -o "$tmp/narrow/map"
 run run towers --floor-spectra "5 %" --format svg --width 90mm --quiet -o "$tmp/narrow/floors"
-run figures fig3 fig5 fig6 --format svg --width 90mm --quiet -o "$tmp/narrow/paper"
-is "no text of them is cut, outside or through another" python3 tests/cli/figure_faults.py "$tmp"/narrow/*
+run figures all --format svg --width 90mm --quiet -o "$tmp/narrow/paper"
+is "no text of them is cut, outside, through another or small" python3 tests/cli/figure_faults.py "$tmp"/narrow/*
+is "where a closer look finds no room it is said" grep -q "A wider picture shows the largest impact closer[.]" "$tmp/narrow/run/force.txt"
 captions() { # every picture has its title and footer as text, and not in itself
     for picture in "$tmp"/narrow/run/*.svg; do
         title=$(sed 's/[:;,.].*//' "${picture%svg}txt") && [ -n "$title" ] || return 1

@@ -46,6 +46,9 @@ enum thud_status thud_picture_width_parse(const char *text, double *width_mm, st
 enum thud_status thud_picture_font_parse(const char *text, char *name, size_t size, double *font_px,
                                          struct thud_error *err);
 
+/* Leaves out the closer looks beside strips where the picture has no room for the titles of both, and says so. */
+void thud_figure_fit(struct thud_figure *figure, const struct thud_picture_options *options);
+
 /* The script with all data inside. `output` is the file it writes when run by hand (a plain name; NULL: standard
  * output). Traces are reduced to what the picture can show. Errors: THUD_MEMORY. */
 enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const struct thud_picture_options *options,

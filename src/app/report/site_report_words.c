@@ -78,6 +78,7 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     int nrecords = site->suite.drawing ? site->suite.plan.nrecords : 1;
     thud_synthetic_text(thud_records_synthetic(record, nrecords), nrecords, options.motions, sizeof options.motions);
     enum thud_status status = thud_figure_check(figure, &err);
+    thud_figure_fit(figure, &options);
     if (status == THUD_OK && site->pictures == THUD_OK)
         status = thud_gnuplot_draw(figure, &options, &svg, &err);
     if (site->pictures == THUD_OK && status != THUD_OK) {

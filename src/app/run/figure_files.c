@@ -68,11 +68,8 @@ static enum thud_status write_set(const struct thud_figure *figure, const char *
 static enum thud_status save(const struct thud_figure *figure, const char *folder,
                              const struct thud_picture_options *options, bool draw, struct thud_error *err)
 {
-    static const struct thud_picture_options chosen;
     struct set set = {0};
     struct thud_error unwritten = {0};
-    if (!options)
-        options = &chosen;
     enum thud_status status = thud_figure_check(figure, err);
     if (status == THUD_OK)
         status = make_script(figure, options, &set, err);
@@ -95,11 +92,13 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
                                      const struct thud_picture_options *options, enum thud_status before,
                                      struct thud_error *err)
 {
-    bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !(options && options->none);
+    bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !options->none;
     struct thud_error now = {0};
-    if (options)
-        thud_figure_title_add(figure, options->motions);
-    if (go_on && figure && options && options->drawing)
+    static const struct thud_picture_options chosen;
+    options = options ? options : &chosen;
+    thud_figure_title_add(figure, options->motions);
+    thud_figure_fit(figure, options);
+    if (go_on && figure && options->drawing)
         options->drawing(NULL, figure->name);
     enum thud_status status = go_on ? save(figure, folder, options, before == THUD_OK, &now) : before;
     thud_figure_free(figure);

@@ -3,10 +3,10 @@
 
 #include "plot/gnuplot/gnuplot.h"
 
-/* Size of the title, of the footer and of the titles of strips, room of a sample of a line and what follows a name in the key, ems. */
+/* Size of the title and of the smallest letters (7 points where type has 8), room of a sample of a line and what follows
+ * a name in the key, ems. */
 #define THUD_TITLE_EM  1.15
-#define THUD_NOTE_EM   0.85
-#define THUD_STRIP_EM  0.8
+#define THUD_SMALL_EM  0.875
 #define THUD_SAMPLE_EM 2.6
 #define THUD_BEHIND_EM 1.6
 enum { THUD_PDF_DPI = 200, THUD_LINES_MAX = 8 };
@@ -36,14 +36,10 @@ struct sheet {
         double left, em; /* px */
     } key_at[24];
     double head, foot; /* px: above and below the panels */
-    double key_foot;   /* px: of the foot, what the x axis of strips takes above the key */
+    bool one_x;        /* panels below each other have one x axis, at the lowest */
+    double key_foot;   /* px: of the foot, what that axis takes above the key */
 };
 
-/* Closer looks are left out where the titles of strips would not fit beside them: a figure of one column with them is
- * written to *narrow, with its panels at `room`, and returned; else the figure itself. */
-const struct thud_figure *thud_sheet_narrow(const struct thud_figure *figure,
-                                            const struct thud_picture_options *options, struct thud_figure *narrow,
-                                            struct thud_panel *room);
 struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
                              struct thud_text *out);
 /* The frame of a panel. */
@@ -60,7 +56,7 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
 
 /* Width of a text in letters of a size, about. */
 double thud_gnuplot_width(const char *text, double em);
-/* The em, made up to a quarter smaller where the text needs it to fit. */
+/* The em, made smaller, down to the smallest letters, where the text needs it to fit. */
 double thud_gnuplot_fit(const char *text, double widest, double em);
 
 /* Lines of about one length that a text takes, at most THUD_LINES_MAX: no unit or last word stands alone. Where each

@@ -249,7 +249,7 @@ static bool hits_title(const struct sheet *sheet, int number)
     const struct thud_panel *panel = &sheet->figure->panel[number];
     struct box box = thud_sheet_frame(sheet, number);
     struct thud_range x = thud_panel_range(panel, THUD_X), y = thud_panel_range(panel, THUD_Y);
-    double width = thud_gnuplot_width(panel->title, THUD_STRIP_EM * sheet->em) + sheet->em;
+    double width = thud_gnuplot_width(panel->title, THUD_SMALL_EM * sheet->em) + sheet->em;
     double right = x.least + (x.most - x.least) * width / (box.right - box.left);
     double low = y.most - (y.most - y.least) * title_share(sheet, &box);
     for (int i = 0; i < panel->nseries; i++)
@@ -287,7 +287,7 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     double hair = a->log ? 1e-7 : 0.0; /* gnuplot drops a tick that its logarithm puts outside by the last bit */
     thud_text_append(out, "set %crange [%.10g:%.10g]\n%s logscale %c\n", name, range.least * (1.0 - hair) + 0.0,
                      most * (1.0 + hair) + 0.0, /* + 0.0: no -0 */ a->log ? "set" : "unset", name);
-    bool last = !panel->strip || number > (sheet->rows - 1) * sheet->columns;
+    const bool last = !sheet->one_x || number > (sheet->rows - 1) * sheet->columns;
     if (side == THUD_X && last)
         x_title(sheet, number, box);
     if (side == THUD_Y && !panel->strip)
@@ -382,7 +382,7 @@ static bool has_line_right(const struct thud_panel *panel)
 static void marks(const struct sheet *sheet, const struct thud_panel *panel, const struct box *box)
 {
     struct thud_text *out = sheet->out;
-    const bool left = has_line_right(panel), low = box->top - box->bottom < 8.0 * sheet->em;
+    const bool left = has_line_right(panel), low = box->top - box->bottom < 10.0 * sheet->em;
     for (int i = 0; i < panel->nmarks; i++) {
         const struct thud_mark *mark = &panel->mark[i];
         struct thud_range range = thud_panel_range(panel, mark->side);
@@ -415,7 +415,7 @@ static void marks(const struct sheet *sheet, const struct thud_panel *panel, con
         else
             thud_text_append(out, " at graph %s, first %.9g %s offset 0,%s", left ? "0.015" : "0.985", from,
                              left ? "left" : "right", mark->from == mark->to ? "0.5" : "0.7");
-        thud_text_append(out, " front font sprintf(',%%.4g', 0.85*PT) textcolor rgb '#404040'\n");
+        thud_text_append(out, " front font sprintf(',%%.4g', SMALL*PT) textcolor rgb '#404040'\n");
     }
 }
 
@@ -426,7 +426,7 @@ static void labels(const struct sheet *sheet, const struct thud_panel *panel)
         const struct thud_label *label = &panel->label[i];
         thud_text_append(sheet->out, "set label %d ", 200 + i);
         thud_gnuplot_quote(sheet->out, label->text, 0.0, sheet->em);
-        thud_text_append(sheet->out, " at first %.9g, first %.9g %s front font sprintf(',%%.4g', 0.85*PT)\n", label->x,
+        thud_text_append(sheet->out, " at first %.9g, first %.9g %s front font sprintf(',%%.4g', SMALL*PT)\n", label->x,
                          label->y, side[label->side + 1]);
     }
 }
@@ -543,18 +543,18 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
         thud_text_append(out, "unset grid\nunset xtics\n");
     double room = 1.1 * (box.right - box.left), em = thud_gnuplot_fit(panel->title, room, sheet->em);
     if (panel->strip)
-        em = THUD_STRIP_EM * sheet->em;
+        em = THUD_SMALL_EM * sheet->em;
     thud_text_append(out, "set label 90 ");
     thud_gnuplot_quote(out, panel->title, room, em);
     if (panel->strip)
         thud_text_append(out, " at graph 0.01, screen T%d-0.7*EY left front font sprintf(',%%.4g', %.3g*PT)\n", number,
-                         THUD_STRIP_EM);
+                         THUD_SMALL_EM);
     else
         thud_text_append(out, " at graph 0.5, screen T%d+%.3g*EY center font sprintf(',%%.4g', %.3g*PT)\n", number,
                          *panel->note ? 1.9 : 0.8, em / sheet->em);
     if (*panel->note) {
         thud_text_append(out, "set label 91 ");
-        em = thud_gnuplot_fit(panel->note, room, 0.85 * sheet->em);
+        em = THUD_SMALL_EM * sheet->em;
         thud_gnuplot_quote(out, panel->note, room, em);
         thud_text_append(out,
                          " at graph 0.5, screen T%d+0.7*EY center font sprintf(',%%.4g', %.3g*PT) "

@@ -2,7 +2,6 @@
  * thud_gnuplot_quote, and the terminal is told not to look for markup. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/utf8.h"
@@ -48,9 +47,10 @@ static void variables(const struct sheet *sheet, const struct thud_picture_optio
                      sheet->width, sheet->height, options->format == THUD_PDF ? "200 to the inch" : "pixels");
     thud_gnuplot_quote(out, font, 0.0, 0.0);
     thud_text_append(out,
-                     "; PT = %.4g    # size of the type\nLW = %.4g    # width of a thin line\n"
+                     "; PT = %.4g    # size of the type\nSMALL = %g    # of the smallest letters, of PT\nLW = %.4g    "
+                     "# width of a thin line\n"
                      "DOT = %.3g    # size of a mark\nEX = %.5f; EY = %.5f    # an em, of W and of H\n",
-                     sheet->em * sheet->points, sheet->line * unit, sheet->dot, sheet->em / sheet->width,
+                     sheet->em * sheet->points, THUD_SMALL_EM, sheet->line * unit, sheet->dot, sheet->em / sheet->width,
                      sheet->em / sheet->height);
     for (int i = 0; i < sheet->figure->rows * sheet->figure->columns; i++) {
         struct box box = thud_sheet_frame(sheet, i);
@@ -112,10 +112,10 @@ static void surroundings(const struct sheet *sheet)
                           "unset key\nset samples 3\n");
     thud_text_append(out, "set xrange [0:1]\nset yrange [0:1]\n");
     char footer[32];
-    int note = thud_gnuplot_wrap(sheet->figure->note, 0.96 * sheet->width, THUD_NOTE_EM * sheet->em, NULL);
+    int note = thud_gnuplot_wrap(sheet->figure->note, 0.96 * sheet->width, THUD_SMALL_EM * sheet->em, NULL);
     snprintf(footer, sizeof footer, "%.3g*EY", 0.9 + 1.3 * (note - 1));
     wide_label(sheet, 1, sheet->title, "1-1.3*EY", THUD_TITLE_EM);
-    wide_label(sheet, 1 + THUD_LINES_MAX, sheet->figure->note, footer, THUD_NOTE_EM);
+    wide_label(sheet, 1 + THUD_LINES_MAX, sheet->figure->note, footer, THUD_SMALL_EM);
     for (int i = 0; i < sheet->nkeys; i++) {
         thud_text_append(out, "set label %d ", 40 + i);
         thud_gnuplot_quote(out, sheet->key[i]->name, 0.96 * sheet->width - (THUD_SAMPLE_EM + 0.5) * sheet->em,
@@ -135,11 +135,6 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
     enum thud_status status = thud_figure_check(figure, err);
     if (status != THUD_OK)
         return status;
-    struct thud_figure narrow;
-    struct thud_panel *room = malloc((size_t)figure->rows * sizeof *room);
-    if (!room)
-        return thud_error_set(err, THUD_MEMORY, "out of memory for a figure's script");
-    figure = thud_sheet_narrow(figure, options, &narrow, room);
     struct sheet sheet = thud_sheet_make(figure, options, script);
     int panels = figure->rows * figure->columns;
     thud_text_append(script, "# A figure by thud " THUD_VERSION "; `gnuplot` and this file's name draw it again.\n"
@@ -158,7 +153,6 @@ enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const str
         thud_gnuplot_panel(&sheet, i);
     surroundings(&sheet);
     thud_text_append(script, "unset multiplot\nset output\n");
-    free(room);
     if (!script->failed)
         return THUD_OK;
     thud_text_clear(script);

@@ -35,7 +35,7 @@ static void lay_key(struct sheet *sheet)
 
 /* On paper panels below each other share three quarters of what a page of A4 has between its margins: a caption and text
  * stand beside them. */
-static const double page_mm = 180.0, lowest_em = 10.0;
+static const double page_mm = 180.0, lowest_em = 9.0;
 /* A panel narrower than this many ems stands below its neighbour. */
 static const double narrowest_em = 21.0;
 
@@ -47,25 +47,38 @@ static bool has_map(const struct thud_figure *figure)
     return false;
 }
 
-const struct thud_figure *thud_sheet_narrow(const struct thud_figure *figure,
-                                            const struct thud_picture_options *options, struct thud_figure *narrow,
-                                            struct thud_panel *room)
+void thud_figure_fit(struct thud_figure *figure, const struct thud_picture_options *options)
 {
+    if (thud_figure_check(figure, NULL) != THUD_OK || figure->columns != 2 || !figure->panel[0].strip)
+        return;
     const struct sheet sheet = thud_sheet_make(figure, options, NULL);
     const double frame = sheet.width / 2 - 5.4 * sheet.em;
     double widest = 0.0;
-    for (int i = 0; figure->columns == 2 && figure->panel[0].strip && i < figure->rows; i++)
-        widest = fmax(widest, thud_gnuplot_width(figure->panel[2 * i].title, THUD_STRIP_EM * sheet.em));
+    for (int i = 0; i < figure->rows; i++)
+        widest = fmax(widest, thud_gnuplot_width(figure->panel[2 * i].title, THUD_SMALL_EM * sheet.em));
     if (widest <= frame)
-        return figure;
-    *narrow = *figure;
-    narrow->panel = room;
-    narrow->columns = 1;
+        return;
+    figure->columns = 1;
     for (int i = 0; i < figure->rows; i++) {
-        room[i] = figure->panel[2 * i];
-        room[i].nmarks = 0; /* of the closer look */
+        figure->panel[i] = figure->panel[2 * i];
+        figure->panel[i].nmarks = 0; /* of the closer look */
     }
-    return narrow;
+    thud_figure_note(figure, "A wider picture shows the largest impact closer.");
+}
+
+/* Whether panels below each other can share one x axis. */
+static bool has_one_x(const struct sheet *sheet)
+{
+    const struct thud_panel *panel = sheet->figure->panel;
+    const struct thud_range first = thud_panel_range(panel, THUD_X);
+    for (int i = 0; i < sheet->rows * sheet->columns; i++) {
+        const struct thud_range x = thud_panel_range(&panel[i], THUD_X);
+        const struct thud_axis *axis = &panel[i].axis[THUD_X];
+        if (!panel[i].used || panel[i].drawing || axis->nticks > 0 || strcmp(axis->label, panel->axis[THUD_X].label) ||
+            x.least != first.least || x.most != first.most)
+            return false;
+    }
+    return sheet->rows > 1;
 }
 
 /* Size, font and room for the key, from the options and the figure. On paper an inch has 300 pixels, and as many as the
@@ -95,22 +108,22 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
     }
     lay_key(&sheet);
     int title = !*sheet.title ? 0 : thud_gnuplot_wrap(sheet.title, 0.96 * sheet.width, THUD_TITLE_EM * sheet.em, NULL);
-    int note = thud_gnuplot_wrap(figure->note, 0.96 * sheet.width, THUD_NOTE_EM * sheet.em, NULL);
+    int note = thud_gnuplot_wrap(figure->note, 0.96 * sheet.width, THUD_SMALL_EM * sheet.em, NULL);
     sheet.head = (0.8 + 1.6 * title) * sheet.em;
-    sheet.foot = (0.6 + 1.3 * note + 1.6 * sheet.key_rows) * sheet.em;
+    sheet.one_x = strips || has_one_x(&sheet);
+    sheet.key_foot = strips ? 3.6 * sheet.em : sheet.one_x ? 3.0 * sheet.em : 0.0;
+    sheet.foot = (0.6 + 1.3 * note + 1.6 * sheet.key_rows) * sheet.em + sheet.key_foot;
     /* panels a little wider than high, room for their labels besides */
     double panel = sheet.width / sheet.columns, share = sheet.columns > 2 ? 0.8 : sheet.rows > 3 ? 0.4 : 0.52;
     if (sheet.columns == 1 && sheet.rows > 1)
         share = sheet.width < 40.0 * sheet.em ? 0.5 : 0.3;
-    double height = fmax(sheet.rows > 4 ? 9.0 * sheet.em : 12.0 * sheet.em, share * panel + 4.0 * sheet.em);
+    double height =
+        fmax(sheet.rows > 4 ? 9.0 * sheet.em : 12.0 * sheet.em, share * panel + 4.0 * sheet.em - sheet.key_foot);
     double page = (page_mm / 25.4 * inch - sheet.head - sheet.foot) / sheet.rows;
     if (paper && sheet.rows > 1 && height > page)
         height = fmin(height, fmax(lowest_em * sheet.em, page));
-    if (strips) {
-        sheet.foot += 3.6 * sheet.em;
-        sheet.key_foot = 3.6 * sheet.em;
+    if (strips)
         height = fmax(4.2, fmin(9.0, 50.0 / sheet.rows)) * sheet.em;
-    }
     if (sheet.columns == 1 && sheet.rows == 1)
         height = fmax(0.5 * panel, fmax(18.0, 1.35 * figure->panel[0].axis[THUD_Y].nticks + 5.0) * sheet.em);
     sheet.height = options->height_px ? options->height_px : floor(sheet.head + sheet.foot + sheet.rows * height);
@@ -153,7 +166,7 @@ static double names_width(const struct thud_panel *panel, double em)
 double thud_sheet_names_em(const struct sheet *sheet, int panel)
 {
     const double width = names_width(&sheet->figure->panel[panel], sheet->em), room = thud_sheet_names_room(sheet);
-    return sheet->em * fmax(0.75, fmin(1.0, room / fmax(width, sheet->em)));
+    return sheet->em * fmax(THUD_SMALL_EM, fmin(1.0, room / fmax(width, sheet->em)));
 }
 
 /* Top and bottom of a frame. */
@@ -162,7 +175,10 @@ static struct box upright(const struct sheet *sheet, int panel)
     const struct thud_panel *p = &sheet->figure->panel[panel];
     const double height = (sheet->height - sheet->head - sheet->foot) / sheet->rows,
                  top = sheet->height - sheet->head - panel / sheet->columns * height,
-                 above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0), below = p->drawing ? 1.2 : 3.7;
+                 above = (*p->title ? 1.5 : 0.5) + (*p->note ? 1.1 : 0.0),
+                 below = p->drawing     ? 1.2
+                         : sheet->one_x ? 0.7
+                                        : 3.7;
     return (struct box){.top = top - (p->strip ? 0.3 : above) * sheet->em,
                         .bottom = top - height + (p->strip ? 0.3 : below) * sheet->em};
 }

@@ -43,8 +43,13 @@ static void draw_for_screen(struct thud_picture_work *work, const struct thud_fi
     options.format = work->screen.format;
     options.width_px = work->screen.width_px;
     options.height_px = work->screen.height_px;
-    if (options.width_px > 0)
-        thud_gnuplot_draw(figure, &options, &work->picture, NULL);
+    if (options.width_px <= 0)
+        return;
+    struct thud_figure *shown = thud_figure_copy(figure);
+    thud_figure_fit(shown, &options);
+    if (shown)
+        thud_gnuplot_draw(shown, &options, &work->picture, NULL);
+    thud_figure_free(shown);
 }
 
 static void *write_all(void *context)
