@@ -162,6 +162,7 @@ is "events: a storey yields and unloads in turn" awk -F, '
     $6 != "" && $7 == "unload" { if (!open[$5 $6]) exit 1; open[$5 $6] = 0 }
     END { exit !(n > 10) }' "$tmp/out"
 # k d_y = 600 MN/m x 15 mm at first; a storey that unloads keeps its shear
+# shellcheck disable=SC2016 # of awk
 is "events: with its shear" awk -F, '
     $6 != "" && $7 == "yield" && !first[$5 $6]++ { n++; if (($10 < 0 ? -$10 : $10) - 9e6 > 1 || 9e6 - ($10 < 0 ? -$10 : $10) > 1) bad = 1 }
     END { exit n < 4 || bad }' "$tmp/out"
