@@ -104,6 +104,8 @@ run run slab-against-columns --cases none,bumper --to 5s --no-title --format svg
 is "figures of a column's width" [ "$code" -eq 0 ]
 run sweep towers --vary gap=5cm:25cm:10cm --vary bumper.thickness=2cm:6cm:2cm --format svg --width 90mm --quiet -o "$tmp/narrow/map"
 run run towers --floor-spectra "5 %" --format svg --width 90mm --quiet -o "$tmp/narrow/floors"
+run run towers --floor-spectra "5 %" --format svg --width 190mm --quiet -o "$tmp/narrow/floors-wide"
+run uncertainty towers --samples 2 --format svg --width 165mm --quiet -o "$tmp/narrow/tornado"
 run figures all --format svg --width 90mm --quiet -o "$tmp/narrow/paper"
 is "no text of them is cut, outside, through another or small" python3 tests/cli/figure_faults.py "$tmp"/narrow/*
 is "where a closer look finds no room it is said" grep -q "A wider picture shows the largest impact closer[.]" "$tmp/narrow/run/force.txt"

@@ -51,6 +51,7 @@ is "and as many in the table" test "$(sed -n '/^where a naive/,$p' "$tmp/out" | 
 for name in stability-free stability-wall stability-energy; do
     is "$name is a picture" is_png "$tmp/s/$name.png"
 done
+is "rows of a method say how they differ, and the line is named" sh -c "grep -q 'impacts located' '$tmp/s/stability-free.gp' && grep -q 'Blue: limit of the linear system' '$tmp/s/stability-free.gp'"
 is "and no picture of the scene" test ! -e "$tmp/s/stability-scene.png"
 is "nor a table" test "$(grep -c '^scene: ' "$tmp/out")" -eq 0
 is "nothing half written stays" test -z "$(find "$tmp/s" -name '*.part')"

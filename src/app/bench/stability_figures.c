@@ -42,7 +42,7 @@ static void add_names(const struct grid *g, struct thud_panel *panel)
     char text[64];
     for (int row = 0; row < g->rows; row++) {
         bool below = row > 0 && g->how[row - 1]->method == g->how[row]->method;
-        snprintf(text, sizeof text, "%s", below ? "located" : g->how[row]->method->name);
+        snprintf(text, sizeof text, "%s", below ? "impacts located" : g->how[row]->method->name);
         thud_panel_tick(panel, THUD_Y, g->rows - 1 - row, text);
     }
     thud_panel_limits(panel, THUD_Y, -0.5, g->rows - 0.5);
@@ -58,15 +58,15 @@ static void add_limits(const struct grid *g, struct thud_panel *panel)
             x[n] = end == 2 || isinf(g->how[row]->method->stability) ? NAN : g->how[row]->method->stability;
             y[n++] = g->rows - 1 - row + (end == 0 ? -0.5 : 0.5);
         }
-    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0, .wide = true},
-                   "limit of the linear system", n, x, y);
+    thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = 0, .wide = true}, "", n, x, y);
 }
 
 /* What the colours mean, and what became of the methods that have no place on the axis. */
 static void add_note(const struct thud_stability *s, int kind, const char *meant, struct thud_figure *figure)
 {
     struct thud_text note = {0};
-    thud_text_append(&note, "%s One block for each step tried. With steps of their own:", meant);
+    thud_text_append(
+        &note, "%s Blue: limit of the linear system. One block for each step tried. With steps of their own:", meant);
     const char *comma = " ";
     for (int i = 0; i < s->ncells; i++)
         if (isnan(s->cell[i].omega_dt)) {

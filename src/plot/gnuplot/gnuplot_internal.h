@@ -56,7 +56,7 @@ void thud_gnuplot_quote(struct thud_text *out, const char *text, double widest, 
 
 /* Width of a text in letters of a size, about. */
 double thud_gnuplot_width(const char *text, double em);
-/* The em, made smaller, down to the smallest letters, where the text needs it to fit. */
+/* The em, made up to a quarter smaller where the text needs it to fit. */
 double thud_gnuplot_fit(const char *text, double widest, double em);
 
 /* Lines of about one length that a text takes, at most THUD_LINES_MAX: no unit or last word stands alone. Where each

@@ -119,13 +119,13 @@ static void power_text(int power, char *text, size_t size)
         strncat(text, *c == '-' ? "⁻" : digit[*c - '0'], size - strlen(text) - 1);
 }
 
-/* No more than `most` of them with their number. */
+/* No more than `most` of them with their number; 0: none. */
 static void log_ticks(struct thud_text *out, const struct thud_range *range, int most)
 {
     int from = (int)floor(log10(range->least) - 1e-9), to = (int)ceil(log10(range->most) + 1e-9);
     int inside = (int)(floor(log10(range->most) + 1e-9) - ceil(log10(range->least) - 1e-9));
-    int stride = 1 + inside / most;
-    bool few = to - from <= 2;
+    const int stride = most > 0 ? 1 + inside / most : 1;
+    const bool few = to - from <= 2 && most > 0;
     const char *comma = "";
     for (int power = from; power <= to; power++) {
         char text[64];
@@ -134,7 +134,7 @@ static void log_ticks(struct thud_text *out, const struct thud_range *range, int
         else
             power_text(power, text, sizeof text);
         if (power % stride == 0)
-            thud_text_append(out, "%s'%s' 1e%d", comma, text, power);
+            thud_text_append(out, "%s'%s' 1e%d", comma, most > 0 ? text : "", power);
         else
             thud_text_append(out, "%s'' 1e%d 1", comma, power);
         comma = ", ";
@@ -151,15 +151,15 @@ static void log_ticks(struct thud_text *out, const struct thud_range *range, int
 static void named_ticks(struct thud_text *out, const struct thud_axis *axis, double em, double widest)
 {
     for (int i = 0; i < axis->nticks; i++) {
-        struct thud_text text = {0};
-        for (const char *c = axis->tick[i].text; *c; c++)
-            thud_text_bytes(&text, *c == '%' ? "%%" : c, *c == '%' ? 2 : 1);
+        struct thud_text quoted = {0};
+        thud_gnuplot_quote(&quoted, axis->tick[i].text, widest, em);
         if (i)
             thud_text_append(out, ", ");
-        thud_gnuplot_quote(out, text.data ? text.data : "", widest, em);
-        out->failed |= text.failed;
+        for (const char *c = quoted.data; c && *c; c++)
+            thud_text_bytes(out, *c == '%' ? "%%" : c, *c == '%' ? 2 : 1);
+        out->failed |= quoted.failed;
         thud_text_append(out, " %.7g", axis->tick[i].at);
-        thud_text_clear(&text);
+        thud_text_clear(&quoted);
     }
 }
 
@@ -307,7 +307,7 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
         thud_text_append(out, "(");
         double room = side == THUD_X ? (box->right - box->left) / (2.5 * sheet->em)
                                      : (box->top - box->bottom) / (1.2 * sheet->em);
-        log_ticks(out, &range, (int)fmin(9, fmax(2, room)));
+        log_ticks(out, &range, side == THUD_X && !last ? 0 : (int)fmin(9, fmax(2, room)));
         thud_text_append(out, ")\n");
     } else if (panel->strip && side == THUD_Y && range.least <= 0.0 && range.most >= 0.0) {
         strip_ticks(out, &range, (box->top - box->bottom) / sheet->em / (most - range.least));

@@ -39,11 +39,32 @@ static const double page_mm = 180.0, lowest_em = 9.0;
 /* A panel narrower than this many ems stands below its neighbour. */
 static const double narrowest_em = 21.0;
 
-static bool has_map(const struct thud_figure *figure)
+double thud_sheet_names_room(const struct sheet *sheet)
 {
-    for (int i = 0; i < figure->rows * figure->columns; i++)
-        if (figure->panel[i].map)
+    return 0.43 * sheet->width / sheet->columns;
+}
+
+static double names_width(const struct thud_panel *panel, double em)
+{
+    double widest = 0.0;
+    for (int i = 0; i < panel->axis[THUD_Y].nticks; i++)
+        widest = fmax(widest, thud_gnuplot_width(panel->axis[THUD_Y].tick[i].text, em));
+    return widest;
+}
+
+/* Where half as many panels, or one, are to stand side by side: they are narrower than so many ems, or would cut a title
+ * or the names of ticks. */
+static bool too_narrow(const struct sheet *sheet, double least)
+{
+    const double width = sheet->width / sheet->columns, em = sheet->em, room = thud_sheet_names_room(sheet);
+    for (int i = 0; i < sheet->figure->rows * sheet->figure->columns; i++) {
+        const struct thud_panel *panel = &sheet->figure->panel[i];
+        const double names = names_width(panel, THUD_SMALL_EM * em), map = panel->map ? 6.0 * em : 0.0,
+                     frame = width - fmax(5.8 * em, fmin(names, room) + 3.0 * em) - 1.8 * em - map;
+        if (width < least * em + map ||
+            (!panel->strip && (names > room || thud_gnuplot_width(panel->title, THUD_SMALL_EM * em) > 1.1 * frame)))
             return true;
+    }
     return false;
 }
 
@@ -70,11 +91,11 @@ void thud_figure_fit(struct thud_figure *figure, const struct thud_picture_optio
 static bool has_one_x(const struct sheet *sheet)
 {
     const struct thud_panel *panel = sheet->figure->panel;
-    const struct thud_range first = thud_panel_range(panel, THUD_X);
     for (int i = 0; i < sheet->rows * sheet->columns; i++) {
-        const struct thud_range x = thud_panel_range(&panel[i], THUD_X);
+        const struct thud_panel *top = &panel[i % sheet->columns];
+        const struct thud_range x = thud_panel_range(&panel[i], THUD_X), first = thud_panel_range(top, THUD_X);
         const struct thud_axis *axis = &panel[i].axis[THUD_X];
-        if (!panel[i].used || panel[i].drawing || axis->nticks > 0 || strcmp(axis->label, panel->axis[THUD_X].label) ||
+        if (!panel[i].used || panel[i].drawing || axis->nticks > 0 || strcmp(axis->label, top->axis[THUD_X].label) ||
             x.least != first.least || x.most != first.most)
             return false;
     }
@@ -101,8 +122,7 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
     sheet.line = paper ? 0.5 * point : sheet.em / 14.0;
     bool strips = figure->panel[0].strip;
     double narrowest = strips ? 14.0 : figure->columns > 2 ? 15.0 : narrowest_em;
-    /* where panels would be too narrow half as many stand side by side, or one */
-    while (sheet.columns > 1 && sheet.width / sheet.columns < (narrowest + (has_map(figure) ? 6.0 : 0.0)) * sheet.em) {
+    while (sheet.columns > 1 && too_narrow(&sheet, narrowest)) {
         sheet.columns = sheet.columns % 2 == 0 && !strips ? sheet.columns / 2 : 1;
         sheet.rows = figure->rows * figure->columns / sheet.columns;
     }
@@ -150,23 +170,10 @@ static double numbers_width(const struct sheet *sheet, const struct thud_panel *
     return widest;
 }
 
-double thud_sheet_names_room(const struct sheet *sheet)
-{
-    return 0.43 * sheet->width / sheet->columns;
-}
-
-static double names_width(const struct thud_panel *panel, double em)
-{
-    double widest = 0.0;
-    for (int i = 0; i < panel->axis[THUD_Y].nticks; i++)
-        widest = fmax(widest, thud_gnuplot_width(panel->axis[THUD_Y].tick[i].text, em));
-    return widest;
-}
-
 double thud_sheet_names_em(const struct sheet *sheet, int panel)
 {
     const double width = names_width(&sheet->figure->panel[panel], sheet->em), room = thud_sheet_names_room(sheet);
-    return sheet->em * fmax(THUD_SMALL_EM, fmin(1.0, room / fmax(width, sheet->em)));
+    return sheet->em * fmax(0.75, fmin(1.0, room / fmax(width, sheet->em)));
 }
 
 /* Top and bottom of a frame. */

@@ -31,7 +31,7 @@ double thud_gnuplot_width(const char *text, double em)
 double thud_gnuplot_fit(const char *text, double widest, double em)
 {
     double width = thud_gnuplot_width(text, em);
-    return width > widest ? em * fmax(THUD_SMALL_EM, widest / width) : em;
+    return width > widest ? em * fmax(0.75, widest / width) : em;
 }
 
 /* A byte that means something within double quotes: as an octal escape. */
