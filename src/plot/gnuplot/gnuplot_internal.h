@@ -9,7 +9,7 @@
 #define THUD_SMALL_EM  0.875
 #define THUD_SAMPLE_EM 2.6
 #define THUD_BEHIND_EM 1.6
-enum { THUD_PDF_DPI = 200, THUD_LINES_MAX = 8 };
+enum { THUD_PDF_DPI = 200, THUD_LINES_MAX = 8, THUD_PANELS_KNOWN = 64 };
 
 #define THUD_GNUPLOT_DONE "thud: drawn to the end"
 
@@ -38,10 +38,19 @@ struct sheet {
     double head, foot; /* px: above and below the panels */
     bool one_x;        /* panels below each other have one x axis, at the lowest */
     double key_foot;   /* px: of the foot, what that axis takes above the key */
+    /* Of the first panels, as they are asked for often and take a look at every point. */
+    struct thud_range range[THUD_PANELS_KNOWN][2];
+    bool hits_title[THUD_PANELS_KNOWN];
 };
 
 struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud_picture_options *options,
                              struct thud_text *out);
+/* What an axis of a panel (from 0) shows. */
+struct thud_range thud_sheet_range(const struct sheet *sheet, int panel, enum thud_side side);
+/* The title of a strip stands inside, in its upper left corner: what share of the height it takes, and whether a curve
+ * would run through it. */
+double thud_sheet_title_share(const struct sheet *sheet, const struct box *box);
+bool thud_sheet_hits_title(const struct sheet *sheet, int panel);
 /* The frame of a panel. */
 struct box thud_sheet_frame(const struct sheet *sheet, int panel);
 /* Where the title of the y axis goes on in a second line, bytes; 0: in one it is not too long for the frame. */

@@ -91,7 +91,7 @@ static void map_block(const struct sheet *sheet, int panel, const struct thud_ma
 void thud_gnuplot_data(const struct sheet *sheet, int panel)
 {
     const struct thud_panel *p = &sheet->figure->panel[panel];
-    struct thud_range x = thud_panel_range(p, THUD_X), y = thud_panel_range(p, THUD_Y);
+    struct thud_range x = thud_sheet_range(sheet, panel, THUD_X), y = thud_sheet_range(sheet, panel, THUD_Y);
     struct box box = thud_sheet_frame(sheet, panel);
     struct thud_reduce to = {x.least,
                              x.most,
@@ -237,28 +237,6 @@ static void strip_ticks(struct thud_text *out, const struct thud_range *range, d
             -step, step, step);
 }
 
-/* The title of a strip stands inside, in its upper left corner: what share of the height it takes, and whether a curve
- * would run through it. */
-static double title_share(const struct sheet *sheet, const struct box *box)
-{
-    return fmin(0.4, 1.4 * sheet->em / (box->top - box->bottom));
-}
-
-static bool hits_title(const struct sheet *sheet, int number)
-{
-    const struct thud_panel *panel = &sheet->figure->panel[number];
-    struct box box = thud_sheet_frame(sheet, number);
-    struct thud_range x = thud_panel_range(panel, THUD_X), y = thud_panel_range(panel, THUD_Y);
-    double width = thud_gnuplot_width(panel->title, THUD_SMALL_EM * sheet->em) + sheet->em;
-    double right = x.least + (x.most - x.least) * width / (box.right - box.left);
-    double low = y.most - (y.most - y.least) * title_share(sheet, &box);
-    for (int i = 0; i < panel->nseries; i++)
-        for (size_t k = 0; k < panel->series[i]->n; k++)
-            if (panel->series[i]->x[k] >= x.least && panel->series[i]->x[k] <= right && panel->series[i]->y[k] >= low)
-                return true;
-    return false;
-}
-
 /* Room above the curves for the titles of strips, as a share of the height: the same in all that show the same range, so
  * that they stay comparable. */
 static double strip_headroom(const struct sheet *sheet, const struct box *box, const struct thud_range *range)
@@ -267,9 +245,9 @@ static double strip_headroom(const struct sheet *sheet, const struct box *box, c
         const struct thud_panel *panel = &sheet->figure->panel[i];
         if (!panel->used)
             continue;
-        struct thud_range y = thud_panel_range(panel, THUD_Y);
-        if (y.least == range->least && y.most == range->most && hits_title(sheet, i))
-            return title_share(sheet, box);
+        struct thud_range y = thud_sheet_range(sheet, i, THUD_Y);
+        if (y.least == range->least && y.most == range->most && thud_sheet_hits_title(sheet, i))
+            return thud_sheet_title_share(sheet, box);
     }
     return 0.0;
 }
@@ -280,7 +258,7 @@ static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum
     struct thud_text *out = sheet->out;
     const struct thud_axis *a = &panel->axis[side];
     char name = side == THUD_X ? 'x' : 'y';
-    struct thud_range range = thud_panel_range(panel, side);
+    struct thud_range range = thud_sheet_range(sheet, number - 1, side);
     double most = range.most;
     if (panel->strip && side == THUD_Y && !a->log)
         most = range.least + (range.most - range.least) / (1.0 - strip_headroom(sheet, box, &range));
@@ -369,9 +347,10 @@ void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *ser
 }
 
 /* Whether a vertical line would run through words at the right. */
-static bool has_line_right(const struct thud_panel *panel)
+static bool has_line_right(const struct sheet *sheet, int number_of)
 {
-    const struct thud_range x = thud_panel_range(panel, THUD_X);
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
+    const struct thud_range x = thud_sheet_range(sheet, number_of, THUD_X);
     for (int i = 0; i < panel->nmarks; i++)
         if (panel->mark[i].side == THUD_X && panel->mark[i].from == panel->mark[i].to &&
             2.0 * panel->mark[i].from > x.least + x.most)
@@ -379,13 +358,14 @@ static bool has_line_right(const struct thud_panel *panel)
     return false;
 }
 
-static void marks(const struct sheet *sheet, const struct thud_panel *panel, const struct box *box)
+static void marks(const struct sheet *sheet, int number_of, const struct box *box)
 {
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
     struct thud_text *out = sheet->out;
-    const bool left = has_line_right(panel), low = box->top - box->bottom < 10.0 * sheet->em;
+    const bool left = has_line_right(sheet, number_of), low = box->top - box->bottom < 10.0 * sheet->em;
     for (int i = 0; i < panel->nmarks; i++) {
         const struct thud_mark *mark = &panel->mark[i];
-        struct thud_range range = thud_panel_range(panel, mark->side);
+        struct thud_range range = thud_sheet_range(sheet, number_of, mark->side);
         double from = fmax(fmin(mark->from, mark->to), range.least), to = fmin(fmax(mark->from, mark->to), range.most);
         bool across = mark->side == THUD_X;
         if (!(from <= to))
@@ -563,7 +543,7 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     }
     if (panel->map)
         map_colors(sheet, panel->map, number_of + 1, &box);
-    marks(sheet, panel, &box);
+    marks(sheet, number_of, &box);
     labels(sheet, panel);
     plots(sheet, number_of);
 }

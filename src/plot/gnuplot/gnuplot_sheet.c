@@ -87,13 +87,44 @@ void thud_figure_fit(struct thud_figure *figure, const struct thud_picture_optio
     thud_figure_note(figure, "A wider picture shows the largest impact closer.");
 }
 
+struct thud_range thud_sheet_range(const struct sheet *sheet, int panel, enum thud_side side)
+{
+    return panel < THUD_PANELS_KNOWN ? sheet->range[panel][side] : thud_panel_range(&sheet->figure->panel[panel], side);
+}
+
+static bool would_hit(const struct sheet *sheet, int number)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number];
+    struct box box = thud_sheet_frame(sheet, number);
+    struct thud_range x = thud_sheet_range(sheet, number, THUD_X), y = thud_sheet_range(sheet, number, THUD_Y);
+    double width = thud_gnuplot_width(panel->title, THUD_SMALL_EM * sheet->em) + sheet->em;
+    double right = x.least + (x.most - x.least) * width / (box.right - box.left);
+    double low = y.most - (y.most - y.least) * thud_sheet_title_share(sheet, &box);
+    for (int i = 0; i < panel->nseries; i++)
+        for (size_t k = 0; k < panel->series[i]->n; k++)
+            if (panel->series[i]->x[k] >= x.least && panel->series[i]->x[k] <= right && panel->series[i]->y[k] >= low)
+                return true;
+    return false;
+}
+
+double thud_sheet_title_share(const struct sheet *sheet, const struct box *box)
+{
+    return fmin(0.4, 1.4 * sheet->em / (box->top - box->bottom));
+}
+
+bool thud_sheet_hits_title(const struct sheet *sheet, int panel)
+{
+    return panel < THUD_PANELS_KNOWN ? sheet->hits_title[panel] : would_hit(sheet, panel);
+}
+
 /* Whether panels below each other can share one x axis. */
 static bool has_one_x(const struct sheet *sheet)
 {
     const struct thud_panel *panel = sheet->figure->panel;
     for (int i = 0; i < sheet->rows * sheet->columns; i++) {
         const struct thud_panel *top = &panel[i % sheet->columns];
-        const struct thud_range x = thud_panel_range(&panel[i], THUD_X), first = thud_panel_range(top, THUD_X);
+        const struct thud_range x = thud_sheet_range(sheet, i, THUD_X),
+                                first = thud_sheet_range(sheet, i % sheet->columns, THUD_X);
         const struct thud_axis *axis = &panel[i].axis[THUD_X];
         if (!panel[i].used || panel[i].drawing || axis->nticks > 0 || strcmp(axis->label, top->axis[THUD_X].label) ||
             x.least != first.least || x.most != first.most)
@@ -112,6 +143,10 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
                           .out = out,
                           .rows = figure->rows,
                           .columns = figure->columns};
+    const int known = (int)fmin(THUD_PANELS_KNOWN, figure->rows * figure->columns);
+    for (int i = 0; i < known; i++)
+        for (int side = 0; side < 2; side++)
+            sheet.range[i][side] = thud_panel_range(&figure->panel[i], (enum thud_side)side);
     static const double dpi[] = {[THUD_PNG] = 300.0, [THUD_SVG] = 96.0, [THUD_PDF] = THUD_PDF_DPI, [THUD_SIXEL] = 96.0};
     bool paper = options->width_mm > 0.0;
     double inch = dpi[options->format], point = inch / 72.0;
@@ -151,18 +186,21 @@ struct sheet thud_sheet_make(const struct thud_figure *figure, const struct thud
     /* a mark of size 1 has a radius, px: 3.1 of pngcairo and sixelgd, 8.8 of pdfcairo, 0.375 em of svg */
     const double radius = options->format == THUD_PDF ? 8.8 : options->format == THUD_SVG ? 0.375 * sheet.em : 3.1;
     sheet.dot = 0.1 * sheet.em / radius;
+    for (int i = 0; i < known; i++)
+        sheet.hits_title[i] = figure->panel[0].strip && figure->panel[i].used && would_hit(&sheet, i);
     return sheet;
 }
 
 /* Of the numbers along y, what is beyond the usual three digits pushes the label out. */
-static double numbers_width(const struct sheet *sheet, const struct thud_panel *panel)
+static double numbers_width(const struct sheet *sheet, int of)
 {
+    const struct thud_panel *panel = &sheet->figure->panel[of];
     double widest = 0.0;
     char number[32];
     const struct thud_axis *axis = &panel->axis[THUD_Y];
     if (!panel->used || axis->log || axis->nticks > 0)
         return 0.0;
-    const struct thud_range range = thud_panel_range(panel, THUD_Y);
+    const struct thud_range range = thud_sheet_range(sheet, of, THUD_Y);
     for (double at = range.least; at <= range.most + 0.5 * range.step && range.step > 0.0; at += range.step) {
         snprintf(number, sizeof number, "%.4g", fabs(at) < 1e-9 * range.step ? 0.0 : at);
         widest = fmax(widest, thud_gnuplot_width(number, sheet->em) + 0.6 * sheet->em);
@@ -219,7 +257,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     bool broken = false;
     for (int i = column; i < sheet->rows * sheet->columns;
          i += sheet->columns) { /* below each other: they begin alike */
-        names = fmax(names, numbers_width(sheet, &sheet->figure->panel[i]));
+        names = fmax(names, numbers_width(sheet, i));
         broken |= thud_sheet_break(sheet, i) > 0;
     }
     struct box box = upright(sheet, panel);
@@ -227,7 +265,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
                (broken ? 0.9 * sheet->em : 0.0);
     box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;
     char last[32]; /* number along x, which may stand at the frame's end */
-    snprintf(last, sizeof last, "%.4g", thud_panel_range(p, THUD_X).most);
+    snprintf(last, sizeof last, "%.4g", thud_sheet_range(sheet, panel, THUD_X).most);
     box.right =
         (column + 1) * width - (p->map ? 7.8 : fmax(1.2, 0.5 * thud_gnuplot_width(last, 1.0) + 0.1)) * sheet->em;
     if (p->strip)
