@@ -125,8 +125,8 @@ static void constant_forces(const struct thud_state *state, struct thud_segment 
     seg->loaded = state->nshifted > 0;
 }
 
-void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
-                        double h_s)
+void thud_segment_ground(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                         double h_s)
 {
     double a0, a1;
     thud_state_ground(state, grid, &a0, &a1);
@@ -135,6 +135,12 @@ void thud_segment_place(const struct thud_state *state, struct thud_segment *seg
     seg->h_s = h_s;
     seg->a0 = a0 + slope * offset_s;
     seg->a1 = slope * h_s;
+}
+
+void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                        double h_s)
+{
+    thud_segment_ground(state, seg, grid, offset_s, h_s);
     seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
 }
 
@@ -249,15 +255,6 @@ static inline void next_order(const struct thud_model *m, struct thud_segment *s
         push_rows(m, seg, of, k, q2);
 }
 
-/* Largest |x|. */
-static double largest_of(const double *x, int n)
-{
-    double most = 0;
-    for (int i = 0; i < n; i++)
-        most = thud_larger(most, fabs(x[i]));
-    return most;
-}
-
 double thud_segment_tail(const struct thud_segment *seg, const struct thud_model *model)
 {
     double tail = 0;
@@ -265,7 +262,7 @@ double thud_segment_tail(const struct thud_segment *seg, const struct thud_model
         const struct thud_model_structure *p = &model->structure[s];
         double all = 0, last = 0;
         for (int k = 0; k < seg->terms; k++) {
-            double most = largest_of(seg->q + k * model->nmodes + p->first_mode, p->modes);
+            double most = thud_largest_size(seg->q + k * model->nmodes + p->first_mode, p->modes);
             all = thud_larger(all, most);
             last = k + 2 < seg->terms ? 0 : thud_larger(last, most);
         }
@@ -394,31 +391,25 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
     forget(seg, nrows);
 }
 
-/* q and q' of two modes at s by Horner's scheme: x is the polynomial, v its derivative. */
-static void two_states(const struct thud_segment *seg, int nmodes, double s, int j, double *q, double *qd)
+/* q and q' of two modes, or one, at s by Horner's scheme: x is the polynomial, v its derivative. */
+static inline void two_states(const struct thud_segment *seg, int nmodes, double s, int j, bool single, double *q,
+                              double *qd)
 {
     thud_vec2 x = {0, 0}, v = {0, 0};
     for (int k = seg->terms - 1; k >= 0; k--) {
         v = v * s + x;
-        x = x * s + thud_vec2_at(seg->q + k * nmodes + j);
+        x = x * s + thud_vec2_some(seg->q + k * nmodes + j, single);
     }
-    thud_vec2_put(x, q + j);
-    thud_vec2_put(v / seg->h_s, qd + j);
+    thud_vec2_put_some(x, q + j, single);
+    thud_vec2_put_some(v / seg->h_s, qd + j, single);
 }
 
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
 {
-    double last[2] = {0}; /* of an odd number of modes */
     for (int j = 0; j + 2 <= nmodes; j += 2)
-        two_states(seg, nmodes, s, j, q, qd);
-    for (int k = seg->terms - 1; nmodes % 2 && k >= 0; k--) {
-        last[1] = last[1] * s + last[0];
-        last[0] = last[0] * s + seg->q[k * nmodes + nmodes - 1];
-    }
-    if (nmodes % 2) {
-        q[nmodes - 1] = last[0];
-        qd[nmodes - 1] = last[1] / seg->h_s;
-    }
+        two_states(seg, nmodes, s, j, false, q, qd);
+    if (nmodes % 2)
+        two_states(seg, nmodes, s, nmodes - 1, true, q, qd);
 }
 
 /* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are

@@ -51,8 +51,10 @@ double thud_segment_rate(const struct thud_state *state);
 int thud_segment_terms(double angle, double least);
 /* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
 void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
-/* Only the place, an offset after the start of an interval of the ground motion, the ground acceleration and the number
- * of terms: for a segment whose forces stand already. */
+/* Only the place, an offset after the start of an interval of the ground motion, and the ground acceleration; */
+void thud_segment_ground(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
+                         double h_s);
+/* these and the number of terms: for a segment whose forces stand already. */
 void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
                         double h_s);
 

@@ -49,10 +49,7 @@ void thud_state_clear(struct thud_state *state)
     free(state->contact);
     free(state->storey);
     free(state->set_now);
-    state->set_now = NULL;
-    state->block = NULL;
-    state->contact = NULL;
-    state->storey = NULL;
+    *state = (struct thud_state){0};
 }
 
 double thud_state_kinetic(const struct thud_state *state)

@@ -1,11 +1,5 @@
-/* Storeys that yield: bilinear with kinematic hardening. With r the hardening ratio and d_y the yield drift, the shear is
- *     r k d + (1 - r) k (d - d_p),   |d - d_p| <= d_y ,
- * where the plastic drift d_p moves with d while d - d_p is at a bound. k d of it is in the elastic modes; what is
- * left is a force of the storey's row,
- *     elastic    F = -(1 - r) k d_p                                   constant
- *     yielding   F = -(1 - r) k d + direction (1 - r) k d_y           a line with a stiffness below 0
- * so that to the methods a storey is a contact with these two branches. Located, d_p moves only while direction is not
- * 0; else at the ends of steps. The loss is (1 - r) k d_y |change of d_p|. */
+/* Storeys that yield, by the equations in storey.h. Located, d_p moves only while direction is not 0; else at the ends of
+ * steps. The loss is (1 - r) k d_y |change of d_p|. */
 #include "core/contact/storey.h"
 
 #include <assert.h>
@@ -137,9 +131,8 @@ static void flow(struct thud_state *state, int k, double drift)
 }
 
 /* Nothing is located: what the end of a step shows. */
-static bool follow(struct thud_state *state)
+static void follow(struct thud_state *state)
 {
-    bool changed = false;
     state->nshifted = 0;
     for (int k = 0; k < state->model->nstoreys; k++) {
         struct thud_storey_state *s = &state->storey[k];
@@ -154,23 +147,20 @@ static bool follow(struct thud_state *state)
             set_constant(state, k);
         }
         s->direction = direction;
-        changed = changed || direction != 0;
         state->nshifted += s->plastic_m != 0;
     }
-    return changed;
 }
 
-bool thud_storeys_moved(struct thud_state *state)
+void thud_storeys_moved(struct thud_state *state)
 {
     if (!state->locates)
-        return follow(state);
-    for (int k = 0; k < state->model->nstoreys; k++) {
+        follow(state);
+    for (int k = 0; k < state->model->nstoreys && state->locates; k++) {
         struct thud_storey_state *s = &state->storey[k];
         s->suppressed = 0;
         if (s->direction != 0)
             flow(state, k, drift_of(state, k, state->q));
     }
-    return false;
 }
 
 void thud_storey_switch(struct thud_state *state, int row, enum thud_event event)

@@ -21,8 +21,8 @@ void thud_storeys_start(struct thud_state *state);
 /* As at an earlier moment (nstoreys), when none of them yielded. */
 void thud_storeys_resume(struct thud_state *state, const struct thud_storey_state *storey);
 /* The state has gone on: plastic drift, energy, excursions and largest shear of the storeys that yield. Not located: of
- * all storeys, from their drift; returns whether any plastic drift has changed. */
-bool thud_storeys_moved(struct thud_state *state);
+ * all storeys, from their drift. */
+void thud_storeys_moved(struct thud_state *state);
 /* Acts on an event of a storey's row. */
 void thud_storey_switch(struct thud_state *state, int row, enum thud_event event);
 

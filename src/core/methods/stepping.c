@@ -227,16 +227,10 @@ void thud_step_write(const struct thud_state *state, struct thud_segment *seg, d
     int nc = m->nrows;
     seg->end_energy = thud_energy_sum(m->nmodes, m->spring, end->q, end->qd);
     if (!state->inside) { /* its ends alone: no series is made */
-        double a0, a1;
-        thud_state_ground(state, state->grid, &a0, &a1);
-        double slope = (a1 - a0) / state->grid_dt_s;
+        thud_segment_ground(state, seg, state->grid, state->offset_s, h);
         seg->interpolates = true;
         seg->start = start;
         seg->end = end;
-        seg->start_s = thud_state_now(state);
-        seg->h_s = h;
-        seg->a0 = a0 + slope * state->offset_s;
-        seg->a1 = slope * h;
         seg->terms = 0;
         return;
     }

@@ -28,19 +28,24 @@ static void congruent(int rows, int columns, const double *a, const double *b, d
                 out[j * columns + k] += b[i * columns + j] * temp[i * columns + k];
 }
 
+void thud_foundation_add_storey(double stiffness_npm, int n, int above, int below, double *k)
+{
+    k[above * n + above] += stiffness_npm;
+    if (below < 0)
+        return;
+    k[below * n + below] += stiffness_npm;
+    k[above * n + below] -= stiffness_npm;
+    k[below * n + above] -= stiffness_npm;
+}
+
 /* K_own (n x n). */
 static void own_stiffness(const struct thud_structure_input *in, double *k)
 {
     const int n = in->n;
     for (int i = 0; i < n * n; i++)
         k[i] = in->matrix_npm ? in->matrix_npm[i] : 0;
-    for (int i = 0; i < n && !in->matrix_npm; i++) {
-        k[i * n + i] += in->stiffness_npm[i];
-        if (i == 0)
-            continue;
-        k[(i - 1) * n + i - 1] += in->stiffness_npm[i];
-        k[(i - 1) * n + i] = k[i * n + i - 1] = -in->stiffness_npm[i];
-    }
+    for (int i = 0; i < n && !in->matrix_npm; i++)
+        thud_foundation_add_storey(in->stiffness_npm[i], n, i, i - 1, k);
 }
 
 /* C_own = M Phi D Phi^T M (n x n); work (3 n x n). */
@@ -71,18 +76,6 @@ static void deformation(const struct thud_structure_input *in, int dofs, double 
     }
 }
 
-/* K_G: W/h on the drift of each storey, tilted with the foundation or not. */
-static void take_weight(const struct thud_structure_input *in, int dofs, double *k)
-{
-    for (int i = 0; in->geometric_npm && i < in->n; i++) {
-        const int below = i > 0 ? i - 1 : in->n;
-        k[i * dofs + i] -= in->geometric_npm[i];
-        k[below * dofs + below] -= in->geometric_npm[i];
-        k[i * dofs + below] += in->geometric_npm[i];
-        k[below * dofs + i] += in->geometric_npm[i];
-    }
-}
-
 enum thud_status thud_foundation_modes(const struct thud_structure_input *in, const double *fixed_omega,
                                        const double *fixed, const double *fixed_damping, double *omega, double *phi,
                                        double *damping, struct thud_error *err)
@@ -102,7 +95,8 @@ enum thud_status thud_foundation_modes(const struct thud_structure_input *in, co
     deformation(in, dofs, b);
     own_stiffness(in, own);
     congruent(n, dofs, own, b, temp, whole);
-    take_weight(in, dofs, whole);
+    for (int i = 0; in->geometric_npm && i < n; i++) /* K_G, on the whole drift, tilted or not */
+        thud_foundation_add_storey(-in->geometric_npm[i], dofs, i, i > 0 ? i - 1 : n, whole);
     whole[sway] += soil->sway_npm;
     whole[rocking] += soil->rocking_nmprad / arm2;
     enum thud_status status = thud_modes_matrix(dofs, mass, whole, omega, phi, work, err);

@@ -15,6 +15,19 @@
 
 enum { THUD_FOUNDATION_DOFS = 2 }; /* its sway and its rotation, behind the floors */
 
+/* Floors of a structure, and on soil the sway and the rotation of its foundation. */
+static inline int thud_input_dofs(const struct thud_structure_input *in)
+{
+    return in->n + (in->foundation ? THUD_FOUNDATION_DOFS : 0);
+}
+/* Its modes that stay where `modes` are asked for. */
+static inline int thud_input_modes(const struct thud_structure_input *in, int modes)
+{
+    return modes > 0 && modes < thud_input_dofs(in) ? modes : thud_input_dofs(in);
+}
+
+/* Adds a storey of this stiffness between two rows of k (n x n); below the lowest one (-1) nothing moves. */
+void thud_foundation_add_storey(double stiffness_npm, int n, int above, int below, double *k);
 /* H of a building with a foundation. */
 double thud_foundation_arm(const struct thud_structure_input *in);
 /* Natural frequencies omega (dofs), shapes phi (dofs x dofs, row-major, Phi^T M Phi = I) and damping Phi^T C Phi of the

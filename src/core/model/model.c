@@ -12,24 +12,12 @@
 #include "core/model/tie.h"
 #include "core/numerics/vec.h"
 
-/* Its floors, and on soil the sway and the rotation of its foundation. */
-static int dofs_of(const struct thud_structure_input *in)
-{
-    return in->n + (in->foundation ? THUD_FOUNDATION_DOFS : 0);
-}
-
-/* Modes that stay where `modes` are asked for. */
-static int kept_of(const struct thud_structure_input *in, int modes)
-{
-    return modes > 0 && modes < dofs_of(in) ? modes : dofs_of(in);
-}
-
 /* Modes of a structure, and of those that it may be tied to. */
 static int modes_of(const struct thud_model_input *in, int structure)
 {
     int modes = 0;
     for (int s = 0; s < in->nstructures; s++)
-        modes += s == structure || in->nlinks > 0 ? kept_of(&in->structure[s], in->modes) : 0;
+        modes += s == structure || in->nlinks > 0 ? thud_input_modes(&in->structure[s], in->modes) : 0;
     return modes;
 }
 
@@ -88,7 +76,8 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
     bytes += 2 * thud_arena_room(ndof, sizeof(double)) + 9 * thud_arena_room(nmodes, sizeof(double));
     bytes += thud_arena_room(nc * nmodes, sizeof(double)) + thud_arena_room(nc * nc, sizeof(double));
     for (int s = 0; s < in->nstructures; s++) {
-        size_t n = (size_t)dofs_of(&in->structure[s]), kept = (size_t)kept_of(&in->structure[s], in->modes);
+        size_t n = (size_t)thud_input_dofs(&in->structure[s]),
+               kept = (size_t)thud_input_modes(&in->structure[s], in->modes);
         bytes += thud_arena_room(n * kept, sizeof(double)) + thud_arena_room(kept * kept, sizeof(double)) +
                  4 * thud_arena_room(n, sizeof(double));
         if (in->structure[s].foundation)
@@ -110,19 +99,12 @@ static void keep_columns(const double *from, int rows, int n, int kept, double *
         memcpy(to + i * kept, from + i * n, (size_t)kept * sizeof *to);
 }
 
-/* D of an isolated building: its storeys' modal damping and the isolators' dashpot, which couples the modes. */
-static enum thud_status fill_isolated(struct thud_arena *arena, struct thud_model_structure *to,
-                                      const struct thud_structure_input *in, const double *stiffness_npm,
-                                      const double *phi, double *all, struct thud_error *err)
+/* D (n x n) of all modes among those that stay: one that is left out slows no other. */
+static void keep_damping(struct thud_arena *arena, struct thud_model_structure *to, const double *all, int n)
 {
-    size_t kept = (size_t)to->modes;
-    double *damping = thud_arena_take(arena, kept * kept, sizeof(double));
+    double *damping = thud_arena_take(arena, (size_t)to->modes * (size_t)to->modes, sizeof *damping);
+    keep_columns(all, to->modes, n, to->modes, damping);
     to->damping = damping;
-    enum thud_status status = thud_modes_isolated_damping(in->n, in->mass_kg, stiffness_npm, in->damping,
-                                                          in->isolation_damping, phi, all, err);
-    if (status == THUD_OK)
-        keep_columns(all, to->modes, in->n, to->modes, damping); /* a mode that is left out slows no other */
-    return status;
 }
 
 /* What the weight takes off the stiffness: net, storeys of k - W/h, or K - K_G. */
@@ -139,14 +121,8 @@ static void fill_weight(struct thud_arena *arena, struct thud_model_structure *t
     memcpy(collapse, in->collapse_m, n * sizeof *collapse);
     for (size_t i = 0; i < n && !in->matrix_npm; i++)
         net[i] -= geometric[i];
-    for (size_t i = 0; i < n && in->matrix_npm; i++) {
-        net[i * n + i] -= geometric[i];
-        if (i == 0)
-            continue;
-        net[(i - 1) * n + i - 1] -= geometric[i];
-        net[(i - 1) * n + i] += geometric[i];
-        net[i * n + i - 1] += geometric[i];
-    }
+    for (int i = 0; i < in->n && in->matrix_npm; i++)
+        thud_foundation_add_storey(-geometric[i], in->n, i, i - 1, net);
     to->collapse_least_m = collapse[0];
     for (size_t i = 1; i < n; i++)
         to->collapse_least_m = fmin(to->collapse_least_m, collapse[i]);
@@ -204,11 +180,8 @@ static enum thud_status fill_soil(struct thud_arena *arena, struct thud_model_st
     if (status == THUD_OK)
         keep_columns(all, to->dofs, to->dofs, to->modes, phi);
     to->soil_damping = 0.5 * all_damping[0] / omega[0];
-    if (status == THUD_OK && damped) {
-        double *damping = thud_arena_take(arena, (size_t)to->modes * (size_t)to->modes, sizeof *damping);
-        keep_columns(all_damping, to->modes, to->dofs, to->modes, damping);
-        to->damping = damping;
-    }
+    if (status == THUD_OK && damped)
+        keep_damping(arena, to, all_damping, to->dofs);
     free(block);
     return status;
 }
@@ -237,18 +210,16 @@ static enum thud_status fill_building(struct thud_arena *arena, struct thud_mode
     enum thud_status status =
         (in->matrix_npm ? thud_modes_matrix : thud_modes_shear)(in->n, in->mass_kg, net, omega, modes, work, err);
     const bool isolated = in->isolated && (in->damping > 0 || in->isolation_damping > 0);
-    if (in->foundation) {
-        if (status == THUD_OK && isolated)
-            status = thud_modes_isolated_damping(in->n, in->mass_kg, net, in->damping, in->isolation_damping, modes,
-                                                 damping, err);
+    if (status == THUD_OK && isolated) /* the isolators' dashpot couples the modes */
+        status = thud_modes_isolated_damping(in->n, in->mass_kg, net, in->damping, in->isolation_damping, modes,
+                                             damping, err);
+    if (status == THUD_OK && in->foundation) {
         memcpy(work, omega, n * sizeof *work);
-        if (status == THUD_OK)
-            status = fill_soil(arena, to, in, work, modes, isolated ? damping : NULL, omega, phi, err);
-    } else {
-        if (status == THUD_OK)
-            keep_columns(modes, in->n, in->n, to->modes, phi);
-        if (status == THUD_OK && isolated)
-            status = fill_isolated(arena, to, in, net, modes, damping, err);
+        status = fill_soil(arena, to, in, work, modes, isolated ? damping : NULL, omega, phi, err);
+    } else if (status == THUD_OK) {
+        keep_columns(modes, in->n, in->n, to->modes, phi);
+        if (isolated)
+            keep_damping(arena, to, damping, in->n);
     }
     free(all);
     return status;
@@ -267,22 +238,15 @@ static void fill_rigid(struct thud_arena *arena, struct thud_model_structure *to
     to->omega = omega;
 }
 
-/* What a mode alone decides: gamma_j = phi_j^T M 1, the part of the ground's motion and of the initial velocity in it, and
- * its largest shape and drift, by which bounds are made. */
+/* What a mode alone decides: gamma_j = phi_j^T M 1, the part of the ground's motion and of the initial velocity in it. */
 static void fill_mode(struct thud_model *m, const struct thud_model_structure *p, const struct thud_structure_input *in,
                       int j)
 {
     int at = p->first_mode + j;
-    double gamma = 0, most = 0, drift = 0;
-    for (int i = 0; i < p->dofs; i++) {
-        const double here = p->phi[i * p->modes + j];
-        gamma += i < p->n ? here * in->mass_kg[i] : i == p->n ? here * in->foundation->mass_kg : 0;
-        most = fmax(most, fabs(here));
-        drift = fmax(drift, fabs(thud_model_drift(p, p->phi + j, p->modes, i)));
-    }
+    double gamma = 0;
+    for (int i = 0; i < p->dofs && i <= p->n; i++)
+        gamma += p->phi[i * p->modes + j] * (i < p->n ? in->mass_kg[i] : in->foundation->mass_kg);
     m->gamma[at] = gamma;
-    m->mode_max[at] = most;
-    m->mode_max[m->nmodes + at] = drift;
     m->omega[at] = p->omega[j];
     m->zeta[at] = p->damping ? 0 : in->damping;
     m->q0[at] = 0;
@@ -406,10 +370,18 @@ static double inverse_mass(const struct thud_model *m, const struct thud_model_s
     return inverse + (side->tilt < 0 ? 0 : side->by_tilt * side->by_tilt / m->mass_kg[side->tilt]);
 }
 
-static void add_row(const struct thud_model_side *side, double sign, double *g)
+/* The mass of a row whose two sides stand, and its row of the Jacobian, which is 0 before. */
+static void fill_row(struct thud_model *m, int row)
 {
-    for (int j = 0; j < side->modes; j++)
-        g[side->first_mode + j] += sign * side->row[j];
+    struct thud_model_contact *to = &m->contact[row];
+    const double inverse = inverse_mass(m, &to->left) + inverse_mass(m, &to->right);
+    double *g = m->jacobian + (size_t)row * (size_t)m->nmodes;
+    assert(inverse > 0);
+    to->setup.mass_kg = 1 / inverse;
+    for (int j = 0; j < to->left.modes; j++)
+        g[to->left.first_mode + j] += to->left.row[j];
+    for (int j = 0; j < to->right.modes; j++)
+        g[to->right.first_mode + j] -= to->right.row[j];
 }
 
 /* Index of the columns between the floors `dof` and `below` that this interface's contacts strike; a new one where
@@ -488,15 +460,9 @@ static enum thud_status fill_contact(struct thud_model *m, struct thud_arena *ar
     to->left = in->struck.side < 0 ? column_side(m, arena, to->left_dof, &in->struck, h) : floor_side(m, to->left_dof);
     to->right =
         in->struck.side > 0 ? column_side(m, arena, to->right_dof, &in->struck, h) : floor_side(m, to->right_dof);
-    double inverse = inverse_mass(m, &to->left) + inverse_mass(m, &to->right);
-    assert(inverse > 0);
-    to->setup.mass_kg = 1 / inverse;
+    fill_row(m, c);
     if (in->struck.side != 0)
         load_columns(m, arena, to, in);
-    double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
-    memset(g, 0, (size_t)m->nmodes * sizeof *g);
-    add_row(&to->left, 1, g);
-    add_row(&to->right, -1, g);
     return thud_law_prepare(in->law, &to->setup, err);
 }
 
@@ -525,11 +491,7 @@ static void fill_storey(struct thud_model *m, struct thud_arena *arena, int k)
         tilt_side(m, &to->right, m->structure[storey->structure].rise[storey->floor], row);
         to->right.row = row;
     }
-    to->setup.mass_kg = 1 / (inverse_mass(m, &to->left) + inverse_mass(m, &to->right));
-    double *g = m->jacobian + (size_t)(m->ncontacts + k) * (size_t)m->nmodes;
-    memset(g, 0, (size_t)m->nmodes * sizeof *g);
-    add_row(&to->left, 1, g);
-    add_row(&to->right, -1, g);
+    fill_row(m, m->ncontacts + k);
 }
 
 static void fill_storeys(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input)
@@ -601,8 +563,8 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
 {
     int ndof = 0, nmodes = 0;
     for (int s = 0; s < input->nstructures; s++) {
-        ndof += dofs_of(&input->structure[s]);
-        nmodes += kept_of(&input->structure[s], input->modes);
+        ndof += thud_input_dofs(&input->structure[s]);
+        nmodes += thud_input_modes(&input->structure[s], input->modes);
     }
     const int nslips = slipping_links(input), nstoreys = yielding_storeys(input) + nslips,
               ncontacts = input->ncontacts + one_sided_links(input);
@@ -638,8 +600,8 @@ static struct thud_model *lay_out(const struct thud_model_input *input, const in
     struct thud_model_structure next = {0};
     for (int s = 0; s < m->nstructures; s++) {
         next.n = input->structure[s].n;
-        next.dofs = dofs_of(&input->structure[s]);
-        next.modes = kept_of(&input->structure[s], input->modes);
+        next.dofs = thud_input_dofs(&input->structure[s]);
+        next.modes = thud_input_modes(&input->structure[s], input->modes);
         next.system = system[s];
         m->structure[s] = next;
         next.first += next.dofs;
@@ -706,6 +668,20 @@ static enum thud_status fill_links(struct thud_model *m, struct thud_arena *aren
     return status;
 }
 
+/* Largest shape and drift of each mode over all floors that it moves, by which bounds are made. */
+static void fill_mode_bounds(struct thud_model *m)
+{
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        double *most = m->mode_max + p->first_mode, *drift = most + m->nmodes;
+        for (int i = 0; i < p->dofs; i++)
+            for (int j = 0; j < p->modes; j++) {
+                most[j] = fmax(most[j], fabs(p->phi[i * p->modes + j]));
+                drift[j] = fmax(drift[j], fabs(thud_model_drift(p, p->phi + j, p->modes, i)));
+            }
+    }
+}
+
 /* Where links tie structures, the common modes in place of their own. */
 static enum thud_status tie_structures(struct thud_model *m, struct thud_arena *arena,
                                        const struct thud_model_input *input, const bool *tied, struct thud_error *err)
@@ -770,6 +746,8 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
         status = fill_structure(m, arena, s, &input->structure[s], err);
     if (status == THUD_OK)
         status = tie_structures(m, arena, input, tied, err);
+    if (status == THUD_OK)
+        fill_mode_bounds(m);
     for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
         if (m->structure[s].matrix_npm)
             fill_shears(m, arena, &m->structure[s]);
@@ -815,13 +793,6 @@ void thud_model_free(struct thud_model *model)
     free(model);
 }
 
-static inline double floor_value(const struct thud_model *model, int dof, const double *modal)
-{
-    const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
-    return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
-}
-
-/* A floor's value from modal values: one dot product over its structure's modes. */
 int thud_model_yielding(const struct thud_model *model, int dof)
 {
     for (int i = 0; i < model->nstoreys - model->nslips; i++)
@@ -832,7 +803,8 @@ int thud_model_yielding(const struct thud_model *model, int dof)
 
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal)
 {
-    return floor_value(model, dof, modal);
+    const struct thud_model_structure *s = &model->structure[model->dof_structure[dof]];
+    return thud_dot(s->modes, s->phi + (dof - s->first) * s->modes, modal + s->first_mode);
 }
 
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right)

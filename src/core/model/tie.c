@@ -43,29 +43,18 @@ int thud_tie_systems(const struct thud_model_input *in, int *system, bool *tied)
     return count;
 }
 
-static int dofs_of(const struct thud_model_input *in, int s)
-{
-    return in->structure[s].n + (in->structure[s].foundation ? 2 : 0);
-}
-
-static size_t kept_modes(const struct thud_model_input *in, int s)
-{
-    const int n = dofs_of(in, s);
-    return (size_t)(in->modes > 0 && in->modes < n ? in->modes : n);
-}
-
 size_t thud_tie_bytes(const struct thud_model_input *in, const int *system, const bool *tied)
 {
     size_t bytes = thud_arena_room((size_t)in->nlinks, sizeof(struct thud_model_link)) +
                    thud_arena_room((size_t)in->nstructures, sizeof(int)),
            all = 0;
     for (int s = 0; s < in->nstructures; s++)
-        all += kept_modes(in, s);
+        all += (size_t)thud_input_modes(&in->structure[s], in->modes);
     for (int s = 0, last; s < in->nstructures; s = last) {
         size_t modes = 0, floors = 0;
         for (last = s; last < in->nstructures && system[last] == system[s]; last++) {
-            modes += kept_modes(in, last);
-            floors += (size_t)dofs_of(in, last);
+            modes += (size_t)thud_input_modes(&in->structure[last], in->modes);
+            floors += (size_t)thud_input_dofs(&in->structure[last]);
         }
         if (tied[s])
             bytes += thud_arena_room(floors * modes, sizeof(double)) + thud_arena_room(modes * modes, sizeof(double));
@@ -206,7 +195,7 @@ static void turn_shapes(const struct tie *t, struct thud_model *m, double *phi)
     }
 }
 
-/* omega of the common modes, and the largest shapes and drifts of each. An eigenvalue of rounding's size is a motion that
+/* omega of the common modes. An eigenvalue of rounding's size is a motion that
  * strains nothing. All damping is in the dense block. */
 static void fill_modes(const struct tie *t, struct thud_model *m)
 {
@@ -216,15 +205,6 @@ static void fill_modes(const struct tie *t, struct thud_model *m)
         m->spring[at] = t->square[a] > least ? t->square[a] : 0; /* bodies that are free together */
         m->omega[at] = sqrt(m->spring[at]);
         m->zeta[at] = m->dashpot[at] = 0;
-        m->mode_max[at] = m->mode_max[m->nmodes + at] = 0;
-        for (int s = t->first; s < t->last; s++) {
-            const struct thud_model_structure *p = &m->structure[s];
-            for (int i = 0; i < p->dofs; i++) {
-                m->mode_max[at] = fmax(m->mode_max[at], fabs(p->phi[i * p->modes + a]));
-                m->mode_max[m->nmodes + at] =
-                    fmax(m->mode_max[m->nmodes + at], fabs(thud_model_drift(p, p->phi + a, p->modes, i)));
-            }
-        }
     }
 }
 

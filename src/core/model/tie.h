@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/arena.h"
-#include "core/model/model.h"
+#include "core/model/foundation.h"
 
 /* Which structures move together: fills system[s] (nstructures), from 0, and tied[s], whether links act on them;
  * returns the number of systems. A system's structures stand one after the other. */

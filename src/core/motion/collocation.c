@@ -79,12 +79,6 @@ struct thud_collocation {
     lapack_int *pivot;
 };
 
-/* calloc of at least one element. */
-static void *allocate(size_t count, size_t size)
-{
-    return calloc(count ? count : 1, size);
-}
-
 /* How far the force polynomials of a step are from the laws. */
 
 /* A closed contact (NULL: a storey) on its way in. */
@@ -250,7 +244,7 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
                                          struct thud_error *err)
 {
     const struct thud_model *m = state->model;
-    struct thud_collocation *x = *out = allocate(1, sizeof *x);
+    struct thud_collocation *x = *out = calloc(1, sizeof *x);
     if (!x)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     x->nc = m->nrows;
@@ -259,10 +253,10 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     double lagrange[NODES * NODES];
     set_points(x, lagrange);
     size_t nc = (size_t)m->nrows;
-    x->step.coefficient = allocate(THUD_BATCH * nc, sizeof(double));
-    x->step.of = allocate(nc, sizeof *x->step.of);
-    x->active = allocate(nc, sizeof(int));
-    x->largest_n = allocate(nc, sizeof *x->largest_n);
+    x->step.coefficient = calloc(THUD_BATCH * nc + 1, sizeof(double));
+    x->step.of = calloc(nc + 1, sizeof *x->step.of);
+    x->active = calloc(nc + 1, sizeof(int));
+    x->largest_n = calloc(nc + 1, sizeof *x->largest_n);
     if (!x->step.coefficient || !x->step.of || !x->active || !x->largest_n ||
         thud_responses_create(m, x->point, lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
         thud_collocation_free(x);
@@ -344,10 +338,10 @@ static bool reserve(struct thud_collocation *x, int n)
         return true;
     size_t contacts = (size_t)n, size = contacts * THUD_POINTS, batch = contacts * THUD_BATCH,
            unknowns = contacts * (size_t)NODES;
-    double *block = allocate(5 * size + 4 * batch + unknowns + 2 * contacts, sizeof *block),
-           *matrix = allocate(unknowns * unknowns, sizeof *matrix);
-    const struct thud_response **response = allocate(contacts * contacts, sizeof *response);
-    lapack_int *pivot = allocate(unknowns, sizeof *pivot);
+    double *block = calloc(5 * size + 4 * batch + unknowns + 2 * contacts + 1, sizeof *block),
+           *matrix = calloc(unknowns * unknowns + 1, sizeof *matrix);
+    const struct thud_response **response = calloc(contacts * contacts + 1, sizeof *response);
+    lapack_int *pivot = calloc(unknowns + 1, sizeof *pivot);
     if (!block || !matrix || !response || !pivot) {
         free(block);
         free(matrix);

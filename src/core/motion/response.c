@@ -52,12 +52,6 @@ struct thud_responses {
     int *ramp_terms;         /* (nrows) terms that count; 0: not made */
 };
 
-/* calloc of at least one element. */
-static void *allocate(size_t count, size_t size)
-{
-    return calloc(count ? count : 1, size);
-}
-
 /* An empty segment of length h for the series of a motion under a unit load. */
 static struct thud_segment *unit_segment(struct thud_responses *x, double h)
 {
@@ -76,14 +70,14 @@ enum thud_status thud_responses_create(const struct thud_model *m, const double 
                                        struct thud_error *err)
 {
     size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, terms = THUD_SEGMENT_TERMS;
-    struct thud_responses *x = *out = allocate(1, sizeof *x);
+    struct thud_responses *x = *out = calloc(1, sizeof *x);
     if (x) {
         *x = (struct thud_responses){
             .model = m, .loads = m->couples ? m->nrows : 1, .h_top = h_top, .tolerance = tolerance};
         memcpy(x->lagrange, lagrange, sizeof x->lagrange);
         memcpy(x->point, point, sizeof x->point);
-        x->at_start = allocate(3 * n + terms * (n + nc), sizeof *x->at_start);
-        x->ramp_terms = allocate(nc, sizeof *x->ramp_terms);
+        x->at_start = calloc(3 * n + terms * (n + nc) + 1, sizeof *x->at_start);
+        x->ramp_terms = calloc(nc + 1, sizeof *x->ramp_terms);
     }
     if (!x || !x->at_start || !x->ramp_terms || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_responses_free(x);
@@ -192,8 +186,8 @@ static bool fill_level(struct thud_responses *x, struct level *level, double h)
 {
     const struct thud_model *m = x->model;
     size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = POWERS * n * THUD_POINTS;
-    level->pair = allocate(nc * nc, sizeof *level->pair);
-    level->load = allocate((size_t)x->loads * size, sizeof *level->load);
+    level->pair = calloc(nc * nc + 1, sizeof *level->pair);
+    level->load = calloc((size_t)x->loads * size + 1, sizeof *level->load);
     if (!level->pair || !level->load)
         return false;
     double *ones = x->rise;
@@ -230,7 +224,7 @@ static void gap_powers(const struct thud_responses *x, const struct level *level
 static bool fill_pair(const struct thud_responses *x, const struct level *level, double h, int a, int b)
 {
     struct thud_response *r = &level->pair[a * x->model->nrows + b];
-    double *block = allocate(2 * THUD_NODES * THUD_POINTS + 2 * THUD_BATCH, sizeof *block),
+    double *block = calloc(2 * THUD_NODES * THUD_POINTS + 2 * THUD_BATCH + 1, sizeof *block),
            power[POWERS][THUD_POINTS] = {0};
     if (!block)
         return false;
