@@ -118,11 +118,14 @@ is "the title is a text" in_html '<h1>Pounding report: Offices &lt;b&gt;5 &amp; 
 is "names are too" in_html '<th scope="row" class="short">Nr &lt;12&gt;</th>'
 is "in Markdown too" in_text '| Nr \\<12\\> |'
 sed 's/base64,[^"]*//' "$tmp/r/report.html" | sed -n '/<body>/,/<\/body>/p' | grep -o -E '</?[a-z0-9]+' | awk '
-    /^<img/ { next }
+    /^<img|^<col$/ { next }
     /^<\// { if (open[n--] != substr($0, 3)) bad = 1; next }
     { open[++n] = substr($0, 2) }
     END { exit bad || n != 0 || NR < 100 }'
 is "tags close in the order they open" [ $? -eq 0 ]
+is "columns of words have widths by what stands in them" in_html '<col style="width: [1-9][0-9]*%"><col style="width: [1-9][0-9]*%">'
+is "forces of strips have their unit in the caption" in_text "the largest contact forces (MN) over time"
+is "the unit of an acceleration is g" in_text "| a | acceleration of a floor, total (g = 9.80665 m/s2) | g |"
 is "it is told how wide paper is" in_html '@page { size: A4'
 report 0 "$tmp/own.yaml"
 is "once more gives the same bytes" diff -r "$tmp/first" "$tmp/r"

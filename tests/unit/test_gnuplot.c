@@ -277,6 +277,24 @@ START_TEST(titles_of_strips_have_room)
 }
 END_TEST
 
+/* However low a strip is, a number beside 0 says its scale. */
+START_TEST(strips_have_a_scale)
+{
+    const struct thud_picture_options options = {.width_px = 1000, .height_px = 300, .font_px = 17};
+    struct thud_figure *figure = thud_figure_create("strips", "title", 6, 1);
+    struct thud_text script = {0};
+    const double x[] = {0, 100}, y[] = {-42, 42};
+    for (int i = 0; i < 6; i++)
+        thud_panel_add(thud_figure_panel(figure, i, 0, "storey"), (struct thud_style){.color = 0}, "", 2, x, y);
+    thud_figure_strips(figure);
+    ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
+    const char *ticks = strstr(script.data, "set ytics ('");
+    ck_assert_msg(ticks && !strncmp(ticks + 11, "'' 0, '20' 20)", 14), "%.60s", ticks);
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* gnuplot 5.4 does not read 'a''b' where the apostrophe comes first, or two of them follow each other. */
 START_TEST(names_come_out_literally_and_execute_nothing)
 {
@@ -686,6 +704,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, marks_have_one_size);
     tcase_add_test(tcase, many_panels_fit_a_page);
     tcase_add_test(tcase, titles_of_strips_have_room);
+    tcase_add_test(tcase, strips_have_a_scale);
     tcase_add_loop_test(tcase, names_come_out_literally_and_execute_nothing, 0, 9);
     tcase_add_test(tcase, the_script_by_hand_draws_the_same);
     tcase_add_test(tcase, a_sixel_of_gnuplot_5_and_of_gnuplot_6);

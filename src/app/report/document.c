@@ -255,7 +255,7 @@ static const char style[] =
 
 /* Where the writer stands: in a list, in a table, in which column and row (of its body) of how many. */
 struct place {
-    bool list, table, body;
+    bool list, table, body, shared; /* shared: the columns of the table share its width */
     int column, row, rows;
     size_t at; /* the table */
 };
@@ -293,7 +293,9 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
                                                                              : "<th scope=\"col\">",
                      text, "</th>");
     else if (place->column == 1)
-        html_element(out, strlen(text) <= SHORT_MOST ? "<th scope=\"row\" class=\"short\">" : "<th scope=\"row\">",
+        html_element(out,
+                     strlen(text) <= SHORT_MOST && !place->shared ? "<th scope=\"row\" class=\"short\">"
+                                                                  : "<th scope=\"row\">",
                      text, "</th>");
     else
         html_element(out, column_is_words(document, place->at, place->column - 1) ? "<td class=\"words\">" : "<td>",
@@ -344,6 +346,31 @@ static void html_figure(struct thud_text *out, const struct thud_document_piece 
     }
 }
 
+/* Columns of words that fill more than a line share the width by what stands in them; whether they do. */
+static bool html_columns(struct thud_text *out, const struct thud_document *document, size_t table, int rows)
+{
+    enum { COLUMNS = 16, LINE = 100 };
+    double mean[COLUMNS] = {0}, all = 0.0;
+    int n = 0, column = 0;
+    for (size_t i = table + 1; i < document->n && document->piece[i].kind >= CELL; i++)
+        if (document->piece[i].kind == ROW) {
+            n = column > n ? column : n;
+            column = 0;
+        } else if (column < COLUMNS) {
+            const double length = (double)document->piece[i].text.size;
+            mean[column] = n == 0 ? length : mean[column];
+            mean[column++] += length / rows;
+        }
+    for (int k = 0; k < n; k++) {
+        if (!column_is_words(document, table, k))
+            return false;
+        all += mean[k];
+    }
+    for (int k = 0; k < n && all > LINE; k++)
+        thud_text_append(out, "<col style=\"width: %.0f%%\">", 100.0 * mean[k] / all);
+    return all > LINE;
+}
+
 static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
     const struct thud_document_piece *piece = &document->piece[i];
@@ -371,6 +398,7 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         thud_text_append(out, "<div><table%s>\n<caption>", place->rows > ROWS_TOGETHER ? " class=\"long\"" : "");
         put_number(document, i, out);
         html_element(out, "", text_of(piece), "</caption>\n");
+        place->shared = html_columns(out, document, i, place->rows);
         break;
     case CELL:
         html_cell(out, place, document, text_of(piece));

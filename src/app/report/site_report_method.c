@@ -196,7 +196,7 @@ static void say_laws(struct site *site)
 static void add_symbols(struct site *site)
 {
     static const char *const symbol[] = {
-        "a|acceleration of a floor, total|g = 9.80665 m/s2",
+        "a|acceleration of a floor, total (g = 9.80665 m/s2)|g",
         "u; d of a storey|displacement relative to the ground; drift of a storey|cm; mm",
         "F; d of a contact; v|contact force; indentation; approach velocity|MN; mm; m/s",
         "V; M of columns|shear; bending moment|MN; MN m",

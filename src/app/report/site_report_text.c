@@ -456,9 +456,15 @@ static void results(struct site *site)
                          "Largest values over the height, in each case.");
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
         struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
-        thud_site_figure(
-            site, forces, fmin(0.63, 0.2 + 0.05 * (forces ? forces->rows : 0)), /* a strip for each contact and case */
-            "Ground acceleration and the largest contact forces over time; at the right around the largest impact.");
+        const bool made = thud_figure_check(forces, NULL) == THUD_OK;
+        char caption[160];
+        snprintf(caption, sizeof caption,
+                 "Ground acceleration and the largest contact forces (%s) over time; at the right around the largest "
+                 "impact.",
+                 made ? forces->panel[forces->columns * (forces->rows - 1)].axis[THUD_Y].unit : "");
+        thud_site_figure(site, forces,
+                         fmin(0.63, 0.2 + 0.06 * (made ? forces->rows : 0)), /* a strip for each contact and case */
+                         caption);
     }
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.5,

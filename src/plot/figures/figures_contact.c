@@ -69,10 +69,10 @@ static void impact_points(struct thud_panel *panel, const struct thud_figure_sou
         series->n = n;
 }
 
-/* How many contacts have strips. */
+/* How many contacts have strips: a few, high enough to be read. */
 static int most_contacts(int nsources)
 {
-    const int places = thud_source_places(nsources);
+    const int places = (thud_source_places(nsources) + 1) / 2;
     return places < THUD_CURVES_MAX ? places : THUD_CURVES_MAX;
 }
 

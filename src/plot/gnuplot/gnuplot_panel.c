@@ -221,7 +221,7 @@ static double roomy_step(const struct thud_range *range, enum thud_side side, do
 }
 
 /* The numbers along y of a strip, which has room for three: 0 and one to either side, none of them at an edge where the
- * next strip has its own; 0 without its number where they would touch, and alone where those would. */
+ * next strip has its own. Where they would touch only the upper one has its number: it says the scale. */
 static void strip_ticks(struct thud_text *out, const struct thud_range *range, double ems_of_one)
 {
     const double reach = 0.85 * fmax(fabs(range->least), fabs(range->most)), unit = pow(10.0, floor(log10(reach))),
@@ -229,12 +229,10 @@ static void strip_ticks(struct thud_text *out, const struct thud_range *range, d
                                 : reach >= 2.0 * unit ? 2.0
                                                       : 1.0);
     const double line = 0.95;
-    if (2.0 * step * ems_of_one < line)
-        thud_text_append(out, "(0)\n");
-    else
-        thud_text_append(
-            out, step * ems_of_one < line ? "('%g' %.10g, '' 0, '%g' %.10g)\n" : "('%g' %.10g, 0, '%g' %.10g)\n", -step,
-            -step, step, step);
+    thud_text_append(out, "(");
+    if (2.0 * step * ems_of_one >= line)
+        thud_text_append(out, "'%g' %.10g, ", -step, -step);
+    thud_text_append(out, "%s 0, '%g' %.10g)\n", step * ems_of_one < line ? "''" : "", step, step);
 }
 
 /* Room above the curves for the titles of strips, as a share of the height: the same in all that show the same range, so
