@@ -280,7 +280,7 @@ END_TEST
 /* However low a strip is, a number beside 0 says its scale. */
 START_TEST(strips_have_a_scale)
 {
-    const struct thud_picture_options options = {.width_px = 1000, .height_px = 300, .font_px = 17};
+    const struct thud_picture_options options = {.width_px = 1000, .height_px = 220, .font_px = 17};
     struct thud_figure *figure = thud_figure_create("strips", "title", 6, 1);
     struct thud_text script = {0};
     const double x[] = {0, 100}, y[] = {-42, 42};
@@ -289,7 +289,7 @@ START_TEST(strips_have_a_scale)
     thud_figure_strips(figure);
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, "a.png", &script, NULL), THUD_OK);
     const char *ticks = strstr(script.data, "set ytics ('");
-    ck_assert_msg(ticks && !strncmp(ticks + 11, "'' 0, '20' 20)", 14), "%.60s", ticks);
+    ck_assert_msg(ticks && !strncmp(ticks + 11, "'' 0, '50' 50)", 14), "%.60s", ticks);
     thud_text_clear(&script);
     thud_figure_free(figure);
 }
