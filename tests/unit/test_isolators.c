@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "core/motion/interval_series.h"
 #include "core/run/run_private.h"
 #include "march.h"
 #include "study/scene/solution.h"
@@ -177,87 +176,6 @@ START_TEST(two_methods_agree)
     ck_assert_double_eq_tol(a / b, 1, 1e-7);
     ck_assert_double_eq_tol(residual, other, 1e-8);
     ck_assert_double_gt(fabs(residual), 1e-5);
-}
-END_TEST
-
-/* Largest difference of the terms of two segments, of each row by its largest. */
-static double terms_apart(int terms, int n, const double *a, const double *b)
-{
-    double worst = 0;
-    for (int j = 0; j < n; j++) {
-        double most = 0, off = 0;
-        for (int k = 0; k < terms; k++) {
-            most = fmax(most, fabs(b[k * n + j]));
-            off = fmax(off, fabs(a[k * n + j] - b[k * n + j]));
-        }
-        worst = fmax(worst, most > 0 ? off / most : off);
-    }
-    return worst;
-}
-
-/* Series of whole intervals by superposition and by the recurrence, wherever isolators slide and contacts push in a run. */
-START_TEST(superposition_against_recurrence)
-{
-    static const char *const yield[] = {"1 mm", "30 mm"};
-    int compared = 0, up = 0, down = 0, both = 0;
-    isolated(pendulum);
-    scene.nstructures = 2;
-    thud_structure_init(&scene.structure[1], THUD_WALL);
-    strcpy(scene.structure[1].name, "B");
-    thud_interface_init(&scene.interface[0]);
-    ck_assert_int_eq(thud_scene_set(&scene, "structures.1.stiffness", "100 MN/m", NULL), THUD_OK);
-    ck_assert_int_eq(thud_scene_set(&scene, "structures.1.damping", "4 %", NULL), THUD_OK);
-    ck_assert_int_eq(thud_scene_set(&scene, "gap", "0 cm", NULL), THUD_OK);
-    ck_assert_int_eq(thud_scene_set(&scene, "contact.law", "linear", NULL), THUD_OK);
-    ck_assert_int_eq(thud_scene_set(&scene, "contact.stiffness", "0.3 kN/mm", NULL), THUD_OK);
-    for (int i = 0; i < 2; i++) {
-        struct thud_record *record = march_motion(1);
-        struct thud_model *model;
-        struct thud_run *run;
-        struct thud_run_options options;
-        struct thud_interval_series *series;
-        struct thud_segment a = {0}, b = {0};
-        thud_run_options_init(&options);
-        ck_assert_int_eq(thud_scene_set(&scene, "structures.1.isolator.yield", yield[i], NULL), THUD_OK);
-        ck_assert_int_eq(thud_scene_assemble(&scene, &model, NULL), THUD_OK);
-        ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
-        ck_assert_int_eq(thud_interval_series_create(model, &series, NULL), THUD_OK);
-        ck_assert_int_eq(thud_segment_init(&a, model, NULL), THUD_OK);
-        ck_assert_int_eq(thud_segment_init(&b, model, NULL), THUD_OK);
-        ck_assert_ptr_nonnull(series);
-        for (bool done = false; !done;) {
-            const struct thud_state *state = &run->state;
-            ck_assert_int_eq(thud_run_advance(run, 1, &done, NULL), THUD_OK);
-            if (done)
-                break;
-            thud_segment_begin(state, &a, state->grid_dt_s);
-            if (!thud_interval_series_make(series, state, &a))
-                continue;
-            thud_segment_begin(state, &b, state->grid_dt_s);
-            ck_assert_double_le(thud_taylor_linear(state, &b), 1e-15);
-            ck_assert_int_eq(a.terms, b.terms);
-            ck_assert_double_lt(terms_apart(a.terms, model->nmodes, a.q, b.q), 1e-11);
-            ck_assert_double_lt(terms_apart(a.terms, model->nrows, a.force, b.force), 1e-11);
-            for (int k = 0; k < b.rows; k++) {
-                const int row = b.row[k];
-                ck_assert_double_lt(b.notes->cached[row] < 0 ? 0
-                                                             : terms_apart(a.terms, 1, thud_segment_read(&a, row),
-                                                                           thud_segment_read(&b, row)),
-                                    1e-11);
-            }
-            compared++;
-            up += state->storey[0].direction > 0;
-            down += state->storey[0].direction < 0;
-            both += state->nactive > 0 && state->nyielding + state->nshifted > 0;
-        }
-        thud_segment_clear(&a);
-        thud_segment_clear(&b);
-        thud_interval_series_free(series);
-        thud_run_free(run);
-        thud_model_free(model);
-        thud_record_free(record);
-    }
-    ck_assert_msg(up > 20 && down > 20 && both > 3, "%d: %d %d %d", compared, up, down, both);
 }
 END_TEST
 
@@ -439,7 +357,6 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, slides_with_its_own_period);
     tcase_add_test(tcase, never_creeps);
     tcase_add_loop_test(tcase, two_methods_agree, 0, 2);
-    tcase_add_test(tcase, superposition_against_recurrence);
     tcase_add_test(tcase, weak_bearings_are_linear);
     tcase_add_loop_test(tcase, a_block_overturns_with_m_a_h, 0, 2);
     tcase_add_loop_test(tcase, the_overturning_moment_is_what_isolators_hold, 0, 2);

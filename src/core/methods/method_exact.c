@@ -1,43 +1,25 @@
 /* No stepping error without contact and in linear contact (power series to rounding); collocation of the forces in
  * nonlinear contact. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/methods/method.h"
 #include "core/motion/collocation.h"
-#include "core/motion/interval_series.h"
 #include "core/numerics/tolerance.h"
-
-struct own {
-    struct thud_collocation *collocation;
-    struct thud_interval_series *series;
-};
 
 static void release(void *own)
 {
-    struct own *o = own;
-    if (!o)
-        return;
-    thud_collocation_free(o->collocation);
-    thud_interval_series_free(o->series);
-    free(o);
+    thud_collocation_free(own);
 }
 
-/* Collocation is needed by laws that are not linear. */
+/* Collocation is needed by laws that are not linear; without it the method has nothing of its own. */
 static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
 {
-    struct own *o = *own = calloc(1, sizeof *o);
+    struct thud_collocation *collocation = NULL;
     bool needed = false;
     for (int c = 0; c < state->model->ncontacts; c++)
         needed = needed || !thud_law_is_linear(state->model->contact[c].law);
-    enum thud_status status = o ? thud_interval_series_create(state->model, &o->series, err)
-                                : thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK && needed)
-        status = thud_collocation_create(state, &o->collocation, err);
-    if (status != THUD_OK) {
-        release(o);
-        *own = NULL;
-    }
+    enum thud_status status = needed ? thud_collocation_create(state, &collocation, err) : THUD_OK;
+    *own = collocation;
     return status;
 }
 
@@ -59,13 +41,12 @@ static bool is_linear(const struct thud_state *state)
 static enum thud_status step(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err)
 {
-    struct own *o = own;
     if (state->nactive > 0 && !is_linear(state))
-        return thud_collocation_step(state, seg, o->collocation, err);
+        return thud_collocation_step(state, seg, own, err);
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
     thud_segment_begin(state, seg, fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state)));
-    double tail = o->series && thud_interval_series_make(o->series, state, seg) ? 0 : thud_taylor_linear(state, seg);
+    double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));
         thud_segment_shorten(seg, m->nmodes, m->nrows, factor);
@@ -79,13 +60,12 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
 static void committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched)
 {
-    struct own *o = own;
     bool onset = false;
-    if (!o->collocation)
+    if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
         onset |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
-    thud_collocation_committed(state, o->collocation, seg, tau_s, switched, onset);
+    thud_collocation_committed(state, own, seg, tau_s, switched, onset);
 }
 
 const struct thud_method thud_method_exact = {
