@@ -62,7 +62,7 @@ static const struct thud_param record_params[] = {
     CHOICE("sign", "sign", "-: the motion with reversed polarity; in a preset as \"-\".", signs, 0),
     {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
     {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
-    {NUMBER("to", "end", "Leaves out the motion after this time of the file.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
+    {NUMBER("to", "end", "Leaves out the motion after this time of the file; peak and sa scale what is left.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
     {NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
     WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."),
     WORD("channel", "channel", "Which motion of a file with several, by name or number."),
