@@ -56,6 +56,8 @@ const char *thud_dimension_name(enum thud_dimension dimension); /* "a length" */
 int thud_number_parse(const char *text, const char **end, double *out);
 /* Shortest decimal text that reads back as the same double; of -0 it is 0. */
 void thud_number_format(double value, char *text, size_t size);
+/* Rounded to twelve digits, as printf's %.12g writes it, but in a tenth of its time; returns the length. */
+size_t thud_number_twelve(double value, char text[32]);
 /* The value, or 0 where no digit of it shows at so many decimal places: printf would write -0. */
 double thud_shown(double value, int places);
 

@@ -96,20 +96,27 @@ static void write_whole(double value, char *text)
     write_digits(value < 0, n, digits, digits - 1, text);
 }
 
+/* Of the first digit of a number from 1e-9 to 1e19; near a power of ten perhaps the one beside it. */
+static int exponent_of(double size)
+{
+    int exponent = 0;
+    while (size >= power[exponent + 1])
+        exponent++;
+    while (exponent <= 0 && exponent > -9 && size * power[-exponent] < 1)
+        exponent--;
+    return exponent;
+}
+
 /* The shortest of 15, 16 and 17 digits that is this number again, where exact arithmetic in doubles shows which one it
  * is; else false. Not where expressions are evaluated in more than double precision. */
 static bool write_plain(double value, char *text)
 {
     const double size = fabs(value), unit = nextafter(size, INFINITY) - size;
-    int exponent = 0;
     if (FLT_EVAL_METHOD != 0 || !(size >= 1e-4 && size < 1e14))
         return false;
     if (size - nextafter(size, 0) != unit) /* a power of 2: the unit in the last place is half as large below it */
         return false;
-    while (size >= power[exponent + 1])
-        exponent++;
-    while (exponent <= 0 && exponent > -4 && size * power[-exponent] < 1)
-        exponent--;
+    const int exponent = exponent_of(size);
     for (int digits = 15; digits <= 17; digits++) {
         const int k = digits - 1 - exponent;
         const double half = 0.5 * unit * power[k];
@@ -153,6 +160,27 @@ void thud_number_format(double value, char *text, size_t size)
         if (strtod(text, NULL) == value)
             return;
     }
+}
+
+/* As printf's %.12g, of which a history has millions. */
+size_t thud_number_twelve(double value, char text[32])
+{
+    enum { DIGITS = 12 };
+    const double size = fabs(value);
+    if (FLT_EVAL_METHOD == 0 && size >= 1e-9 && size < 1e11) {
+        const int exponent = exponent_of(size);
+        double off;
+        const int64_t n = nearest_whole(size, DIGITS - 1 - exponent, &off), least = (int64_t)power[DIGITS - 1];
+        if (n >= least && n < 10 * least) {
+            write_digits(value < 0, n, DIGITS, exponent < -4 ? 0 : exponent, text);
+            const size_t length = strlen(text);
+            if (exponent >= -4)
+                return length;
+            memcpy(text + length, (char[]){'e', '-', '0', (char)('0' - exponent), '\0'}, 5);
+            return length + 4;
+        }
+    }
+    return (size_t)snprintf(text, 32, "%.12g", value + 0.0); /* no -0 */
 }
 
 double thud_shown(double value, int places)

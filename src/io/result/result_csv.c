@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "io/result/result_rows.h"
 
 /* As many digits as a run can be right to: a history has millions of numbers, and all seventeen of a double take five
@@ -12,7 +13,7 @@ static void add_sample(struct thud_text *out, double value)
     char text[32];
     thud_text_bytes(out, ",", 1);
     if (isfinite(value))
-        thud_text_bytes(out, text, (size_t)snprintf(text, sizeof text, "%.12g", value + 0.0));
+        thud_text_bytes(out, text, thud_number_twelve(value, text));
 }
 
 void thud_result_csv(const struct thud_report *report, int n, struct thud_text *out)
