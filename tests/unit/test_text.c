@@ -56,8 +56,10 @@ static void shortest(double value, char text[40])
     }
 }
 
+static int checked;
 static void check_shortest(double value)
 {
+    checked++;
     char expected[40], text[40];
     shortest(value, expected);
     thud_number_format(value, text, sizeof text);
@@ -94,6 +96,7 @@ START_TEST(numbers_have_the_fewest_digits)
         check_shortest(nextafter(pow(10, k), INFINITY));
         check_shortest(-pow(10, k));
     }
+    ck_assert_int_gt(checked, 1000000);
 }
 END_TEST
 
