@@ -197,7 +197,7 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
         char path[4096];
         const struct thud_run_case *item = &cases->item[i];
         struct thud_report report = thud_session_report(session, &item->scene, item->which, &item->solution);
-        if (snprintf(path, sizeof path, "%s/%s", folder, item->folder) >= (int)sizeof path)
+        if (snprintf(path, sizeof path, "%s/%s", folder, thud_case_name(item->which)) >= (int)sizeof path)
             return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
         status = write_folder(&report, path, err);
     }
@@ -254,7 +254,6 @@ static void put_cases(const struct thud_args *args, const struct thud_session *s
     for (int i = 0; i < cases->n; i++) {
         const struct thud_run_case *item = &cases->item[i];
         report[i] = thud_session_report(session, &item->scene, item->which, &item->solution);
-        report[i].which = item->folder;
         if (json) {
             thud_result_json(&report[i], out);
             thud_text_append(out, i + 1 < cases->n ? ",\n" : "");

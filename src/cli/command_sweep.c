@@ -110,7 +110,7 @@ static enum thud_status write_suite(void *owner, struct thud_error *err)
     struct sweep *s = owner;
     struct thud_text text = {0};
     struct thud_figure *figure = s->study.figures ? thud_suite_lowered_figure(s->suite) : NULL;
-    enum thud_status status = thud_suite_csv(s->suite, &text, err);
+    enum thud_status status = thud_suite_report(s->suite, THUD_AS_CSV, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
     thud_text_clear(&text);
@@ -215,7 +215,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     enum thud_status status = thud_sweep_output_end(&s->output, err);
     warn_watched(s);
     if (table && status == THUD_OK && s->suite) { /* the result of a suite, before those of its motions */
-        status = thud_suite_table(s->suite, &text, err);
+        status = thud_suite_report(s->suite, THUD_AS_TEXT, &text, err);
         if (status == THUD_OK)
             status = thud_suite_lowered(s->suite, &text, err);
         thud_text_append(&text, "\n");

@@ -61,7 +61,7 @@ static enum thud_status write_files(const struct thud_fragility_study *study, co
         status = thud_text_write_in(&text, folder, "fragility.json", err);
     }
     if (status == THUD_OK)
-        status = thud_suite_csv(study->suite, &text, err);
+        status = thud_suite_report(study->suite, THUD_AS_CSV, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, folder, "suite.csv", err);
     thud_text_clear(&text);

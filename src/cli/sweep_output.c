@@ -40,7 +40,7 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct 
         thud_text_append(&output->text, "\n]");
         if (output->suite) {
             thud_text_append(&output->text, ", \"statistics\": ");
-            status = thud_suite_json(output->suite, &output->text, err);
+            status = thud_suite_report(output->suite, THUD_AS_JSON, &output->text, err);
         }
         thud_text_append(&output->text, "}\n");
         if (status != THUD_OK)

@@ -418,6 +418,7 @@ is "how often they collide is said" grep -q "^Without bumper they collide [0-9]*
 is "and what the bumper does to floors" grep -q "^It lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
 gives 0 run towers --cases none,bumper -o "$tmp/cases.d" --quiet
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
+is "each named in its own" grep -q '"case": "no-pounding"' "$tmp/cases.d/no-pounding/result.json"
 is "one figure for all, each case in its strip" grep -q ": no pounding'" "$tmp/cases.d/acceleration.gp"
 is "cases and a case are wrong usage" gives 2 run towers --cases none,bumper --case none
 gives 0 run rigid-concrete --set contact.law=stereomechanical --json

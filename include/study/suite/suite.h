@@ -62,6 +62,5 @@ struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long 
  * than three motions. */
 void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high);
 
-/* Places on the axes (naxes) to the number of a setting, and back. */
+/* Places on the axes (naxes) to the number of a setting; back: thud_sweep_place. */
 long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at);
-void thud_suite_place(const struct thud_sweep_plan *plan, long setting, int *at);

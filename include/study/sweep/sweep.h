@@ -63,6 +63,14 @@ long thud_sweep_points(const struct thud_sweep_plan *plan);
 long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);
 /* Record and index on each axis (naxes) of a point; returns the record. */
 int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
+/* "14 cm, 0.3 g", with `keys` "gap 14 cm, record.peak 0.3 g": indices on the first n axes, -1 for none ("-"), but on axis
+ * `but` (-1: on all). Returns the text; "nominal" without axes. */
+const char *thud_sweep_setting(const struct thud_sweep_plan *plan, int n, const int *at, int but, bool keys, char *text,
+                               size_t size);
+/* Whether at[] is, on every axis but `but`, one of at most five evenly spread values: those that a table shows. */
+bool thud_sweep_is_spread(const struct thud_sweep_plan *plan, const int *at, int but);
+/* The same of the i-th of n. */
+bool thud_is_spread(int n, int i);
 /* The scene of a point, before its case. Errors: THUD_INPUT. */
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err);

@@ -9,6 +9,7 @@
 #include "app/run/summary_line.h"
 #include "core/run/baseline.h"
 #include "ground/identity.h"
+#include "io/file/schema.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep.h"
@@ -23,14 +24,10 @@ static enum thud_status parse(const struct thud_scene *scene, const char *text, 
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_sweep_plan_init(plan, scene);
     enum thud_status status = thud_sweep_cases(plan, text, err);
-    cases->item[0].which = THUD_CASE_AS_WRITTEN;
+    cases->item[0].which = THUD_CASE_FREE;
     cases->n = 1;
     for (int i = 0; status == THUD_OK && i < plan->ncases && cases->n < THUD_RUN_CASES_MAX; i++)
         cases->item[cases->n++].which = plan->cases[i];
-    for (int i = 0; i < cases->n; i++) {
-        cases->item[i].name = thud_case_title(i ? cases->item[i].which : THUD_CASE_FREE);
-        cases->item[i].folder = thud_case_name(i ? cases->item[i].which : THUD_CASE_FREE);
-    }
     thud_sweep_plan_clear(plan);
     free(plan);
     return status;
@@ -117,8 +114,7 @@ void thud_run_cases_free(struct thud_run_cases *cases)
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)
 {
     for (int i = 0; i < cases->n; i++)
-        source[i] = thud_run_source(i ? cases->item[i].which : THUD_CASE_FREE, &cases->item[i].scene,
-                                    cases->item[i].solution.run);
+        source[i] = thud_run_source(cases->item[i].which, &cases->item[i].scene, cases->item[i].solution.run);
     return cases->n;
 }
 
@@ -151,21 +147,6 @@ static double ratio(double a, double b)
     return b > 0 ? a / b : NAN;
 }
 
-static void put_ratio(double value, struct thud_text *out)
-{
-    if (isfinite(value))
-        thud_text_append(out, " %6.3f", value);
-    else
-        thud_text_append(out, "      -");
-}
-
-/* Of a case's column. */
-static int wide(const struct thud_run_cases *cases, int i)
-{
-    const int least = 9, letters = (int)strlen(cases->item[i].name);
-    return letters > least ? letters : least;
-}
-
 /* Of a floor (from 0), or of the storey below it: "base" below the base slab. */
 static const char *number_of(const struct thud_structure *p, int floor, bool drift, char text[16])
 {
@@ -174,37 +155,57 @@ static const char *number_of(const struct thud_structure *p, int floor, bool dri
     return number > 0 ? text : "base";
 }
 
+/* The peaks of a structure's floors, or of the storeys below them, from the top down. */
+struct peaks {
+    const struct thud_run_cases *cases;
+    int structure;
+    bool drift;
+};
+struct peak_row {
+    char number[16];
+    const char *floor;
+    double value[THUD_RUN_CASES_MAX], ratio[THUD_RUN_CASES_MAX];
+};
+
+static void make_peaks(const void *of, int i, void *out)
+{
+    const struct peaks *p = of;
+    const struct thud_run_cases *cases = p->cases;
+    struct peak_row *row = out;
+    const int s = p->structure, floor = result_of(cases, 0)->structure[s].floors - 1 - i, none = without(cases);
+    row->floor = number_of(&cases->item[0].scene.structure[s], floor, p->drift, row->number);
+    for (int c = 0; c < cases->n; c++) {
+        row->value[c] = peak(cases, c, s, floor, p->drift);
+        row->ratio[c] = ratio(row->value[c], peak(cases, none, s, floor, p->drift));
+    }
+}
+
 static void put_structure(const struct thud_run_cases *cases, int s, bool drift, struct thud_text *out)
 {
+    const struct peaks peaks = {cases, s, drift};
     const struct thud_structure *p = &cases->item[0].scene.structure[s];
-    int floors = result_of(cases, 0)->structure[s].floors, none = without(cases);
+    int floors = result_of(cases, 0)->structure[s].floors, none = without(cases), n = 1;
+    struct thud_column column[2 * THUD_RUN_CASES_MAX] = {
+        {THUD_COLUMN(struct peak_row, floor, "", ""),
+         .shown = {drift ? "" : "floor", .width = 5, .how = THUD_DIGITS_WORD}}};
+    char head[THUD_RUN_CASES_MAX][24];
     if (floors == 0 || (drift && p->kind == THUD_RIGID))
         return;
-    thud_text_append(out, "\n%s, %s\n%5s", p->name, drift ? "interstorey drift, mm" : "total acceleration, m/s2",
-                     drift ? "" : "floor");
-    for (int i = 0; i < cases->n; i++)
-        thud_text_append(out, " %*s", wide(cases, i), cases->item[i].name);
-    for (int i = 1; none && i < cases->n; i++)
-        if (i != none)
-            thud_text_append(out, " %6s:none", thud_case_name(cases->item[i].which));
-    thud_text_append(out, "\n");
-    for (int f = floors - 1; f >= 0; f--) {
-        char number[16];
-        thud_text_append(out, "%5s", number_of(p, f, drift, number));
-        for (int i = 0; i < cases->n; i++) {
-            double value = peak(cases, i, s, f, drift);
-            char text[32] = "-";
-            if (!isnan(value))
-                snprintf(text, sizeof text, "%.4g", value);
-            thud_text_append(out, " %*s", wide(cases, i), text);
-        }
-        for (int i = 1; none && i < cases->n; i++)
-            if (i != none) {
-                thud_text_append(out, "     ");
-                put_ratio(ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)), out);
-            }
-        thud_text_append(out, "\n");
+    for (int i = 0; i < cases->n; i++) {
+        const char *title = thud_case_title(cases->item[i].which);
+        const int width = 1 + (int)strlen(title);
+        column[n++] = (struct thud_column){THUD_COLUMN(struct peak_row, value[i], "", ""),
+                                           .shown = {title, NULL, 1, width < 10 ? 10 : width, 4, THUD_DIGITS_FREE}};
     }
+    for (int i = 1; none && i < cases->n; i++)
+        if (i != none) {
+            snprintf(head[i], sizeof head[i], "%s:none", thud_case_name(cases->item[i].which));
+            column[n++] = (struct thud_column){THUD_COLUMN(struct peak_row, ratio[i], "", ""),
+                                               .shown = {head[i], NULL, 1, 12, 3, THUD_DIGITS_FIXED}};
+        }
+    const struct thud_schema schema = {"", "", column, n};
+    thud_text_append(out, "\n%s, %s\n", p->name, drift ? "interstorey drift, mm" : "total acceleration, m/s2");
+    thud_rows_table(&(struct thud_rows){&schema, 0, floors, make_peaks, &peaks}, out);
 }
 
 const struct thud_contact_result *thud_contact_hardest(const struct thud_result *r, int *impacts)

@@ -7,8 +7,7 @@
 enum { THUD_RUN_CASES_MAX = 1 + THUD_CASES };
 
 struct thud_run_case {
-    const char *name, *folder; /* "no bumper", "none" */
-    enum thud_case which;      /* THUD_CASE_AS_WRITTEN: no pounding */
+    enum thud_case which; /* THUD_CASE_FREE: no pounding */
     struct thud_scene scene;
     struct thud_solution solution;
 };

@@ -20,26 +20,6 @@ static double unit_of(const struct thud_sweep_axis *axis)
 
 /* ---- table ---- */
 
-/* The other keys of a line: "gap 10 cm"; "-" where there are none. */
-static void place(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line, char *text, size_t size)
-{
-    size_t used = 0;
-    snprintf(text, size, "-");
-    for (int a = 0; a < plan->naxes && used < size; a++)
-        if (a != line->axis)
-            used +=
-                (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", plan->axis[a].text[line->at[a]]);
-}
-
-/* At most five settings of every curve's others are shown. */
-static bool is_shown(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
-{
-    for (int a = 0; a < plan->naxes; a++)
-        if (a != line->axis && !thud_is_spread(plan->axis[a].n, line->at[a]))
-            return false;
-    return true;
-}
-
 /* "0.52 (0.45 to 0.6)"; an end of the band that lies outside the values that were tried has no number. */
 static void put_band(double value, double low, double high, const struct thud_fragility *f, double unit, int width,
                      struct thud_text *out)
@@ -154,7 +134,7 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
         const struct thud_sweep_axis *along = &plan->axis[line->axis];
         bool hazard = study->hazard.n > 0 && thud_axis_is_intensity(along);
         char at[64];
-        if (!is_shown(plan, line))
+        if (!thud_sweep_is_spread(plan, line->at, line->axis))
             continue;
         if (line->event != event || line->axis != axis) {
             const char *unit = along->param->unit;
@@ -166,8 +146,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
         }
         event = line->event;
         axis = line->axis;
-        place(plan, line, at, sizeof at);
-        thud_text_append(out, "  %-7s %-10.10s ", thud_case_name(plan->cases[line->k]), at);
+        thud_sweep_setting(plan, plan->naxes, line->at, line->axis, false, at, sizeof at);
+        thud_text_append(out, "  %-7s %-10.10s ", thud_case_name(plan->cases[line->k]), *at ? at : "-");
         put_median(line, unit_of(along), hazard, out);
         put_rate(&line->rate, out);
         while (out->size > 0 && out->data[out->size - 1] == ' ')

@@ -2,7 +2,7 @@
  * others; as a table, CSV and JSON. */
 #pragma once
 
-#include "base/text.h"
+#include "io/file/schema.h"
 #include "plot/figure/figure.h"
 #include "study/suite/fragility.h"
 
@@ -40,13 +40,10 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
-/* Whether the i-th of n is one of at most five, evenly spread: those that a table shows. */
-bool thud_is_spread(int n, int i);
 /* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them; as
  * a table, 80 columns wide, of at most five values of every varied key. Errors: THUD_MEMORY. */
-enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
-enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
-enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);
+enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
+                                   struct thud_error *err);
 /* By response, what each case is over case none, and under how many ground motions it is lower: at up to three settings.
  * Nothing without case none. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err);

@@ -33,7 +33,7 @@ struct measure {
     long setting;
     char column[128], name[128]; /* "22 cm" of its case, "bumper at 22 cm"; "tie (500 MN/m)" */
 };
-enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAME_MAX = 64 };
+enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAMED_MAX = 64 };
 
 struct compared {
     const struct thud_suite *suite;
@@ -65,16 +65,6 @@ static struct lowered ratio_of(const struct compared *c, const struct measure *m
 
 /* ---- what is compared ---- */
 
-static void name_setting(const struct thud_sweep_plan *plan, long setting, char *name, size_t size)
-{
-    int at[THUD_VARY_MAX];
-    size_t used = 0;
-    snprintf(name, size, "nominal");
-    thud_suite_place(plan, setting, at);
-    for (int a = 0; a < plan->naxes && used < size; a++)
-        used += (size_t)snprintf(name + used, size - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
-}
-
 /* What the link is at a setting: a spring without stiffness is its dashpot. */
 static const char *link_word(const struct thud_sweep_plan *plan, long setting)
 {
@@ -85,7 +75,7 @@ static const char *link_word(const struct thud_sweep_plan *plan, long setting)
         return "links";
     if (link->law != THUD_LINK_SPRING)
         return link->law == THUD_LINK_DASHPOT ? "damper" : thud_link_law_name(&plan->scene, 0);
-    thud_suite_place(plan, setting, at);
+    thud_sweep_place(plan, setting, at);
     for (int a = 0; a < plan->naxes; a++)
         if (strcmp(plan->axis[a].key, "links.1.stiffness") == 0)
             stiffness = plan->axis[a].value[at[a]];
@@ -107,8 +97,10 @@ static void add_measure(struct compared *c, int k, long setting)
     const bool link = plan->cases[k] == THUD_CASE_LINK, alone = varies_links_alone(plan), varied = plan->naxes > 0;
     const char *word = link ? link_word(plan, setting) : thud_case_name(plan->cases[k]);
     char at[80];
+    int place[THUD_VARY_MAX];
     *m = (struct measure){.k = k, .setting = setting};
-    name_setting(plan, setting, at, sizeof at);
+    thud_sweep_place(plan, setting, place);
+    thud_sweep_setting(plan, plan->naxes, place, -1, false, at, sizeof at);
     if (!varied || (alone && !link))
         snprintf(m->name, sizeof m->name, "%s", word);
     else
@@ -149,9 +141,9 @@ static bool next_response(const struct thud_suite *suite, size_t *q, int *s)
     return false;
 }
 
-static void name_response(const struct thud_suite *suite, size_t q, int s, char name[NAME_MAX])
+static void name_response(const struct thud_suite *suite, size_t q, int s, char name[NAMED_MAX])
 {
-    snprintf(name, NAME_MAX, "%s%s%.16s", responses[q].what, s < 0 ? "" : " of ",
+    snprintf(name, NAMED_MAX, "%s%s%.16s", responses[q].what, s < 0 ? "" : " of ",
              s < 0 ? "" : suite->plan->scene.structure[s].name);
 }
 
@@ -169,7 +161,7 @@ static void put_cell(const struct lowered *r, struct thud_text *out)
 
 static void put_case(const struct compared *c, int k, struct thud_text *out)
 {
-    char name[NAME_MAX];
+    char name[NAMED_MAX];
     thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%25s",
                      thud_case_name(c->suite->plan->cases[k]), "");
     for (int i = 0; i < c->nmeasures; i++)
@@ -202,7 +194,7 @@ static bool is_better(const struct lowered *a, const struct lowered *b)
 static void put_best(const struct compared *c, size_t q, int s, struct thud_text *out)
 {
     struct lowered best = {.n = 0};
-    char name[NAME_MAX];
+    char name[NAMED_MAX];
     int which = -1;
     for (int i = 0; i < c->nmeasures; i++) {
         const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
@@ -297,7 +289,7 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
 
 static void add_rows(const struct thud_suite *suite, int rows, struct thud_panel *panel)
 {
-    char name[NAME_MAX];
+    char name[NAMED_MAX];
     size_t q = 0;
     int row = 0;
     for (int s = -2; next_response(suite, &q, &s); row++) {

@@ -8,15 +8,6 @@
 
 #include "io/result/sweep_csv.h"
 
-bool thud_is_spread(int n, int i)
-{
-    enum { MOST = 5 };
-    bool shown = n <= MOST;
-    for (int j = 0; j < MOST && !shown; j++)
-        shown = i == (j * (n - 1) + (MOST - 1) / 2) / (MOST - 1);
-    return shown;
-}
-
 enum { SUITE_FIRST = THUD_SUITE_FORCE, SUITE_COLUMNS = 3 + 3 * (THUD_SUITE_MEASURES - SUITE_FIRST) };
 
 /* Of storeys that yield and of columns only where there are any. */
@@ -78,123 +69,72 @@ static void name_suite(const struct thud_suite *suite, struct suite_columns *out
     }
 }
 
-static void put_suite_data(const struct thud_suite *suite, const int *at, int k, int s,
-                           const double value[SUITE_COLUMNS], bool json, struct thud_text *out)
-{
-    const char *which = k < 0 ? NULL : thud_case_name(suite->plan->cases[k]);
-    const char *structure = k < 0 ? NULL : suite->plan->scene.structure[s].name;
-    struct suite_columns columns;
-    name_suite(suite, &columns);
-    const struct thud_part part[] = {{&columns.which, 0, &which},
-                                     {&columns.axes.schema, 0, columns.axes.value},
-                                     {&columns.structure, 0, &structure},
-                                     {&columns.values, 0, value}};
-    if (k < 0) {
-        thud_parts_names(part, 4, out);
-        return;
-    }
-    thud_axis_columns_put(suite->plan, NULL, at, &columns.axes);
-    if (!json) {
-        thud_parts_csv(part, 4, out);
-        return;
-    }
-    thud_text_append(out, "%s{", out->size > 0 ? ",\n  " : "");
-    thud_parts_json(part, 4, out);
-    thud_text_append(out, "}");
-}
-
-static void put_suite_csv_row(const struct thud_suite *suite, const int *at, int k, int s,
-                              const double value[SUITE_COLUMNS], struct thud_text *out)
-{
-    put_suite_data(suite, at, k, s, value, false, out);
-}
-
-static void put_suite_json_row(const struct thud_suite *suite, const int *at, int k, int s,
-                               const double value[SUITE_COLUMNS], struct thud_text *out)
-{
-    put_suite_data(suite, at, k, s, value, true, out);
-}
-
-/* At most five settings, evenly spread, are shown of a key. */
-static bool is_shown_setting(const struct thud_sweep_plan *plan, const int *at)
-{
-    for (int a = 0; a < plan->naxes; a++)
-        if (!thud_is_spread(plan->axis[a].n, at[a]))
-            return false;
-    return true;
-}
-
-static void put_suite_table_row(const struct thud_suite *suite, const int *at, int k, int s,
-                                const double value[SUITE_COLUMNS], struct thud_text *out)
+static void put_table_row(const struct thud_suite *suite, const int *at, int k, int s,
+                          const double value[SUITE_COLUMNS], struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = suite->plan;
     const double *ratio = value + 3 + 3 * (THUD_SUITE_ACCELERATION_RATIO - SUITE_FIRST);
     const double *force = value + 3 + 3 * (THUD_SUITE_FORCE - SUITE_FIRST);
     char name[160];
-    size_t used = 0;
-    if (!is_shown_setting(plan, at))
+    if (!thud_sweep_is_spread(plan, at, -1))
         return;
-    snprintf(name, sizeof name, "%s", plan->naxes > 0 ? "" : "nominal");
-    for (int a = 0; a < plan->naxes && used < sizeof name; a++)
-        used += (size_t)snprintf(name + used, sizeof name - used, "%s%s", a ? ", " : "", plan->axis[a].text[at[a]]);
     thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,
                      value[1], value[2]);
     for (int q = 0; q < 3; q++)
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
     for (int q = 1; q < 3; q++)
         thud_text_append(out, isnan(force[q]) ? "       -" : " %7.3g", 1e-6 * force[q]);
-    thud_text_append(out, "  %-.17s\n", name);
+    thud_text_append(out, "  %-.17s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
 }
 
-typedef void put_suite_row(const struct thud_suite *suite, const int *at, int k, int s,
-                           const double value[SUITE_COLUMNS], struct thud_text *out);
-
-static enum thud_status put_suite(const struct thud_suite *suite, put_suite_row *put, struct thud_text *out,
-                                  struct thud_error *err)
+enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
+                                   struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = suite->plan;
     double value[SUITE_COLUMNS], *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
+    const char *which, *structure, *before = "";
     int at[THUD_VARY_MAX];
+    struct suite_columns columns;
     if (!room)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    name_suite(suite, &columns);
+    const struct thud_part part[] = {{&columns.which, 0, &which},
+                                     {&columns.axes.schema, 0, columns.axes.value},
+                                     {&columns.structure, 0, &structure},
+                                     {&columns.values, 0, value}};
+    if (as == THUD_AS_CSV)
+        thud_parts_names(part, 4, out);
+    else if (as == THUD_AS_JSON)
+        thud_text_append(out, "[\n  ");
+    else
+        thud_text_append(out,
+                         "over %d ground motions: how many pound, and under how many accelerations grow\n"
+                         "                              mean acc. ratio      force (MN)\n"
+                         "  case     of      pound grow   16 %% median   84 %%  median    84 %%  at\n",
+                         suite->nrecords);
     for (long i = 0; i < suite->settings; i++) {
-        thud_suite_place(plan, i, at);
+        thud_sweep_place(plan, i, at);
+        thud_axis_columns_put(plan, NULL, at, &columns.axes);
         for (int k = 0; k < plan->ncases; k++)
             for (int s = 0; s < suite->nstructures; s++) {
                 if (plan->scene.structure[s].kind == THUD_WALL)
                     continue;
+                which = thud_case_name(plan->cases[k]);
+                structure = plan->scene.structure[s].name;
                 suite_values(suite, i, k, s, room, value);
-                put(suite, at, k, s, value, out);
+                if (as == THUD_AS_TEXT)
+                    put_table_row(suite, at, k, s, value, out);
+                else if (as == THUD_AS_CSV)
+                    thud_parts_csv(part, 4, out);
+                else {
+                    thud_text_append(out, "%s{", before);
+                    thud_parts_json(part, 4, out);
+                    thud_text_append(out, "}");
+                    before = ",\n  ";
+                }
             }
     }
+    thud_text_append(out, as == THUD_AS_JSON ? "\n]" : "");
     free(room);
     return THUD_OK;
-}
-
-enum thud_status thud_suite_csv(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
-{
-    put_suite_data(suite, NULL, -1, 0, NULL, false, out);
-    return put_suite(suite, put_suite_csv_row, out, err);
-}
-
-enum thud_status thud_suite_json(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
-{
-    struct thud_text rows = {0};
-    enum thud_status status = put_suite(suite, put_suite_json_row, &rows, err);
-    thud_text_append(out, "[\n  ");
-    if (rows.data)
-        thud_text_bytes(out, rows.data, rows.size);
-    thud_text_append(out, "\n]");
-    out->failed |= rows.failed;
-    thud_text_clear(&rows);
-    return status;
-}
-
-enum thud_status thud_suite_table(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
-{
-    thud_text_append(out, "over %d ground motions: how many pound, and under how many accelerations grow\n",
-                     suite->nrecords);
-    thud_text_append(out, "                              mean acc. ratio      force (MN)\n"
-                          "  case     of      pound grow   16 %% median   84 %%  median    84 %%  at\n");
-    return put_suite(suite, put_suite_table_row, out, err);
 }

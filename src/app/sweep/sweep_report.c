@@ -19,37 +19,33 @@ static const char *short_name(const char *path)
 }
 
 /* A value of an axis as a reader writes it: `14 cm`. */
-static void put_value(const struct thud_sweep_axis *axis, double value, char *text, size_t size)
+static int index_of(const struct thud_sweep_axis *axis, double value)
 {
     for (int i = 0; i < axis->n; i++)
-        if (axis->value[i] == value) {
-            snprintf(text, size, "%s", axis->text[i]);
-            return;
-        }
-    snprintf(text, size, "-");
+        if (axis->value[i] == value)
+            return i;
+    return -1;
 }
 
-/* The varied keys; `but`: an axis left out, -1 for none. */
-static const char *place(const struct thud_sweep_plan *plan, const double *value, int but, char text[PLACE])
+static const char *text_of(const struct thud_sweep_axis *axis, double value)
 {
-    size_t used = 0;
-    snprintf(text, PLACE, "%s", plan->naxes > 0 ? "" : "nominal");
-    for (int a = 0; a < plan->naxes && used < PLACE; a++) {
-        char one[THUD_NAME_MAX];
-        if (a == but)
-            continue;
-        put_value(&plan->axis[a], value[a], one, sizeof one);
-        used += (size_t)snprintf(text + used, PLACE - used, "%s%s", used > 0 ? ", " : "", one);
-    }
-    return text;
+    const int i = index_of(axis, value);
+    return i < 0 ? "-" : axis->text[i];
+}
+
+/* The first n of the varied keys; `but`: an axis left out, -1 for none. */
+static const char *place(const struct thud_sweep_plan *plan, int n, const double *value, int but, bool keys,
+                         char text[PLACE])
+{
+    int at[THUD_VARY_MAX];
+    for (int a = 0; a < n; a++)
+        at[a] = index_of(&plan->axis[a], value[a]);
+    return thud_sweep_setting(plan, n, at, but, keys, text, PLACE);
 }
 
 static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_summary *d, char text[PLACE])
 {
-    double value[THUD_VARY_MAX] = {0};
-    for (int a = 0; a < plan->naxes; a++)
-        value[a] = plan->axis[a].value[d->at[a]];
-    return place(plan, value, -1, text);
+    return thud_sweep_setting(plan, plan->naxes, d->at, -1, false, text, PLACE);
 }
 
 /* Least and largest of a ratio, and where the largest is. */
@@ -96,20 +92,6 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
-/* The varied keys that change the motion without pounding, and so the required gap. */
-static const char *place_of_need(const struct thud_sweep_plan *plan, const struct thud_sweep_need_row *need,
-                                 char text[PLACE])
-{
-    size_t used = 0;
-    text[0] = '\0';
-    for (int a = 0; a < plan->nouter && used < PLACE; a++) {
-        char one[THUD_NAME_MAX];
-        put_value(&plan->axis[a], need->value[a], one, sizeof one);
-        used += (size_t)snprintf(text + used, PLACE - used, "%s%s %s", used > 0 ? ", " : "", plan->axis[a].key, one);
-    }
-    return text;
-}
-
 static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
                      struct thud_text *out)
 {
@@ -125,14 +107,15 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     thud_text_append(out, "  required gap %.2f cm (%sfloors %s)", thud_table_gap_cm(worst->relative_displacement_m),
                      interface, pair);
     if (varies)
-        thud_text_append(out, " at %s", place_of_need(plan, worst, at));
+        thud_text_append(out, " at %s", place(plan, plan->nouter, worst->value, -1, true, at));
     thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(worst->abs_m), thud_table_gap_cm(worst->srss_m));
     if (!isnan(worst->ddc_m)) /* where storeys yield it has no value */
         thud_text_append(out, ", DDC %.2f", thud_table_gap_cm(worst->ddc_m));
     thud_text_append(out, " cm\n");
     if (varies)
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
-                         thud_table_gap_cm(least->relative_displacement_m), place_of_need(plan, least, at));
+                         thud_table_gap_cm(least->relative_displacement_m),
+                         place(plan, plan->nouter, least->value, -1, true, at));
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that
@@ -363,16 +346,14 @@ static const char *best_record(const struct thud_sweep_table *table, const struc
 static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
                      const struct thud_sweep_best *best, int width, struct thud_text *out)
 {
-    char at[PLACE], value[THUD_NAME_MAX], low[THUD_NAME_MAX], high[THUD_NAME_MAX], flat[2 * THUD_NAME_MAX + 8];
-    put_value(&plan->axis[axis], best->best, value, sizeof value);
-    put_value(&plan->axis[axis], best->flat_least, low, sizeof low);
-    put_value(&plan->axis[axis], best->flat_most, high, sizeof high);
-    snprintf(flat, sizeof flat, "%s to %s", low, high);
+    const struct thud_sweep_axis *along = &plan->axis[axis];
+    char at[PLACE], flat[2 * THUD_NAME_MAX + 8];
+    snprintf(flat, sizeof flat, "%s to %s", text_of(along, best->flat_least), text_of(along, best->flat_most));
     const char *remark = best_remark(best);
     thud_text_append(out, "  %-*s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
-                     thud_case_name(best->which), place(plan, best->other, axis, at), best->idle ? "-" : value,
-                     best->ratio, best->drift_ratio, best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "",
-                     remark);
+                     thud_case_name(best->which), place(plan, plan->naxes, best->other, axis, false, at),
+                     best->idle ? "-" : text_of(along, best->best), best->ratio, best->drift_ratio,
+                     best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "", remark);
 }
 
 /* Columns of best.csv between those of its own: the other keys, and three values of the varied one, as a number or a
@@ -383,7 +364,7 @@ struct best_columns {
     struct thud_axis_columns axes;
     struct thud_schema names, best, ratios, flat, last;
     struct thud_column column[BEST_VALUES];
-    char name[BEST_VALUES][40], text[BEST_VALUES][THUD_NAME_MAX];
+    char name[BEST_VALUES][40];
     union thud_axis_value value[BEST_VALUES];
 };
 
@@ -408,13 +389,11 @@ static void name_best(const struct thud_sweep_plan *plan, int axis, struct best_
     }
 }
 
-/* A value of an axis: its number, or its word, which stands in `text`. */
-static union thud_axis_value value_on(const struct thud_sweep_axis *axis, double value, char text[THUD_NAME_MAX])
+/* A value of an axis: its number, or its word. */
+static union thud_axis_value value_on(const struct thud_sweep_axis *axis, double value)
 {
-    if (!axis->words)
-        return (union thud_axis_value){.number = value};
-    put_value(axis, value, text, THUD_NAME_MAX);
-    return (union thud_axis_value){.text = text};
+    return axis->words ? (union thud_axis_value){.text = text_of(axis, value)}
+                       : (union thud_axis_value){.number = value};
 }
 
 /* NULL: the names. */
@@ -423,7 +402,6 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
 {
     struct best_columns c;
     struct thud_best_row row = {0};
-    char text[THUD_VARY_MAX][THUD_NAME_MAX];
     name_best(plan, axis, &c);
     const struct thud_part part[] = {{&c.names, 0, &row},   {&c.axes.schema, 0, c.axes.value},
                                      {&c.best, 0, c.value}, {&c.ratios, 0, &row},
@@ -444,10 +422,10 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
                                  best->idle ? "is struck by nothing or hardly" : best_remark(best)};
     for (int a = 0, n = 0; a < plan->naxes; a++)
         if (a != axis)
-            c.axes.value[n++] = value_on(&plan->axis[a], best->other[a], text[a]);
-    c.value[BEST] = value_on(&plan->axis[axis], best->best, c.text[BEST]);
-    c.value[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least, c.text[FLAT_FROM]);
-    c.value[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most, c.text[FLAT_TO]);
+            c.axes.value[n++] = value_on(&plan->axis[a], best->other[a]);
+    c.value[BEST] = value_on(&plan->axis[axis], best->best);
+    c.value[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least);
+    c.value[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most);
     thud_parts_csv(part, PARTS, out);
 }
 

@@ -233,11 +233,3 @@ long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at)
         setting = setting * plan->axis[a].n + at[a];
     return setting;
 }
-
-void thud_suite_place(const struct thud_sweep_plan *plan, long setting, int *at)
-{
-    for (int a = plan->naxes - 1; a >= 0; a--) {
-        at[a] = (int)(setting % plan->axis[a].n);
-        setting /= plan->axis[a].n;
-    }
-}

@@ -411,6 +411,36 @@ int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at)
     return (int)point;
 }
 
+const char *thud_sweep_setting(const struct thud_sweep_plan *plan, int n, const int *at, int but, bool keys, char *text,
+                               size_t size)
+{
+    size_t used = 0;
+    snprintf(text, size, "%s", n > 0 ? "" : "nominal");
+    for (int a = 0; a < n && used < size; a++)
+        if (a != but)
+            used += (size_t)snprintf(text + used, size - used, "%s%s%s%s", used > 0 ? ", " : "",
+                                     keys ? plan->axis[a].key : "", keys ? " " : "",
+                                     at[a] < 0 ? "-" : plan->axis[a].text[at[a]]);
+    return text;
+}
+
+bool thud_is_spread(int n, int i)
+{
+    enum { MOST = 5 };
+    bool shown = n <= MOST;
+    for (int j = 0; j < MOST && !shown; j++)
+        shown = i == (j * (n - 1) + (MOST - 1) / 2) / (MOST - 1);
+    return shown;
+}
+
+bool thud_sweep_is_spread(const struct thud_sweep_plan *plan, const int *at, int but)
+{
+    for (int a = 0; a < plan->naxes; a++)
+        if (a != but && !thud_is_spread(plan->axis[a].n, at[a]))
+            return false;
+    return true;
+}
+
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err)
 {

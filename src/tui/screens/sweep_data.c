@@ -289,7 +289,7 @@ static enum thud_status export_suite(const struct thud_sweep_data *data, const c
     struct thud_text text = {0};
     char name[300];
     snprintf(name, sizeof name, "%.200s-suite.csv", stem);
-    enum thud_status status = thud_suite_csv(data->suite, &text, err);
+    enum thud_status status = thud_suite_report(data->suite, THUD_AS_CSV, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, folder, name, err);
     if (status == THUD_OK && data->fragility.n > 0) {
