@@ -119,6 +119,15 @@ static enum thud_status add_pad(const struct thud_args *args, struct told *told,
     return THUD_OK;
 }
 
+/* -: a floor that impulses strike, or their force. */
+static void put_peak(struct thud_text *out, int width, double value)
+{
+    if (isnan(value))
+        thud_text_append(out, "%*s", width, "-");
+    else
+        thud_text_append(out, "%*.4g", width, value);
+}
+
 static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, const struct thud_stiffness_row *row,
                      int n, struct told *told)
 {
@@ -144,10 +153,14 @@ static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, 
             thud_text_append(out, "  %15s %6s", "m/s2", "mm");
     thud_text_append(out, "\n");
     for (int i = 0; i < n; i++) {
-        thud_text_append(out, "x %-8g %8d %12.4g", row[i].factor, row[i].impacts, 1e-3 * row[i].force_n);
+        thud_text_append(out, "x %-8g %8d ", row[i].factor, row[i].impacts);
+        put_peak(out, 12, 1e-3 * row[i].force_n);
         for (int s = 0; s < scene->nstructures; s++)
-            if (scene->structure[s].kind != THUD_WALL)
-                thud_text_append(out, "  %15.4g %6.3g", row[i].acceleration_mps2[s], 1e3 * row[i].drift_m[s]);
+            if (scene->structure[s].kind != THUD_WALL) {
+                thud_text_append(out, "  ");
+                put_peak(out, 15, row[i].acceleration_mps2[s]);
+                thud_text_append(out, " %6.3g", 1e3 * row[i].drift_m[s]);
+            }
         thud_text_append(out, "\n");
     }
 }

@@ -6,7 +6,6 @@
 
 #include "app/report/site_report_private.h"
 #include "study/suite/scaling.h"
-#include "study/sweep/remark.h"
 
 /* A storey that drifts by more of its height would have yielded. */
 static const double drift_limit = 0.01;

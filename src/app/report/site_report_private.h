@@ -12,6 +12,7 @@
 #include "study/scene/stiffness.h"
 #include "study/suite/fragility.h"
 #include "study/sweep/floor_spectra.h"
+#include "study/sweep/remark.h"
 
 /* Cases in this order; a scene without a bumper has no last one. */
 enum { SITE_FREE, SITE_NONE, SITE_BUMPER, SITE_CASES };

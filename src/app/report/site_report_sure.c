@@ -56,15 +56,17 @@ static void sensitivity(struct site *site)
     thud_document_row(d);
     for (int k = 0, row = 0; k < r->nstructures; row += r->structure[k].floors, k++) {
         int a = 0, b = 0;
-        for (int i = 1; i < r->structure[k].floors; i++) {
-            a = r->structure[k].floor[i].acceleration.value > r->structure[k].floor[a].acceleration.value ? i : a;
+        double most = NAN;
+        for (int i = 0; i < r->structure[k].floors; i++) {
+            most = fmax(most, thud_floor_acceleration(r, k, i));
+            a = thud_floor_acceleration(r, k, i) >= most ? i : a;
             b = r->structure[k].floor[i].drift.value > r->structure[k].floor[b].drift.value ? i : b;
         }
         if (r->structure[k].floors == 0)
             continue;
         snprintf(what, sizeof what, "acceleration of %s", thud_site_floor(site, k, a + 1, between, sizeof between));
-        add_sensitivity_row(site, what, r->structure[k].floor[a].acceleration.value / THUD_GRAVITY, "g",
-                            &s->floor[row + a][0]);
+        if (!isnan(most))
+            add_sensitivity_row(site, what, most / THUD_GRAVITY, "g", &s->floor[row + a][0]);
         if (!thud_site_is_building(site, k))
             continue;
         const int slab = site->scene->structure[k].kind == THUD_ISOLATED; /* its storey is the isolators */
@@ -132,15 +134,13 @@ static void add_sampled_row(struct site *site, int q)
                        : unit == 1e6          ? ", MN"
                                               : "");
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
-        if (isnan(value[i]))
-            thud_document_cell(d, "-");
-        else if (gap)
+        if (gap && !isnan(value[i]))
             thud_document_cell(d, "%.1f", thud_summary_gap_cm(value[i]));
         else
             thud_document_cell(d, "%s", thud_site_number(value[i] / unit, 3).text);
     char input[160];
     input_words(site, &study->uncertainty->input[thud_uncertainty_strongest(study, t)], input, sizeof input);
-    thud_document_cell(d, "%s", same ? "-" : input);
+    thud_document_cell(d, "%s", same || isnan(t->median) ? "-" : input);
     thud_document_row(d);
 }
 

@@ -18,7 +18,6 @@
 #include "plot/figures/figures_run.h"
 #include "study/scene/level.h"
 #include "study/suite/scaling.h"
-#include "study/sweep/remark.h"
 
 /* A ratio this near to 1 is told as no difference. */
 static const double same_within = 0.02;
@@ -40,20 +39,13 @@ int thud_site_storeys(const struct site *site, int *past)
     return n;
 }
 
-static double largest_acceleration(const struct thud_structure_result *r)
-{
-    double most = 0;
-    for (int i = 0; i < r->floors; i++)
-        most = fmax(most, r->floor[i].acceleration.value);
-    return most;
-}
-
 /* What is told of every floor in every case. What no floor has in any case is left out. */
 enum { FLOOR_ACCELERATION, FLOOR_DRIFT, FLOOR_DUCTILITY, FLOOR_PERMANENT };
-static double floor_value(const struct thud_structure_result *r, int floor, int table) /* SI; NaN: there is none */
+static double floor_value(const struct site_case *one, int s, int floor, int table) /* SI; NaN: there is none */
 {
+    const struct thud_structure_result *r = &one->result->structure[s];
     const struct thud_storey_result *storey = r->storey && r->storey[floor].yields ? &r->storey[floor] : NULL;
-    const double value[] = {r->floor[floor].acceleration.value, r->floor[floor].drift.value,
+    const double value[] = {thud_floor_acceleration(one->result, s, floor), r->floor[floor].drift.value,
                             storey ? storey->ductility : NAN, storey ? fabs(storey->permanent_m) : NAN};
     return value[table];
 }
@@ -72,8 +64,8 @@ enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 /* With the bumper over without it; NaN where there is nothing to compare. */
 static double ratio_of(const struct site *site, int s, int floor, int table)
 {
-    double with = floor_value(&site->cases[SITE_BUMPER].result->structure[s], floor, table);
-    double without = floor_value(&site->cases[SITE_NONE].result->structure[s], floor, table);
+    double with = floor_value(&site->cases[SITE_BUMPER], s, floor, table);
+    double without = floor_value(&site->cases[SITE_NONE], s, floor, table);
     return without > 0 ? with / without : NAN;
 }
 
@@ -153,10 +145,9 @@ static void say_effect(struct site *site, int table)
 /* The largest over the storeys of a structure; NaN: none has one. */
 static double largest_of(const struct site_case *one, int s, int table)
 {
-    const struct thud_structure_result *r = &one->result->structure[s];
     double most = NAN;
-    for (int f = 0; f < r->floors; f++)
-        most = fmax(most, floor_value(r, f, table)); /* a NaN gives way */
+    for (int f = 0; f < one->result->structure[s].floors; f++)
+        most = fmax(most, floor_value(one, s, f, table)); /* a NaN gives way */
     return most;
 }
 
@@ -214,7 +205,7 @@ static void say_reversed(struct site *site)
 {
     const struct thud_contact_result *most = thud_site_strongest(site->own->result);
     double force = most ? most->force.value : 0;
-    if (!site->record || (force == 0 && site->reversed.force_n == 0))
+    if (!site->record || (force == 0 && !(site->reversed.force_n > 0)))
         return;
     struct thud_site_shown turned = thud_site_number(1e-6 * site->reversed.force_n, 3),
                            own = thud_site_number(1e-6 * force, 3);
@@ -236,16 +227,18 @@ static void say_results(struct site *site)
     int impacts;
     bool pounds = thud_contact_hardest(none->result, &impacts) != NULL;
     for (int s = 0; pounds && s < site->scene->nstructures; s++) {
-        if (site->scene->structure[s].kind == THUD_WALL)
-            continue;
-        double a = largest_acceleration(&none->result->structure[s]);
-        double b = largest_acceleration(&free_case->result->structure[s]);
-        if (b > 0)
+        static const char *const does[] = {"lowers", "leaves", "raises"};
+        const double a = largest_of(none, s, FLOOR_ACCELERATION), b = largest_of(free_case, s, FLOOR_ACCELERATION);
+        const enum side side = b > 0 && site->scene->structure[s].kind != THUD_WALL ? side_of(a / b) : NOWHERE;
+        if (side == SAME)
             thud_document_item(
-                d,
-                "Pounding without bumper raises the largest acceleration of %s from %s g to %s g, by a factor of %s.",
-                thud_site_name(site, s), thud_site_number(b / THUD_GRAVITY, 3).text,
-                thud_site_number(a / THUD_GRAVITY, 3).text, thud_site_number(a / b, 2).text);
+                d, "Pounding without bumper leaves the largest acceleration of %s unchanged, within 2 %%: %s g.",
+                thud_site_name(site, s), thud_site_number(a / THUD_GRAVITY, 3).text);
+        else if (side != NOWHERE)
+            thud_document_item(
+                d, "Pounding without bumper %s the largest acceleration of %s from %s g to %s g, by a factor of %s.",
+                does[side], thud_site_name(site, s), thud_site_number(b / THUD_GRAVITY, 3).text,
+                thud_site_number(a / THUD_GRAVITY, 3).text, thud_site_number(a / b, 3).text);
     }
     if (site->ncases > SITE_BUMPER) {
         say_effect(site, FLOOR_ACCELERATION);
@@ -266,7 +259,7 @@ static bool has_values(const struct site *site, int s, int table)
 {
     for (int i = 0; i < site->ncases; i++)
         for (int f = 0; f < site->cases[i].result->structure[s].floors; f++)
-            if (!isnan(floor_value(&site->cases[i].result->structure[s], f, table)))
+            if (!isnan(floor_value(&site->cases[i], s, f, table)))
                 return true;
     return false;
 }
@@ -297,8 +290,8 @@ static void add_case_table(struct site *site, int s, int which)
         else
             thud_document_cell(d, "%d", f + 1 - slab);
         for (int i = 0; i < site->ncases; i++) {
-            value[i] = floor_value(&site->cases[i].result->structure[s], f, which);
-            thud_document_cell(d, "%s", isnan(value[i]) ? "-" : thud_site_number(value[i] / table->unit, 3).text);
+            value[i] = floor_value(&site->cases[i], s, f, which);
+            thud_document_cell(d, "%s", thud_site_number(value[i] / table->unit, 3).text);
         }
         for (int i = 1; i < site->ncases; i++)
             if (value[i - 1] > 0 && value[i] >= 0)
@@ -327,7 +320,7 @@ enum { CONTACT_COLUMNS = sizeof contact_column / sizeof *contact_column };
 /* In the unit of its column; NaN: there is none. */
 static double contact_value(const struct thud_contact_result *r, int column)
 {
-    const double value[CONTACT_COLUMNS] = {r->impacts, r->force.value, r->indentation.value};
+    const double value[CONTACT_COLUMNS] = {r->impacts, thud_peak_force(r), thud_peak_depth(r)};
     return value[column] / contact_column[column].unit;
 }
 
@@ -359,8 +352,7 @@ static void add_contact_table(struct site *site)
             for (int k = 0; k < CONTACT_COLUMNS; k++) {
                 double value = contact_value(&site->cases[i].result->contact[c], k);
                 if (has_column(site, k))
-                    thud_document_cell(d, "%s",
-                                       isnan(value) ? "-" : thud_site_number(value, contact_column[k].digits).text);
+                    thud_document_cell(d, "%s", thud_site_number(value, contact_column[k].digits).text);
             }
         thud_document_row(d);
     }
@@ -392,7 +384,7 @@ static void add_column_table(struct site *site)
             thud_document_cells(d, "%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
                                 thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text);
             if (limited)
-                thud_document_cell(d, "%s", isnan(r->ratio) ? "-" : thud_site_number(r->ratio, 3).text);
+                thud_document_cell(d, "%s", thud_site_number(r->ratio, 3).text);
         }
         thud_document_row(d);
     }
@@ -457,11 +449,12 @@ static void results(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
         struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
         const bool made = thud_figure_check(forces, NULL) == THUD_OK;
+        const struct thud_axis none = {.label = "Force", .unit = ""},
+                               *axis = made ? &forces->panel[forces->columns * (forces->rows - 1)].axis[THUD_Y] : &none;
         char caption[160];
-        snprintf(caption, sizeof caption,
-                 "Ground acceleration and the largest contact forces (%s) over time; at the right around the largest "
-                 "impact.",
-                 made ? forces->panel[forces->columns * (forces->rows - 1)].axis[THUD_Y].unit : "");
+        snprintf(caption, sizeof caption, "Ground acceleration and the largest %c%ss (%s) over time%s.",
+                 axis->label[0] - 'A' + 'a', axis->label + 1, axis->unit,
+                 made && forces->columns > 1 ? "; at the right around the largest impact" : "");
         thud_site_figure(site, forces,
                          fmin(0.63, 0.2 + 0.06 * (made ? forces->rows : 0)), /* a strip for each contact and case */
                          caption);

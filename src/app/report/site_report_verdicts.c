@@ -89,9 +89,10 @@ static void pounding_row(struct site *site, const struct site_case *one)
 {
     char what[64], text[400], between[320];
     int n;
-    const struct thud_contact_result *most = thud_contact_hardest(one->result, &n);
+    const struct thud_contact_result *most = thud_site_strongest(one->result);
+    thud_contact_hardest(one->result, &n);
     snprintf(what, sizeof what, "pounding %s", one->words);
-    if (!most || !(most->force.value > 0)) {
+    if (!most) {
         snprintf(text, sizeof text, n == 0 ? "none" : "%d impacts, by a law without force", n);
     } else {
         thud_site_sides(site, most->interface, most->left_floor, most->right_floor, most->struck, between,
@@ -162,8 +163,8 @@ static void governing_rows(struct site *site)
             under[0] = s, under[1] = storey;
         }
         for (int f = 0; site->scene->structure[s].kind != THUD_WALL && f < r->structure[s].floors; f++)
-            if (r->structure[s].floor[f].acceleration.value > most) {
-                most = r->structure[s].floor[f].acceleration.value;
+            if (thud_floor_acceleration(r, s, f) > most) {
+                most = thud_floor_acceleration(r, s, f);
                 at[0] = s, at[1] = f;
             }
     }

@@ -26,9 +26,11 @@ bool thud_site_is_building(const struct site *site, int structure)
 
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *r)
 {
-    int impacts;
-    const struct thud_contact_result *most = thud_contact_hardest(r, &impacts);
-    return most && most->force.value > 0 ? most : NULL;
+    const struct thud_contact_result *most = NULL;
+    for (int c = 0; c < r->ncontacts; c++)
+        if (thud_peak_force(&r->contact[c]) > (most ? most->force.value : 0))
+            most = &r->contact[c];
+    return most;
 }
 
 const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size)
@@ -179,8 +181,8 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
 
 struct thud_site_shown thud_site_number(double value, int digits)
 {
-    struct thud_site_shown out = {"0"};
-    if (value == 0)
+    struct thud_site_shown out = {{isnan(value) ? '-' : '0'}};
+    if (value == 0 || isnan(value))
         return out;
     int places = fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
     if (fabs(value) < 5e-4)

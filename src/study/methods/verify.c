@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/sweep/remark.h"
+
 static const double least_tolerance = 1e-6, agreement = 1e-4;
 
 /* Room for one more; NULL when there is no memory. */
@@ -41,6 +43,8 @@ static enum thud_status add_parts(struct thud_measures *measures, enum thud_case
 {
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < n && status == THUD_OK; i++) {
+        if (isnan(part[i].value)) /* of an impulse */
+            continue;
         struct thud_measure one = {.which = which, .value = part[i].value, .count = part[i].count};
         int stem = snprintf(one.name, sizeof one.name, "%.100s.%s", prefix, part[i].word);
         snprintf(one.name + stem, sizeof one.name - (size_t)stem, "%s", part[i].unit);
@@ -62,13 +66,14 @@ static enum thud_status add_storey(struct thud_measures *measures, enum thud_cas
 }
 
 static enum thud_status add_structure(struct thud_measures *measures, enum thud_case which, const char *name,
-                                      const struct thud_structure_result *r, struct thud_error *err)
+                                      const struct thud_result *result, int s, struct thud_error *err)
 {
+    const struct thud_structure_result *r = &result->structure[s];
     enum thud_status status = THUD_OK;
     bool free_body = r->floors > 0 && !isfinite(r->period_s[0]);
     for (int i = 0; i < r->floors && status == THUD_OK; i++) {
         const struct thud_floor_result *f = &r->floor[i];
-        const struct part part[] = {{"acceleration", "_mps2", f->acceleration.value, false, true},
+        const struct part part[] = {{"acceleration", "_mps2", thud_floor_acceleration(result, s, i), false, true},
                                     {"displacement", "_m", f->displacement.value, false, true},
                                     {"velocity", "_mps", f->velocity.value, false, false},
                                     {"drift", "_m", f->drift.value, false, true}};
@@ -89,8 +94,8 @@ static enum thud_status add_contact(struct thud_measures *measures, enum thud_ca
                                     const struct thud_contact_result *c, struct thud_error *err)
 {
     const struct part part[] = {{"impacts", "", c->impacts, true, false},
-                                {"force", "_n", c->force.value, false, false},
-                                {"indentation", "_m", c->indentation.value, false, false},
+                                {"force", "_n", thud_peak_force(c), false, false},
+                                {"indentation", "_m", thud_peak_depth(c), false, false},
                                 {"impulse", "_ns", c->impulse_ns, false, false}};
     char prefix[64], floors[2][12] = {"wall", "wall"};
     if (c->left_floor > 0)
@@ -129,7 +134,7 @@ enum thud_status thud_measures_add(struct thud_measures *measures, const struct 
 {
     enum thud_status status = THUD_OK;
     for (int s = 0; s < result->nstructures && status == THUD_OK; s++)
-        status = add_structure(measures, which, scene->structure[s].name, &result->structure[s], err);
+        status = add_structure(measures, which, scene->structure[s].name, result, s, err);
     for (int c = 0; c < result->ncontacts && status == THUD_OK; c++)
         status = add_contact(measures, which, &result->contact[c], err);
     for (int i = 0; i < result->ncolumns && status == THUD_OK; i++)

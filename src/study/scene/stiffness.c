@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "study/scene/solution.h"
+#include "study/sweep/remark.h"
 
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa)
 {
@@ -51,14 +52,16 @@ bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, d
 void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row)
 {
     *row = (struct thud_stiffness_row){0};
-    for (int s = 0; s < result->nstructures; s++)
+    for (int s = 0; s < result->nstructures; s++) {
+        row->acceleration_mps2[s] = NAN; /* what has none gives way */
         for (int i = 0; i < result->structure[s].floors; i++) {
-            const struct thud_floor_result *f = &result->structure[s].floor[i];
-            row->acceleration_mps2[s] = fmax(row->acceleration_mps2[s], f->acceleration.value);
-            row->drift_m[s] = fmax(row->drift_m[s], f->drift.value);
+            row->acceleration_mps2[s] = fmax(row->acceleration_mps2[s], thud_floor_acceleration(result, s, i));
+            row->drift_m[s] = fmax(row->drift_m[s], result->structure[s].floor[i].drift.value);
         }
+    }
+    row->force_n = result->ncontacts > 0 ? NAN : 0;
     for (int c = 0; c < result->ncontacts; c++) {
-        row->force_n = fmax(row->force_n, result->contact[c].force.value);
+        row->force_n = fmax(row->force_n, thud_peak_force(&result->contact[c]));
         row->impacts += result->contact[c].impacts;
     }
 }
