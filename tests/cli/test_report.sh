@@ -152,7 +152,7 @@ obtained=$("$THUD" laws | sed -n '/^kelvin-voigt-no-tension/,/damping paper/s/.*
 is "the restitution that is obtained stands beside that asked for" in_text "approach at 0.5 m/s part with $obtained of this speed, for a coefficient of restitution of 0.6[.]"
 is "impulses without force" report 0 "$tmp/bare.yaml" --set contact.law=stereomechanical --samples 0
 is "have none in the verdicts" in_text '| pounding without bumper | [0-9]* impacts, by a law without force |'
-is "floors that they strike have no acceleration" in_text '| 6 | [0-9.]* | .- | .- |'
+is "floors that they strike have no acceleration" in_text '| [1-7] | [0-9.]* | .- | .- |'
 is "their sizes are told" in_text 'Ground acceleration and the largest impulses (kN s) over time (synthetic motion)[.]'
 is "both methods agree on what there is" not_in_text 'do not agree to three digits'
 is "a word on the command line can be typed again" report 0 "$tmp/bare.yaml" --set "title=it's two words" --set gap=9cm --samples 0

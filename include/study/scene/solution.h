@@ -40,3 +40,12 @@ void thud_solution_clear(struct thud_solution *solution);
  * Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
                                          struct thud_error *err);
+
+/* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
+ * between the impulses. */
+bool thud_floor_struck(const struct thud_result *result, int structure, int floor);
+/* Its peak acceleration; NaN: it was struck. */
+double thud_floor_acceleration(const struct thud_result *result, int structure, int floor);
+/* Peaks of a contact; NaN: impulses of a law without force. */
+double thud_peak_force(const struct thud_contact_result *contact);
+double thud_peak_depth(const struct thud_contact_result *contact);

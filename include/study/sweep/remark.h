@@ -21,14 +21,6 @@ bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result
  * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
 bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
                         const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);
-/* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
- * between the impulses. */
-bool thud_floor_struck(const struct thud_result *result, int structure, int floor);
-/* Its peak acceleration; NaN: it was struck. */
-double thud_floor_acceleration(const struct thud_result *result, int structure, int floor);
-/* Peaks of a contact; NaN: impulses of a law without force. */
-double thud_peak_force(const struct thud_contact_result *contact);
-double thud_peak_depth(const struct thud_contact_result *contact);
 /* Whether one run of the scene takes long, by its floors and contacts and its fastest mode, and about how much memory and
  * time, as measured without contact on one processor. `record`: NULL for none. */
 bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out);

@@ -9,6 +9,7 @@
 #include "plot/figure/figure.h"
 #include "study/methods/verify.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/solution.h"
 #include "study/scene/stiffness.h"
 #include "study/suite/fragility.h"
 #include "study/sweep/floor_spectra.h"

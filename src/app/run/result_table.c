@@ -9,6 +9,7 @@
 #include "ground/identity.h"
 #include "io/result/result_rows.h"
 #include "study/scene/building.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
 static void add_head(const struct thud_report *report, struct thud_text *out)

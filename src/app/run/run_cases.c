@@ -11,6 +11,7 @@
 #include "ground/identity.h"
 #include "io/file/schema.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep.h"
 

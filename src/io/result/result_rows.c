@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 
 static const struct thud_peak no_peak = {NAN, NAN};

@@ -5,7 +5,7 @@
 #include "base/quantity.h"
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
-#include "study/sweep/remark.h"
+#include "study/scene/solution.h"
 
 enum { ACCELERATION, DISPLACEMENT, DRIFT, RATIO, QUANTITIES };
 

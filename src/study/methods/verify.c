@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep/remark.h"
+#include "study/scene/solution.h"
 
 static const double least_tolerance = 1e-6, agreement = 1e-4;
 

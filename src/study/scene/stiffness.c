@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "study/scene/solution.h"
-#include "study/sweep/remark.h"
 
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa)
 {

@@ -20,37 +20,6 @@ static const double ductility_most = 6, yielding_drift_most = 0.02;
 /* EN 1998-1 4.4.2.2(2) and (4) */
 static const double theta_small = 0.1, theta_most = 0.3;
 
-bool thud_floor_struck(const struct thud_result *result, int structure, int floor)
-{
-    for (int c = 0; c < result->ncontacts; c++) {
-        const struct thud_contact_result *r = &result->contact[c];
-        /* a blow on columns reaches the floors above and below */
-        bool left = structure == r->interface - 1 &&
-                    (floor + 1 == r->left_floor || (r->struck < 0 && floor + 2 == r->left_floor));
-        bool right = structure == r->interface &&
-                     (floor + 1 == r->right_floor || (r->struck > 0 && floor + 2 == r->right_floor));
-        if ((left || right) && thud_contact_struck(r))
-            return true;
-    }
-    return false;
-}
-
-double thud_floor_acceleration(const struct thud_result *result, int structure, int floor)
-{
-    return thud_floor_struck(result, structure, floor) ? NAN
-                                                       : result->structure[structure].floor[floor].acceleration.value;
-}
-
-double thud_peak_force(const struct thud_contact_result *contact)
-{
-    return thud_contact_struck(contact) ? NAN : contact->force.value;
-}
-
-double thud_peak_depth(const struct thud_contact_result *contact)
-{
-    return thud_contact_struck(contact) ? NAN : contact->indentation.value;
-}
-
 static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
 {
     const struct thud_contact_result *most = NULL;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep/remark.h"
+#include "study/scene/solution.h"
 #include "study/sweep/sweep_private.h"
 
 struct thud_sweep_task {

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "study/scene/level.h"
-#include "study/sweep/remark.h"
+#include "study/scene/solution.h"
 #include "tui/screens/figures.h"
 
 const char *thud_plot_title(enum thud_plot plot)
