@@ -5,11 +5,10 @@
  *     S                 thud_response_bound.speed: bound of sqrt(sum q'^2 + omega^2 (q - rest)^2) of a structure
  *     modal[row]        peaks->modal, of each mode j of the structure (m kg^1/2 and s):
  *         START, END    q'' + gamma a_g at both ends, from which the floors' total accelerations follow
- *         SPEED         bound of |q'| and |omega (q - rest)|
- *         SECOND, THIRD bounds of |q''| and |q'''|, by the equations of motion from the row before
- *         FOURTH        bound of the second rate of q'' + gamma a_g
+ *         SECOND, THIRD bounds of |q''| and |q'''|: sums of the sizes of the series' terms
+ *         FOURTH        bound of the second rate of q'' + gamma a_g, as they are
  *     value[row]        peaks->value: u, v and a of the floors at both ends
- *     push              one row's force F(s): bounds of |F|, |F'|, |F''|, and F(s_end)
+ *     push              bound of one row's |F|
  *     margin            tau^2/8 times the bound of the second rate: how far a floor's value may lie above the larger of
  *                       its two ends
  *
@@ -28,95 +27,35 @@
 #include "core/numerics/vec.h"
 #include "core/observe/rest.h"
 
-enum { MODE_START, MODE_END, MODE_SPEED, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
+enum { MODE_START, MODE_END, MODE_SECOND, MODE_THIRD, MODE_FOURTH, MODE_ROWS };
 
-/* Without forces of rows: springs, dashpots and the ground, whose acceleration is at most `ground`. START is the series'
- * order 2; END leaves out a coupled damping. SECOND to FOURTH begin with the parts of the ground. */
-static void free_modes(const struct thud_observation *o, const struct thud_model_structure *p, double ground,
-                       int stride, double *restrict out)
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_segment *seg = o->seg;
-    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
-                           *restrict gamma = m->gamma + p->first_mode, *restrict q = o->q + p->first_mode,
-                           *restrict qd = o->qd + p->first_mode,
-                           *restrict half = seg->q + 2 * m->nmodes + p->first_mode;
-    const double by_time = 2 / (seg->h_s * seg->h_s), slope = fabs(seg->a1) / seg->h_s;
-    for (int j = 0; j < p->modes; j++) {
-        out[MODE_START * stride + j] = by_time * half[j] + gamma[j] * seg->a0;
-        out[MODE_END * stride + j] = -(spring[j] * q[j] + dashpot[j] * qd[j]);
-        out[MODE_SECOND * stride + j] = fabs(gamma[j]) * ground;
-        out[MODE_THIRD * stride + j] = fabs(gamma[j]) * slope;
-        out[MODE_FOURTH * stride + j] = 0;
-    }
-}
-
-/* Adds the force of one row with the Jacobian row g. */
-static void push_modes(int n, const double *restrict g, const struct thud_row_push *push, int stride,
-                       double *restrict out)
-{
-    const double bound = push->bound, rate = push->rate, bend = push->bend, end = push->end;
-    for (int j = 0; j < n; j++) {
-        out[MODE_END * stride + j] -= g[j] * end;
-        out[MODE_SECOND * stride + j] += fabs(g[j]) * bound;
-        out[MODE_THIRD * stride + j] += fabs(g[j]) * rate;
-        out[MODE_FOURTH * stride + j] += fabs(g[j]) * bend;
-    }
-}
-
-/* SPEED of uncoupled modes: sqrt(q'^2 + omega^2 (q - rest)^2) grows by no more than the loads' size times tau. */
-static void mode_speeds(const struct thud_peaks *peaks, const struct thud_observation *o,
-                        const struct thud_model_structure *p, int stride, double *restrict out)
-{
-    const struct thud_model *m = o->state->model;
-    const double *restrict spring = m->spring + p->first_mode, *restrict q = o->state->q + p->first_mode,
-                           *restrict qd = o->state->qd + p->first_mode;
-    const double time = o->s * o->seg->h_s;
-    for (int j = 0; j < p->modes; j++) {
-        const double x = q[j] - (peaks->rests ? peaks->rest[p->first_mode + j] : 0);
-        out[MODE_SPEED * stride + j] = sqrt(qd[j] * qd[j] + spring[j] * x * x) + time * out[MODE_SECOND * stride + j];
-    }
-}
-
-/* SECOND to FOURTH: |q''| <= load + (omega + dashpot) speed, |q'''| <= load' + spring |q'| + dashpot |q''|, and so on. */
-static void mode_rates(const struct thud_model *m, const struct thud_model_structure *p, int stride,
-                       double *restrict out)
-{
-    const double *restrict spring = m->spring + p->first_mode, *restrict dashpot = m->dashpot + p->first_mode,
-                           *restrict omega = m->omega + p->first_mode;
-    for (int j = 0; j < p->modes; j++) {
-        double speed = out[MODE_SPEED * stride + j];
-        double second = out[MODE_SECOND * stride + j] + (omega[j] + dashpot[j]) * speed;
-        double third = out[MODE_THIRD * stride + j] + spring[j] * speed + dashpot[j] * second;
-        out[MODE_SECOND * stride + j] = second;
-        out[MODE_THIRD * stride + j] = third;
-        out[MODE_FOURTH * stride + j] += spring[j] * second + dashpot[j] * third;
-    }
-}
-
-/* SECOND to FOURTH, and the rest of END, where damping couples the modes: it passes energy from one to another, so that
- * only the coefficients of the series tell what each has. */
-static void coupled_rates(const struct thud_observation *o, const struct thud_model_structure *p, int stride,
-                          double *out)
+/* Fills peaks->modal from the series of the modes: its bounds are those of the polynomials from which peaks are read, and
+ * hold however forces and damping move them. */
+static void series_modes(struct thud_peaks *peaks, const struct thud_observation *o,
+                         const struct thud_model_structure *p)
 {
     const struct thud_segment *seg = o->seg;
-    const double rate = 1 / seg->h_s, square = rate * rate;
-    const int n = o->state->model->nmodes;
+    const int n = o->state->model->nmodes, stride = peaks->stride;
+    const double *gamma = o->state->model->gamma + p->first_mode, rate = 1 / seg->h_s, square = rate * rate;
     for (int j = 0; j < p->modes; j += 2) { /* rows and series are long enough for an odd number */
-        const double *q = seg->q + 2 * n + p->first_mode + j;
-        thud_vec2 second = {0, 0}, third = {0, 0}, fourth = {0, 0};
-        for (int k = 2; k < seg->terms; k++, q += n) {
-            const thud_vec2 size = k * (k - 1) * thud_vec2_abs(thud_vec2_at(q));
+        const double *q = seg->q + (seg->terms - 1) * n + p->first_mode + j;
+        const thud_vec2 ground = thud_vec2_some(gamma + j, j + 1 == p->modes);
+        thud_vec2 start = {0, 0}, end = {0, 0}, second = {0, 0}, third = {0, 0}, fourth = {0, 0};
+        double *out = peaks->modal + j;
+        for (int k = seg->terms - 1; k >= 2; k--, q -= n) {
+            start = k * (k - 1) * thud_vec2_at(q);
+            end = end * o->s + start;
+            const thud_vec2 size = thud_vec2_abs(start);
             second += size;
             third += (k - 2) * size;
             fourth += (k - 2) * (k - 3) * size;
         }
-        thud_vec2_put(square * second, out + MODE_SECOND * stride + j);
-        thud_vec2_put(square * rate * third, out + MODE_THIRD * stride + j);
-        thud_vec2_put(square * square * fourth, out + MODE_FOURTH * stride + j);
+        thud_vec2_put(square * start + ground * seg->a0, out + MODE_START * stride);
+        thud_vec2_put(square * end + ground * (seg->a0 + o->s * seg->a1), out + MODE_END * stride);
+        thud_vec2_put(square * second, out + MODE_SECOND * stride);
+        thud_vec2_put(square * rate * third, out + MODE_THIRD * stride);
+        thud_vec2_put(square * square * fourth, out + MODE_FOURTH * stride);
     }
-    for (int i = 0; i < p->modes; i++)
-        out[MODE_END * stride + i] -= thud_dot(p->modes, p->damping + i * p->modes, o->qd + p->first_mode);
 }
 
 /* Total accelerations of all modes from the equations of motion into peaks->acceleration: the polynomials of a stepping
@@ -137,52 +76,23 @@ static void acceleration_by_forces(struct thud_peaks *peaks, const struct thud_s
     }
 }
 
-/* All rows of a stepping method's segment, whose polynomials do not obey the equations of motion: SECOND to FOURTH are
- * sums of the sizes of their coefficients. */
-static void step_modes(struct thud_peaks *peaks, const struct thud_observation *o, const struct thud_model_structure *p)
+/* START, END and FOURTH of a stepping method's segment, from peaks->acceleration. */
+static void step_accelerations(struct thud_peaks *peaks, const struct thud_observation *o,
+                               const struct thud_model_structure *p)
 {
-    const int n = o->state->model->nmodes, terms = o->seg->terms;
+    const int n = o->state->model->nmodes;
     const double rate = 1 / o->seg->h_s;
     for (int j = 0; j < p->modes; j++) {
-        const double *q = o->seg->q + p->first_mode + j, *acceleration = peaks->acceleration + p->first_mode + j;
-        double end = 0, second = 0, third = 0, fourth = 0;
-        for (int k = terms - 1; k >= 2; k--) {
-            second += k * (k - 1) * fabs(q[k * n]);
-            third += k * (k - 1) * (k - 2) * fabs(q[k * n]);
-        }
-        for (int k = terms - 3; k >= 0; k--) {
+        const double *acceleration = peaks->acceleration + p->first_mode + j;
+        double end = 0, fourth = 0, *out = peaks->modal + j;
+        for (int k = o->seg->terms - 3; k >= 0; k--) {
             end = end * o->s + acceleration[k * n];
             fourth += k * (k - 1) * fabs(acceleration[k * n]);
         }
-        double *out = peaks->modal + j;
         out[MODE_START * peaks->stride] = acceleration[0];
         out[MODE_END * peaks->stride] = end;
-        out[MODE_SECOND * peaks->stride] = rate * rate * second;
-        out[MODE_THIRD * peaks->stride] = rate * rate * rate * third;
         out[MODE_FOURTH * peaks->stride] = rate * rate * fourth;
     }
-}
-
-/* Fills peaks->modal. */
-static void structure_modes(struct thud_peaks *peaks, const struct thud_observation *o,
-                            const struct thud_model_structure *p)
-{
-    const struct thud_model *m = o->state->model;
-    if (o->seg->interpolates) {
-        step_modes(peaks, o, p);
-        return;
-    }
-    const double ground = thud_larger(fabs(o->seg->a0), fabs(o->seg->a0 + o->seg->a1));
-    free_modes(o, p, ground, peaks->stride, peaks->modal);
-    for (int i = 0; i < peaks->pushes; i++)
-        push_modes(p->modes, m->jacobian + (size_t)peaks->push[i].row * (size_t)m->nmodes + p->first_mode,
-                   &peaks->push[i], peaks->stride, peaks->modal);
-    if (p->damping) {
-        coupled_rates(o, p, peaks->stride, peaks->modal);
-        return;
-    }
-    mode_speeds(peaks, o, p, peaks->stride, peaks->modal);
-    mode_rates(m, p, peaks->stride, peaks->modal);
 }
 
 /* Margins of the structure's worst floor, by the largest entries of each mode's shape; also of the rate of the drift. */
@@ -299,7 +209,9 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
     const struct thud_model_structure *p = &m->structure[index];
     const int stride = peaks->stride;
     const bool drifts = p->drifts;
-    structure_modes(peaks, o, p);
+    series_modes(peaks, o, p);
+    if (o->seg->interpolates)
+        step_accelerations(peaks, o, p);
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);
     const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
@@ -326,7 +238,7 @@ static void motion_peaks(struct thud_peaks *peaks, const struct thud_observation
     if (o->seg->interpolates)
         acceleration_by_forces(peaks, state, o->seg);
     else
-        thud_peaks_row_forces(peaks, state, o->seg, o->s);
+        thud_peaks_row_forces(peaks, state, o->seg);
     for (int i = 0; i < state->model->nstructures; i++) {
         struct thud_response_bound bound = thud_response_bound_segment(peaks, state, o->seg, i, o->s);
         if (thud_response_bound_structure(peaks, state->model, i, &bound))

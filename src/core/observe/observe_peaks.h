@@ -18,11 +18,11 @@ struct thud_peak_row {
     double cubic_margin; /* from the cubic through values and rates at them */
 };
 
-/* A contact or a yielding storey in a segment: bounds of its force, of a storey's of how far it strays from that at the
- * start (peaks->rest), and of the force's first two rates; and the force at the end that is read. */
+/* A contact or a yielding storey in a segment: bound of its force, of a storey's of how far it strays from that at the
+ * start (peaks->rest). */
 struct thud_row_push {
     int row;
-    double bound, rate, bend, end;
+    double bound;
 };
 
 struct thud_peaks {

@@ -5,9 +5,8 @@
 
 /* response_bound.c. Fills peaks->per_speed. */
 void thud_response_bound_fill(struct thud_peaks *peaks, const struct thud_state *state);
-/* Fills peaks->push with the forces of the segment up to s. */
-void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                           double s);
+/* Fills peaks->push and peaks->rest with the forces of the segment. */
+void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg);
 /* Of a structure in the segment up to s; without bound for methods whose steps do not keep to the equations of motion. */
 struct thud_response_bound thud_response_bound_segment(const struct thud_peaks *peaks, const struct thud_state *state,
                                                        const struct thud_segment *seg, int structure, double s);

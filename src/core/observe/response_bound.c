@@ -80,23 +80,6 @@ bool thud_response_bound_structure(struct thud_peaks *peaks, const struct thud_m
     return false;
 }
 
-/* Of one row: coefficients `stride` apart. */
-static struct thud_row_push row_push(const struct thud_segment *seg, int row, int stride, bool rests, double s)
-{
-    struct thud_row_push push = {.row = row};
-    const double rate = 1 / seg->h_s, *f = seg->force + (seg->loaded - 1) * stride + row;
-    for (double k = seg->loaded - 1; k >= 0; k -= 1, f -= stride) {
-        double size = fabs(*f), by_order = k * size;
-        push.end = push.end * s + *f;
-        push.bound += rests && k == 0 ? 0 : size;
-        push.rate += by_order;
-        push.bend += (k - 1) * by_order;
-    }
-    push.rate *= rate;
-    push.bend *= rate * rate;
-    return push;
-}
-
 /* Adds to the modes' rest under the force of a storey. */
 static void add_rest(struct thud_peaks *peaks, const struct thud_model *m, int row, double force_n)
 {
@@ -108,9 +91,7 @@ static void add_rest(struct thud_peaks *peaks, const struct thud_model *m, int r
         peaks->rest[j] -= m->spring[j] > 0 ? g[j] * force_n / m->spring[j] : 0;
 }
 
-/* Fills peaks->push and peaks->rest. */
-void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg,
-                           double s)
+void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *state, const struct thud_segment *seg)
 {
     const struct thud_model *m = state->model;
     peaks->pushes = 0;
@@ -120,11 +101,12 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
         const bool rests = storey && storey->link < 0; /* a link's may push a free body, which rests nowhere */
         if (!storey && !thud_row_acts(state, c))
             continue;
-        const struct thud_row_push push = row_push(seg, c, m->nrows, rests, s);
-        if (push.bound == 0 && push.end == 0)
-            continue;
-        peaks->push[peaks->pushes++] = push;
-        if (rests)
+        double bound = rests ? 0 : fabs(seg->force[c]);
+        for (int k = 1; k < seg->loaded; k++)
+            bound += fabs(seg->force[k * m->nrows + c]);
+        if (bound > 0)
+            peaks->push[peaks->pushes++] = (struct thud_row_push){c, bound};
+        if (rests && seg->force[c] != 0)
             add_rest(peaks, m, c, seg->force[c]);
     }
 }
