@@ -422,27 +422,23 @@ static double term_noise(bool interpolates, int k, const double *size, double la
     return interpolates && k > 1 ? fmax(least, THUD_TOL_STEP_COEFFICIENT * largest) : least;
 }
 
-/* A term of the displacement of a side's point, from those of the modes. */
-static double side_term(const struct thud_model_side *side, const double *modal)
-{
-    return thud_dot(side->modes, side->row, modal + side->first_mode);
-}
-
 int thud_segment_indentation(const struct thud_state *state, const struct thud_segment *seg, int c, double *out)
 {
     const struct thud_model *m = state->model;
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
-    double size[THUD_SEGMENT_TERMS], largest = 0;
+    double left[THUD_SEGMENT_TERMS], right[THUD_SEGMENT_TERMS], size[THUD_SEGMENT_TERMS], largest = 0;
     int suppressed = 0;
-    for (int k = 0; k < seg->terms; k++) {
-        double left = side_term(l, seg->q + k * m->nmodes), right = side_term(r, seg->q + k * m->nmodes);
-        out[k] = left - right;
-        size[k] = fabs(left) + fabs(right);
-        largest = size[k] > largest ? size[k] : largest;
-    }
+    thud_dots(l->modes, l->row, seg->q + l->first_mode, m->nmodes, seg->terms, left);
+    thud_dots(r->modes, r->row, seg->q + r->first_mode, m->nmodes, seg->terms, right);
+    for (int k = 0; k < seg->terms; k++)
+        out[k] = left[k] - right[k];
     out[0] -= thud_state_clearance(state, c);
     if (!thud_row_starts_at_zero(state, c))
         return 0;
+    for (int k = 0; k < seg->terms; k++) {
+        size[k] = fabs(left[k]) + fabs(right[k]);
+        largest = size[k] > largest ? size[k] : largest;
+    }
     while (suppressed < seg->terms && fabs(out[suppressed]) <= term_noise(seg->interpolates, suppressed, size, largest))
         suppressed++;
     return suppressed;

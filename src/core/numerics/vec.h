@@ -79,6 +79,30 @@ static inline double thud_dot(int n, const double *a, const double *b)
     return j < n ? sum + a[j] * b[j] : sum;
 }
 
+/* out[k] = a . b_k of rows b_k that stand `apart` from each other, to the bits of thud_dot: four rows at once, for which a
+ * is read once. */
+static inline void thud_dots(int n, const double *a, const double *b, int apart, int count, double *out)
+{
+    enum { N = 4 };
+    int k = 0;
+    for (; k + N <= count; k += N, b += N * apart) {
+        thud_vec2 even[N] = {0}, odd[N] = {0};
+        int j = 0;
+        for (; j + 4 <= n; j += 4)
+            for (int i = 0; i < N; i++) {
+                even[i] += thud_vec2_at(a + j) * thud_vec2_at(b + i * apart + j);
+                odd[i] += thud_vec2_at(a + j + 2) * thud_vec2_at(b + i * apart + j + 2);
+            }
+        for (int i = 0; i < N && j + 2 <= n; i++)
+            even[i] += thud_vec2_at(a + j) * thud_vec2_at(b + i * apart + j);
+        j += j + 2 <= n ? 2 : 0;
+        for (int i = 0; i < N; i++)
+            out[k + i] = thud_vec2_sum(even[i] + odd[i]) + (j < n ? a[j] * b[i * apart + j] : 0);
+    }
+    for (; k < count; k++, b += apart)
+        out[k] = thud_dot(n, a, b);
+}
+
 /* Sum of w q^2 + v^2: twice the energy of n modes with w = omega^2. */
 static inline double thud_energy_sum(int n, const double *w, const double *q, const double *v)
 {

@@ -25,8 +25,7 @@ static double least_drift(const struct thud_model_column *p, const struct thud_c
 /* Coefficients of the storey's drift. */
 static void drift_polynomial(const struct thud_model_column *p, const struct thud_segment *seg, int nmodes, double *out)
 {
-    for (int k = 0; k < seg->terms; k++)
-        out[k] = thud_dot(p->modes, p->row, seg->q + k * nmodes + p->first_mode);
+    thud_dots(p->modes, p->row, seg->q + p->first_mode, nmodes, seg->terms, out);
 }
 
 /* Bound of a polynomial up to s: coefficients `stride` apart. */

@@ -40,8 +40,7 @@ static void series(const struct thud_state *state, const struct thud_model_link 
 {
     const double rate = 1 / seg->h_s;
     const int nmodes = state->model->nmodes;
-    for (int k = 0; k < seg->terms; k++)
-        d[k] = thud_dot(p->modes, p->row, seg->q + k * nmodes + p->first_mode);
+    thud_dots(p->modes, p->row, seg->q + p->first_mode, nmodes, seg->terms, d);
     for (int k = 0; k < seg->terms; k++)
         force[k] = p->stiffness_npm * d[k] + (k + 1 < seg->terms ? p->damping_nspm * (k + 1) * rate * d[k + 1] : 0);
 }

@@ -10,25 +10,11 @@
 #include "core/numerics/vec.h"
 #include "core/observe/observe_peaks_parts.h"
 
-/* Coefficients of a floor's value from those of the modes, out (terms): four orders at once, for each of which the
- * floor's row is the same. */
+/* Coefficients of a floor's value from those of the modes, out (terms). */
 static void floor_polynomial(const struct thud_model_structure *p, int floor, const double *modal, int nmodes,
                              int terms, double *out)
 {
-    enum { N = 4 };
-    const double *row = p->phi + floor * p->modes, *x = modal + p->first_mode;
-    int k = 0;
-    for (; k + N <= terms; k += N, x += N * nmodes) {
-        thud_vec2 sum[N] = {0};
-        int j = 0;
-        for (; j + 2 <= p->modes; j += 2)
-            for (int i = 0; i < N; i++)
-                sum[i] += thud_vec2_at(row + j) * thud_vec2_at(x + i * nmodes + j);
-        for (int i = 0; i < N; i++)
-            out[k + i] = thud_vec2_sum(sum[i]) + (j < p->modes ? row[j] * x[i * nmodes + j] : 0);
-    }
-    for (; k < terms; k++, x += nmodes)
-        out[k] = thud_dot(p->modes, row, x);
+    thud_dots(p->modes, p->phi + floor * p->modes, modal + p->first_mode, nmodes, terms, out);
 }
 
 /* Of a floor's displacement: made once for all that is read from it in a segment. */

@@ -41,8 +41,7 @@ static void raise_struck(double *largest, const struct thud_model *m, const stru
                          const struct thud_model_side *side, double s)
 {
     double u[THUD_SEGMENT_TERMS];
-    for (int k = 0; k < seg->terms; k++)
-        u[k] = thud_dot(side->modes, side->row, seg->q + k * m->nmodes + side->first_mode);
+    thud_dots(side->modes, side->row, seg->q + side->first_mode, m->nmodes, seg->terms, u);
     raise(largest, u, seg->terms, s, true);
 }
 

@@ -47,8 +47,7 @@ static void look(const struct thud_model *m, const struct thud_segment *seg, con
     const struct thud_model_structure *p = &m->structure[sum->structure];
     const double *q = seg->q + p->first_mode;
     double x[THUD_SEGMENT_TERMS];
-    for (int k = 0; k < seg->terms; k++)
-        x[k] = thud_dot(p->modes, sum->row, q + k * m->nmodes);
+    thud_dots(p->modes, sum->row, q, m->nmodes, seg->terms, x);
     for (int k = 0; sum->rate && k + 1 < seg->terms; k++)
         x[k] += (k + 1) / seg->h_s * thud_dot(p->modes, sum->rate, q + (k + 1) * m->nmodes);
     for (int i = 0; i < m->nstoreys; i++) {
