@@ -1,4 +1,4 @@
-/* Motion at the points of a step: against the power series, piece by piece from kink to kink. */
+/* Motion at the points of a step, read from tables: against the power series, piece by piece from kink to kink. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

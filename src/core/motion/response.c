@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/contact/segment.h"
-#include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
 
 /* Tables of eq. (8) of thud-methods(7): how the gaps move in a step, without contact forces and under each other's.
@@ -25,8 +24,8 @@
  *                    POWERS, is an impulse, whose motion is h times the rate of x_0
  *     R_ab, R'_ab    thud_response.indentation and .rate: sums of g_a x_p times the coefficients of l_k, below 0 where
  *                    the force pushes apart
- *     d0             a power series of the motion from the state, as if the ground acceleration went on as it begins,
- *                    and what its bends change
+ *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
+ *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1
  *     bend           by how much the slope of a_g changes at a sample inside the step, times h_top (m/s^2)
  *     ramp           indentation under a ground acceleration that rises by 1 m/s^2 in h_top: a power series of t/h_top,
  *                    from its third power on */
@@ -46,7 +45,8 @@ struct thud_responses {
     struct thud_nodes first, last; /* the points: a batch, and those behind it */
     struct level level[LEVELS];
     struct thud_segment seg; /* workspace: series of the motion under unit loads */
-    double *unit;            /* (nmodes) loads of 1 on each mode, or of a ground acceleration of 1 */
+    double *at_start, *rise; /* (nmodes) */
+    double *zero;            /* (nmodes) no displacements */
     double *ramp_modes;      /* (THUD_SEGMENT_TERMS x nmodes) modes under the ramp */
     double *ramp;            /* (nrows x THUD_SEGMENT_TERMS) indentations under it, made when needed */
     int *ramp_terms;         /* (nrows) terms that count; 0: not made */
@@ -76,22 +76,24 @@ enum thud_status thud_responses_create(const struct thud_model *m, const double 
             .model = m, .loads = m->couples ? m->nrows : 1, .h_top = h_top, .tolerance = tolerance};
         memcpy(x->lagrange, lagrange, sizeof x->lagrange);
         memcpy(x->point, point, sizeof x->point);
-        x->unit = calloc(n + terms * (n + nc) + 1, sizeof *x->unit);
+        x->at_start = calloc(3 * n + terms * (n + nc) + 1, sizeof *x->at_start);
         x->ramp_terms = calloc(nc + 1, sizeof *x->ramp_terms);
     }
-    if (!x || !x->unit || !x->ramp_terms || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    if (!x || !x->at_start || !x->ramp_terms || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_responses_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     thud_nodes_set(&x->first, THUD_BATCH, point, 1, THUD_SEGMENT_TERMS);
     thud_nodes_set(&x->last, THUD_POINTS - THUD_BATCH, point + THUD_BATCH, 1, THUD_SEGMENT_TERMS);
-    x->ramp_modes = x->unit + n;
+    x->rise = x->at_start + n;
+    x->zero = x->rise + n;
+    x->ramp_modes = x->zero + n;
     x->ramp = x->ramp_modes + terms * n;
     struct thud_segment *seg = unit_segment(x, h_top);
     for (size_t j = 0; j < n; j++)
-        x->unit[j] = -m->gamma[j];
-    thud_taylor_load(m, seg, x->unit, 1);
+        x->rise[j] = -m->gamma[j];
+    thud_taylor_load(m, seg, x->rise, 1);
     memcpy(x->ramp_modes, seg->q, (size_t)seg->terms * n * sizeof *seg->q);
     return THUD_OK;
 }
@@ -108,7 +110,7 @@ void thud_responses_free(struct thud_responses *x)
         free(level->pair);
         free(level->load);
     }
-    free(x->unit);
+    free(x->at_start);
     free(x->ramp_terms);
     thud_segment_clear(&x->seg);
     free(x);
@@ -116,13 +118,17 @@ void thud_responses_free(struct thud_responses *x)
 
 /* ---- R and R' ---- */
 
-/* Values at the points of a polynomial, coefficients `stride` apart. */
-static void read_points(const struct thud_responses *x, const double *c, int stride, int terms, double *out)
+/* Modal displacements of the segment at the points, out (nmodes x THUD_POINTS). */
+static void read_modes(const struct thud_responses *x, double *out)
 {
-    double last[THUD_BATCH];
-    thud_nodes_values(&x->first, c, stride, terms, out);
-    thud_nodes_values(&x->last, c, stride, terms, last);
-    memcpy(out + THUD_BATCH, last, (THUD_POINTS - THUD_BATCH) * sizeof *last);
+    const struct thud_segment *seg = &x->seg;
+    int n = x->model->nmodes;
+    for (int j = 0; j < n; j++, out += THUD_POINTS) {
+        double last[THUD_BATCH];
+        thud_nodes_values(&x->first, seg->q + j, n, seg->terms, out);
+        thud_nodes_values(&x->last, seg->q + j, n, seg->terms, last);
+        memcpy(out + THUD_BATCH, last, (THUD_POINTS - THUD_BATCH) * sizeof *last);
+    }
 }
 
 /* out += factor x at all points */
@@ -170,8 +176,7 @@ static void fill_powers(struct thud_responses *x, double h, const double *b, dou
     const int size = m->nmodes * THUD_POINTS;
     for (int p = THUD_NODES - 2; p < THUD_NODES; p++) {
         thud_taylor_load(m, seg, b, p);
-        for (int j = 0; j < m->nmodes; j++)
-            read_points(x, seg->q + j, m->nmodes, seg->terms, table + (p + 1) * size + j * THUD_POINTS);
+        read_modes(x, table + (p + 1) * size);
     }
     for (int p = THUD_NODES - 1; p >= 1; p--)
         step_down(x, h, p, b, table + (p + 1) * size, table + p * size, table + (p - 1) * size);
@@ -185,10 +190,11 @@ static bool fill_level(struct thud_responses *x, struct level *level, double h)
     level->load = calloc((size_t)x->loads * size + 1, sizeof *level->load);
     if (!level->pair || !level->load)
         return false;
+    double *ones = x->rise;
     for (size_t j = 0; j < n; j++)
-        x->unit[j] = 1;
+        ones[j] = 1;
     for (int load = 0; load < x->loads; load++)
-        fill_powers(x, h, m->couples ? m->jacobian + (size_t)load * n : x->unit, level->load + (size_t)load * size);
+        fill_powers(x, h, m->couples ? m->jacobian + (size_t)load * n : ones, level->load + (size_t)load * size);
     return true;
 }
 
@@ -269,23 +275,66 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
 
 /* ---- without contact forces ---- */
 
-/* d and v (THUD_POINTS each) of row c without contact forces and without bends of the ground acceleration. */
-static void move_contact(const struct thud_responses *x, const struct thud_state *state, int c, double *d, double *v)
+/* r0 and rise. Apart from the straight line q0 + q0' t each mode starts at rest under the load r0 + rise s. */
+static void find_loads(struct thud_responses *x, const struct thud_state *state, double h)
 {
-    const struct thud_segment *seg = &x->seg;
-    double p[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], behind[3];
-    thud_segment_indentation(state, seg, c, p);
-    if (thud_row_starts_at_zero(state, c)) /* at contact onset it has not moved yet, whatever rounding says */
-        p[0] = 0;
-    for (int k = 0; k + 1 < seg->terms; k++)
-        rate[k] = (k + 1) * p[k + 1] / seg->h_s;
-    thud_nodes_values(&x->first, p, 1, seg->terms, d);
-    thud_nodes_values(&x->first, rate, 1, seg->terms - 1, v);
-    for (int i = THUD_BATCH; i < THUD_POINTS; i++) {
-        thud_poly_value3(p, seg->terms, x->point[i], behind);
-        d[i] = behind[0];
-        v[i] = behind[1] / seg->h_s;
+    const struct thud_model *m = x->model;
+    double start, end;
+    thud_state_ground(state, state->grid, &start, &end);
+    double slope = (end - start) / state->grid_dt_s;
+    thud_model_acceleration(m, state->q, state->qd, start + slope * state->offset_s, x->at_start);
+    thud_model_acceleration(m, state->qd, x->zero, slope, x->rise);
+    for (int j = 0; j < m->nmodes; j++)
+        x->rise[j] *= h;
+    if (state->nshifted > 0) { /* storeys with a plastic drift push too */
+        thud_segment_begin(state, &x->seg, h);
+        thud_model_apply_contact_forces(m, x->seg.force, x->at_start);
     }
+}
+
+/* Indentation and its rate at all points, in pairs. */
+struct motion {
+    thud_vec2 value[THUD_POINTS / 2], rate[THUD_POINTS / 2];
+};
+
+/* Adds r0 x_0 + rise x_1 and its rate (r0 x_-1 + rise x_0)/h of one mode. */
+static inline void add_mode(struct motion *sum, double at_start, double rise, double h, const double *impulse,
+                            const double *constant, const double *ramp)
+{
+    double start_rate = at_start / h, rise_rate = rise / h;
+    for (int i = 0; i < THUD_POINTS / 2; i++) {
+        thud_vec2 x = thud_vec2_at(constant + 2 * i);
+        sum->value[i] += at_start * x + rise * thud_vec2_at(ramp + 2 * i);
+        sum->rate[i] += start_rate * thud_vec2_at(impulse + 2 * i) + rise_rate * x;
+    }
+}
+
+/* d and v (THUD_POINTS each) of row c without contact forces and without bends of the ground acceleration. */
+static void move_contact(const struct thud_responses *x, const struct thud_state *state, const struct level *level,
+                         double h, int c, double *d, double *v)
+{
+    const struct thud_model *m = x->model;
+    const int size = m->nmodes * THUD_POINTS;
+    const double *g = m->jacobian + c * m->nmodes, *table = table_of(x, level, c);
+    /* at contact onset a contact has not moved yet, whatever rounding says */
+    double start = thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
+    double rate = thud_contact_rate(state, c);
+    struct motion sum;
+    for (int i = 0; i < THUD_POINTS / 2; i++) {
+        sum.value[i] = start + rate * h * thud_vec2_at(x->point + 2 * i);
+        sum.rate[i] = thud_vec2_set(rate, rate);
+    }
+    int structure[2], structures = thud_model_row_structures(m, c, structure);
+    for (int i = 0; i < structures; i++) {
+        const struct thud_model_structure *s = &m->structure[structure[i]];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
+            const double *mode = table + j * THUD_POINTS;
+            double part = m->couples ? 1 : g[j];
+            add_mode(&sum, part * x->at_start[j], part * x->rise[j], h, mode, mode + size, mode + 2 * size);
+        }
+    }
+    memcpy(d, sum.value, sizeof sum.value);
+    memcpy(v, sum.rate, sizeof sum.rate);
 }
 
 /* Makes the ramp of row c; returns how many of its terms count. */
@@ -347,12 +396,9 @@ static void add_kinks(struct thud_responses *x, const struct thud_state *state, 
 void thud_responses_unforced(struct thud_responses *x, const struct thud_state *state, int at, double end_s,
                              const int *contact, int n, double *d, double *v)
 {
-    struct thud_segment *seg = &x->seg;
-    const double h = ldexp(x->h_top, -at);
-    thud_segment_begin(state, seg, h); /* no forces but those of storeys with a plastic drift, which are constant */
-    seg->terms = thud_segment_terms(x->model->fastest_radps * h, fmax(THUD_TOL_SERIES, 1e-4 * x->tolerance));
-    thud_taylor_given(x->model, seg, state->q, state->qd);
+    double h = ldexp(x->h_top, -at);
+    find_loads(x, state, h);
     for (int a = 0; a < n; a++)
-        move_contact(x, state, contact[a], d + a * THUD_POINTS, v + a * THUD_POINTS);
+        move_contact(x, state, &x->level[at], h, contact[a], d + a * THUD_POINTS, v + a * THUD_POINTS);
     add_kinks(x, state, h, end_s, contact, n, d, v);
 }

@@ -1,5 +1,5 @@
-/* How contacts move at the points of a step: without contact forces, by a power series, and under each other's, by tables
- * that depend on the step size alone and are made when first needed. */
+/* How contacts move at the points of a step: without contact forces, and under each other's. Both are sums over modes with
+ * factors that depend on the step size alone: tables, made when first needed. */
 #pragma once
 
 #include "core/contact/state.h"
@@ -31,6 +31,7 @@ enum thud_status thud_responses_make(struct thud_responses *responses, int level
                                      const struct thud_response **out, struct thud_error *err);
 
 /* Indentations and rates of these contacts at the points of a step from the state on, if no contact force acted: d, v
- * (n x THUD_POINTS). Kinks of the ground motion before end_s lie inside the step. */
+ * (n x THUD_POINTS). Kinks of the ground motion before end_s lie inside the step. Only once responses of the level are
+ * made. */
 void thud_responses_unforced(struct thud_responses *responses, const struct thud_state *state, int level, double end_s,
                              const int *contact, int n, double *d, double *v);
