@@ -95,6 +95,19 @@ struct thud_part {
     unsigned marks;
     const void *row;
 };
+/* Columns whose names depend on what is asked for, with a row of them: {0}, then one after the other. */
+union thud_column_value {
+    double number;
+    const char *text;
+};
+enum { THUD_MADE_MAX = 64 };
+struct thud_made_columns {
+    struct thud_schema schema;
+    struct thud_column column[THUD_MADE_MAX];
+    char name[THUD_MADE_MAX][112];
+    union thud_column_value cell[THUD_MADE_MAX];
+};
+void thud_column_add(struct thud_made_columns *to, bool text, const char *name, ...) THUD_PRINTF(3, 4);
 /* Lines of CSV, with their ends; members of an object. Parts without columns are passed over. */
 void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);

@@ -9,21 +9,11 @@
 extern const struct thud_schema thud_sweep_floor_schema, thud_sweep_storey_schema, thud_sweep_contact_schema,
     thud_need_schema;
 
-/* The varied keys as fields, named with their units: KEY_m. */
-struct thud_axis_columns {
-    struct thud_schema schema;
-    struct thud_column field[THUD_VARY_MAX];
-    char name[THUD_VARY_MAX][112];
-    union thud_axis_value {
-        double number;
-        const char *text;
-    } value[THUD_VARY_MAX]; /* the row */
-};
-/* Of the axes that `shown` says (NULL: all of them), in their order. */
-void thud_axis_columns_make(const struct thud_sweep_plan *plan, const bool *shown, struct thud_axis_columns *out);
-/* The place of a row: on axis a the at[a]-th value. */
-void thud_axis_columns_put(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
-                           struct thud_axis_columns *out);
+/* Adds the varied keys, named with their units (KEY_m): those of the axes that `shown` says (NULL: of all of them). */
+void thud_axis_columns(const struct thud_sweep_plan *plan, const bool *shown, struct thud_made_columns *out);
+/* Their cells where a row is: on axis a at the at[a]-th value. */
+void thud_axis_cells(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
+                     union thud_column_value *cell);
 
 /* What a level needs under a ground motion, beside what rules ask for. */
 struct thud_need_fields {

@@ -168,18 +168,18 @@ static struct thud_curve_key key_of(const struct thud_fragility_study *study, co
 
 /* Where a line is on every axis; `own`: the value on its own one, NaN for none. */
 static void put_place(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line, double own,
-                      struct thud_axis_columns *axes)
+                      union thud_column_value *cell)
 {
-    thud_axis_columns_put(plan, NULL, line->at, axes);
-    axes->value[line->axis].number = own; /* a number: no other is drawn against */
+    thud_axis_cells(plan, NULL, line->at, cell);
+    cell[line->axis].number = own; /* a number: no other is drawn against */
 }
 
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out)
 {
-    struct thud_axis_columns axes;
-    thud_axis_columns_make(study->suite->plan, NULL, &axes);
+    struct thud_made_columns axes = {0};
+    thud_axis_columns(study->suite->plan, NULL, &axes);
     struct thud_part part[] = {
-        {&thud_curve_key_schema, 0, NULL}, {&axes.schema, 0, axes.value}, {&thud_stripe_schema, 0, NULL}};
+        {&thud_curve_key_schema, 0, NULL}, {&axes.schema, 0, axes.cell}, {&thud_stripe_schema, 0, NULL}};
     thud_parts_names(part, 3, out);
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
@@ -195,7 +195,7 @@ void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_te
                                                 thud_lognormal_at(&f->curve, s->x),
                                                 f->low[j],
                                                 f->high[j]};
-            put_place(study->suite->plan, line, s->x, &axes);
+            put_place(study->suite->plan, line, s->x, axes.cell);
             part[0].row = &key;
             part[2].row = &row;
             thud_parts_csv(part, 3, out);
@@ -226,7 +226,7 @@ static int median_units(const struct thud_fragility_study *study, const char *un
 }
 
 /* NaN for what is not known, lies outside the values that were tried, or has no bound. */
-static void median_values(const struct thud_fragility *f, double value[MEDIANS])
+static void median_cells(const struct thud_fragility *f, union thud_column_value cell[MEDIANS])
 {
     bool told = !isnan(f->theta);
     const double x[MEDIANS] = {f->theta,
@@ -239,7 +239,8 @@ static void median_values(const struct thud_fragility *f, double value[MEDIANS])
                                isinf(f->exact84) ? NAN : f->exact84,
                                isinf(f->exact_low) ? NAN : f->exact_low,
                                isinf(f->exact_high) ? NAN : f->exact_high};
-    memcpy(value, x, sizeof x);
+    for (int i = 0; i < MEDIANS; i++)
+        cell[i].number = x[i];
 }
 
 static struct thud_curve_row curve_of(const struct thud_fragility_line *line)
@@ -259,57 +260,41 @@ static struct thud_curve_row curve_of(const struct thud_fragility_line *line)
     return row;
 }
 
-/* How a curve was fitted, and its medians in the columns of their units. */
-struct median_columns {
-    struct thud_schema schema;
-    struct thud_column column[1 + MEDIANS * THUD_VARY_MAX];
-    char name[MEDIANS * THUD_VARY_MAX][40];
-    struct {
-        const char *fit;
-        double value[MEDIANS * THUD_VARY_MAX];
-    } row;
-};
-
-static void name_medians(const char *const *unit, int units, struct median_columns *out)
+/* Adds how a curve was fitted, and its medians in the columns of their units. */
+static void add_medians(const char *const *unit, int units, struct thud_made_columns *out)
 {
-    *out = (struct median_columns){.schema = {"", "", out->column, 1 + MEDIANS * units}};
-    out->column[0] = (struct thud_column){.name = "fit", .kind = THUD_COLUMN_TEXT};
-    for (int i = 0; i < MEDIANS * units; i++) {
-        snprintf(out->name[i], sizeof out->name[i], "%s%s", medians[i % MEDIANS], unit[i / MEDIANS]);
-        out->column[1 + i] = (struct thud_column){
-            .name = out->name[i], .at = (size_t)((const char *)&out->row.value[i] - (const char *)&out->row)};
-    }
+    thud_column_add(out, true, "fit");
+    for (int i = 0; i < MEDIANS * units; i++)
+        thud_column_add(out, false, "%s%s", medians[i % MEDIANS], unit[i / MEDIANS]);
 }
 
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out)
 {
     const char *unit[THUD_VARY_MAX];
-    struct thud_axis_columns axes;
-    struct median_columns median;
+    struct thud_made_columns made = {0};
     int units = median_units(study, unit);
-    thud_axis_columns_make(study->suite->plan, NULL, &axes);
-    name_medians(unit, units, &median);
-    struct thud_part part[] = {{&thud_curve_key_schema, 0, NULL},
-                               {&axes.schema, 0, axes.value},
-                               {&median.schema, 0, &median.row},
-                               {&thud_curve_schema, 0, NULL}};
-    thud_parts_names(part, 4, out);
+    thud_axis_columns(study->suite->plan, NULL, &made);
+    union thud_column_value *fit = made.cell + made.schema.n;
+    add_medians(unit, units, &made);
+    struct thud_part part[] = {
+        {&thud_curve_key_schema, 0, NULL}, {&made.schema, 0, made.cell}, {&thud_curve_schema, 0, NULL}};
+    thud_parts_names(part, 3, out);
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
         const struct thud_curve_key key = key_of(study, line);
         const struct thud_curve_row row = curve_of(line);
         const char *own = thud_si_suffix(study->suite->plan->axis[line->axis].param);
-        put_place(study->suite->plan, line, NAN, &axes);
-        median.row.fit = thud_fit_name(line->fragility.curve.fit);
+        put_place(study->suite->plan, line, NAN, made.cell);
+        fit->text = thud_fit_name(line->fragility.curve.fit);
         for (int u = 0; u < units; u++) {
-            double *value = &median.row.value[u * MEDIANS];
-            median_values(&line->fragility, value);
+            union thud_column_value *cell = fit + 1 + u * MEDIANS;
+            median_cells(&line->fragility, cell);
             for (int j = 0; j < MEDIANS && strcmp(unit[u], own) != 0; j++)
-                value[j] = NAN;
+                cell[j].number = NAN;
         }
         part[0].row = &key;
-        part[3].row = &row;
-        thud_parts_csv(part, 4, out);
+        part[2].row = &row;
+        thud_parts_csv(part, 3, out);
     }
 }
 
@@ -332,15 +317,15 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
     }
     const struct thud_curve_row row = curve_of(line);
     const char *unit = thud_si_suffix(plan->axis[line->axis].param);
-    struct median_columns median;
-    name_medians(&unit, 1, &median);
-    median.row.fit = thud_fit_name(f->curve.fit);
-    median_values(f, median.row.value);
+    struct thud_made_columns median = {0};
+    add_medians(&unit, 1, &median);
+    median.cell->text = thud_fit_name(f->curve.fit);
+    median_cells(f, median.cell + 1);
     thud_text_append(out, "}, \"falling\": %s, ",
                      !thud_is_fitted(&f->curve) ? "null"
                      : f->curve.falling         ? "true"
                                                 : "false");
-    const struct thud_part part[] = {{&median.schema, 0, &median.row}, {&thud_curve_schema, 0, &row}};
+    const struct thud_part part[] = {{&median.schema, 0, median.cell}, {&thud_curve_schema, 0, &row}};
     thud_parts_json(part, 2, out);
     thud_text_append(out, ", \"stripes\": [");
     for (size_t j = 0; j < f->n; j++) {

@@ -35,38 +35,32 @@ static void suite_values(const struct thud_suite *suite, long setting, int k, in
     }
 }
 
-static void suite_column(int column, char name[48])
+/* A row of statistics: case, varied keys, structure, and what there is of the measures. */
+static void name_suite(const struct thud_suite *suite, struct thud_made_columns *out)
 {
     static const char *const counts[] = {"motions", "pounding", "amplified"}, *const end[] = {"p16", "median", "p84"};
-    if (column < 3)
-        snprintf(name, 48, "%s", counts[column]);
-    else
-        snprintf(name, 48, "%s_%s", thud_suite_column((enum thud_suite_measure)(SUITE_FIRST + column / 3 - 1)),
-                 end[column % 3]);
+    thud_column_add(out, true, "case");
+    thud_axis_columns(suite->plan, NULL, out);
+    thud_column_add(out, true, "structure");
+    for (int c = 0; c < SUITE_COLUMNS; c++)
+        if (c < 3)
+            thud_column_add(out, false, "%s", counts[c]);
+        else if (has_column(suite, c))
+            thud_column_add(out, false, "%s_%s", thud_suite_column((enum thud_suite_measure)(SUITE_FIRST + c / 3 - 1)),
+                            end[c % 3]);
 }
 
-/* A row of statistics: case, varied keys, structure, and what there is of the measures. */
-struct suite_columns {
-    struct thud_axis_columns axes;
-    struct thud_schema which, structure, values;
-    struct thud_column column[SUITE_COLUMNS];
-    char name[SUITE_COLUMNS][48];
-};
-static const struct thud_column text_column[] = {{.name = "case", .kind = THUD_COLUMN_TEXT},
-                                                 {.name = "structure", .kind = THUD_COLUMN_TEXT}};
-
-static void name_suite(const struct thud_suite *suite, struct suite_columns *out)
+static void put_data_row(const struct thud_suite *suite, const int *at, int k, int s, const double value[SUITE_COLUMNS],
+                         struct thud_made_columns *columns)
 {
-    *out = (struct suite_columns){.which = {"", "", text_column, 1},
-                                  .structure = {"", "", text_column + 1, 1},
-                                  .values = {"", "", out->column, 0}};
-    thud_axis_columns_make(suite->plan, NULL, &out->axes);
-    for (int c = 0; c < SUITE_COLUMNS; c++) {
-        if (!has_column(suite, c))
-            continue;
-        suite_column(c, out->name[c]);
-        out->column[out->values.n++] = (struct thud_column){.name = out->name[c], .at = (size_t)c * sizeof(double)};
-    }
+    union thud_column_value *cell = columns->cell;
+    cell++->text = thud_case_name(suite->plan->cases[k]);
+    thud_axis_cells(suite->plan, NULL, at, cell);
+    cell += suite->plan->naxes;
+    cell++->text = suite->plan->scene.structure[s].name;
+    for (int c = 0; c < SUITE_COLUMNS; c++)
+        if (has_column(suite, c))
+            cell++->number = value[c];
 }
 
 static void put_table_row(const struct thud_suite *suite, const int *at, int k, int s,
@@ -92,18 +86,15 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
 {
     const struct thud_sweep_plan *plan = suite->plan;
     double value[SUITE_COLUMNS], *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
-    const char *which, *structure, *before = "";
+    const char *before = "";
     int at[THUD_VARY_MAX];
-    struct suite_columns columns;
+    struct thud_made_columns columns = {0};
     if (!room)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     name_suite(suite, &columns);
-    const struct thud_part part[] = {{&columns.which, 0, &which},
-                                     {&columns.axes.schema, 0, columns.axes.value},
-                                     {&columns.structure, 0, &structure},
-                                     {&columns.values, 0, value}};
+    const struct thud_part part = {&columns.schema, 0, columns.cell};
     if (as == THUD_AS_CSV)
-        thud_parts_names(part, 4, out);
+        thud_parts_names(&part, 1, out);
     else if (as == THUD_AS_JSON)
         thud_text_append(out, "[\n  ");
     else
@@ -114,21 +105,19 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
                          suite->nrecords);
     for (long i = 0; i < suite->settings; i++) {
         thud_sweep_place(plan, i, at);
-        thud_axis_columns_put(plan, NULL, at, &columns.axes);
         for (int k = 0; k < plan->ncases; k++)
             for (int s = 0; s < suite->nstructures; s++) {
                 if (plan->scene.structure[s].kind == THUD_WALL)
                     continue;
-                which = thud_case_name(plan->cases[k]);
-                structure = plan->scene.structure[s].name;
                 suite_values(suite, i, k, s, room, value);
+                put_data_row(suite, at, k, s, value, &columns);
                 if (as == THUD_AS_TEXT)
                     put_table_row(suite, at, k, s, value, out);
                 else if (as == THUD_AS_CSV)
-                    thud_parts_csv(part, 4, out);
+                    thud_parts_csv(&part, 1, out);
                 else {
                     thud_text_append(out, "%s{", before);
-                    thud_parts_json(part, 4, out);
+                    thud_parts_json(&part, 1, out);
                     thud_text_append(out, "}");
                     before = ",\n  ";
                 }

@@ -168,39 +168,25 @@ void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_
     put_remarks(study, out);
 }
 
-/* sa_1_mps2, period_1_s and so on: two numbers of each marked period. */
-struct mark_columns {
-    struct thud_schema schema;
-    struct thud_column column[2 * THUD_STRUCTURES_MAX];
-    char name[2 * THUD_STRUCTURES_MAX][24];
-    double value[2 * THUD_STRUCTURES_MAX];
-};
-
-static void name_marks(const struct thud_suite_study *study, struct mark_columns *out)
-{
-    *out = (struct mark_columns){.schema = {"", "", out->column, 2 * study->nmarks}};
-    for (int k = 0; k < 2 * study->nmarks; k++) {
-        snprintf(out->name[k], sizeof out->name[k], k % 2 ? "period_%d_s" : "sa_%d_mps2", k / 2 + 1);
-        out->column[k] = (struct thud_column){.name = out->name[k], .at = (size_t)k * sizeof *out->value};
-    }
-}
-
 void thud_suite_motions_csv(const struct thud_suite_study *study, struct thud_text *out)
 {
     struct thud_schema first = thud_motion_schema, last = thud_motion_schema;
-    struct mark_columns marks;
+    struct thud_made_columns marks = {0};
     first.n -= THUD_MOTION_LAST;
     last.column += first.n;
     last.n = THUD_MOTION_LAST;
-    name_marks(study, &marks);
-    struct thud_part part[] = {{&first, 0, NULL}, {&marks.schema, 0, marks.value}, {&last, 0, NULL}};
+    for (int k = 0; k < study->nmarks; k++) {
+        thud_column_add(&marks, false, "sa_%d_mps2", k + 1);
+        thud_column_add(&marks, false, "period_%d_s", k + 1);
+    }
+    struct thud_part part[] = {{&first, 0, NULL}, {&marks.schema, 0, marks.cell}, {&last, 0, NULL}};
     thud_parts_names(part, 3, out);
     for (int i = 0; i < study->records->n; i++) {
         const struct thud_motion_row row = row_of(study, i);
         part[0].row = part[2].row = &row;
         for (int k = 0; k < study->nmarks; k++) {
-            marks.value[2 * k] = sa_at(study, i, k);
-            marks.value[2 * k + 1] = study->mark[k].period_s;
+            marks.cell[2 * k].number = sa_at(study, i, k);
+            marks.cell[2 * k + 1].number = study->mark[k].period_s;
         }
         thud_parts_csv(part, 3, out);
     }

@@ -360,12 +360,8 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
  * word, named with its unit. */
 enum { BEST, FLAT_FROM, FLAT_TO, BEST_VALUES };
 struct best_columns {
-    bool other[THUD_VARY_MAX];
-    struct thud_axis_columns axes;
+    struct thud_made_columns axes, made;
     struct thud_schema names, best, ratios, flat, last;
-    struct thud_column column[BEST_VALUES];
-    char name[BEST_VALUES][40];
-    union thud_axis_value value[BEST_VALUES];
 };
 
 static void name_best(const struct thud_sweep_plan *plan, int axis, struct best_columns *out)
@@ -373,27 +369,24 @@ static void name_best(const struct thud_sweep_plan *plan, int axis, struct best_
     static const char *const name[] = {"best", "flat_from", "flat_to"};
     const struct thud_column *own = thud_best_schema.column;
     const struct thud_sweep_axis *along = &plan->axis[axis];
+    bool other[THUD_VARY_MAX];
     *out = (struct best_columns){.names = {"", "", own, 2},
-                                 .best = {"", "", out->column, 1},
+                                 .best = {"", "", out->made.column, 1},
                                  .ratios = {"", "", own + 4, 2},
-                                 .flat = {"", "", out->column + FLAT_FROM, 2},
+                                 .flat = {"", "", out->made.column + FLAT_FROM, 2},
                                  .last = {"", "", own + 8, 2}};
     for (int a = 0; a < plan->naxes; a++)
-        out->other[a] = a != axis;
-    thud_axis_columns_make(plan, out->other, &out->axes);
-    for (int i = 0; i < BEST_VALUES; i++) {
-        snprintf(out->name[i], sizeof out->name[i], "%s%s", name[i], along->words ? "" : thud_si_suffix(along->param));
-        out->column[i] = (struct thud_column){.name = out->name[i],
-                                              .kind = along->words ? THUD_COLUMN_TEXT : THUD_COLUMN_NUMBER,
-                                              .at = (size_t)i * sizeof *out->value};
-    }
+        other[a] = a != axis;
+    thud_axis_columns(plan, other, &out->axes);
+    for (int i = 0; i < BEST_VALUES; i++)
+        thud_column_add(&out->made, along->words, "%s%s", name[i], along->words ? "" : thud_si_suffix(along->param));
 }
 
 /* A value of an axis: its number, or its word. */
-static union thud_axis_value value_on(const struct thud_sweep_axis *axis, double value)
+static union thud_column_value value_on(const struct thud_sweep_axis *axis, double value)
 {
-    return axis->words ? (union thud_axis_value){.text = text_of(axis, value)}
-                       : (union thud_axis_value){.number = value};
+    return axis->words ? (union thud_column_value){.text = text_of(axis, value)}
+                       : (union thud_column_value){.number = value};
 }
 
 /* NULL: the names. */
@@ -403,9 +396,8 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
     struct best_columns c;
     struct thud_best_row row = {0};
     name_best(plan, axis, &c);
-    const struct thud_part part[] = {{&c.names, 0, &row},   {&c.axes.schema, 0, c.axes.value},
-                                     {&c.best, 0, c.value}, {&c.ratios, 0, &row},
-                                     {&c.flat, 0, c.value}, {&c.last, 0, &row}};
+    const struct thud_part part[] = {{&c.names, 0, &row},  {&c.axes.schema, 0, c.axes.cell}, {&c.best, 0, c.made.cell},
+                                     {&c.ratios, 0, &row}, {&c.flat, 0, c.made.cell},        {&c.last, 0, &row}};
     enum { PARTS = sizeof part / sizeof *part };
     if (!best) {
         thud_parts_names(part, PARTS, out);
@@ -422,10 +414,10 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
                                  best->idle ? "is struck by nothing or hardly" : best_remark(best)};
     for (int a = 0, n = 0; a < plan->naxes; a++)
         if (a != axis)
-            c.axes.value[n++] = value_on(&plan->axis[a], best->other[a]);
-    c.value[BEST] = value_on(&plan->axis[axis], best->best);
-    c.value[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least);
-    c.value[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most);
+            c.axes.cell[n++] = value_on(&plan->axis[a], best->other[a]);
+    c.made.cell[BEST] = value_on(&plan->axis[axis], best->best);
+    c.made.cell[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least);
+    c.made.cell[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most);
     thud_parts_csv(part, PARTS, out);
 }
 

@@ -1,6 +1,7 @@
 #include "io/file/schema.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -96,6 +97,18 @@ void thud_json_members(const struct thud_schema *schema, unsigned marks, const v
         else
             thud_json_number(out, v.known ? v.number : NAN);
     }
+}
+
+void thud_column_add(struct thud_made_columns *to, bool text, const char *name, ...)
+{
+    const int n = to->schema.n++;
+    va_list arguments;
+    va_start(arguments, name);
+    vsnprintf(to->name[n], sizeof to->name[n], name, arguments);
+    va_end(arguments);
+    to->column[n] = (struct thud_column){
+        .name = to->name[n], .kind = text ? THUD_COLUMN_TEXT : THUD_COLUMN_NUMBER, .at = (size_t)n * sizeof *to->cell};
+    to->schema.column = to->column;
 }
 
 enum form { NAMES, VALUES, MEMBERS };

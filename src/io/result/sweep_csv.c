@@ -20,33 +20,26 @@ static bool is_gap(const char *key)
     return strcmp(key, "gap") == 0 || strcmp(key, "interfaces.1.gap") == 0;
 }
 
-void thud_axis_columns_make(const struct thud_sweep_plan *plan, const bool *shown, struct thud_axis_columns *out)
+void thud_axis_columns(const struct thud_sweep_plan *plan, const bool *shown, struct thud_made_columns *out)
 {
-    *out = (struct thud_axis_columns){.schema = {"", "", out->field, 0}};
     for (int a = 0; a < plan->naxes; a++) {
         const struct thud_sweep_axis *axis = &plan->axis[a];
-        int n = out->schema.n;
-        if (shown && !shown[a])
-            continue;
-        snprintf(out->name[n], sizeof out->name[n], "%s%s", axis->key, axis->words ? "" : thud_si_suffix(axis->param));
-        out->field[n] = (struct thud_column){.name = out->name[n],
-                                             .kind = axis->words ? THUD_COLUMN_TEXT : THUD_COLUMN_NUMBER,
-                                             .at = (size_t)n * sizeof *out->value};
-        out->schema.n++;
+        if (!shown || shown[a])
+            thud_column_add(out, axis->words, "%s%s", axis->key, axis->words ? "" : thud_si_suffix(axis->param));
     }
 }
 
-void thud_axis_columns_put(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
-                           struct thud_axis_columns *out)
+void thud_axis_cells(const struct thud_sweep_plan *plan, const bool *shown, const int *at,
+                     union thud_column_value *cell)
 {
-    for (int a = 0, n = 0; a < plan->naxes; a++) {
+    for (int a = 0; a < plan->naxes; a++) {
         const struct thud_sweep_axis *axis = &plan->axis[a];
         if (shown && !shown[a])
             continue;
         if (axis->words)
-            out->value[n++].text = axis->text[at[a]];
+            cell++->text = axis->text[at[a]];
         else
-            out->value[n++].number = axis->value[at[a]];
+            cell++->number = axis->value[at[a]];
     }
 }
 
@@ -206,7 +199,7 @@ struct form {
     enum thud_sweep_csv which;
     unsigned marks;
     bool shown[THUD_VARY_MAX]; /* varied keys that no other column shows; of needs only those that change the motion */
-    struct thud_axis_columns axes;
+    struct thud_made_columns axes;
     struct thud_schema first, last; /* before and behind the varied keys; last.n 0: nothing */
 };
 
@@ -215,7 +208,7 @@ static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv wh
     *out = (struct form){.plan = plan, .which = which, .marks = plan->sensitivity > 0 ? SPREAD : 0};
     for (int a = 0; a < plan->naxes; a++)
         out->shown[a] = which == THUD_SWEEP_CSV_NEEDS ? a < plan->nouter : !is_gap(plan->axis[a].key);
-    thud_axis_columns_make(plan, out->shown, &out->axes);
+    thud_axis_columns(plan, out->shown, &out->axes);
     if (which == THUD_SWEEP_CSV_FLOORS) {
         out->first = thud_sweep_floor_schema;
         if (thud_sweep_yields(plan))
@@ -234,7 +227,7 @@ static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv wh
 static void parts_of(const struct form *form, const void *row, struct thud_part part[3])
 {
     part[0] = (struct thud_part){&form->first, form->marks, row};
-    part[1] = (struct thud_part){&form->axes.schema, 0, form->axes.value};
+    part[1] = (struct thud_part){&form->axes.schema, 0, form->axes.cell};
     part[2] = (struct thud_part){&form->last, form->marks, row};
 }
 
@@ -307,7 +300,7 @@ static enum thud_status put_rows(struct form *form, const struct thud_sweep_poin
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     take_rows(form, point, rows);
     thud_sweep_place(form->plan, point->index, at);
-    thud_axis_columns_put(form->plan, form->shown, at, &form->axes);
+    thud_axis_cells(form->plan, form->shown, at, form->axes.cell);
     for (int i = 0; i < n; i++) {
         struct thud_row_room row;
         struct thud_part part[3];
