@@ -1,8 +1,10 @@
 /* Documents as HTML and Markdown: the structure of both, and that no text is taken for more than a text. */
 #include <check.h>
+#include <math.h>
 #include <string.h>
 
 #include "app/report/document.h"
+#include "app/report/site_report_private.h"
 
 static struct thud_document document;
 static struct thud_text html, markdown;
@@ -158,6 +160,20 @@ START_TEST(no_row_of_a_long_table_stands_alone)
 }
 END_TEST
 
+START_TEST(numbers_have_three_digits)
+{
+    static const struct {
+        double value;
+        const char *text;
+    } told[] = {{0, "0"},           {NAN, "-"},       {1, "1.00"},        {0.9994, "0.999"}, {0.9996, "1.00"},
+                {9.994, "9.99"},    {9.996, "10.0"},  {99.96, "100"},     {123.4, "123"},    {1234.6, "1235"},
+                {0.0123, "0.0123"}, {1e-5, "<0.001"}, {-0.99961, "-1.00"}};
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        ck_assert_str_eq(thud_site_number(told[i].value, 3).text, told[i].text);
+    ck_assert_str_eq(thud_site_number(7, 0).text, "7");
+}
+END_TEST
+
 START_TEST(lines_stay_as_they_are)
 {
     thud_document_lines(&document, "a: [1, 2]\n  b: <c>\n");
@@ -179,6 +195,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, sentences_in_tables_and_what_is_cut);
     tcase_add_test(tcase, no_row_of_a_long_table_stands_alone);
     tcase_add_test(tcase, lines_stay_as_they_are);
+    tcase_add_test(tcase, numbers_have_three_digits);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -184,7 +184,8 @@ struct thud_site_shown thud_site_number(double value, int digits)
     struct thud_site_shown out = {{isnan(value) ? '-' : '0'}};
     if (value == 0 || isnan(value))
         return out;
-    int places = fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(fabs(value)) + 1e-9) : 0;
+    const double shown = fabs(value) / (1 - 0.5 * pow(10, -digits)); /* 0.9996 is 1.00 */
+    int places = fabs(value) < 1e7 ? digits - 1 - (int)floor(log10(shown)) : 0;
     if (fabs(value) < 5e-4)
         snprintf(out.text, sizeof out.text, value > 0 ? "<0.001" : ">-0.001");
     else
