@@ -117,28 +117,24 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_rows_table(&storeys, out);
 }
 
+static void add_rows(struct thud_rows rows, struct thud_text *out)
+{
+    thud_text_append(out, rows.n > 0 ? "\n" : "");
+    if (rows.n > 0)
+        thud_rows_table(&rows, out);
+}
+
 static void add_contacts(const struct thud_report *report, struct thud_text *out)
 {
-    const struct thud_rows contacts = thud_contact_rows(report), columns = thud_column_rows(report),
-                           links = thud_link_rows(report);
     bool drifts = true;
-    for (int i = 0; i < columns.n; i++)
+    for (int i = 0; i < report->result->ncolumns; i++)
         drifts = drifts && report->result->column[i].drifts;
-    if (contacts.n > 0) {
-        thud_text_append(out, "\n");
-        thud_rows_table(&contacts, out);
-    }
-    if (columns.n > 0) {
-        thud_text_append(out, "\n");
-        thud_rows_table(&columns, out);
-    }
+    add_rows(thud_contact_rows(report), out);
+    add_rows(thud_column_rows(report), out);
     if (!drifts)
         thud_text_append(out,
                          "Where neither EI nor stiffness is given, by the contact forces alone, without the drift.\n");
-    if (links.n > 0) {
-        thud_text_append(out, "\n");
-        thud_rows_table(&links, out);
-    }
+    add_rows(thud_link_rows(report), out);
 }
 
 /* Steps end where the ground motion has its samples, so that the one asked for is the longest there may be. */

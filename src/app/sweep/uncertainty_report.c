@@ -85,18 +85,19 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
     return most;
 }
 
-static void name_with_unit(const struct thud_quantity_of_run *quantity, char name[112])
+static void put_name(const struct thud_quantity_of_run *quantity, struct thud_text *out)
 {
-    snprintf(name, 112, "%s%s", quantity->name, unit(quantity));
+    char name[112];
+    snprintf(name, sizeof name, "%s%s", quantity->name, unit(quantity));
+    thud_text_append(out, "%-44.44s ", name);
 }
 
 static void put_row(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                     struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    char name[112];
-    name_with_unit(quantity, name);
-    thud_text_append(out, "%-44.44s %8.4g", name, shown(quantity, t->nominal));
+    put_name(quantity, out);
+    thud_text_append(out, "%8.4g", shown(quantity, t->nominal));
     if (!isnan(t->median))
         thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
                          shown(quantity, t->high));
@@ -109,11 +110,10 @@ static void put_most(const struct thud_uncertainty_study *study, int q, const st
     const struct thud_uncertainty *u = study->uncertainty;
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     int most = thud_uncertainty_strongest(study, t);
-    char name[112];
-    name_with_unit(quantity, name);
     double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
-    thud_text_append(out, "%-44.44s %-17s %.4g to %.4g\n", name, u->input[most].name,
-                     shown(quantity, fmin(least, greatest)), shown(quantity, fmax(least, greatest)));
+    put_name(quantity, out);
+    thud_text_append(out, "%-17s %.4g to %.4g\n", u->input[most].name, shown(quantity, fmin(least, greatest)),
+                     shown(quantity, fmax(least, greatest)));
 }
 
 static void put_sentence(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
@@ -177,11 +177,10 @@ static bool has_indices(const struct thud_uncertainty *u, int q)
 static void put_between(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                         struct thud_text *out)
 {
-    char name[112];
     if (isnan(t->between))
         return;
-    name_with_unit(&u->quantity[q], name);
-    thud_text_append(out, "%-44.44s %5.0f %% %5.0f %%\n", name, 100 * t->between, 100 * (1 - t->between));
+    put_name(&u->quantity[q], out);
+    thud_text_append(out, "%5.0f %% %5.0f %%\n", 100 * t->between, 100 * (1 - t->between));
 }
 
 /* Of a suite the nominal values and those of the tornado are of one of its motions. */
