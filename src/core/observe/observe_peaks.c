@@ -13,8 +13,7 @@
  *                       its two ends
  *
  * Steps, for each structure: S below all peaks so far: nothing. Else modal, value, margin; a floor whose ends and margin
- * stay below its peaks: nothing. Else the ends alone where the value rises or falls throughout, and the maximum of its
- * polynomial where it may turn. */
+ * stay below its peaks: nothing. Else the maximum of its polynomial. */
 #include "core/observe/observe_peaks_parts.h"
 
 #include <math.h>
@@ -95,26 +94,19 @@ static void step_accelerations(struct thud_peaks *peaks, const struct thud_obser
     }
 }
 
-/* Margins of the structure's worst floor, by the largest entries of each mode's shape; also of the rate of the drift. */
-struct margins {
-    double value[THUD_FLOOR_QUANTITIES], drift_rate;
-};
-
-static struct margins structure_margins(const struct thud_peaks *peaks, const struct thud_model *m,
-                                        const struct thud_model_structure *p, double time_s)
+/* Margins of the structure's worst floor, by the largest entries of each mode's shape: out (THUD_FLOOR_QUANTITIES). */
+static void structure_margins(const struct thud_peaks *peaks, const struct thud_model *m,
+                              const struct thud_model_structure *p, double time_s, double *out)
 {
     const double *most = m->mode_max + p->first_mode, *drift = most + m->nmodes;
     const double *second = peaks->modal + MODE_SECOND * peaks->stride,
                  *third = peaks->modal + MODE_THIRD * peaks->stride,
                  *fourth = peaks->modal + MODE_FOURTH * peaks->stride;
     double eighth = time_s * time_s / 8;
-    struct margins margin;
-    margin.value[THUD_FLOOR_DISPLACEMENT] = eighth * thud_dot(p->modes, most, second);
-    margin.value[THUD_FLOOR_VELOCITY] = eighth * thud_dot(p->modes, most, third);
-    margin.value[THUD_FLOOR_ACCELERATION] = eighth * thud_dot(p->modes, most, fourth);
-    margin.value[THUD_FLOOR_DRIFT] = eighth * thud_dot(p->modes, drift, second);
-    margin.drift_rate = eighth * thud_dot(p->modes, drift, third);
-    return margin;
+    out[THUD_FLOOR_DISPLACEMENT] = eighth * thud_dot(p->modes, most, second);
+    out[THUD_FLOOR_VELOCITY] = eighth * thud_dot(p->modes, most, third);
+    out[THUD_FLOOR_ACCELERATION] = eighth * thud_dot(p->modes, most, fourth);
+    out[THUD_FLOOR_DRIFT] = eighth * thud_dot(p->modes, drift, second);
 }
 
 /* Values of the floors at both ends of a segment: rows of peaks->value. */
@@ -142,66 +134,6 @@ static void floor_values(struct thud_peaks *peaks, const struct thud_observation
     }
 }
 
-/* A floor's values at the two ends of a segment, by quantity, and the rates of displacement, velocity and drift. */
-struct floor_ends {
-    double value[2][THUD_FLOOR_QUANTITIES], rate[2][THUD_FLOOR_QUANTITIES];
-};
-
-static void read_ends(const struct thud_peaks *peaks, const struct thud_observation *o,
-                      const struct thud_model_structure *p, int floor, struct floor_ends *out)
-{
-    const int stride = peaks->stride;
-    const double influence = o->state->model->ground_influence[p->first + floor];
-    for (int end = 0; end < 2; end++) {
-        const double *x = peaks->value + (end ? FLOOR_END : FLOOR_START) * stride + floor;
-        double *value = out->value[end], *rate = out->rate[end];
-        double ground = o->seg->a0 + (end ? o->s * o->seg->a1 : 0);
-        value[THUD_FLOOR_DISPLACEMENT] = x[0];
-        value[THUD_FLOOR_VELOCITY] = rate[THUD_FLOOR_DISPLACEMENT] = x[stride];
-        value[THUD_FLOOR_ACCELERATION] = x[2 * stride];
-        value[THUD_FLOOR_DRIFT] = thud_model_drift(p, x - floor, 1, floor);
-        rate[THUD_FLOOR_VELOCITY] = x[2 * stride] - influence * ground;
-        rate[THUD_FLOOR_DRIFT] = thud_model_drift(p, x + stride - floor, 1, floor);
-    }
-}
-
-/* The peak is at least |value|. */
-static void raise_to(struct thud_peak *peak, double value, double time_s)
-{
-    if (fabs(value) > peak->value)
-        *peak = (struct thud_peak){fabs(value), time_s};
-}
-
-/* Whether the rate keeps its sign between its two ends, from which it differs by `margin` at most: then the peak is at an
- * end. */
-static bool rises_or_falls(const double rate[2], double margin)
-{
-    return rate[0] > margin ? rate[1] > margin : rate[0] < -margin && rate[1] < -margin;
-}
-
-/* Peaks of the floor's quantities that may be new. */
-static void floor_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index, int floor,
-                        const struct margins *margin, const bool may[THUD_FLOOR_QUANTITIES])
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_segment *seg = o->seg;
-    struct floor_ends ends;
-    read_ends(peaks, o, &m->structure[index], floor, &ends);
-    const double rest[] = {margin->value[THUD_FLOOR_VELOCITY], margin->value[THUD_FLOOR_ACCELERATION], INFINITY,
-                           margin->drift_rate};
-    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
-        if (!may[x])
-            continue;
-        if (x != THUD_FLOOR_ACCELERATION && rises_or_falls((double[]){ends.rate[0][x], ends.rate[1][x]}, rest[x])) {
-            struct thud_peak *peak = thud_floor_peak(peaks->result, index, floor, x);
-            raise_to(peak, ends.value[0][x], seg->start_s);
-            raise_to(peak, ends.value[1][x], seg->start_s + o->s * seg->h_s);
-        } else {
-            thud_peaks_read_floor(peaks, m, seg, index, floor, x, o->s);
-        }
-    }
-}
-
 /* Peaks of the floors of one structure. */
 static void structure_peaks(struct thud_peaks *peaks, const struct thud_observation *o, int index)
 {
@@ -214,7 +146,8 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
         step_accelerations(peaks, o, p);
     floor_values(peaks, o, p);
     thud_peaks_forget_series(peaks, p);
-    const struct margins margin = structure_margins(peaks, m, p, o->s * o->seg->h_s);
+    double margin[THUD_FLOOR_QUANTITIES];
+    structure_margins(peaks, m, p, o->s * o->seg->h_s, margin);
     for (int i = 0; i < p->dofs; i++) {
         const double *start = peaks->value + FLOOR_START * stride + i, *end = peaks->value + FLOOR_END * stride + i;
         const struct thud_floor_result *r = &peaks->result->structure[index].floor[i];
@@ -222,12 +155,13 @@ static void structure_peaks(struct thud_peaks *peaks, const struct thud_observat
                a = thud_larger(fabs(start[2 * stride]), fabs(end[2 * stride])),
                d = thud_larger(fabs(thud_model_drift(p, start - i, 1, i)), fabs(thud_model_drift(p, end - i, 1, i)));
         const bool floor = i < p->n; /* of a foundation, displacements alone */
-        const bool may[] = {u + margin.value[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
-                            floor && v + margin.value[THUD_FLOOR_VELOCITY] > r->velocity.value,
-                            floor && a + margin.value[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
-                            floor && drifts && d + margin.value[THUD_FLOOR_DRIFT] > r->drift.value};
-        if (may[0] | may[1] | may[2] | may[3])
-            floor_peaks(peaks, o, index, i, &margin, may);
+        const bool may[] = {u + margin[THUD_FLOOR_DISPLACEMENT] > r->displacement.value,
+                            floor && v + margin[THUD_FLOOR_VELOCITY] > r->velocity.value,
+                            floor && a + margin[THUD_FLOOR_ACCELERATION] > r->acceleration.value,
+                            floor && drifts && d + margin[THUD_FLOOR_DRIFT] > r->drift.value};
+        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+            if (may[x])
+                thud_peaks_read_floor(peaks, m, o->seg, index, i, x, o->s);
     }
 }
 
