@@ -154,28 +154,25 @@ static void add_choice(struct thud_text *out, const struct thud_param *param, do
         thud_text_append(out, " %c%s: %.*s.", param->title[0] - 'a' + 'A', param->title + 1, n, words);
 }
 
-/* What the law gives two free bodies with the masses that meet highest. */
+/* What the law gives two free bodies with the effective mass of the contact that is highest. */
 static void add_obtained(struct thud_text *out, const struct site *site, int interface, bool bumper,
                          const struct thud_law_choice *choice)
 {
     const struct site_case *one = &site->cases[bumper ? SITE_BUMPER : SITE_NONE];
     const int e = thud_law_param(choice->law, "restitution");
     const double speed_mps = 0.5;
-    char between[320];
     int c = one->result->ncontacts - 1;
     while (c >= 0 && one->result->contact[c].interface != interface + 1)
         c--;
     if (e < 0 || c < 0)
         return;
-    const struct thud_contact_result *r = &one->result->contact[c];
-    const double obtained = thud_law_restitution(choice->law, &one->solution.model->contact[c].setup, speed_mps);
-    thud_site_sides(site, r->interface, r->left_floor, r->right_floor, r->struck, between, sizeof between);
+    const struct thud_law_setup *setup = &one->solution.model->contact[c].setup;
+    const double obtained = thud_law_restitution(choice->law, setup, speed_mps);
     if (!isnan(obtained))
-        thud_text_append(
-            out,
-            " Two free bodies with the masses of %s that approach at %.1f m/s part with %.3f of this speed, "
-            "for a coefficient of restitution of %g.",
-            between, speed_mps, obtained, choice->value[e]);
+        thud_text_append(out,
+                         " Two free bodies with an effective mass of %s t that approach at %.1f m/s part with %.3f of "
+                         "this speed, for a coefficient of restitution of %g.",
+                         thud_site_number(1e-3 * setup->mass_kg, 3).text, speed_mps, obtained, choice->value[e]);
 }
 
 static void say_law(struct site *site, const char *what, int interface, bool bumper)
