@@ -1,3 +1,18 @@
+/* A model out of its input, in one block of memory: its room is reckoned first (model_bytes), then every array is taken
+ * from it in the same order.
+ *
+ * The order of filling is that of what needs what:
+ *
+ *     structures   each by itself: modes on rigid ground, less the weight, and on soil those of the whole
+ *     systems      neighbours that linear links tie get common modes in place of their own (tie.c); from here on a
+ *                  structure's phi, modes and damping are those of its system
+ *     bounds       the largest shapes and drifts of the modes as they are in the end
+ *     sums         rows of storey shears, of buildings by their matrix: they are read from these modes
+ *     contacts     pairs of floors first, then one-sided links, so that a pair's index is that of the input
+ *     moments      behind the links, whose forces on a building's floors have a part in them
+ *     storeys      rows behind the contacts: those that yield, then links of friction; and with them what struck columns
+ *                  take of a storey's yielding
+ *     delassus     g_a . g_b of all rows */
 #include "core/model/model.h"
 
 #include <assert.h>

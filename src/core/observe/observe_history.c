@@ -1,3 +1,14 @@
+/* Where the rows of a history stand, and why.
+ *
+ *     on a grid          outside contacts: every step of the record, as a curve is drawn through them
+ *     closer             in a contact, and for a while behind it: an impact is over in some milliseconds, and wakes modes
+ *                        that the grid would not resolve
+ *     at peaks           where the result has one, so that the largest value of a column is the peak that is told
+ *     twice at a moment  where something jumps: the row before an event and the one behind it, or both sides of the end of
+ *                        a record whose last sample is not 0
+ *
+ * Energies are those of the run's ledger at the segment's start, and what the segment adds up to the row. Columns stand as
+ * the functions thud_history_... say, of which each adds the counts of those before it: only here does the order count. */
 #include "core/observe/observe_history.h"
 
 #include <assert.h>
