@@ -10,8 +10,8 @@
  *     sums         rows of storey shears, of buildings by their matrix: they are read from these modes
  *     contacts     pairs of floors first, then one-sided links, so that a pair's index is that of the input
  *     moments      behind the links, whose forces on a building's floors have a part in them
- *     storeys      rows behind the contacts: those that yield, then links of friction; and with them what struck columns
- *                  take of a storey's yielding
+ *     storeys      rows behind the contacts: those that yield, then links of friction; and with them what struck
+ *                  columns take of a storey's yielding
  *     delassus     g_a . g_b of all rows */
 #include "core/model/model.h"
 

@@ -1,3 +1,9 @@
+/* Which models a block of free vibration is for, its memory, and how long the next block is to be.
+ *
+ * A model has none where power series alone are as fast (very fast rates with coupled damping), or where a system with
+ * strong dashpots has no complex modes to bound it by (double roots, free bodies): its run takes series for each interval,
+ * right but slower. A block that a contact or a storey has cut short is followed by a short one, as another event is
+ * likely soon; each that is not cut doubles the next, so that little is made in vain and long rests cost little. */
 #include "core/motion/free_vibration_parts.h"
 
 #include <math.h>
