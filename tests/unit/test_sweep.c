@@ -122,7 +122,7 @@ START_TEST(rows_are_those_of_single_runs)
     for (int k = 0; k < 2; k++)
         for (int c = 0; c < 4; c++) {
             const struct thud_contact_result *r = &thud_run_result(solution[k].run)->contact[c];
-            const struct thud_sweep_contact_row *x = &contact[4 * k + c];
+            const struct thud_sweep_contact *x = &contact[4 * k + c].of;
             ck_assert_int_eq(x->impacts, r->impacts);
             ck_assert(x->force_n == r->force.value && x->impulse_ns == r->impulse_ns);
             ck_assert_double_eq_tol(x->residual_gap_m, (k == 0 ? 0.01 : 0.02) + r->residual_m, 1e-15);

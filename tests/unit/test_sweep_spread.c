@@ -78,9 +78,9 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
         }
         for (int c = 0; c < 4; c++) {
             const struct thud_sweep_contact_row *r = &contact[4 * k + c];
-            ck_assert_double_eq_tol(reach(r->force_low_n, r->force_n, r->force_high_n),
+            ck_assert_double_eq_tol(reach(r->force_low_n, r->of.force_n, r->force_high_n),
                                     thud_spread_most(&s->contact[c][0]), 1e-12);
-            ck_assert_double_eq_tol(reach(r->indentation_low_m, r->indentation_m, r->indentation_high_m),
+            ck_assert_double_eq_tol(reach(r->indentation_low_m, r->of.indentation_m, r->indentation_high_m),
                                     thud_spread_most(&s->contact[c][1]), 1e-12);
         }
         thud_sensitivity_free(s);

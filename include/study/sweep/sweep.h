@@ -104,12 +104,6 @@ struct thud_sweep_floor {
     double acceleration_mps2, drift_m, displacement_m;
     double ductility, permanent_m, excursions, hysteretic_j; /* NaN: the storey below is elastic */
 };
-struct thud_sweep_contact {
-    int impacts;
-    double force_n, indentation_m, impulse_ns, contact_time_s, residual_m, residual_gap_m;
-    /* of struck columns; NaN: floors meet, or no capacity */
-    double shear_lower_n, shear_upper_n, capacity_ratio, moment_lower_nm, moment_upper_nm;
-};
 
 /* What the changed runs of a point cost. */
 struct thud_sweep_changed {

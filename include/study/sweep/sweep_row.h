@@ -57,19 +57,23 @@ struct thud_sweep_row {
     double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
 };
 
+/* What a run makes of a contact. */
+struct thud_sweep_contact {
+    int impacts;
+    double force_n, indentation_m, impulse_ns, contact_time_s;
+    double residual_m, residual_gap_m; /* left by plastic deformation; the clearance at the end with it */
+    /* of struck columns; NaN: floors meet, or no capacity */
+    double shear_lower_n, shear_upper_n, capacity_ratio, moment_lower_nm, moment_upper_nm;
+};
+
 struct thud_sweep_contact_row {
     int record;
     enum thud_case which;
     double gap_m;
     double value[THUD_VARY_MAX];
     int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
-    int impacts;
-    double force_n, indentation_m, impulse_ns, contact_time_s;
-    double residual_m;                                                       /* left by plastic deformation */
-    double residual_gap_m;                                                   /* clearance + residual at the end */
-    int struck;                                                              /* whose columns, as in gap levels */
-    double shear_lower_n, shear_upper_n, capacity_ratio;                     /* of struck columns */
-    double moment_lower_nm, moment_upper_nm;                                 /* likewise */
+    int struck;                             /* whose columns, as in gap levels */
+    struct thud_sweep_contact of;
     double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
 };
 

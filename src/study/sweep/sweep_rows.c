@@ -150,8 +150,8 @@ int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_
 static void spread_contact(struct thud_sweep_contact_row *row, const struct thud_sweep_point *point, int k, int c)
 {
     bool spread = point->nvariants > 1;
-    row->force_low_n = row->force_high_n = spread ? row->force_n : NAN;
-    row->indentation_low_m = row->indentation_high_m = spread ? row->indentation_m : NAN;
+    row->force_low_n = row->force_high_n = spread ? row->of.force_n : NAN;
+    row->indentation_low_m = row->indentation_high_m = spread ? row->of.indentation_m : NAN;
     for (int v = 1; v < point->nvariants; v++) {
         const struct thud_sweep_contact *x = &point->contact[((ptrdiff_t)v * point->ncases + k) * point->ncontacts + c];
         widen(&row->force_low_n, &row->force_high_n, x->force_n);
@@ -170,7 +170,6 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
             continue;
         head.which = point->which[k];
         for (int c = 0; c < point->ncontacts; c++, count++) {
-            const struct thud_sweep_contact *x = &point->contact[k * point->ncontacts + c];
             const struct thud_gap_level *level = &point->level[c];
             if (!row)
                 continue;
@@ -178,19 +177,8 @@ int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thu
             row[count].interface = level->interface;
             row[count].left_floor = level->left_floor;
             row[count].right_floor = level->right_floor;
-            row[count].impacts = x->impacts;
-            row[count].force_n = x->force_n;
-            row[count].indentation_m = x->indentation_m;
-            row[count].impulse_ns = x->impulse_ns;
-            row[count].contact_time_s = x->contact_time_s;
-            row[count].residual_m = x->residual_m;
-            row[count].residual_gap_m = x->residual_gap_m;
             row[count].struck = level->struck;
-            row[count].shear_lower_n = x->shear_lower_n;
-            row[count].shear_upper_n = x->shear_upper_n;
-            row[count].capacity_ratio = x->capacity_ratio;
-            row[count].moment_lower_nm = x->moment_lower_nm;
-            row[count].moment_upper_nm = x->moment_upper_nm;
+            row[count].of = point->contact[k * point->ncontacts + c];
             spread_contact(&row[count], point, k, c);
         }
     }

@@ -73,11 +73,11 @@ static void put_storeys(struct thud_sweep_summary *d, int nstructures, const str
 static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_contact_row *row, int n)
 {
     for (int c = 0; c < n; c++) { /* a NaN gives way */
-        run->shear_n = fmax(run->shear_n, fmax(row[c].shear_lower_n, row[c].shear_upper_n));
-        run->capacity_ratio = fmax(run->capacity_ratio, row[c].capacity_ratio);
-        run->impacts += row[c].impacts;
-        run->force_n = thud_larger(run->force_n, row[c].force_n);
-        run->indentation_m = thud_larger(run->indentation_m, row[c].indentation_m);
+        run->shear_n = fmax(run->shear_n, fmax(row[c].of.shear_lower_n, row[c].of.shear_upper_n));
+        run->capacity_ratio = fmax(run->capacity_ratio, row[c].of.capacity_ratio);
+        run->impacts += row[c].of.impacts;
+        run->force_n = thud_larger(run->force_n, row[c].of.force_n);
+        run->indentation_m = thud_larger(run->indentation_m, row[c].of.indentation_m);
     }
 }
 
