@@ -546,6 +546,34 @@ START_TEST(a_pane_scrolls_behind_its_last_field)
 }
 END_TEST
 
+/* Lines from the head of the peaks to that of the impacts: frame, heads and floors, with nothing empty below them. */
+static int lines_of_peaks(void)
+{
+    char *text = fixture_text(&f);
+    const char *at = strstr(text, "Peaks"), *end = strstr(text, "Impacts, ");
+    ck_assert(at && end && at < end);
+    int lines = 0;
+    for (; at < end; at++)
+        lines += *at == '\n';
+    free(text);
+    return lines;
+}
+
+START_TEST(a_high_screen_is_left_to_impacts)
+{
+    int floors = 0;
+    for (int s = 0; s < f.tui->doc.scene.nstructures; s++)
+        floors += f.tui->doc.scene.structure[s].storeys;
+    fixture_close(&f);
+    fixture_open(&f, "towers", 200, 60, false);
+    fixture_keys(&f, "4");
+    ck_assert_int_eq(lines_of_peaks(), 3 + floors);
+    fixture_expect(&f, "energy error");
+    fixture_keys(&f, "v:set gap 3 cm<Enter>"); /* a pinned state takes a line of each floor */
+    ck_assert_int_eq(lines_of_peaks(), 3 + 2 * floors);
+}
+END_TEST
+
 START_TEST(remarks_are_counted_and_lead_to_their_fields)
 {
     struct thud_error remark;
@@ -695,6 +723,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, a_floor_that_is_gone_is_not_shown);
     tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
     tcase_add_test(views, a_pane_scrolls_behind_its_last_field);
+    tcase_add_test(views, a_high_screen_is_left_to_impacts);
     tcase_add_test(views, remarks_are_counted_and_lead_to_their_fields);
     tcase_add_test(views, yielded_storeys_are_drawn_with_hinges);
     tcase_add_test(views, struck_columns_are_named_and_drawn_at_the_slab);

@@ -38,12 +38,27 @@ static int quantities(const struct thud_tui *tui)
     return thud_scene_yields(&tui->doc.scene) ? QUANTITIES : ELASTIC_QUANTITIES;
 }
 
+static int floor_count(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_WALL    ? thud_wall_gives(structure)
+           : structure->kind == THUD_RIGID ? 1
+                                           : structure->storeys + (structure->kind == THUD_ISOLATED);
+}
+
+static int count_floors(const struct thud_scene *scene)
+{
+    int n = 0;
+    for (int s = 0; s < scene->nstructures; s++)
+        n += floor_count(&scene->structure[s]);
+    return n;
+}
+
+/* What the floors leave of the screen goes to the panes below them. */
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
-    (void)tui;
-    int lower = area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
-    if (area.h >= 29)
-        lower = 15;
+    int lower = area.h >= 29 ? 15 : area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
+    int peaks = 3 + count_floors(&tui->doc.scene) * (1 + (thud_tui_pinned(tui) != NULL)); /* frame and heads: 3 */
+    lower = area.h - lower > peaks ? area.h - peaks : lower;
     pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
     pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
     pane[HOW] = (struct thud_rect){area.x + left, area.y + area.h - lower, area.w - left, lower};
@@ -110,13 +125,6 @@ static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned
                         thud_shown(100.0 * (change - 1.0), 0));
 }
 
-static int floor_count(const struct thud_structure *structure)
-{
-    return structure->kind == THUD_WALL    ? thud_wall_gives(structure)
-           : structure->kind == THUD_RIGID ? 1
-                                           : structure->storeys + (structure->kind == THUD_ISOLATED);
-}
-
 struct place {
     int s, floor;
     double value;
@@ -136,10 +144,8 @@ static struct place *list_places(struct thud_tui *tui, enum thud_peak_kind kind,
     const struct thud_live *live = &tui->run.live;
     enum thud_live_which last =
         live->which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
-    int all = 0;
+    int all = count_floors(scene);
     *n = 0;
-    for (int s = 0; s < scene->nstructures; s++)
-        all += floor_count(&scene->structure[s]);
     struct place *place = malloc((size_t)(all > 0 ? all : 1) * sizeof *place);
     for (int s = 0; place && s < scene->nstructures; s++)
         for (int floor = floor_count(&scene->structure[s]) - 1; floor >= 0; floor--) {
