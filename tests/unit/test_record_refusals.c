@@ -13,6 +13,7 @@ START_TEST(no_record_at_all)
             "1",
             1, "", "UTF-16");
     refuses("time_s,acceleration_mps2\n0,1\n", 0, "", "too few");
+    ck_assert_str_eq(err.allowed, "2 or more");
     ck_assert_int_eq(thud_record_parse("1\n2\n\0\1\2\n", 9, "file", &choice, &record, &err), THUD_INPUT);
     ck_assert_int_eq(err.line, 3);
     ck_assert_ptr_nonnull(strstr(err.what, "a byte 0"));

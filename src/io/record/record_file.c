@@ -202,9 +202,12 @@ static enum thud_status build(const struct record_source *source, const struct r
                               const struct thud_record_choice *choice, struct record_raw *raw, struct thud_record **out,
                               struct thud_error *err)
 {
-    if (raw->count < 2)
-        return record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count,
-                             raw->count == 1 ? "" : "s");
+    if (raw->count < 2) {
+        record_refuse(source, 0, 0, err, "%zu sample%s: too few for a ground motion", raw->count,
+                      raw->count == 1 ? "" : "s");
+        thud_error_allow(err, "2 or more");
+        return THUD_INPUT;
+    }
     enum thud_status status = decide(source, choice, raw, err);
     if (status)
         return status;
