@@ -92,10 +92,10 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
                                      const struct thud_picture_options *options, enum thud_status before,
                                      struct thud_error *err)
 {
-    bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !options->none;
-    struct thud_error now = {0};
     static const struct thud_picture_options chosen;
     options = options ? options : &chosen;
+    bool go_on = (before == THUD_OK || before == THUD_GNUPLOT) && !options->none;
+    struct thud_error now = {0};
     thud_figure_title_add(figure, options->motions);
     thud_figure_fit(figure, options);
     if (go_on && figure && options->drawing)
