@@ -1,67 +1,17 @@
 #include "core/contact/contact_private.h"
 
-#include <assert.h>
 #include <math.h>
-#include <string.h>
 
-#include "core/laws/law_check.h"
 #include "core/numerics/tolerance.h"
 
-/* The states of a contact, the events that end them, and what follows. Only the run changes them. */
-
-static const struct thud_law *law_of(const struct thud_state *state, int c)
-{
-    return state->model->contact[c].law;
-}
-
-static const struct thud_law_setup *setup_of(const struct thud_state *state, int c)
-{
-    return &state->model->contact[c].setup;
-}
-
-static void renew_branch(const struct thud_state *state, int c, struct thud_contact_state *s)
-{
-    s->branch = thud_law_branch(law_of(state, c), setup_of(state, c), &s->memory, s->phase, s->past_ultimate);
-    assert(!thud_branch_fault(law_of(state, c), &s->branch, s->phase));
-}
-
-void thud_contact_set_mode(struct thud_state *state, int c, enum thud_contact_mode mode)
-{
-    struct thud_contact_state *s = &state->contact[c];
-    state->nactive -= thud_contact_acts(s);
-    state->nindented -= s->mode != THUD_OPEN;
-    s->mode = mode;
-    state->nactive += thud_contact_acts(s);
-    state->nindented += s->mode != THUD_OPEN;
-}
-
-void thud_contact_start(struct thud_state *state)
-{
-    for (int c = 0; c < state->model->ncontacts; c++) {
-        struct thud_contact_state *s = &state->contact[c];
-        const struct thud_law *law = law_of(state, c);
-        memset(s, 0, sizeof *s);
-        s->ultimate_m = thud_law_ultimate(law, setup_of(state, c), &s->memory, THUD_APPROACH);
-        s->suppressed.indentation = fabs(thud_contact_indentation(state, c)) <= THUD_TOL_INDENTATION_M;
-    }
-}
-
-void thud_contact_moved(struct thud_state *state)
-{
-    for (int c = 0; c < state->model->ncontacts; c++) {
-        struct thud_contact_state *s = &state->contact[c];
-        bool at_zero = s->mode == THUD_OPEN && s->suppressed.indentation > 0 && thud_contact_rate(state, c) == 0 &&
-                       thud_contact_indentation(state, c) == 0;
-        s->suppressed = (struct thud_suppressed){.indentation = at_zero};
-    }
-}
+/* The events that end a state of a contact, and what follows. Only the run changes them. */
 
 /* Force that the elastic curve would reach at the approach velocity v: the scale on which errors of this contact's force
  * count. */
 static double expected_force(const struct thud_state *state, int c, double v)
 {
-    const struct thud_law *law = law_of(state, c);
-    const struct thud_law_setup *setup = setup_of(state, c);
+    const struct thud_law *law = thud_contact_law(state, c);
+    const struct thud_law_setup *setup = thud_contact_setup(state, c);
     const struct thud_law_memory *memory = &state->contact[c].memory;
     double energy = 0.5 * setup->mass_kg * v * v, d = 1e-6, stored, force;
     if (!law->elastic_energy || energy == 0)
@@ -85,73 +35,24 @@ static double closing_rate(const struct thud_state *state, int c)
     return rate > THUD_TOL_RATE * (fabs(left) + fabs(right)) ? rate : 0;
 }
 
-bool thud_impact_counts(const struct thud_state *state, int c, double impulse_ns)
-{
-    return impulse_ns > THUD_TOL_IMPACT * state->model->contact[c].setup.mass_kg * state->speed_mps;
-}
-
-void thud_impact_count(const struct thud_state *state, struct thud_contact_log *log, int c)
-{
-    const struct thud_impact *now = &log->now[c];
-    struct thud_contact_result *r = &log->contact[c];
-    if (log->counted[c] || law_of(state, c)->flags & THUD_LAW_IMPULSIVE ||
-        !thud_impact_counts(state, c, now->impulse_ns))
-        return;
-    log->counted[c] = true;
-    r->impacts++;
-    r->approach_mps = now->approach_mps;
-    r->separation_mps = 0;
-    r->restitution = NAN;
-}
-
-double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
-{
-    double least = THUD_TOL_CLOSING * state->speed_mps;
-    if (!(impact->approach_mps > least) || impact->separation_mps < -least)
-        return NAN;
-    return fmax(impact->separation_mps, 0) / impact->approach_mps;
-}
-
 static void onset(struct thud_state *state, struct thud_contact_log *log, int c)
 {
     struct thud_contact_state *s = &state->contact[c];
-    const struct thud_law *law = law_of(state, c);
+    const struct thud_law *law = thud_contact_law(state, c);
     double v = s->onset_mps = closing_rate(state, c);
-    thud_law_onset(law, setup_of(state, c), v, &s->memory);
-    s->ultimate_m = thud_law_ultimate(law, setup_of(state, c), &s->memory, THUD_APPROACH);
+    thud_law_onset(law, thud_contact_setup(state, c), v, &s->memory);
+    s->ultimate_m = thud_law_ultimate(law, thud_contact_setup(state, c), &s->memory, THUD_APPROACH);
     s->phase = THUD_APPROACH;
     s->past_ultimate = false;
     thud_contact_set_mode(state, c, THUD_CLOSED);
     bool pressed =
         thud_contact_indentation(state, c) > THUD_TOL_PRESSED_M; /* from the start: the clearance is negative */
-    renew_branch(state, c, s);
+    thud_contact_renew_branch(state, c, s);
     /* k d + c d' begins at 0 with d'; what is asked of d^p (K + D d') is K + D d', which does not */
     bool from_zero = v == 0 && !pressed && s->branch.f0_n == 0 && s->branch.K == 0 && s->branch.D == 0;
     s->suppressed = (struct thud_suppressed){.indentation = !pressed, .rate = v == 0, .force = from_zero};
     s->expected_force_n = expected_force(state, c, v);
     thud_contact_log_begin(log, c, thud_state_now(state), v);
-}
-
-void thud_contact_released(struct thud_state *state, struct thud_contact_log *log, int c)
-{
-    struct thud_impact *now = &log->now[c];
-    now->separation_mps = -thud_contact_rate(state, c);
-    now->duration_s = thud_state_now(state) - now->start_s;
-    now->restitution = thud_impact_restitution(state, now);
-    if (!log->counted[c])
-        return;
-    log->contact[c].separation_mps = now->separation_mps;
-    log->contact[c].restitution = now->restitution;
-}
-
-enum thud_status thud_contact_open(struct thud_state *state, struct thud_contact_log *log, int c, int suppressed,
-                                   struct thud_error *err)
-{
-    struct thud_contact_state *s = &state->contact[c];
-    thud_contact_set_mode(state, c, THUD_OPEN);
-    s->suppressed = (struct thud_suppressed){.indentation = suppressed};
-    const bool listed = c < state->model->npairs && thud_impact_counts(state, c, log->now[c].impulse_ns);
-    return listed ? thud_contact_log_add(log, &log->now[c], err) : THUD_OK;
 }
 
 /* Suppressed coefficients of a force that has just left 0 to this side: none where a blow has put it beyond. */
@@ -168,9 +69,9 @@ static int force_zeros(const struct thud_state *state, int c, double sign)
 static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
 {
     struct thud_contact_state *s = &state->contact[c];
-    const struct thud_law *law = law_of(state, c);
+    const struct thud_law *law = thud_contact_law(state, c);
     thud_contact_released(state, log, c);
-    if (law->keeps_residual && law->keeps_residual(setup_of(state, c))) {
+    if (law->keeps_residual && law->keeps_residual(thud_contact_setup(state, c))) {
         s->residual_m += fmax(thud_contact_indentation(state, c), 0);
         log->contact[c].residual_m = s->residual_m;
         return thud_contact_open(state, log, c, 1, err);
@@ -178,32 +79,6 @@ static enum thud_status release(struct thud_state *state, struct thud_contact_lo
     thud_contact_set_mode(state, c, THUD_CLOSED_NO_FORCE);
     s->suppressed = (struct thud_suppressed){.force = force_zeros(state, c, -1)};
     return THUD_OK;
-}
-
-/* The contact in a phase that begins at indentation d: its memory, and what follows from that. */
-static struct thud_contact_state in_phase(const struct thud_state *state, int c, enum thud_phase phase, double d)
-{
-    struct thud_contact_state s = state->contact[c];
-    const double before = s.ultimate_m;
-    thud_law_reversal(law_of(state, c), setup_of(state, c), phase, d, &s.memory);
-    s.phase = phase;
-    s.ultimate_m = thud_law_ultimate(law_of(state, c), setup_of(state, c), &s.memory, phase);
-    if (s.ultimate_m != before)
-        s.past_ultimate = d > s.ultimate_m;
-    renew_branch(state, c, &s);
-    return s;
-}
-
-/* Contact c goes on in a phase, from here; `rate_zeros` coefficients of its rate are 0. Where it turns just at the
- * ultimate compression, that guard's function starts at 0 as well, and one order higher where the rate does. */
-static void go_on(struct thud_state *state, int c, enum thud_phase phase, int rate_zeros)
-{
-    const double d = thud_contact_indentation(state, c);
-    thud_contact_set_mode(state, c, THUD_CLOSED);
-    struct thud_contact_state *s = &state->contact[c];
-    *s = in_phase(state, c, phase, d);
-    bool there = fabs(d - s->ultimate_m) <= THUD_TOL_INDENTATION_M; /* the law remembers this indentation */
-    s->suppressed = (struct thud_suppressed){.rate = rate_zeros, .branch = there ? 1 + rate_zeros : 0};
 }
 
 /* At d' = 0. Where the branch of the phase that begins meets the present one, that phase begins. Where it does not
@@ -214,7 +89,7 @@ static void reversal(struct thud_state *state, int c)
     struct thud_contact_state *s = &state->contact[c];
     enum thud_phase next = s->phase == THUD_APPROACH ? THUD_RESTITUTION : THUD_APPROACH;
     double d = thud_contact_indentation(state, c);
-    const struct thud_contact_state begins = in_phase(state, c, next, d);
+    const struct thud_contact_state begins = thud_contact_in_phase(state, c, next, d);
     double rest = thud_branch_force(&s->branch, d, 0, NULL, NULL),
            other = thud_branch_force(&begins.branch, d, 0, NULL, NULL);
     double approach = next == THUD_RESTITUTION ? rest : other, restitution = next == THUD_RESTITUTION ? other : rest;
@@ -233,21 +108,7 @@ static void reversal(struct thud_state *state, int c)
     double v = thud_contact_rate(state, c); /* not 0 where its polynomial has not been resolved */
     bool gone =
         next == THUD_RESTITUTION ? v < -THUD_TOL_REVERSAL * state->speed_mps : v > THUD_TOL_REVERSAL * state->speed_mps;
-    go_on(state, c, next, !gone);
-}
-
-void thud_contact_impulse_received(struct thud_state *state, int c, double change)
-{
-    struct thud_contact_state *s = &state->contact[c];
-    double v = thud_contact_rate(state, c);
-    enum thud_phase phase = v > 0 ? THUD_APPROACH : THUD_RESTITUTION;
-    bool turns = s->mode != THUD_OPEN && law_of(state, c)->flags & THUD_LAW_REVERSES;
-    if ((!turns && s->mode != THUD_STICKING) || fabs(v) <= THUD_TOL_IMPULSE_RATE * fabs(change))
-        return;
-    if (s->mode == THUD_STICKING || phase != s->phase)
-        go_on(state, c, phase, 0);
-    else
-        s->suppressed.rate = 0;
+    thud_contact_go_on(state, c, next, !gone);
 }
 
 /* At the ultimate compression, either way. */
@@ -256,7 +117,7 @@ static void change_branch(struct thud_state *state, int c)
     struct thud_contact_state *s = &state->contact[c];
     s->past_ultimate = !s->past_ultimate;
     s->suppressed.branch = 1;
-    renew_branch(state, c, s);
+    thud_contact_renew_branch(state, c, s);
 }
 
 /* The constraint force has left its interval: towards approach (IN) above it, towards restitution (OUT) below. */
@@ -264,11 +125,11 @@ static enum thud_status unstick(struct thud_state *state, struct thud_contact_lo
                                 struct thud_error *err)
 {
     struct thud_contact_state *s = &state->contact[c];
-    if (law_of(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
+    if (thud_contact_law(state, c)->flags & THUD_LAW_IMPULSIVE) { /* sustained pushing has ended: d, d' and d'' are 0 */
         thud_contact_released(state, log, c);
         return thud_contact_open(state, log, c, 3, err);
     }
-    go_on(state, c, event == THUD_EVENT_UNSTICK_IN ? THUD_APPROACH : THUD_RESTITUTION, 2);
+    thud_contact_go_on(state, c, event == THUD_EVENT_UNSTICK_IN ? THUD_APPROACH : THUD_RESTITUTION, 2);
     /* as a rule the constraint force has gone to the end of its interval, and d'' is 0; where another contact of the same
      * floors has switched it may have jumped beyond */
     thud_contact_forces(state, state->force_now);
@@ -294,7 +155,7 @@ enum thud_status thud_contact_switch(struct thud_state *state, struct thud_conta
     state->work->events++;
     switch (event) {
     case THUD_EVENT_ONSET:
-        if (law_of(state, contact)->flags & THUD_LAW_IMPULSIVE)
+        if (thud_contact_law(state, contact)->flags & THUD_LAW_IMPULSIVE)
             return thud_contact_impulse(state, log, contact, err);
         onset(state, log, contact);
         return THUD_OK;
