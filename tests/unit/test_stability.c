@@ -143,8 +143,8 @@ START_TEST(parted_bodies_need_no_longer_run)
                 pair.duration_s = 2;
                 struct thud_stepping how = thud_stepping_of(methods[i], 1e-3, false);
                 ck_assert_int_eq(thud_two_body_restitution(&pair, how, &found, NULL), THUD_OK);
-                ck_assert_double_eq(pair.duration_s, 2);
-                pair.method_step_s = 1e-3;
+                pair.method = how.method;
+                pair.method_step_s = how.method->flags & THUD_METHOD_FIXED_STEP ? 1e-3 : 0;
                 ck_assert_int_eq(thud_two_body_run(&pair, 2, &whole, NULL), THUD_OK);
                 ck_assert_double_eq_tol(found * speed_mps[k], thud_two_body_separation(&whole), 1e-9 * speed_mps[k]);
                 thud_solution_clear(&whole);

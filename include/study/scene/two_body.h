@@ -10,6 +10,7 @@ struct thud_two_body {
     double mass_kg[2];
     double approach_mps;
     double duration_s;
+    bool until_parted; /* ends once they have been apart for so long that nothing changes any more */
     const struct thud_law *law;
     struct thud_law_setup setup;      /* value[] and thickness_m */
     const struct thud_method *method; /* NULL: auto, to 1e-9 */

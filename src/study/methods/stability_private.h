@@ -36,7 +36,7 @@ struct thud_stepping thud_stepping_of(const char *method, double setting, bool l
 /* Kinetic, strain and contact energy now over the kinetic one at the start. */
 double thud_energy_ratio(const struct thud_solution *solution);
 /* Restitution of a pair by a method; INFINITY where it blew up. Errors: THUD_MEMORY. */
-enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct thud_stepping how, double *out,
+enum thud_status thud_two_body_restitution(const struct thud_two_body *pair, struct thud_stepping how, double *out,
                                            struct thud_error *err);
 
 /* The test cases, by file. */

@@ -111,40 +111,17 @@ double thud_energy_ratio(const struct thud_solution *solution)
     return (e->kinetic_j + e->strain_j + e->stored_j) / e->initial_j;
 }
 
-/* Whether the bodies have been apart for so many steps that nothing changes any more: some methods let go of a
- * force over several. */
-static bool have_parted(const struct thud_solution *solution, double step_s)
-{
-    const struct thud_history *h = thud_run_history(solution->run);
-    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
-    const double apart = last[thud_history_displacement(h, 1)] - last[thud_history_displacement(h, 0)];
-    return apart > 40 * step_s * thud_two_body_separation(solution) && apart > 0;
-}
-
-/* Stiff bodies part after milliseconds, soft ones after seconds: short runs are tried before the long one, in steps that
- * are as long as its. */
-enum thud_status thud_two_body_restitution(struct thud_two_body *pair, struct thud_stepping how, double *out,
+enum thud_status thud_two_body_restitution(const struct thud_two_body *pair, struct thud_stepping how, double *out,
                                            struct thud_error *err)
 {
-    static const double part[] = {1.0 / 64, 1.0 / 8, 1};
-    const bool steps = how.method->flags & THUD_METHOD_FIXED_STEP;
-    const double longest_s = pair->duration_s,
-                 step_s = steps ? longest_s / ceil(longest_s / how.setting * (1 - 1e-9)) : 0;
-    enum thud_status status = THUD_OK;
-    bool parted = false;
-    pair->method = how.method;
-    pair->method_step_s = step_s;
-    pair->locate = how.locate;
-    *out = INFINITY;
-    for (int i = 0; i < 3 && status == THUD_OK && !parted; i++) {
-        struct thud_solution solution;
-        pair->duration_s = steps ? ceil(part[i] * longest_s / step_s * (1 - 1e-9)) * step_s : part[i] * longest_s;
-        status = thud_two_body_run(pair, pair->duration_s, &solution, err);
-        parted = status == THUD_OK && (i == 2 || have_parted(&solution, step_s));
-        if (parted)
-            *out = thud_two_body_separation(&solution) / pair->approach_mps;
-        thud_solution_clear(&solution);
-    }
-    pair->duration_s = longest_s;
+    struct thud_two_body trial = *pair;
+    struct thud_solution solution;
+    trial.method = how.method;
+    trial.method_step_s = how.method->flags & THUD_METHOD_FIXED_STEP ? how.setting : 0;
+    trial.locate = how.locate;
+    trial.until_parted = true;
+    enum thud_status status = thud_two_body_run(&trial, trial.duration_s / 64, &solution, err);
+    *out = status == THUD_OK ? thud_two_body_separation(&solution) / trial.approach_mps : INFINITY;
+    thud_solution_clear(&solution);
     return thud_trial_failed(status) ? status : THUD_OK;
 }

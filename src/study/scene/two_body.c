@@ -45,6 +45,17 @@ double thud_two_body_separation(const struct thud_solution *solution)
     return last[thud_history_velocity(h, 1)] - last[thud_history_velocity(h, 0)];
 }
 
+/* Some methods let go of a force over several steps. */
+static bool have_parted(const struct thud_two_body *pair, const struct thud_solution *solution)
+{
+    const struct thud_history *h = thud_run_history(solution->run);
+    if (h->rows == 0)
+        return false;
+    const double *last = h->value + (h->rows - 1) * (size_t)h->columns;
+    const double apart = last[thud_history_displacement(h, 1)] - last[thud_history_displacement(h, 0)];
+    return apart > 40 * pair->method_step_s * thud_two_body_separation(solution) && apart > 0;
+}
+
 static enum thud_status assemble(const struct thud_two_body *pair, struct thud_model **model, struct thud_error *err)
 {
     struct thud_structure_input bodies[2] = {
@@ -81,8 +92,8 @@ enum thud_status thud_two_body_run(const struct thud_two_body *pair, double step
     enum thud_status status = assemble(pair, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, NULL, &options, &out->run, err);
-    while (status == THUD_OK && !done)
-        status = thud_run_advance(out->run, 1000, &done, err);
+    while (status == THUD_OK && !done && !(pair->until_parted && have_parted(pair, out)))
+        status = thud_run_advance(out->run, pair->until_parted ? 50 : 1000, &done, err);
     if (status != THUD_OK)
         thud_solution_clear(out);
     return status;
