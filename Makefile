@@ -102,8 +102,8 @@ $(B)/lib%.a: $(B)/files
 $(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
 	$(call say,CC,$<)$(COMPILE) $(OWN) -MMD -MP -c -o $@ $<
-# to optimise what asks and draws is half of what building for the tests takes, and makes no test quicker
-$(filter-out %/version.o,$(PROGRAM)) $(call objects,tests/unit/test_*.c): OWN = $(if $(filter check,$(VARIANT)),-O1)
+# to optimise what asks and draws is half of what building takes, and makes no test and no answer quicker
+$(filter-out %/version.o,$(PROGRAM)) $(call objects,tests/unit/test_*.c): OWN = $(if $(filter check,$(VARIANT)),-O0)$(if $(filter release,$(VARIANT)),-O2)
 $(B)/src/io/file/paths.o: OWN = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
 $(B)/src/%/version.o: OWN = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit

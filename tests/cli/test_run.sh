@@ -385,7 +385,7 @@ is "a closed pipe is no crash" grep -q -E '^(0|6|141)$' "$tmp/status"
 gives 0 run towers --json
 depth=$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"indentation_m": *//p' | awk '{ if ($1 > m) m = $1 } END { printf "%.4g", 1000 * m }')
 is "a bumper pressed beyond its thickness" says "the bumper of 50 mm is pressed by $depth mm at floor 4, .*: more than there is of it; past 40 mm in [0-9]* of [0-9]* impacts"
-gives 0 run towers -o "$tmp/pressed"
+gives 0 run towers -o "$tmp/pressed" --no-figures
 past=$(awk -F, 'NR > 1 { n++; p += $9 > 0.04 } END { print p " of " n }' "$tmp/pressed/impacts.csv")
 is "as often as its impacts say" says "past 40 mm in $past impacts"
 is "drift beyond 1 %" says "storey 2 of B drifts by .* mm, 2 % of its height"
@@ -416,7 +416,7 @@ gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEG
 is "and just below it something does" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" -gt 0 ]
 is "how often they collide is said" grep -q "^Without bumper they collide [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
 is "and what the bumper does to floors" grep -q "^It lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
-gives 0 run towers --cases none,bumper -o "$tmp/cases.d" --quiet
+THUD_GNUPLOT=/none "$THUD" run towers --cases none,bumper -o "$tmp/cases.d" --quiet >"$tmp/out" 2>"$tmp/err"
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
 is "each named in its own" grep -q '"case": "no-pounding"' "$tmp/cases.d/no-pounding/result.json"
 is "one figure for all, each case in its strip" grep -q ": no pounding'" "$tmp/cases.d/acceleration.gp"
@@ -434,7 +434,7 @@ is "with the structure, the rate and what may be" says \
     "structures.1: free motion of up to 5.94e+07 rad/s cannot be followed over 0.01 s, an interval of the ground motion (up to 1e+06 rad/s"
 "$THUD" run towers --quiet --case none --set gap=4m --set structures.1.mass=1kg --set structures.1.stiffness=1e5MN/m >"$tmp/out" 2>"$tmp/err" &
 pid=$!
-sleep 1
+sleep 0.3
 began=$(date +%s)
 kill -TERM $pid
 wait $pid
@@ -449,8 +449,8 @@ awk 'BEGIN { print "title: many\nrecord: {file: kobe-surrogate.csv}\nstructures:
     for (i = 1; i < 20; i++) print "  - {gap: 10 cm, contact: {law: linear, stiffness: 2500 kN/mm}}" }' >"$tmp/many.yaml"
 "$THUD" run "$tmp/many.yaml" >"$tmp/out" 2>"$tmp/err" &
 pid=$!
-for _ in 1 2 3 4 5 6 7 8 9 10; do
-    sleep 1
+for _ in $(seq 100); do
+    sleep 0.1
     if [ -s "$tmp/err" ]; then break; fi
 done
 kill -TERM $pid

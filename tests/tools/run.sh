@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs every unit test program and every command-line test, all speaking TAP, two at a time, and counts.
+# Runs every unit test program and every command-line test, all speaking TAP, one more at a time than there are processors (some wait), and counts.
 # usage: run.sh BUILD_FOLDER [FOLDER_OF_UNIT_TESTS]     before the last line: what was skipped, and why; last line: `N passed, N failed` and, if there are any, `, N skipped`
 # THUD: the program under test.  WRAP: command put before each unit test.  UNIT_ONLY: no command-line tests.
 # TEST_ONLY: those whose names this pattern matches.  TEST_JOBS: programs at a time.  TEST_SECONDS: what one program may take.
@@ -57,7 +57,7 @@ export THUD BUILD UNITS TEST_SECONDS WRAP CK_DEFAULT_TIMEOUT
     if [ -z "${UNIT_ONLY:-}" ]; then
         for t in tests/cli/test_*.sh tests/screens/test_*.sh; do [ -f "$t" ] && printf '%s\n' "$t"; done
     fi
-} | grep -E -e "${TEST_ONLY:-.}" | xargs -n 1 -P "${TEST_JOBS:-2}" sh "$0" --one "$logs"
+} | grep -E -e "${TEST_ONLY:-.}" | xargs -n 1 -P "${TEST_JOBS:-$(($(nproc 2>/dev/null || echo 1) + 1))}" sh "$0" --one "$logs"
 cat "$logs"/*.skips 2>/dev/null | sed 's/: \(# SKIP\|ok[ 0-9]*-\) /: /; s/^/skipped: /'
 cat "$logs"/*.counts 2>/dev/null | awk '
     { passed += $1; failed += $2; skipped += $3 }

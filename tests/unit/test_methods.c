@@ -229,7 +229,7 @@ END_TEST
  * ones with coarse steps still near the exact peaks. */
 static void every_method(const struct march_law *law, double gap, bool isolated)
 {
-    const int storeys[] = {4, 6};
+    const int storeys[] = {3, 4};
     struct thud_record *record = march_motion(1.5);
     struct thud_model *model = march_row(2, storeys, isolated, gap, law);
     struct march want = march_run(model, record, "exact", 0, 0, true, 2);
@@ -237,8 +237,8 @@ static void every_method(const struct march_law *law, double gap, bool isolated)
         const struct thud_method *method = thud_method_at(i);
         struct march m = march_run(model, record, method->name, 0, 0, true, 2);
         ck_assert_msg(m.status == THUD_OK, "%s, %s, gap %g: %s", method->name, law->law->name, gap, m.err.what);
-        double peak = m.result->structure[0].floor[3].displacement.value;
-        double ratio = peak / want.result->structure[0].floor[3].displacement.value;
+        double peak = m.result->structure[0].floor[2].displacement.value;
+        double ratio = peak / want.result->structure[0].floor[2].displacement.value;
         ck_assert_msg(!(method->flags & THUD_METHOD_LOCATES) || fabs(ratio - 1) < 0.1, "%s, %s, gap %g: %g",
                       method->name, law->law->name, gap, ratio);
         march_free(&m);
