@@ -8,8 +8,7 @@ VERSION  := $(or $(shell sed -n 's/.*THUD_VERSION "\(.*\)".*/\1/p' include/base/
 
 # Flags.  CFLAGS, CPPFLAGS and LDFLAGS stay the user's; they come last.  gcc's analyzer sees leaks where a block is kept in a list; the address
 # sanitizer and the failing-memory tests look for real ones.
-release  := -O3 -DNDEBUG -fstack-protector-strong $(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
-check    := -O2
+release  := -O3 -fstack-protector-strong $(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CFLAGS)),,-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 debug    := -O0 -g3
 asan     := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 tsan     := -O1 -g -fno-omit-frame-pointer -fsanitize=thread
@@ -42,8 +41,6 @@ DOOR     := $(call objects,src/door/*.c)
 SONAME   := libthud.so.$(firstword $(subst ., ,$(VERSION)))
 DOORLIBS  = $(filter-out -lncurses% -ltinfo%,$(LDLIBS))
 OBJCOPY  ?= objcopy
-# The shipped program is built without assertions; the unit tests and all they call, with them.
-UNITS    := build/$(if $(filter release,$(VARIANT)),check,$(VARIANT))
 PARALLEL  = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(shell nproc 2>/dev/null),2))
 UNIT     := $(patsubst tests/unit/%.c,$(B)/unit/%,$(wildcard tests/unit/test_*.c))
 HELPERS  := $(call objects,$(filter-out tests/unit/test_%,$(wildcard tests/unit/*.c)))
@@ -58,7 +55,7 @@ LIBS     := $(B)/libthud-program.a $(B)/libthud-io.a $(B)/libthud-core.a
 THUD     := $(if $(filter release,$(VARIANT)),thud,$(B)/thud)
 
 # What the environment calls by these names is not what the scripts are to get.
-unexport THUD UNITS
+unexport THUD
 
 .PHONY: all help deps demo pictures test units debug asan tsan valgrind coverage lint mutants objects fuzz fuzzers soak bench bench-suite bench-peers install uninstall dist deb clean FORCE
 all: $(THUD) $(B)/libthud.a $(B)/libthud.so $(B)/thud.pc ## build ./thud (VARIANT=debug, asan, coverage build into build/VARIANT)
@@ -101,9 +98,10 @@ $(B)/lib%.a: $(B)/files
 	@rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 $(B)/%.o: %.c $(B)/flags | $(B)/headers
 	@mkdir -p $(@D)
-	$(call say,CC,$<)$(COMPILE) $(OWN) -MMD -MP -c -o $@ $<
-# to optimise what asks and draws is half of what building takes, and makes no test and no answer quicker
-$(filter-out %/version.o,$(PROGRAM)) $(call objects,tests/unit/test_*.c): OWN = $(if $(filter check,$(VARIANT)),-O0)$(if $(filter release,$(VARIANT)),-O2)
+	$(call say,CC,$<)$(COMPILE) $(OWN) $(CFLAGS) -MMD -MP -c -o $@ $<
+# to optimise what asks and draws takes as long as all else, and makes no answer quicker; nor do tests gain by it
+$(filter-out %/version.o,$(PROGRAM)): OWN = $(if $(filter release,$(VARIANT)),-O2)
+$(call objects,tests/unit/test_*.c): OWN = $(if $(filter release,$(VARIANT)),-O0 -U_FORTIFY_SOURCE)
 $(B)/src/io/file/paths.o: OWN = -DTHUD_DATADIR='"$(PREFIX)/share/thud"'
 $(B)/src/%/version.o: OWN = -DTHUD_COMMIT='"$(shell cat $(B)/commit)"' -DTHUD_VARIANT='"$(VARIANT)"'
 $(call objects,src/*/version.c): $(B)/commit
@@ -138,9 +136,8 @@ demo: deps ## install what is missing, build, run two towers on a real earthquak
 
 test: ## install what the tests need, build, run every test
 	@tests/tools/install-deps.sh test
-	@$(MAKE) --no-print-directory $(PARALLEL) all
-	@$(MAKE) --no-print-directory $(PARALLEL) VARIANT=$(notdir $(UNITS)) units
-	@THUD="$$PWD/$(THUD)" MAKEFLAGS= tests/tools/run.sh $(B) $(UNITS)
+	@$(MAKE) --no-print-directory $(PARALLEL) all units
+	@THUD="$$PWD/$(THUD)" MAKEFLAGS= tests/tools/run.sh $(B)
 # the programs that measure and the long-lived ones are built too, so that a change of the core cannot leave them behind
 units: $(UNIT) $(FAULT) $(B)/bench-time $(B)/peer-minimal $(B)/soak $(B)/cross $(B)/pairs
 	@:
@@ -158,7 +155,7 @@ coverage: ## lines and branches that the tests pass through, by layer and file
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null; CK_TIMEOUT_MULTIPLIER=8 TEST_SECONDS=3000 $(MAKE) --no-print-directory VARIANT=coverage test; tests=$$?; \
 	    tests/tools/coverage.sh build/coverage && exit $$tests
 lint: ## rules of the house and static analysis with the tools installed (ONLY='format tidy': these, see lint.sh)
-	@FLAGS='$(filter-out -DNDEBUG,$(wordlist 2,99,$(COMPILE)))' tests/tools/lint.sh $(MAKE) $(ONLY)
+	@FLAGS='$(wordlist 2,99,$(COMPILE))' tests/tools/lint.sh $(MAKE) $(ONLY)
 mutants: ## takes one protection of the core out at a time: the tests must notice (two minutes on an idle machine; ONLY=word: fewer)
 	@tests/tools/install-deps.sh test
 	@tests/tools/mutants.sh '$(ONLY)'

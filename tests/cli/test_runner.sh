@@ -1,7 +1,7 @@
 #!/bin/sh
 # What runs and counts the tests notices a test that fails, ends early, or passes without an assertion.  TAP.
 set -u
-UNITS=${UNITS:-build/check}
+BUILD=${BUILD:-build/release}
 CC=${CC:-cc}
 runner=$PWD/tests/tools/run.sh
 tmp=$(mktemp -d) || exit 1
@@ -60,10 +60,10 @@ Suite *thud_suite(void)
 END
 unit() { # ASSERTS_NOTHING: builds and runs it
     # shellcheck disable=SC2046 # several words
-    (cd "$tmp/tree" && $CC -I"$OLDPWD/tests/unit" -DASSERTS_NOTHING="$1" -o build/unit/test_empty tests/unit/test_empty.c "$OLDPWD/$UNITS/libtests.a" \
+    (cd "$tmp/tree" && $CC -I"$OLDPWD/tests/unit" -DASSERTS_NOTHING="$1" -o build/unit/test_empty tests/unit/test_empty.c "$OLDPWD/$BUILD/libtests.a" \
         $(pkg-config --libs check) && build/unit/test_empty) >"$tmp/out" 2>&1
 }
-if nm "$UNITS/libtests.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|tsan)_'; then
+if nm "$BUILD/libtests.a" 2>/dev/null | grep -q -E '__(asan|gcov|ubsan|tsan)_'; then
     echo "ok - a unit test that asserts nothing has failed # SKIP built with instruments"
 elif unit 0 && ! unit 1 && grep -q 'test_empty.c:9: passed without an assertion' "$tmp/out"; then
     echo "ok - a unit test that asserts nothing has failed"

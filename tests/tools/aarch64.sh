@@ -17,5 +17,5 @@ fi
 build=build/aarch64
 jobs=-j$(nproc 2>/dev/null || echo 2)
 PKG_CONFIG_LIBDIR=$libraries/pkgconfig:/usr/share/pkgconfig \
-    nice make --no-print-directory "$jobs" VARIANT=check B=$build CC=$cc AR=aarch64-linux-gnu-ar units
+    nice make --no-print-directory "$jobs" VARIANT=release B=$build CC=$cc AR=aarch64-linux-gnu-ar units
 UNIT_ONLY=1 TEST_ONLY=${1:-.} WRAP=$emulator CK_TIMEOUT_MULTIPLIER=10 TEST_SECONDS=${TEST_SECONDS:-3000} nice tests/tools/run.sh $build

@@ -10,10 +10,8 @@ status=0
 
 # The library's functions are for other programs.
 door=$(sed -n 's/^THUD_API .*[ *]\(thud_[a-z_]*\)(.*/\1/p' include/thud.h 2>/dev/null)
-# Only tests and assertions use these, and shall: what the laws are held against, and where a test takes the place of a person.
-for_tests="
-    thud_tui_keys_text thud_manual_part_name
-    thud_branch_fault"
+# Only tests use these, and shall: a test takes the place of a person.
+for_tests="thud_tui_keys_text thud_manual_part_name"
 
 report() { # WHAT FINDINGS
     if [ -z "$2" ]; then echo "ok - $1"; else

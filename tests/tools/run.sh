@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs every unit test program and every command-line test, all speaking TAP, one more at a time than there are processors (some wait), and counts.
-# usage: run.sh BUILD_FOLDER [FOLDER_OF_UNIT_TESTS]     before the last line: what was skipped, and why; last line: `N passed, N failed` and, if there are any, `, N skipped`
+# usage: run.sh BUILD_FOLDER     before the last line: what was skipped, and why; last line: `N passed, N failed` and, if there are any, `, N skipped`
 # THUD: the program under test.  WRAP: command put before each unit test.  UNIT_ONLY: no command-line tests.
 # TEST_ONLY: those whose names this pattern matches.  TEST_JOBS: programs at a time.  TEST_SECONDS: what one program may take.
 set -u
@@ -42,17 +42,16 @@ export LANG LC_NUMERIC LC_MESSAGES
 unset LC_ALL LANGUAGE
 
 build=$1
-UNITS=${2:-$1}
 logs=$build/test-logs
 rm -rf "$logs" && mkdir -p "$logs"
 THUD=${THUD:-$PWD/thud} BUILD=$build TEST_SECONDS=${TEST_SECONDS:-600} WRAP=${WRAP:-}
 # Check's own limit of 4 s a test is for an idle machine; the limit of each program above finds what hangs
 CK_DEFAULT_TIMEOUT=${CK_DEFAULT_TIMEOUT:-300}
-export THUD BUILD UNITS TEST_SECONDS WRAP CK_DEFAULT_TIMEOUT
+export THUD BUILD TEST_SECONDS WRAP CK_DEFAULT_TIMEOUT
 {
     for t in tests/unit/test_*.c tests/fault/test_*.c; do
         t=${t#tests/}
-        [ -f "tests/$t" ] && printf '%s\n' "$UNITS/${t%.c}"
+        [ -f "tests/$t" ] && printf '%s\n' "$build/${t%.c}"
     done
     if [ -z "${UNIT_ONLY:-}" ]; then
         for t in tests/cli/test_*.sh tests/screens/test_*.sh; do [ -f "$t" ] && printf '%s\n' "$t"; done
