@@ -65,6 +65,15 @@ static const char *state_of(const struct thud_state *state, int row)
     return s->phase == THUD_APPROACH ? "closed, approach" : "closed, restitution";
 }
 
+static double force_of(const struct thud_state *state, int row)
+{
+    const int storey = row - state->model->ncontacts;
+    if (storey >= 0)
+        return thud_storey_shear(state, storey, thud_model_gap_sum(state->model, row, state->q));
+    thud_contact_forces(state, state->force_now);
+    return state->force_now[row];
+}
+
 enum thud_status thud_contact_log_event(struct thud_contact_log *log, const struct thud_state *state, int row,
                                         enum thud_event event, int order, struct thud_error *err)
 {
@@ -78,18 +87,14 @@ enum thud_status thud_contact_log_event(struct thud_contact_log *log, const stru
         log->event = p;
         log->event_capacity = more;
     }
-    const bool falls = event == THUD_EVENT_COLLAPSE;
-    const int storey = row - state->model->ncontacts;
-    thud_contact_forces(state, state->force_now);
-    const double force = storey < 0 ? state->force_now[row]
-                                    : thud_storey_shear(state, storey, thud_model_gap_sum(state->model, row, state->q));
+    const bool falls = event == THUD_EVENT_COLLAPSE; /* its row is beyond those that have a force */
     log->event[log->nevents++] = (struct thud_event_entry){.time_s = thud_state_now(state),
                                                            .row = row,
                                                            .event = thud_event_name(event),
                                                            .guard = thud_event_guard(event),
                                                            .then = falls ? "collapsed" : state_of(state, row),
                                                            .order = order,
-                                                           .force_n = falls ? 0 : force};
+                                                           .force_n = falls ? 0 : force_of(state, row)};
     return THUD_OK;
 }
 
