@@ -200,8 +200,8 @@ START_TEST(a_suite_has_its_median_and_band)
 {
     struct sample *s = malloc(sizeof *s);
     static const char *const names[] = {"1", "2", "3", "4", "5", "6", "7", "8", "9"};
-    struct thud_sweep_need_row need[18] = {{.interface = 1, .relative_displacement_m = 0.11},
-                                           {.interface = 1, .relative_displacement_m = 0.17}};
+    struct thud_sweep_need_row need[18] = {{.level = {.interface = 1, .relative_displacement_m = 0.11}},
+                                           {.level = {.interface = 1, .relative_displacement_m = 0.17}}};
     fill(s, 1);
     const char *const *own = s->table.record;
     s->table.nrecords = 9;
@@ -271,14 +271,14 @@ END_TEST
  * so; beyond the gaps that are shown there is none. */
 START_TEST(every_figure_against_the_gap_has_its_line)
 {
-    struct thud_sweep_need_row need[2 * RECORDS] = {{.interface = 1, .relative_displacement_m = 0.11},
-                                                    {.interface = 1, .relative_displacement_m = 0.17}};
+    struct thud_sweep_need_row need[2 * RECORDS] = {{.level = {.interface = 1, .relative_displacement_m = 0.11}},
+                                                    {.level = {.interface = 1, .relative_displacement_m = 0.17}}};
     for (int round = 0; round < 4; round++) {
         const bool map = round >= 2, turned = round == 3, beyond = round == 1;
         struct sample *s = malloc(sizeof *s);
         fill(s, map ? 2 : 1);
         s->table.need = need;
-        need[1].relative_displacement_m = beyond ? 0.4 : 0.17;
+        need[1].level.relative_displacement_m = beyond ? 0.4 : 0.17;
         if (turned) {
             strcpy(s->axis[0].key, "bumper.cavity");
             strcpy(s->axis[1].key, "gap");

@@ -421,9 +421,9 @@ START_TEST(a_suite_holds_what_the_rows_say)
     double most = 0, drift = 0, ratio = NAN;
     for (int i = 0; i < n; i++)
         if (row[i].which == THUD_CASE_BUMPER && row[i].structure == 1) {
-            most = row[i].floor > 0 ? fmax(most, row[i].acceleration_mps2) : most;
-            drift = row[i].floor > 0 ? fmax(drift, row[i].drift_m) : drift;
-            ratio = row[i].floor == 0 ? row[i].acceleration_ratio : ratio;
+            most = row[i].floor > 0 ? fmax(most, row[i].of[THUD_SWEEP_ACCELERATION]) : most;
+            drift = row[i].floor > 0 ? fmax(drift, row[i].of[THUD_SWEEP_DRIFT]) : drift;
+            ratio = row[i].floor == 0 ? row[i].of[THUD_SWEEP_ACCELERATION_RATIO] : ratio;
         }
     ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_ACCELERATION, 1) == most);
     ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_DRIFT, 1) == drift);

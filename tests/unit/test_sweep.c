@@ -100,21 +100,23 @@ START_TEST(rows_are_those_of_single_runs)
             }
             ck_assert_int_eq(row[i].which, which[k]);
             ck_assert_int_eq(row[i].floor, 0);
-            ck_assert_double_eq_tol(row[i].acceleration_mps2, sum[k] / n, 1e-12 * sum[k]);
-            ck_assert_double_eq_tol(row[i].acceleration_ratio, sum[k] / sum[2], 1e-13);
-            ck_assert_double_eq_tol(row[i].drift_ratio, drift[k] / drift[2], 1e-13);
-            ck_assert_double_eq_tol(row[i].drift_free_ratio, drift[k] / drift[3], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_ACCELERATION], sum[k] / n, 1e-12 * sum[k]);
+            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_ACCELERATION_RATIO], sum[k] / sum[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_DRIFT_RATIO], drift[k] / drift[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_DRIFT_FREE_RATIO], drift[k] / drift[3], 1e-13);
             i++;
             for (int f = 0; f < n; f++, i++) {
                 ck_assert_int_eq(row[i].structure, s);
                 ck_assert_int_eq(row[i].floor, f + 1);
                 ck_assert(row[i].gap_m == 0.06 && row[i].value[0] == 0.06);
-                ck_assert(row[i].acceleration_mps2 == floor[k][f].acceleration.value);
-                ck_assert(row[i].drift_m == floor[k][f].drift.value);
-                ck_assert(row[i].displacement_m == floor[k][f].displacement.value);
-                ck_assert(row[i].acceleration_ratio == floor[k][f].acceleration.value / floor[2][f].acceleration.value);
-                ck_assert(row[i].displacement_ratio == floor[k][f].displacement.value / floor[2][f].displacement.value);
-                ck_assert(row[i].acceleration_free_ratio ==
+                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION] == floor[k][f].acceleration.value);
+                ck_assert(row[i].of[THUD_SWEEP_DRIFT] == floor[k][f].drift.value);
+                ck_assert(row[i].of[THUD_SWEEP_DISPLACEMENT] == floor[k][f].displacement.value);
+                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION_RATIO] ==
+                          floor[k][f].acceleration.value / floor[2][f].acceleration.value);
+                ck_assert(row[i].of[THUD_SWEEP_DISPLACEMENT_RATIO] ==
+                          floor[k][f].displacement.value / floor[2][f].displacement.value);
+                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION_FREE_RATIO] ==
                           floor[k][f].acceleration.value / floor[3][f].acceleration.value);
             }
         }
@@ -157,16 +159,19 @@ START_TEST(ratios_by_hand)
                                      .floor = floor};
     struct thud_sweep_row row[6];
     ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 6);
-    ck_assert(row[0].acceleration_mps2 == 5 && row[0].acceleration_ratio == 1);
-    ck_assert(row[3].acceleration_mps2 == 3.5 && row[3].acceleration_ratio == 0.7);
-    ck_assert(row[4].acceleration_ratio == 1.5 && row[5].acceleration_ratio == 0.5);
-    ck_assert(row[4].drift_ratio == 2 && isnan(row[5].drift_ratio));
-    ck_assert(row[4].displacement_free_ratio == 0.5 && row[5].acceleration_free_ratio == 0.25);
-    ck_assert(row[0].ductility == 4 && row[0].excursions == 5 && row[0].hysteretic_j == 600);
-    ck_assert_double_eq_tol(row[0].permanent_m, 0.03, 1e-17); /* of the sizes */
-    ck_assert(row[1].permanent_m == -0.02 && row[2].ductility == 5);
-    ck_assert(row[3].ductility == 7 && row[3].permanent_m == 0.03 && row[4].permanent_m == -0.03);
-    ck_assert(isnan(row[5].ductility) && isnan(row[5].hysteretic_j));
+    ck_assert(row[0].of[THUD_SWEEP_ACCELERATION] == 5 && row[0].of[THUD_SWEEP_ACCELERATION_RATIO] == 1);
+    ck_assert(row[3].of[THUD_SWEEP_ACCELERATION] == 3.5 && row[3].of[THUD_SWEEP_ACCELERATION_RATIO] == 0.7);
+    ck_assert(row[4].of[THUD_SWEEP_ACCELERATION_RATIO] == 1.5 && row[5].of[THUD_SWEEP_ACCELERATION_RATIO] == 0.5);
+    ck_assert(row[4].of[THUD_SWEEP_DRIFT_RATIO] == 2 && isnan(row[5].of[THUD_SWEEP_DRIFT_RATIO]));
+    ck_assert(row[4].of[THUD_SWEEP_DISPLACEMENT_FREE_RATIO] == 0.5 &&
+              row[5].of[THUD_SWEEP_ACCELERATION_FREE_RATIO] == 0.25);
+    ck_assert(row[0].of[THUD_SWEEP_DUCTILITY] == 4 && row[0].of[THUD_SWEEP_EXCURSIONS] == 5 &&
+              row[0].of[THUD_SWEEP_HYSTERETIC] == 600);
+    ck_assert_double_eq_tol(row[0].of[THUD_SWEEP_PERMANENT], 0.03, 1e-17); /* of the sizes */
+    ck_assert(row[1].of[THUD_SWEEP_PERMANENT] == -0.02 && row[2].of[THUD_SWEEP_DUCTILITY] == 5);
+    ck_assert(row[3].of[THUD_SWEEP_DUCTILITY] == 7 && row[3].of[THUD_SWEEP_PERMANENT] == 0.03 &&
+              row[4].of[THUD_SWEEP_PERMANENT] == -0.03);
+    ck_assert(isnan(row[5].of[THUD_SWEEP_DUCTILITY]) && isnan(row[5].of[THUD_SWEEP_HYSTERETIC]));
     point.effort[1].status = THUD_DIVERGED; /* no result, no row */
     ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 3);
 }
@@ -332,15 +337,18 @@ START_TEST(needed_gap_is_where_contacts_end)
     ck_assert_int_eq(thud_sweep_need_rows(plan, point, need), 4);
     double widest = 0, low = 0, high = 1;
     for (int c = 0; c < 4; c++) {
-        widest = fmax(widest, need[c].relative_displacement_m);
-        ck_assert_double_le(need[c].relative_displacement_m, need[c].abs_m * (1 + 1e-12));
-        ck_assert(need[c].abs_m == need[c].left_m + need[c].right_m);
-        ck_assert_double_eq_tol(need[c].srss_m, sqrt(pow(need[c].left_m, 2) + pow(need[c].right_m, 2)), 1e-15);
-        ck_assert_double_lt(need[c].ddc_m, need[c].srss_m);
-        ck_assert_int_eq(need[c].left_floor, c + 1);
+        widest = fmax(widest, need[c].level.relative_displacement_m);
+        ck_assert_double_le(need[c].level.relative_displacement_m,
+                            thud_gap_value(&need[c].level, THUD_GAP_ABS) * (1 + 1e-12));
+        ck_assert(thud_gap_value(&need[c].level, THUD_GAP_ABS) == need[c].level.left_m + need[c].level.right_m);
+        ck_assert_double_eq_tol(thud_gap_value(&need[c].level, THUD_GAP_SRSS),
+                                sqrt(pow(need[c].level.left_m, 2) + pow(need[c].level.right_m, 2)), 1e-15);
+        ck_assert_double_lt(thud_gap_value(&need[c].level, THUD_GAP_DDC),
+                            thud_gap_value(&need[c].level, THUD_GAP_SRSS));
+        ck_assert_int_eq(need[c].level.left_floor, c + 1);
     }
     /* periods of model.md, section 5 */
-    ck_assert_double_eq_tol(need[0].correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
+    ck_assert_double_eq_tol(need[0].level.correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
     for (int i = 0; i < 40; i++) {
         double middle = 0.5 * (low + high);
         if (in_contact(middle))

@@ -69,11 +69,12 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
             if (row[i].floor == 0)
                 continue;
             ck_assert_int_eq(row[i].which, which);
-            ck_assert_double_eq_tol(reach(row[i].low[THUD_SWEEP_ACCELERATION], row[i].acceleration_mps2,
+            ck_assert_double_eq_tol(reach(row[i].low[THUD_SWEEP_ACCELERATION], row[i].of[THUD_SWEEP_ACCELERATION],
                                           row[i].high[THUD_SWEEP_ACCELERATION]),
                                     thud_spread_most(&s->floor[floor][0]), 1e-12);
-            ck_assert_double_eq_tol(reach(row[i].low[THUD_SWEEP_DRIFT], row[i].drift_m, row[i].high[THUD_SWEEP_DRIFT]),
-                                    thud_spread_most(&s->floor[floor][3]), 1e-12);
+            ck_assert_double_eq_tol(
+                reach(row[i].low[THUD_SWEEP_DRIFT], row[i].of[THUD_SWEEP_DRIFT], row[i].high[THUD_SWEEP_DRIFT]),
+                thud_spread_most(&s->floor[floor][3]), 1e-12);
             floor++;
         }
         for (int c = 0; c < 4; c++) {
@@ -109,8 +110,8 @@ START_TEST(ratios_are_of_runs_changed_alike)
     for (int i = 0; i < n; i++) {
         ck_assert(row[i].low[THUD_SWEEP_ACCELERATION_RATIO] == 1 && row[i].high[THUD_SWEEP_ACCELERATION_RATIO] == 1);
         ck_assert(row[i].low[THUD_SWEEP_DRIFT_FREE_RATIO] == 1 && row[i].high[THUD_SWEEP_DRIFT_FREE_RATIO] == 1);
-        ck_assert(row[i].low[THUD_SWEEP_DRIFT] <= row[i].drift_m * (1 - change) * (1 + 1e-9));
-        ck_assert(row[i].high[THUD_SWEEP_DRIFT] >= row[i].drift_m * (1 + change) * (1 - 1e-9));
+        ck_assert(row[i].low[THUD_SWEEP_DRIFT] <= row[i].of[THUD_SWEEP_DRIFT] * (1 - change) * (1 + 1e-9));
+        ck_assert(row[i].high[THUD_SWEEP_DRIFT] >= row[i].of[THUD_SWEEP_DRIFT] * (1 + change) * (1 - 1e-9));
     }
     free(point);
 }

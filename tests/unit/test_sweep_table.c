@@ -98,8 +98,9 @@ static void check_storeys(const struct thud_sweep_summary *d, const struct thud_
             double ductility = -1, permanent = -1;
             for (int i = 0; i < n; i++)
                 if (row[i].which == d->run[k].which && row[i].structure == s && row[i].floor > 0) {
-                    ductility = row[i].ductility > ductility ? row[i].ductility : ductility;
-                    permanent = fmax(permanent, fabs(row[i].permanent_m));
+                    ductility =
+                        row[i].of[THUD_SWEEP_DUCTILITY] > ductility ? row[i].of[THUD_SWEEP_DUCTILITY] : ductility;
+                    permanent = fmax(permanent, fabs(row[i].of[THUD_SWEEP_PERMANENT]));
                 }
             const struct thud_sweep_storeys *x = thud_sweep_summary_storeys(d, k, 3, s, THUD_SWEEP_VALUE);
             ck_assert(ductility < 0 ? isnan(x->ductility) : x->ductility == ductility);
@@ -125,7 +126,8 @@ static void check_rows(const struct thud_sweep_summary *d)
                 ck_assert_int_eq(r && spread, thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH) != NULL);
                 if (!r)
                     continue;
-                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->acceleration_ratio, r->drift_ratio);
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->of[THUD_SWEEP_ACCELERATION_RATIO],
+                     r->of[THUD_SWEEP_DRIFT_RATIO]);
                 if (!spread)
                     continue;
                 same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW), r->low[THUD_SWEEP_ACCELERATION_RATIO],
@@ -238,7 +240,7 @@ START_TEST(a_collector_keeps_points_and_the_widest_need)
     }
     for (int r = 0; r < 2; r++) {
         ck_assert_int_eq(c.table.need[r].record, r);
-        ck_assert(c.table.need[r].interface == 1 && c.table.need[r].relative_displacement_m == widest[r]);
+        ck_assert(c.table.need[r].level.interface == 1 && c.table.need[r].level.relative_displacement_m == widest[r]);
     }
     thud_sweep_collector_clear(&c);
 }

@@ -17,12 +17,11 @@ void thud_axis_cells(const struct thud_sweep_plan *plan, const bool *shown, cons
 
 /* What a level needs under a ground motion, beside what rules ask for. */
 struct thud_need_fields {
-    const char *record;
-    int interface, left_floor, right_floor;
-    const char *struck;
-    double left_m, right_m, correlation;
+    const char *record, *struck;
+    struct thud_gap_level level;
     double rule[THUD_GAP_RULES + 1]; /* from THUD_GAP_EXACT on */
 };
+struct thud_need_fields thud_need_fields_of(const struct thud_gap_level *level, const char *record);
 enum { THUD_NEED_RECORD = 1, THUD_NEED_CODES = 2 }; /* marks: with the ground motion, with the rules of every code */
 
 enum thud_sweep_csv { THUD_SWEEP_CSV_FLOORS, THUD_SWEEP_CSV_CONTACTS, THUD_SWEEP_CSV_NEEDS, THUD_SWEEP_CSVS };

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
 /* A varied key with its values, in the order in which they are run. */
@@ -17,22 +18,25 @@ struct thud_sweep_axis {
     double period_s;             /* of a spectral acceleration; NaN: the mean first period of each point's buildings */
 };
 
-/* What a row measures, in the order of its fields. */
+/* What a row measures. */
 enum thud_sweep_measure {
-    THUD_SWEEP_ACCELERATION,
-    THUD_SWEEP_DRIFT,
-    THUD_SWEEP_DISPLACEMENT,
+    THUD_SWEEP_ACCELERATION, /* m/s2 */
+    THUD_SWEEP_DRIFT,        /* m */
+    THUD_SWEEP_DISPLACEMENT, /* m */
+    /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
+     * has no result. */
     THUD_SWEEP_ACCELERATION_RATIO,
     THUD_SWEEP_DRIFT_RATIO,
     THUD_SWEEP_DISPLACEMENT_RATIO,
+    /* Over no pounding at all. */
     THUD_SWEEP_ACCELERATION_FREE_RATIO,
     THUD_SWEEP_DRIFT_FREE_RATIO,
     THUD_SWEEP_DISPLACEMENT_FREE_RATIO,
-    /* of a storey that yields */
+    /* Of the storey below the floor where it yields (floor 0: means of the sizes over those that do); NaN: elastic. */
     THUD_SWEEP_DUCTILITY,
-    THUD_SWEEP_PERMANENT,
-    THUD_SWEEP_EXCURSIONS,
-    THUD_SWEEP_HYSTERETIC,
+    THUD_SWEEP_PERMANENT,  /* drift at which it carries no force, m */
+    THUD_SWEEP_EXCURSIONS, /* how many times it yielded */
+    THUD_SWEEP_HYSTERETIC, /* energy lost, J */
     THUD_SWEEP_MEASURES
 };
 
@@ -43,15 +47,7 @@ struct thud_sweep_row {
     double value[THUD_VARY_MAX]; /* of the varied keys */
     int structure;               /* from 0 */
     int floor;                   /* from 1; 0: the mean over the structure's floors */
-    double acceleration_mps2, drift_m, displacement_m;
-    /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
-     * has no result. */
-    double acceleration_ratio, drift_ratio, displacement_ratio;
-    /* Over no pounding at all. */
-    double acceleration_free_ratio, drift_free_ratio, displacement_free_ratio;
-    /* Of the storey below the floor where it yields (floor 0: means of the sizes over those that do); NaN: elastic.
-     * Ductility, drift at which it carries no force, how many times it yielded, energy lost. */
-    double ductility, permanent_m, excursions, hysteretic_j;
+    double of[THUD_SWEEP_MEASURES];
     /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
      * was asked for or one of the runs has no result. */
     double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
@@ -82,10 +78,5 @@ struct thud_sweep_need_row {
     int record;
     double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
                                     point */
-    int interface, left_floor, right_floor;
-    int struck;                     /* whose columns; 0: floors meet */
-    double left_m, right_m;         /* largest displacement of each side */
-    double relative_displacement_m; /* largest relative displacement: a clearance this wide is never used up */
-    double abs_m, srss_m, ddc_m, en1998_m, asce7_m; /* by enum thud_gap_rule */
-    double correlation;                             /* of ddc */
+    struct thud_gap_level level;
 };

@@ -198,7 +198,7 @@ static void needs(const struct thud_paper_study *study, struct thud_document *d)
     const struct thud_sweep_table *table = study->table;
     bool any = false;
     for (int r = 0; r < table->nrecords; r++)
-        any |= table->need && table->need[r].interface > 0;
+        any |= table->need && table->need[r].level.interface > 0;
     if (!any)
         return;
     thud_document_heading(d, "Required gap");
@@ -209,12 +209,14 @@ static void needs(const struct thud_paper_study *study, struct thud_document *d)
     thud_document_table(d, "Required gap, cm");
     thud_document_head(d, "ground motion|floor|required|ABS|SRSS|DDC");
     for (int r = 0; r < table->nrecords; r++) {
-        const struct thud_sweep_need_row *most = &table->need[r];
+        const struct thud_gap_level *most = &table->need[r].level;
         if (most->interface <= 0)
             continue;
         thud_document_line(d, "%s\t%d\t%.1f\t%.1f\t%.1f\t%.1f", table->record[r], most->left_floor,
-                           thud_summary_gap_cm(most->relative_displacement_m), thud_summary_gap_cm(most->abs_m),
-                           thud_summary_gap_cm(most->srss_m), thud_summary_gap_cm(most->ddc_m));
+                           thud_summary_gap_cm(most->relative_displacement_m),
+                           thud_summary_gap_cm(thud_gap_value(most, THUD_GAP_ABS)),
+                           thud_summary_gap_cm(thud_gap_value(most, THUD_GAP_SRSS)),
+                           thud_summary_gap_cm(thud_gap_value(most, THUD_GAP_DDC)));
     }
 }
 

@@ -285,21 +285,6 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     return status;
 }
 
-static struct thud_need_fields need_of(const struct thud_gap_level *l, const char *record)
-{
-    struct thud_need_fields row = {.record = record,
-                                   .interface = l->interface,
-                                   .left_floor = l->left_floor,
-                                   .right_floor = l->right_floor,
-                                   .struck = thud_struck_name(l->struck),
-                                   .left_m = l->left_m,
-                                   .right_m = l->right_m,
-                                   .correlation = l->correlation};
-    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
-        row.rule[rule + 1] = thud_gap_value(l, rule);
-    return row;
-}
-
 void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out)
 {
     struct thud_part part = {&thud_need_schema, THUD_NEED_RECORD | THUD_NEED_CODES, NULL};
@@ -307,7 +292,7 @@ void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_l
     for (int r = 0; r < study->suite.nrecords; r++)
         for (int i = 0; i < study->gap[r]->nlevels; i++) {
             const struct thud_need_fields row =
-                need_of(&study->gap[r]->level[i], r < records->n ? records->record[r]->file : "");
+                thud_need_fields_of(&study->gap[r]->level[i], r < records->n ? records->record[r]->file : "");
             part.row = &row;
             thud_parts_csv(&part, 1, out);
         }
@@ -394,7 +379,7 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
             thud_text_append(out, "null");
         thud_text_append(out, ", \"levels\": [");
         for (int i = 0; i < suite->gap[r]->nlevels; i++) {
-            const struct thud_need_fields row = need_of(&suite->gap[r]->level[i], NULL);
+            const struct thud_need_fields row = thud_need_fields_of(&suite->gap[r]->level[i], NULL);
             thud_text_append(out, "%s\n    {", i ? "," : "");
             thud_json_members(&thud_need_schema, THUD_NEED_CODES, &row, out);
             thud_text_append(out, "}");

@@ -96,25 +96,27 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
                      struct thud_text *out)
 {
     const struct thud_sweep_need_row *worst = table->need ? &table->need[record] : NULL;
-    if (!worst || worst->interface == 0)
+    if (!worst || worst->level.interface == 0)
         return;
     const struct thud_sweep_need_row *least = worst + table->nrecords;
     char interface[24] = "", pair[40], at[PLACE];
+    const double ddc_m = thud_gap_value(&worst->level, THUD_GAP_DDC);
     bool varies = thud_sweep_points(plan) > thud_sweep_points_per_group(plan) * table->nrecords;
     if (table->nstructures > 2)
-        snprintf(interface, sizeof interface, "interface %d, ", worst->interface);
-    thud_contact_pair_name(worst->left_floor, worst->right_floor, worst->struck, pair, sizeof pair);
-    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)", thud_table_gap_cm(worst->relative_displacement_m),
-                     interface, pair);
+        snprintf(interface, sizeof interface, "interface %d, ", worst->level.interface);
+    thud_contact_pair_name(worst->level.left_floor, worst->level.right_floor, worst->level.struck, pair, sizeof pair);
+    thud_text_append(out, "  required gap %.2f cm (%sfloors %s)",
+                     thud_table_gap_cm(worst->level.relative_displacement_m), interface, pair);
     if (varies)
         thud_text_append(out, " at %s", place(plan, plan->nouter, worst->value, -1, true, at));
-    thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(worst->abs_m), thud_table_gap_cm(worst->srss_m));
-    if (!isnan(worst->ddc_m)) /* where storeys yield it has no value */
-        thud_text_append(out, ", DDC %.2f", thud_table_gap_cm(worst->ddc_m));
+    thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_ABS)),
+                     thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_SRSS)));
+    if (!isnan(ddc_m)) /* where storeys yield it has no value */
+        thud_text_append(out, ", DDC %.2f", thud_table_gap_cm(ddc_m));
     thud_text_append(out, " cm\n");
     if (varies)
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
-                         thud_table_gap_cm(least->relative_displacement_m),
+                         thud_table_gap_cm(least->level.relative_displacement_m),
                          place(plan, plan->nouter, least->value, -1, true, at));
 }
 

@@ -48,13 +48,15 @@ static enum thud_status add_needs(struct thud_sweep_collector *c, const struct t
     n = row ? thud_sweep_need_rows(plan, point, row) : 0;
     int decides = 0;
     for (int i = 1; i < n; i++)
-        if (row[i].relative_displacement_m > row[decides].relative_displacement_m)
+        if (row[i].level.relative_displacement_m > row[decides].level.relative_displacement_m)
             decides = i;
     if (n > 0) {
         struct thud_sweep_need_row *most = &c->need[row[decides].record], *least = most + c->table.nrecords;
-        if (most->interface == 0 || row[decides].relative_displacement_m > most->relative_displacement_m)
+        if (most->level.interface == 0 ||
+            row[decides].level.relative_displacement_m > most->level.relative_displacement_m)
             *most = row[decides];
-        if (least->interface == 0 || row[decides].relative_displacement_m < least->relative_displacement_m)
+        if (least->level.interface == 0 ||
+            row[decides].level.relative_displacement_m < least->level.relative_displacement_m)
             *least = row[decides];
     }
     free(row);

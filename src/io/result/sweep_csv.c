@@ -66,18 +66,18 @@ static const struct thud_column floors[] = {
     {FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m.")},
     {FLOOR(structure, "structure", "Name of the structure.")},
     {FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors.")},
-    {FLOOR(own.acceleration_mps2, "acceleration_mps2",
+    {FLOOR(own.of[THUD_SWEEP_ACCELERATION], "acceleration_mps2",
            "Peak of the total acceleration, m/s2; empty on a floor struck by impulses, and so is the mean over its "
            "structure.")},
-    {FLOOR(own.drift_m, "drift_m", "Peak of the drift, m.")},
-    {FLOOR(own.displacement_m, "displacement_m", "Peak of the displacement relative to the ground, m.")},
-    {FLOOR(own.acceleration_ratio, "acceleration_ratio", "Over that of case none at the same values.")},
-    {FLOOR(own.drift_ratio, "drift_ratio", "Likewise.")},
-    {FLOOR(own.displacement_ratio, "displacement_ratio", "Likewise.")},
-    {FLOOR(own.acceleration_free_ratio, "acceleration_free_ratio",
+    {FLOOR(own.of[THUD_SWEEP_DRIFT], "drift_m", "Peak of the drift, m.")},
+    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT], "displacement_m", "Peak of the displacement relative to the ground, m.")},
+    {FLOOR(own.of[THUD_SWEEP_ACCELERATION_RATIO], "acceleration_ratio", "Over that of case none at the same values.")},
+    {FLOOR(own.of[THUD_SWEEP_DRIFT_RATIO], "drift_ratio", "Likewise.")},
+    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT_RATIO], "displacement_ratio", "Likewise.")},
+    {FLOOR(own.of[THUD_SWEEP_ACCELERATION_FREE_RATIO], "acceleration_free_ratio",
            "Over that without pounding, the structures being alone.")},
-    {FLOOR(own.drift_free_ratio, "drift_free_ratio", "Likewise.")},
-    {FLOOR(own.displacement_free_ratio, "displacement_free_ratio", "Likewise.")},
+    {FLOOR(own.of[THUD_SWEEP_DRIFT_FREE_RATIO], "drift_free_ratio", "Likewise.")},
+    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT_FREE_RATIO], "displacement_free_ratio", "Likewise.")},
     ENDS(THUD_SWEEP_ACCELERATION, "acceleration", "_mps2", ", m/s2"),
     ENDS(THUD_SWEEP_DRIFT, "drift", "_m", ", m"),
     ENDS(THUD_SWEEP_DISPLACEMENT, "displacement", "_m", ", m"),
@@ -95,14 +95,14 @@ const struct thud_schema thud_sweep_floor_schema =
                 floors);
 
 static const struct thud_column storeys[] = {
-    {FLOOR(own.ductility, "ductility",
+    {FLOOR(own.of[THUD_SWEEP_DUCTILITY], "ductility",
            "Peak drift of the storey below the floor over that at which it yields; this and the following are empty "
            "for an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the "
            "same storey is that of the drifts.")},
-    {FLOOR(own.permanent_m, "permanent_m",
+    {FLOOR(own.of[THUD_SWEEP_PERMANENT], "permanent_m",
            "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes.")},
-    {FLOOR(own.excursions, "excursions", "How many times it yielded.")},
-    {FLOOR(own.hysteretic_j, "hysteretic_j", "Energy lost in it, J.")},
+    {FLOOR(own.of[THUD_SWEEP_EXCURSIONS], "excursions", "How many times it yielded.")},
+    {FLOOR(own.of[THUD_SWEEP_HYSTERETIC], "hysteretic_j", "Energy lost in it, J.")},
     ENDS(THUD_SWEEP_DUCTILITY, "ductility", "", ""),
     ENDS(THUD_SWEEP_PERMANENT, "permanent", "_m", ", m"),
     ENDS(THUD_SWEEP_EXCURSIONS, "excursions", "", ""),
@@ -159,18 +159,18 @@ enum { MOMENTS = 2 }; /* behind the varied keys */
 
 static const struct thud_column needs[] = {
     {NEED(record, "record", "Ground motion, as it was given."), .only = THUD_NEED_RECORD},
-    {NEED(interface, "interface", "Number of the interface.")},
-    {NEED(left_floor, "left_floor", "Floor on its left.")},
-    {NEED(right_floor, "right_floor", "Floor on its right.")},
-    {NEED(left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
-    {NEED(right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
+    {NEED(level.interface, "interface", "Number of the interface.")},
+    {NEED(level.left_floor, "left_floor", "Floor on its left.")},
+    {NEED(level.right_floor, "right_floor", "Floor on its right.")},
+    {NEED(level.left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
+    {NEED(level.right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
     {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Required gap: how far the two close, m.")},
     {RULE(THUD_GAP_ABS, "abs_m", "Sum of both peaks, m.")},
     {RULE(THUD_GAP_SRSS, "srss_m", "Root of the sum of their squares, m.")},
     {RULE(THUD_GAP_DDC, "ddc_m", "Double difference combination, m; no value where storeys yield.")},
     {RULE(THUD_GAP_EN1998, "en1998_m", "What EN 1998-1 4.4.2.7 asks for, m.")},
     {RULE(THUD_GAP_ASCE7, "asce7_m", "What ASCE 7-16 12.12.3 asks for, m.")},
-    {NEED(correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
+    {NEED(level.correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
     {NEED(struck, "struck_columns",
           "left or right where a slab faces that structure's columns, whose place between the floors counts; otherwise "
           "empty.")},
@@ -190,6 +190,14 @@ const struct thud_schema thud_need_schema =
                 "two floors just do not touch, and what rules of combination\nmake of it: a row for each ground motion "
                 "and pair of floors.\nOf a sweep varied keys that change the motion without pounding follow.\n",
                 needs);
+
+struct thud_need_fields thud_need_fields_of(const struct thud_gap_level *level, const char *record)
+{
+    struct thud_need_fields row = {.record = record, .struck = thud_struck_name(level->struck), .level = *level};
+    for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++)
+        row.rule[rule + 1] = thud_gap_value(level, rule);
+    return row;
+}
 
 /* ---- of a plan ---- */
 
@@ -276,16 +284,8 @@ static void row_of(const struct form *form, union rows rows, int i, struct thud_
             record_of(form->plan, r->record), thud_case_name(r->which), thud_struck_name(r->struck), *r};
     } else {
         const struct thud_sweep_need_row *r = &rows.need[i];
-        *(struct thud_need_fields *)(void *)out->bytes = (struct thud_need_fields){
-            record_of(form->plan, r->record),
-            r->interface,
-            r->left_floor,
-            r->right_floor,
-            thud_struck_name(r->struck),
-            r->left_m,
-            r->right_m,
-            r->correlation,
-            {r->relative_displacement_m, r->abs_m, r->srss_m, r->ddc_m, r->en1998_m, r->asce7_m}};
+        *(struct thud_need_fields *)(void *)out->bytes =
+            thud_need_fields_of(&r->level, record_of(form->plan, r->record));
     }
 }
 

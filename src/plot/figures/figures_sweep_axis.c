@@ -162,8 +162,8 @@ static double free_gap(const struct thud_sweep_table *table, int varied)
     if (strncmp(axis->key, "interfaces.", 11) == 0 && strcmp(axis->key + strlen(axis->key) - 4, ".gap") == 0)
         interface = atoi(axis->key + 11);
     for (int r = 0; r < motions; r++)
-        if (interface > 0 && table->need[r].interface == interface)
-            widest = fmax(widest, table->need[r].relative_displacement_m);
+        if (interface > 0 && table->need[r].level.interface == interface)
+            widest = fmax(widest, table->need[r].level.relative_displacement_m);
     return widest >= axis->value[0] && widest <= axis->value[axis->n - 1] ? widest : NAN;
 }
 

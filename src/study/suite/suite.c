@@ -184,8 +184,8 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
         for (int i = 0; i < n; i++)
             if (row[i].which == point->which[k] && row[i].floor == 0) {
                 double *to = value + OF_STRUCTURE * row[i].structure;
-                to[THUD_SUITE_ACCELERATION_RATIO] = row[i].acceleration_ratio;
-                to[THUD_SUITE_DRIFT_RATIO] = row[i].drift_ratio;
+                to[THUD_SUITE_ACCELERATION_RATIO] = row[i].of[THUD_SWEEP_ACCELERATION_RATIO];
+                to[THUD_SUITE_DRIFT_RATIO] = row[i].of[THUD_SWEEP_DRIFT_RATIO];
             }
     }
     free(row);

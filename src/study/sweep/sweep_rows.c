@@ -99,22 +99,9 @@ static void widen(double *low, double *high, double value)
 static void fill_row(struct thud_sweep_row *row, const struct where *w)
 {
     double m[THUD_SWEEP_MEASURES];
-    measure(w, 0, m);
-    row->acceleration_mps2 = m[THUD_SWEEP_ACCELERATION];
-    row->drift_m = m[THUD_SWEEP_DRIFT];
-    row->displacement_m = m[THUD_SWEEP_DISPLACEMENT];
-    row->acceleration_ratio = m[THUD_SWEEP_ACCELERATION_RATIO];
-    row->drift_ratio = m[THUD_SWEEP_DRIFT_RATIO];
-    row->displacement_ratio = m[THUD_SWEEP_DISPLACEMENT_RATIO];
-    row->acceleration_free_ratio = m[THUD_SWEEP_ACCELERATION_FREE_RATIO];
-    row->drift_free_ratio = m[THUD_SWEEP_DRIFT_FREE_RATIO];
-    row->displacement_free_ratio = m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO];
-    row->ductility = m[THUD_SWEEP_DUCTILITY];
-    row->permanent_m = m[THUD_SWEEP_PERMANENT];
-    row->excursions = m[THUD_SWEEP_EXCURSIONS];
-    row->hysteretic_j = m[THUD_SWEEP_HYSTERETIC];
+    measure(w, 0, row->of);
     for (int q = 0; q < THUD_SWEEP_MEASURES; q++)
-        row->low[q] = row->high[q] = w->point->nvariants > 1 ? m[q] : NAN;
+        row->low[q] = row->high[q] = w->point->nvariants > 1 ? row->of[q] : NAN;
     for (int v = 1; v < w->point->nvariants; v++) {
         measure(w, v, m);
         for (int q = 0; q < THUD_SWEEP_MEASURES; q++)
@@ -191,20 +178,7 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
     if (point->index % thud_sweep_points_per_group(plan) != 0)
         return 0;
     for (int c = 0; row && c < point->ncontacts; c++) {
-        const struct thud_gap_level *x = &point->level[c];
-        row[c] = (struct thud_sweep_need_row){.interface = x->interface,
-                                              .left_floor = x->left_floor,
-                                              .right_floor = x->right_floor,
-                                              .struck = x->struck,
-                                              .left_m = x->left_m,
-                                              .right_m = x->right_m,
-                                              .relative_displacement_m = x->relative_displacement_m,
-                                              .abs_m = thud_gap_value(x, THUD_GAP_ABS),
-                                              .srss_m = thud_gap_value(x, THUD_GAP_SRSS),
-                                              .ddc_m = thud_gap_value(x, THUD_GAP_DDC),
-                                              .en1998_m = thud_gap_value(x, THUD_GAP_EN1998),
-                                              .asce7_m = thud_gap_value(x, THUD_GAP_ASCE7),
-                                              .correlation = x->correlation};
+        row[c].level = point->level[c];
         row[c].record = fill_values(plan, point->index, row[c].value);
     }
     return point->ncontacts;

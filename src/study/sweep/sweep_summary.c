@@ -46,14 +46,11 @@ static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row
 {
     struct thud_sweep_ratio *to = d->ratio;
     for (int i = 0; i < d->nruns * d->nrows; i++, row++) {
-        *to++ = (struct thud_sweep_ratio){row->acceleration_ratio, row->drift_ratio, row->acceleration_free_ratio,
-                                          row->drift_free_ratio};
-        if (!d->spread)
-            continue;
-        for (const double *end = row->low; end; end = end == row->low ? row->high : NULL)
-            *to++ =
-                (struct thud_sweep_ratio){end[THUD_SWEEP_ACCELERATION_RATIO], end[THUD_SWEEP_DRIFT_RATIO],
-                                          end[THUD_SWEEP_ACCELERATION_FREE_RATIO], end[THUD_SWEEP_DRIFT_FREE_RATIO]};
+        const double *const of[] = {row->of, row->low, row->high};
+        for (int end = 0; end < (d->spread ? 3 : 1); end++)
+            *to++ = (struct thud_sweep_ratio){of[end][THUD_SWEEP_ACCELERATION_RATIO], of[end][THUD_SWEEP_DRIFT_RATIO],
+                                              of[end][THUD_SWEEP_ACCELERATION_FREE_RATIO],
+                                              of[end][THUD_SWEEP_DRIFT_FREE_RATIO]};
     }
 }
 
@@ -63,8 +60,8 @@ static void put_storeys(struct thud_sweep_summary *d, int nstructures, const str
         for (int s = 0; s < nstructures; s++) {
             struct thud_sweep_storeys most = {NAN, NAN};
             for (int i = d->first[s] + 1; i < d->first[s + 1]; i++) { /* a NaN gives way */
-                most.ductility = fmax(most.ductility, row[i].ductility);
-                most.permanent_m = fmax(most.permanent_m, fabs(row[i].permanent_m));
+                most.ductility = fmax(most.ductility, row[i].of[THUD_SWEEP_DUCTILITY]);
+                most.permanent_m = fmax(most.permanent_m, fabs(row[i].of[THUD_SWEEP_PERMANENT]));
             }
             *thud_sweep_summary_storeys(d, k, nstructures, s, THUD_SWEEP_VALUE) = most;
         }
