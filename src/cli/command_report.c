@@ -48,6 +48,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_inputs_choice inputs;
     struct thud_record_list records = {0};
     struct thud_text text = {0};
+    struct thud_error no_pdf = {0};
     const char *folder = thud_args_value(args, "o");
     int threads = 0;
     (void)scene;
@@ -83,7 +84,8 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .beside = thud_args_value(args, "beside"),
                                                .drawn = thud_args_value(args, "figures"),
                                                .threads = threads,
-                                               .pdf = thud_args_has(args, "pdf"),
+                                               .pdf = !thud_args_has(args, "no-pdf"),
+                                               .no_pdf = thud_args_has(args, "pdf") ? NULL : &no_pdf,
                                                .records = &records,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,
@@ -98,7 +100,9 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (status != THUD_OK)
         return status;
     thud_text_append(&text, "%s/report.html\n%s/report.md\n", folder, folder);
-    if (options.pdf)
+    if (no_pdf.what[0] && !thud_args_has(args, "quiet"))
+        thud_cli_warn(&no_pdf);
+    if (options.pdf && !no_pdf.what[0])
         thud_text_append(&text, "%s/report.pdf\n", folder);
     return thud_cli_print_files(args, &text, err);
 }

@@ -48,7 +48,8 @@ count() { "$THUD" run "$tmp/own.yaml" --json "$@" 2>/dev/null | sed -n 's/.*"imp
 
 is "a report" report 0 "$tmp/own.yaml"
 is "names its files" [ "$(cat "$tmp/out")" = "$tmp/r/report.html
-$tmp/r/report.md" ]
+$tmp/r/report.md
+$tmp/r/report.pdf" ]
 is "the factor beside the peak, and that it is synthetic" in_text "| ground motion | surrogate for Kobe 1995, KJMA 000 (synthetic), peak 0.4 g scaled by 0.4872 |"
 is "which is the first caution" in_text "## What to know first *- The ground motion kobe-surrogate.csv is synthetic: computed, not recorded"
 cp -r "$tmp/r" "$tmp/first"
@@ -135,8 +136,16 @@ sed '/    bumper:/,$d' "$tmp/own.yaml" >"$tmp/bare.yaml"
 is "a title block" gives 0 report "$tmp/block.yaml" -o "$tmp/b" --samples 0 --checker 'C. <Checker>' --revision C
 is "has what the preset says" grep -q '^| Prepared by | A. Author |$' "$tmp/b/report.md"
 is "what the option says in its place, and room to sign" sh -c "tr '\\n' ' ' <'$tmp/b/report.md' | grep -q '| Revision | C |.*| Checked by | C. .<Checker.> | | Signature |'"
-PATH=$tmp/nothing THUD_GNUPLOT=$(command -v gnuplot) "$THUD" report "$tmp/bare.yaml" -o "$tmp/p" --samples 0 --pdf >"$tmp/out" 2>"$tmp/err"
-is "without a program that makes a PDF" [ $? -eq 6 ]
+is "the PDF is made of the page, and named" sh -c "grep -q '^%PDF-1.4 for tests' '$tmp/b/report.pdf' && grep -q '/report.pdf$' '$tmp/out'"
+is "without PDF" gives 0 report "$tmp/block.yaml" -o "$tmp/b" --samples 0 --replace --no-pdf
+is "no older one is left" sh -c "! test -e '$tmp/b/report.pdf' && ! grep -q pdf '$tmp/out'"
+bare_path() { PATH=$tmp/nothing THUD_GNUPLOT=$gnuplot "$THUD" report "$tmp/bare.yaml" -o "$tmp/p" --samples 0 "$@" >"$tmp/out" 2>"$tmp/err"; }
+gnuplot=$(command -v gnuplot)
+is "a program that makes a PDF need not be there" bare_path
+is "it is said that none is" says 'warning: report.pdf was not made: neither weasyprint nor a headless browser'
+is "not where remarks are unwanted" sh -c "PATH='$tmp/nothing' THUD_GNUPLOT='$gnuplot' '$THUD' report '$tmp/bare.yaml' -o '$tmp/p' --samples 0 --quiet 2>&1 >'$tmp/out' | diff - /dev/null"
+bare_path --pdf
+is "unless the PDF is asked for" [ $? -eq 6 ]
 is "it is said" says 'neither weasyprint nor a headless browser'
 is "and the report is there" test -s "$tmp/p/report.html"
 

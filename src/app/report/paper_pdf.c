@@ -78,6 +78,13 @@ static bool is_pdf(const char *path)
     return pdf;
 }
 
+void thud_report_pdf_remove(const char *folder)
+{
+    char pdf[PATH];
+    snprintf(pdf, sizeof pdf, "%.4000s/report.pdf", folder);
+    unlink(pdf);
+}
+
 enum thud_status thud_report_pdf(const char *folder, const atomic_int *cancel, struct thud_error *err)
 {
     char html[PATH], draft[PATH], pdf[PATH];

@@ -240,6 +240,23 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
     return status == THUD_OK ? run_second(site, err) : status;
 }
 
+static enum thud_status make_pdf(struct site *site, struct thud_error *err)
+{
+    const struct thud_site_report_options *options = site->options;
+    thud_report_pdf_remove(options->by->folder);
+    if (!options->pdf)
+        return THUD_OK;
+    tell(site, "report.pdf");
+    struct thud_error *why = options->no_pdf ? options->no_pdf : err;
+    enum thud_status status =
+        thud_report_pdf(options->by->folder, options->pictures ? options->pictures->cancel : NULL, why);
+    if (status == THUD_OUTPUT && options->no_pdf)
+        return THUD_OK;
+    if (status != THUD_OK)
+        *err = *why;
+    return status;
+}
+
 static enum thud_status deliver(struct site *site, struct thud_error *err)
 {
     const struct thud_made_by *by = site->options->by;
@@ -253,10 +270,8 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
     }
     if (status == THUD_OK)
         status = thud_document_deliver(&site->document, folder, err);
-    if (status == THUD_OK && site->options->pdf) {
-        tell(site, "report.pdf");
-        status = thud_report_pdf(folder, site->options->pictures ? site->options->pictures->cancel : NULL, err);
-    }
+    if (status == THUD_OK)
+        status = make_pdf(site, err);
     const enum thud_status kept = status == THUD_OK || status == THUD_OUTPUT ? thud_made_by_keep(by, NULL) : status;
     return status == THUD_OK ? kept : status;
 }

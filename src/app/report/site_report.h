@@ -18,14 +18,16 @@ struct thud_site_report_options {
     size_t samples;                         /* of them; 0: none are drawn */
     enum thud_sampling sampling;
     unsigned long long seed;
-    int threads; /* 0: the processors that are online */
-    bool pdf;    /* report.pdf too */
+    int threads;               /* 0: the processors that are online */
+    bool pdf;                  /* report.pdf too */
+    struct thud_error *no_pdf; /* why none could be made, where it need not be; NULL: it has to be */
     const struct thud_picture_options *pictures;
     void *context;
     void (*progress)(void *context, const char *what); /* may be NULL */
 };
 
 /* Writes report.html, which needs nothing else, and report.md with its figures (SVG) into the folder. THUD_GNUPLOT:
- * both are written, without figures. With `pdf` report.pdf too (THUD_OUTPUT where it cannot be made). Errors: THUD_INPUT, THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
+ * both are written, without figures. With `pdf` report.pdf too; one of before is removed in any case. Errors: THUD_INPUT,
+ * THUD_DIVERGED, THUD_OUTPUT, THUD_MEMORY, THUD_CANCELLED. */
 enum thud_status thud_site_report(struct thud_session *session, const struct thud_site_report_options *options,
                                   struct thud_error *err);
