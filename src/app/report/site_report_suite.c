@@ -21,14 +21,6 @@ static const double equal = 1e-9;
 
 /* ---- the runs ---- */
 
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
-{
-    struct site_suite *suite = context;
-    enum thud_status status = thud_suite_add(suite->runs, point, err);
-    free(point);
-    return status;
-}
-
 static enum thud_status make_plan(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
@@ -93,20 +85,10 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
         return THUD_OK;
     enum thud_status status = make_plan(site, err);
     if (status == THUD_OK)
-        status = thud_suite_create(&suite->plan, &suite->runs, err);
+        status = thud_sweep_suite_run(&suite->plan, site->options->threads, cancel, &suite->runs, err);
     if (status == THUD_OK && !(suite->room = malloc((size_t)suite->runs->nrecords * sizeof *suite->room)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status != THUD_OK)
-        return status;
     suite->as_given = thud_suite_setting(&suite->plan, (const int[THUD_VARY_MAX]){AS_GIVEN});
-    struct thud_sweep_jobs jobs = {.plan = &suite->plan,
-                                   .step = 1,
-                                   .count = thud_sweep_points(&suite->plan),
-                                   .threads = site->options->threads,
-                                   .cancel = cancel,
-                                   .context = suite,
-                                   .take = take};
-    status = thud_sweep_jobs_run(&jobs, err);
     if (status == THUD_OK)
         status = thud_gap_study_run(site->scene, site->options->records, NULL, cancel, &suite->gaps, err);
     if (status == THUD_OK)

@@ -42,14 +42,6 @@ static bool holds(const struct thud_solve *solve, const struct thud_solve_try *t
     return tried->n > 0 && tried->held >= solve->share * tried->n - 1e-9;
 }
 
-/* The points of a plan go to its suite. */
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
-{
-    enum thud_status status = thud_suite_add(context, point, err);
-    free(point);
-    return status;
-}
-
 static void put(struct thud_solve *solve, const struct thud_solve_try *tried)
 {
     int at = solve->n;
@@ -74,16 +66,7 @@ static enum thud_status run_values(struct thud_solve *solve, const struct thud_s
     plan.record = plan.nrecords ? (const struct thud_record *const *)records->record : NULL;
     enum thud_status status = thud_sweep_vary(&plan, axis, err);
     if (status == THUD_OK)
-        status = thud_suite_create(&plan, &suite, err);
-    if (status == THUD_OK) {
-        struct thud_sweep_jobs jobs = {.plan = &plan,
-                                       .step = 1,
-                                       .count = thud_sweep_points(&plan),
-                                       .cancel = cancel,
-                                       .context = suite,
-                                       .take = take};
-        status = thud_sweep_jobs_run(&jobs, err);
-    }
+        status = thud_sweep_suite_run(&plan, 0, cancel, &suite, err);
     if (status == THUD_OK)
         status = thud_fragility_make(suite, &ask, &counts, err);
     for (int i = 0; status == THUD_OK && i < plan.axis[0].n && solve->n < THUD_SOLVE_TRIES_MAX; i++) {

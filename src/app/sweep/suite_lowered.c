@@ -39,7 +39,7 @@ struct compared {
     const struct thud_suite *suite;
     int none, nmeasures;
     struct measure measure[MEASURES_MAX];
-    double *room; /* (nrecords) */
+    double *room; /* (nrecords), behind it */
 };
 
 /* Of a response over that of case none, of how many ground motions, and under how many it is lower. */
@@ -108,12 +108,17 @@ static void add_measure(struct compared *c, int k, long setting)
     snprintf(m->column, sizeof m->column, "%s", link || (alone && varied) ? m->name : at);
 }
 
-/* Of every case at up to three settings: the first, the middle, the last. False: there is nothing to compare. */
-static bool compare(const struct thud_suite *suite, struct compared *c)
+/* Of every case at up to three settings: the first, the middle, the last. NULL: out of memory. */
+static struct compared *compare(const struct thud_suite *suite)
 {
     const struct thud_sweep_plan *plan = suite->plan;
     const int nshown = suite->settings < SHOWN_MAX ? (int)suite->settings : SHOWN_MAX;
-    *c = (struct compared){.suite = suite, .none = -1};
+    struct compared *c = calloc(1, sizeof *c + (size_t)suite->nrecords * sizeof(double));
+    if (!c)
+        return NULL;
+    c->suite = suite;
+    c->none = -1;
+    c->room = (void *)(c + 1);
     for (int k = 0; k < plan->ncases; k++)
         c->none = plan->cases[k] == THUD_CASE_NONE ? k : c->none;
     for (int k = 0; c->none >= 0 && k < plan->ncases; k++) {
@@ -121,7 +126,7 @@ static bool compare(const struct thud_suite *suite, struct compared *c)
         for (int i = 0; k != c->none && i < (once ? 1 : nshown); i++)
             add_measure(c, k, nshown > 1 ? i * (suite->settings - 1) / (nshown - 1) : 0);
     }
-    return c->nmeasures > 0;
+    return c;
 }
 
 /* The next response of a structure, or of all of them (s -1), behind (q, s); the first: q 0 and s -2. */
@@ -233,21 +238,17 @@ static void put_bests(const struct compared *c, struct thud_text *out)
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    struct compared *c = malloc(sizeof *c);
-    double *room = malloc((size_t)suite->nrecords * sizeof *room);
-    enum thud_status status = c && room ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (status == THUD_OK && compare(suite, c)) {
-        c->room = room;
-        for (int k = 0; k < plan->ncases; k++)
-            if (k != c->none)
-                put_case(c, k, out);
-        for (int k = 0; k < plan->ncases; k++)
-            if (plan->cases[k] == THUD_CASE_LINK)
-                put_bests(c, out);
-    }
-    free(room);
+    struct compared *c = compare(suite);
+    if (!c)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int k = 0; k < plan->ncases && c->nmeasures > 0; k++)
+        if (k != c->none)
+            put_case(c, k, out);
+    for (int k = 0; k < plan->ncases && c->nmeasures > 0; k++)
+        if (plan->cases[k] == THUD_CASE_LINK)
+            put_bests(c, out);
     free(c);
-    return status;
+    return THUD_OK;
 }
 
 /* ---- the figure ---- */
@@ -303,14 +304,12 @@ static void add_rows(const struct thud_suite *suite, int rows, struct thud_panel
 
 struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
 {
-    struct compared *c = malloc(sizeof *c);
-    double *room = malloc((size_t)suite->nrecords * sizeof *room);
+    struct compared *c = compare(suite);
     struct thud_figure *figure = NULL;
     char title[96];
-    if (c && room && compare(suite, c)) {
+    if (c && c->nmeasures > 0) {
         size_t q = 0;
         int rows = 0;
-        c->room = room;
         for (int s = -2; next_response(suite, &q, &s);)
             rows++;
         snprintf(title, sizeof title, "What lowers which response, over %d ground motions", suite->nrecords);
@@ -329,7 +328,6 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
                          "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. Lines of the "
                          "shares: 90 % bands (Wilson).");
     }
-    free(room);
     free(c);
     return figure;
 }

@@ -366,3 +366,26 @@ enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct 
     thud_sweep_work_end(w);
     return status;
 }
+
+/* ---- the runs of a suite ---- */
+
+static enum thud_status add_to_suite(void *context, struct thud_sweep_point *point, struct thud_error *err)
+{
+    enum thud_status status = thud_suite_add(context, point, err);
+    free(point);
+    return status;
+}
+
+enum thud_status thud_sweep_suite_run(const struct thud_sweep_plan *plan, int threads, const atomic_int *cancel,
+                                      struct thud_suite **out, struct thud_error *err)
+{
+    enum thud_status status = thud_suite_create(plan, out, err);
+    const struct thud_sweep_jobs jobs = {.plan = plan,
+                                         .step = 1,
+                                         .count = thud_sweep_points(plan),
+                                         .threads = threads,
+                                         .cancel = cancel,
+                                         .context = *out,
+                                         .take = add_to_suite};
+    return status == THUD_OK ? thud_sweep_jobs_run(&jobs, err) : status;
+}

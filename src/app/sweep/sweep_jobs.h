@@ -4,6 +4,7 @@
 
 #include <stdatomic.h>
 
+#include "study/suite/suite.h"
 #include "study/sweep/sweep.h"
 
 struct thud_sweep_jobs {
@@ -22,6 +23,10 @@ struct thud_sweep_jobs {
 /* Errors: THUD_CANCELLED; those of `take`, which end the work; those of groups; THUD_MEMORY. What was taken before
  * stays taken. A run without a result is no error (see struct thud_sweep_effort). */
 enum thud_status thud_sweep_jobs_run(const struct thud_sweep_jobs *jobs, struct thud_error *err);
+/* All points of a plan into the runs of a suite, which it makes; `threads` and `cancel` as above. Errors: also those of
+ * thud_suite_create; *out is to be freed after one, too. */
+enum thud_status thud_sweep_suite_run(const struct thud_sweep_plan *plan, int threads, const atomic_int *cancel,
+                                      struct thud_suite **out, struct thud_error *err);
 
 /* The same work for a caller that has more to do than to wait for it, as a screen has. The plan must stay until the
  * end. Errors: THUD_MEMORY. */

@@ -60,14 +60,9 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
         if ((group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[item].kind, i)) &&
             (group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[item].law, i)))
             thud_words_add(&words, params[i].name);
-    if (group == THUD_GROUP_STRUCTURE && find_in_group(THUD_GROUP_COLUMN, "EI", 1u << scene->structure[item].kind) >= 0)
-        thud_words_add(&words, thud_group_key(THUD_GROUP_COLUMN));
-    if (group == THUD_GROUP_STRUCTURE && scene->structure[item].kind == THUD_ISOLATED)
-        thud_words_add(&words, thud_group_key(THUD_GROUP_ISOLATOR));
-    if (group == THUD_GROUP_STRUCTURE && thud_kind_is_building(scene->structure[item].kind))
-        thud_words_add(&words, thud_group_key(THUD_GROUP_FOUNDATION));
-    if (group == THUD_GROUP_STRUCTURE && scene->structure[item].kind == THUD_WALL)
-        thud_words_add(&words, thud_group_key(THUD_GROUP_BACKFILL));
+    for (int i = 0; i < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; i++)
+        if (thud_group_places(thud_nested_group(i))->kinds & 1u << scene->structure[item].kind)
+            thud_words_add(&words, thud_group_key(thud_nested_group(i)));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
@@ -90,6 +85,15 @@ static enum thud_status wrong_depth(struct thud_error *err)
         "the key has too many or too few parts");
 }
 
+/* What is counted from 1 has no such number. */
+static enum thud_status no_such(const char *what, const char *part, int most, struct thud_error *err)
+{
+    thud_error_set(err, THUD_INPUT, "there is no %s \"%.40s\"", what, part);
+    if (most > 0)
+        thud_error_allow(err, "1 to %d", most);
+    return THUD_INPUT;
+}
+
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
                                        struct thud_error *err)
 {
@@ -102,11 +106,8 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     if (n < 2 || n > 3 + column)
         return wrong_depth(err);
     int s = number(part[0]);
-    if (s < 1 || s > scene->nstructures) {
-        thud_error_set(err, THUD_INPUT, "there is no structure \"%.40s\"", part[0]);
-        thud_error_allow(err, "1 to %d", scene->nstructures);
-        return THUD_INPUT;
-    }
+    if (s < 1 || s > scene->nstructures)
+        return no_such("structure", part[0], scene->nstructures, err);
     if (isolator && scene->structure[s - 1].kind != THUD_ISOLATED)
         return thud_error_refuse(err, THUD_INPUT, NULL, "kind: isolated", "%.40s stands on no isolators",
                                  scene->structure[s - 1].name);
@@ -140,11 +141,8 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     int storeys = scene->structure[s - 1].storeys, floor = number(part[keys + 1]);
     if (out->place.store != THUD_STORE_FLOORS)
         return wrong_depth(err);
-    if (floor < 1 || floor > storeys) {
-        thud_error_set(err, THUD_INPUT, "there is no floor \"%.40s\"", part[keys + 1]);
-        thud_error_allow(err, "1 to %d", storeys);
-        return THUD_INPUT;
-    }
+    if (floor < 1 || floor > storeys)
+        return no_such("floor", part[keys + 1], storeys, err);
     out->floor = floor - 1;
     return THUD_OK;
 }
@@ -202,12 +200,8 @@ static enum thud_status find_numbered_interface(const struct thud_scene *scene, 
     int i = n > 1 ? number(part[0]) : 0;
     if (n < 2)
         return wrong_depth(err);
-    if (i < 1 || i >= scene->nstructures) {
-        thud_error_set(err, THUD_INPUT, "there is no interface \"%.40s\"", part[0]);
-        if (scene->nstructures > 1)
-            thud_error_allow(err, "1 to %d", scene->nstructures - 1);
-        return THUD_INPUT;
-    }
+    if (i < 1 || i >= scene->nstructures)
+        return no_such("interface", part[0], scene->nstructures - 1, err);
     return find_interface(scene, i - 1, part + 1, n - 1, out, err);
 }
 
@@ -232,11 +226,9 @@ static enum thud_status find_link(const struct thud_scene *scene, char **part, i
         return wrong_depth(err);
     int i = number(part[0]), more = scene->nlinks < THUD_LINKS_MAX && strcmp(part[1], "law") == 0;
     if (i < 1 || i > scene->nlinks + more) {
-        thud_error_set(err, THUD_INPUT, "there is no link \"%.40s\"", part[0]);
+        no_such("link", part[0], scene->nlinks, err);
         if (i == scene->nlinks + 1 && scene->nlinks < THUD_LINKS_MAX)
             thud_error_allow(err, "set links.%d.law first, e.g. dashpot", i);
-        else if (scene->nlinks > 0)
-            thud_error_allow(err, "1 to %d", scene->nlinks);
         return THUD_INPUT;
     }
     const unsigned law = i > scene->nlinks ? 0 : 1u << (int)scene->link[i - 1].law;

@@ -115,50 +115,31 @@ static void put_run(const struct making *m, const struct thud_sweep_summary *con
     put_band(m, &worst, shares->worse_band);
 }
 
-/* Every ratio of run k: four of them in a row. */
-static void put_ratios(const struct making *m, const struct thud_sweep_summary *const *of,
-                       struct thud_sweep_summary *out, int k, int structure, int floor)
+/* The ratios of a floor, or at `floor` -1 what the storeys of the structure come to: numbers in a row; NULL: none. */
+static double *numbers_of(const struct making *m, const struct thud_sweep_summary *d, int k, int structure, int floor,
+                          enum thud_sweep_end end)
 {
-    enum { RATIOS = sizeof(struct thud_sweep_ratio) / sizeof(double) };
-    double three[3][RATIOS];
-    for (int q = 0; q < RATIOS; q++) {
-        for (int r = 0; r < m->table->nrecords; r++) {
-            int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
-            const struct thud_sweep_ratio *x =
-                from >= 0 ? thud_sweep_summary_ratio(of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
-            const double ratio[] = {x ? x->acceleration : NAN, x ? x->drift : NAN, x ? x->acceleration_free : NAN,
-                                    x ? x->drift_free : NAN};
-            m->value[r] = ratio[q];
-        }
-        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
-        three[THUD_SWEEP_VALUE][q] = f.median;
-        three[THUD_SWEEP_LOW][q] = f.p16;
-        three[THUD_SWEEP_HIGH][q] = f.p84;
-    }
-    for (int end = THUD_SWEEP_VALUE; end <= (int)THUD_SWEEP_HIGH; end++)
-        *thud_sweep_summary_ratio(out, k, structure, floor, (enum thud_sweep_end)end) =
-            (struct thud_sweep_ratio){three[end][0], three[end][1], three[end][2], three[end][3]};
+    if (floor < 0)
+        return (void *)thud_sweep_summary_storeys(d, k, m->table->nstructures, structure, end);
+    return (void *)thud_sweep_summary_ratio(d, k, structure, floor, end);
 }
 
-static void put_storeys(const struct making *m, const struct thud_sweep_summary *const *of,
-                        struct thud_sweep_summary *out, int k, int structure)
+/* Each of those of run k over the ground motions. */
+static void put_numbers(const struct making *m, const struct thud_sweep_summary *const *of,
+                        struct thud_sweep_summary *out, int k, int structure, int floor)
 {
-    struct thud_sweep_storeys three[3];
-    for (int q = 0; q < 2; q++) {
+    const size_t bytes = floor < 0 ? sizeof(struct thud_sweep_storeys) : sizeof(struct thud_sweep_ratio);
+    for (size_t q = 0; q < bytes / sizeof(double); q++) {
         for (int r = 0; r < m->table->nrecords; r++) {
             int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
-            const struct thud_sweep_storeys *x =
-                from >= 0 ? thud_sweep_summary_storeys(of[r], from, m->table->nstructures, structure, THUD_SWEEP_VALUE)
-                          : NULL;
-            m->value[r] = !x ? (double)NAN : q == 0 ? x->ductility : x->permanent_m;
+            const double *x = from >= 0 ? numbers_of(m, of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
+            m->value[r] = x ? x[q] : NAN;
         }
         struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
-        const double end[] = {[THUD_SWEEP_VALUE] = f.median, [THUD_SWEEP_LOW] = f.p16, [THUD_SWEEP_HIGH] = f.p84};
-        for (int i = 0; i < 3; i++)
-            *(q == 0 ? &three[i].ductility : &three[i].permanent_m) = end[i];
+        numbers_of(m, out, k, structure, floor, THUD_SWEEP_VALUE)[q] = f.median;
+        numbers_of(m, out, k, structure, floor, THUD_SWEEP_LOW)[q] = f.p16;
+        numbers_of(m, out, k, structure, floor, THUD_SWEEP_HIGH)[q] = f.p84;
     }
-    for (int end = THUD_SWEEP_VALUE; end <= (int)THUD_SWEEP_HIGH; end++)
-        *thud_sweep_summary_storeys(out, k, m->table->nstructures, structure, (enum thud_sweep_end)end) = three[end];
 }
 
 /* The point of a setting; NULL: out of memory. `like`: one of its ground motions. */
@@ -185,11 +166,9 @@ static struct thud_sweep_summary *make_point(const struct making *m, const struc
     for (int k = 0; k < nruns; k++) {
         out->run[k].which = which[k];
         put_run(m, of, &out->run[k], &shares[k]);
-        for (int s = 0; s < m->table->nstructures; s++) {
-            for (int f = 0; floors[s] > 0 && f <= floors[s]; f++)
-                put_ratios(m, of, out, k, s, f);
-            put_storeys(m, of, out, k, s);
-        }
+        for (int s = 0; s < m->table->nstructures; s++)
+            for (int f = -1; f < 0 || (floors[s] > 0 && f <= floors[s]); f++)
+                put_numbers(m, of, out, k, s, f);
     }
     return out;
 }
