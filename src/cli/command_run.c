@@ -15,20 +15,18 @@
 
 static enum thud_status write_folder(const struct thud_report *report, const char *folder, struct thud_error *err)
 {
-    struct thud_text text = {0};
+    static const struct {
+        const char *name;
+        void (*put)(const struct thud_report *report, struct thud_text *out);
+    } file[] = {
+        {"result.json", thud_result_json}, {"histories.csv", thud_history_csv}, {"impacts.csv", thud_impacts_csv}};
     enum thud_status status = thud_folder_make(folder, err);
-    if (status != THUD_OK)
-        return status;
-    thud_result_json(report, &text);
-    status = thud_text_write_in(&text, folder, "result.json", err);
-    if (status != THUD_OK)
-        return status;
-    thud_history_csv(report, &text);
-    status = thud_text_write_in(&text, folder, "histories.csv", err);
-    if (status != THUD_OK)
-        return status;
-    thud_impacts_csv(report, &text);
-    return thud_text_write_in(&text, folder, "impacts.csv", err);
+    for (size_t i = 0; i < sizeof file / sizeof *file && status == THUD_OK; i++) {
+        struct thud_text text = {0};
+        file[i].put(report, &text);
+        status = thud_text_write_in(&text, folder, file[i].name, err);
+    }
+    return status;
 }
 
 static enum thud_status deliver(const struct thud_args *args, const struct thud_report *report, struct thud_error *err)

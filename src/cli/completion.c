@@ -16,6 +16,15 @@ static bool has_files(enum thud_word word)
     return word == THUD_WORD_PRESET || word == THUD_WORD_FILE || word == THUD_WORD_FOLDER;
 }
 
+static void put_choices(struct thud_text *out, const struct thud_option *option, const char *before,
+                        const char *between, const char *after)
+{
+    const char *choice;
+    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
+        thud_text_append(out, "%s%s", i ? between : before, choice);
+    thud_text_append(out, "%s", after);
+}
+
 /* ---- bash: words are parted by the ends of lines, so that names may have blanks */
 
 /* A command that prints what may stand there. */
@@ -35,15 +44,6 @@ static void bash_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, ":");
 }
 
-static void bash_choices(struct thud_text *out, const struct thud_option *option)
-{
-    const char *choice;
-    thud_text_append(out, "compgen -W $'");
-    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
-        thud_text_append(out, "%s%s", i ? "\\n" : "", choice);
-    thud_text_append(out, "' -- \"$cur\"");
-}
-
 static void bash_option(struct thud_text *out, const struct thud_option *option)
 {
     if (thud_option_stands_alone(option))
@@ -53,7 +53,7 @@ static void bash_option(struct thud_text *out, const struct thud_option *option)
                      : has_files(option->word)     ? " compopt -o filenames 2>/dev/null;"
                                                    : "");
     if (option->word == THUD_WORD_CHOICE)
-        bash_choices(out, option);
+        put_choices(out, option, "compgen -W $'", "\\n", "' -- \"$cur\"");
     else
         bash_words(out, option->word);
     thud_text_append(out, ")); return ;;\n");
@@ -131,14 +131,6 @@ static void zsh_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, "_thud_words %s", list);
 }
 
-static void zsh_choices(struct thud_text *out, const struct thud_option *option)
-{
-    const char *choice;
-    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
-        thud_text_append(out, "%s%s", i ? " " : "(", choice);
-    thud_text_append(out, ")");
-}
-
 static void zsh_operands(struct thud_text *out, const char *place, const char *what, enum thud_word word)
 {
     thud_text_append(out, " \\\n            '%s:", place);
@@ -160,7 +152,7 @@ static void zsh_option(struct thud_text *out, const struct thud_option *option)
         zsh_text(out, option->argument);
         thud_text_append(out, ":");
         if (option->word == THUD_WORD_CHOICE)
-            zsh_choices(out, option);
+            put_choices(out, option, "(", " ", ")");
         else
             zsh_words(out, option->word);
     }
@@ -226,14 +218,6 @@ static void fish_words(struct thud_text *out, enum thud_word word)
         thud_text_append(out, " -r -F");
 }
 
-static void fish_choices(struct thud_text *out, const struct thud_option *option)
-{
-    const char *choice;
-    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL; i++)
-        thud_text_append(out, "%s%s", i ? " " : " -x -a '", choice);
-    thud_text_append(out, "'");
-}
-
 /* Where a command's words and options hold; `first`: -1 before the first of its own words is there, 1 after it. */
 static void fish_place(struct thud_text *out, const struct thud_command *command, int first)
 {
@@ -275,7 +259,7 @@ static void fish(struct thud_text *out)
             fish_place(out, command, 0);
             thud_text_append(out, " %s %s", option->name[1] ? "-l" : "-s", option->name);
             if (option->word == THUD_WORD_CHOICE)
-                fish_choices(out, option);
+                put_choices(out, option, " -x -a '", " ", "'");
             else
                 fish_words(out, option->word);
             thud_text_append(out, " -d '");

@@ -1,4 +1,5 @@
-/* The commands of the `:` line: word, short word, what follows, and what it does: a function, a key of the scene whose
+/* The commands of the `:` line: word, short word, what follows, and what it does: a function, one of several
+ * words, a key of the scene whose
  * value follows, the action of a key, a command of a screen, or one of the
  * command line, run on this preset. */
 THUD_RUN("set", "", "KEY VALUE", set)
@@ -30,12 +31,12 @@ THUD_OF("cases", "CASE,CASE", SWEEP)
 THUD_OF("records", "FILE,DIR,NAME.list", SWEEP)
 THUD_OF("signs", "[both]", SWEEP)
 THUD_OF("events", "EVENT,EVENT", SWEEP)
-THUD_RUN("sweep", "", "", sweep)
-THUD_RUN("bench", "", "", bench)
+THUD_BY("sweep", "", study)
+THUD_BY("bench", "", study)
 THUD_RUN("screen", "", "NAME", screen)
 THUD_RUN("figures", "", "[SCREEN]", figures)
-THUD_RUN("picture", "", "[SCREEN [FIGURE]]", picture)
-THUD_RUN("table", "", "[SCREEN [FIGURE]]", table)
+THUD_BY("picture", "[SCREEN [FIGURE]]", write_one)
+THUD_BY("table", "[SCREEN [FIGURE]]", write_one)
 THUD_CLI("report", REPORT)
 THUD_CLI("gap", GAP)
 THUD_CLI("fragility", FRAGILITY)
@@ -50,13 +51,13 @@ THUD_ACT("exchange", "", EXCHANGE)
 THUD_RUN("solve", "", "CRITERION; KEY=FROM:TO", solve)
 THUD_RUN("state", "", "NAME|#N", state)
 THUD_RUN("name", "", "NAME", name)
-THUD_RUN("bumper", "", "[INTERFACE]", bumper)
-THUD_RUN("link", "", "add INTERFACE | remove LINK", link)
+THUD_BY("bumper", "[INTERFACE]", edit_scene)
+THUD_BY("link", "add INTERFACE | remove LINK", edit_scene)
 THUD_RUN("keep-force", "", "", keep_force)
 THUD_OF("beside", "none|LAW|NAME VALUE", CONTACT)
-THUD_RUN("storey", "", "add|delete STRUCTURE FLOOR", storey)
-THUD_RUN("structure", "", "add|remove STRUCTURE", structure)
-THUD_RUN("swap", "", "STRUCTURE", swap)
+THUD_BY("storey", "add|delete STRUCTURE FLOOR", edit_scene)
+THUD_BY("structure", "add|remove STRUCTURE", edit_scene)
+THUD_BY("swap", "STRUCTURE", edit_scene)
 THUD_RUN("paste", "", "KEY VALUES", paste)
 THUD_RUN("log", "", "[FILE]", log)
 THUD_RUN("new", "", "[storeys: 5, 7; gap: 8 cm; ...]", new)
@@ -66,3 +67,9 @@ THUD_RUN("write", "w", "[FILE]", write)
 THUD_RUN("live", "", "[off]", live)
 THUD_RUN("quit", "q", "[!]", quit)
 THUD_ACT("help", "h", HELP)
+#undef THUD_RUN
+#undef THUD_BY
+#undef THUD_SET
+#undef THUD_ACT
+#undef THUD_OF
+#undef THUD_CLI

@@ -52,14 +52,10 @@ void thud_tui_keys_text(struct thud_text *out)
 void thud_commands_text(struct thud_text *out)
 {
 #define THUD_RUN(word, short_word, usage, name) thud_text_append(out, ":%s %s\n", word, usage);
+#define THUD_BY(word, usage, function)          thud_text_append(out, ":%s %s\n", word, usage);
 #define THUD_SET(word, usage, key)              thud_text_append(out, ":%s %s\n", word, usage);
 #define THUD_ACT(word, short_word, action)      thud_text_append(out, ":%s \n", word);
 #define THUD_OF(word, usage, screen)            thud_text_append(out, ":%s %s\n", word, usage);
 #define THUD_CLI(word, id)                      thud_text_append(out, ":%s [OPTION ...]\n", word);
 #include "tui/document/command_list.h"
-#undef THUD_RUN
-#undef THUD_SET
-#undef THUD_ACT
-#undef THUD_OF
-#undef THUD_CLI
 }

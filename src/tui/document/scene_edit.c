@@ -1,5 +1,6 @@
 /* Changes of the scene: one value, or several at once. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -142,20 +143,22 @@ bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
 }
 
 /* The files of kinds that are read, asked for before the kind is set. */
-static void take_matrix(struct thud_tui *tui, const char *text)
+static void take_file(struct thud_tui *tui, const char *kind, const char *text)
 {
     char value[THUD_LINE_MAX + 16], key[sizeof tui->dialog.target];
-    snprintf(value, sizeof value, "matrix %s", text);
+    snprintf(value, sizeof value, "%s %s", kind, text);
     snprintf(key, sizeof key, "%s", tui->dialog.target);
     thud_tui_set(tui, key, value);
 }
 
+static void take_matrix(struct thud_tui *tui, const char *text)
+{
+    take_file(tui, "matrix", text);
+}
+
 static void take_modes(struct thud_tui *tui, const char *text)
 {
-    char value[THUD_LINE_MAX + 16], key[sizeof tui->dialog.target];
-    snprintf(value, sizeof value, "modes %s", text);
-    snprintf(key, sizeof key, "%s", tui->dialog.target);
-    thud_tui_set(tui, key, value);
+    take_file(tui, "modes", text);
 }
 
 static const struct thud_prompt matrix_file = {
@@ -217,10 +220,16 @@ static void drop_loose_links(struct thud_scene *scene)
             thud_link_remove(scene, i);
 }
 
-/* `command`: what a log has for it. */
-static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *command)
+/* The command follows that a log has for it. */
+THUD_PRINTF(4, 5)
+static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *fmt, ...)
 {
     struct thud_error err;
+    char command[64];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(command, sizeof command, fmt, args);
+    va_end(args);
     if (thud_doc_change(&tui->doc, next, what, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
@@ -248,9 +257,7 @@ void thud_tui_add_storey(struct thud_tui *tui, int s, int floor)
     structure->storeys++;
     thud_structure_fill_estimate(structure);
     snprintf(what, sizeof what, "%s: storey added above floor %d, like it", structure->name, floor);
-    char command[64];
-    snprintf(command, sizeof command, "storey add %d %d", s + 1, floor);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "storey add %d %d", s + 1, floor);
 }
 
 void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
@@ -266,9 +273,7 @@ void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
         thud_structure_list(structure, i)[structure->storeys] = 0.0;
     thud_structure_fill_estimate(structure);
     snprintf(what, sizeof what, "%s: storey %d deleted", structure->name, floor);
-    char command[64];
-    snprintf(command, sizeof command, "storey delete %d %d", s + 1, floor);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "storey delete %d %d", s + 1, floor);
 }
 
 /* The first letter no structure is called by. */
@@ -318,9 +323,7 @@ void thud_tui_add_structure(struct thud_tui *tui, int s)
     drop_loose_links(&next);
     snprintf(what, sizeof what, "%s added to the right of %s, like it%s", name, next.structure[s].name,
              rename_varied(&next) ? "; the study varies interfaces.1" : "");
-    char command[64];
-    snprintf(command, sizeof command, "structure add %d", s + 1);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "structure add %d", s + 1);
 }
 
 void thud_tui_remove_structure(struct thud_tui *tui, int s)
@@ -335,9 +338,7 @@ void thud_tui_remove_structure(struct thud_tui *tui, int s)
     memset(&next.interface[n - 2], 0, sizeof *next.interface);
     next.nstructures--;
     drop_loose_links(&next);
-    char command[64];
-    snprintf(command, sizeof command, "structure remove %d", s + 1);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "structure remove %d", s + 1);
 }
 
 void thud_tui_swap(struct thud_tui *tui, int s)
@@ -348,9 +349,7 @@ void thud_tui_swap(struct thud_tui *tui, int s)
     next.structure[s + 1] = tui->doc.scene.structure[s];
     drop_loose_links(&next);
     snprintf(what, sizeof what, "%s and %s swapped", next.structure[s + 1].name, next.structure[s].name);
-    char command[64];
-    snprintf(command, sizeof command, "swap %d", s + 1);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "swap %d", s + 1);
 }
 
 void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
@@ -362,9 +361,7 @@ void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
         thud_interface_add_bumper(interface);
     char what[80];
     snprintf(what, sizeof what, "bumper %s", interface->has_bumper ? "off -> on" : "on -> off");
-    char command[64];
-    snprintf(command, sizeof command, "bumper %d", i + 1);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "bumper %d", i + 1);
 }
 
 void thud_tui_keep_force(struct thud_tui *tui)
@@ -377,9 +374,7 @@ void thud_tui_keep_force(struct thud_tui *tui)
         return;
     bumper->value[k] *= before / now;
     tui->kept.before_n = NAN;
-    char command[64];
-    snprintf(command, sizeof command, "keep-force");
-    change(tui, &next, "stiffness chosen so that F(delta_u) is as before", command);
+    change(tui, &next, "stiffness chosen so that F(delta_u) is as before", "keep-force");
 }
 
 bool thud_tui_change_interface(struct thud_tui *tui, enum thud_action action)
@@ -424,18 +419,16 @@ void thud_tui_add_link(struct thud_tui *tui, int interface)
     link->damping_nspm = 1e6;
     name_end(left, b > 1 && b < a ? b : a, link->from);
     name_end(right, a > 1 && a < b ? a : b, link->to);
-    char what[256], command[64];
+    char what[256];
     snprintf(what, sizeof what, "a dashpot ties %s and %s", link->from, link->to);
-    snprintf(command, sizeof command, "link add %d", interface + 1);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "link add %d", interface + 1);
 }
 
 void thud_tui_delete_link(struct thud_tui *tui, int link)
 {
     struct thud_scene next = tui->doc.scene;
-    char what[256], command[64];
+    char what[256];
     snprintf(what, sizeof what, "the link of %s and %s is gone", next.link[link].from, next.link[link].to);
-    snprintf(command, sizeof command, "link remove %d", link + 1);
     thud_link_remove(&next, link);
-    change(tui, &next, what, command);
+    change(tui, &next, what, "link remove %d", link + 1);
 }

@@ -147,12 +147,6 @@ static bool files(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_SAVE:
         thud_tui_save(tui, NULL, false);
         return true;
-    case THUD_DO_SAVE_AS:
-        thud_tui_save_as(tui);
-        return true;
-    case THUD_DO_OPEN:
-        thud_tui_list_presets(tui);
-        return true;
     case THUD_DO_PICTURE:
         log_output(tui, "picture", true);
         thud_tui_picture(tui);
@@ -160,9 +154,6 @@ static bool files(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_PICTURES:
         log_output(tui, "figures", false);
         thud_tui_pictures(tui);
-        return true;
-    case THUD_DO_COPY:
-        thud_tui_copy(tui);
         return true;
     case THUD_DO_EXPORT:
         log_output(tui, "table", thud_tui_view(tui)->figure && !thud_tui_view(tui)->export_csv);
@@ -173,6 +164,29 @@ static bool files(struct thud_tui *tui, enum thud_action action)
     }
 }
 
+/* Those that a function of that name does. */
+static bool named(struct thud_tui *tui, enum thud_action action)
+{
+    static void (*const done_by[THUD_ACTIONS])(struct thud_tui * tui) = {
+        [THUD_DO_RUN] = thud_tui_run,
+        [THUD_DO_NEW] = thud_tui_new,
+        [THUD_DO_OPEN] = thud_tui_list_presets,
+        [THUD_DO_SAVE_AS] = thud_tui_save_as,
+        [THUD_DO_COPY] = thud_tui_copy,
+        [THUD_DO_PIN] = thud_tui_pin,
+        [THUD_DO_EXCHANGE] = thud_tui_exchange,
+        [THUD_DO_SOLVE] = thud_tui_solve_field,
+        [THUD_DO_STATES] = thud_tui_list_states,
+        [THUD_DO_SHELF] = thud_tui_shelf,
+        [THUD_DO_REMARKS] = thud_tui_list_remarks,
+        [THUD_DO_FIND] = thud_tui_palette,
+        [THUD_DO_BACK] = back,
+    };
+    if (done_by[action])
+        done_by[action](tui);
+    return done_by[action] != NULL;
+}
+
 static void rest(struct thud_tui *tui, enum thud_action action)
 {
     switch (action) {
@@ -180,35 +194,8 @@ static void rest(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_UNZOOM:
         zoom(tui, action == THUD_DO_ZOOM, tui->reading[tui->screen]);
         break;
-    case THUD_DO_RUN:
-        thud_tui_run(tui);
-        break;
-    case THUD_DO_NEW:
-        thud_tui_new(tui);
-        break;
-    case THUD_DO_PIN:
-        thud_tui_pin(tui);
-        break;
-    case THUD_DO_EXCHANGE:
-        thud_tui_exchange(tui);
-        break;
-    case THUD_DO_SOLVE:
-        thud_tui_solve_field(tui);
-        break;
-    case THUD_DO_STATES:
-        thud_tui_list_states(tui);
-        break;
     case THUD_DO_REPORT:
         thud_tui_verb_form(tui, THUD_COMMAND_REPORT);
-        break;
-    case THUD_DO_SHELF:
-        thud_tui_shelf(tui);
-        break;
-    case THUD_DO_REMARKS:
-        thud_tui_list_remarks(tui);
-        break;
-    case THUD_DO_FIND:
-        thud_tui_palette(tui);
         break;
     case THUD_DO_COMMAND:
         thud_tui_command_line(tui, "");
@@ -218,9 +205,6 @@ static void rest(struct thud_tui *tui, enum thud_action action)
         break;
     case THUD_DO_QUIT:
         thud_tui_quit(tui, false);
-        break;
-    case THUD_DO_BACK:
-        back(tui);
         break;
     case THUD_DO_NEXT_SCREEN:
         thud_tui_go(tui, (tui->screen + 1) % tui->screens);
@@ -259,7 +243,7 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
     enum thud_reaction reaction = view->act ? view->act(tui, action) : THUD_NOT_MINE;
     if (reaction == THUD_LEAVE)
         thud_tui_go(tui, before);
-    if (reaction != THUD_NOT_MINE || move(tui, action) || files(tui, action))
+    if (reaction != THUD_NOT_MINE || move(tui, action) || files(tui, action) || named(tui, action))
         return;
     if (values(tui, action))
         tui->form.loose[tui->screen] = false; /* the field is seen */

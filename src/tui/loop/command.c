@@ -15,6 +15,7 @@
 struct command {
     const char *word, *short_word;
     void (*run)(struct thud_tui *tui, char *rest);
+    void (*by_word)(struct thud_tui *tui, const char *word, char *rest); /* of several words */
     const char *key;         /* what is said is its value; NULL: the rest holds */
     enum thud_action action; /* what a key does */
     int screen;              /* whose command it is; -1: none */
@@ -93,7 +94,7 @@ static void run_figures(struct thud_tui *tui, char *rest)
 }
 
 /* "picture Plots impact-force": the figure of a screen by its name; alone the one on show. */
-static void write_one(struct thud_tui *tui, char *rest, enum thud_action action)
+static void write_one(struct thud_tui *tui, const char *word, char *rest)
 {
     char *name = rest + strcspn(rest, " ");
     if (*name)
@@ -103,17 +104,7 @@ static void write_one(struct thud_tui *tui, char *rest, enum thud_action action)
     if (*name && !thud_tui_show_figure(tui, name))
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has no figure %.60s now", rest, name);
     else
-        thud_tui_act(tui, action);
-}
-
-static void run_picture(struct thud_tui *tui, char *rest)
-{
-    write_one(tui, rest, THUD_DO_PICTURE);
-}
-
-static void run_table(struct thud_tui *tui, char *rest)
-{
-    write_one(tui, rest, THUD_DO_EXPORT);
+        thud_tui_act(tui, strcmp(word, "table") == 0 ? THUD_DO_EXPORT : THUD_DO_PICTURE);
 }
 
 static void run_screen(struct thud_tui *tui, char *rest)
@@ -141,13 +132,13 @@ static void run_log(struct thud_tui *tui, char *rest)
 
 /* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1", "link add 1", "link remove 2": structures, floors,
  * interfaces and links from 1. */
-static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
+static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int number[2] = {0, 0}, n = scene->nstructures;
     bool add = strncmp(rest, "add ", 4) == 0,
          other = strncmp(rest, "delete ", 7) == 0 || strncmp(rest, "remove ", 7) == 0;
-    const char *at = rest + (add ? 4 : other ? 7 : 0);
+    const char *at = strcmp(word, "bumper") == 0 && !*rest ? "1" : rest + (add ? 4 : other ? 7 : 0);
     if (thud_scan_count(&at, &number[0]) && *at == ' ') {
         at++;
         thud_scan_count(&at, &number[1]);
@@ -173,31 +164,6 @@ static void edit_scene(struct thud_tui *tui, const char *word, const char *rest)
         thud_tui_delete_link(tui, number[0] - 1);
     else
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: there is no such thing to do here", word, rest);
-}
-
-static void run_storey(struct thud_tui *tui, char *rest)
-{
-    edit_scene(tui, "storey", rest);
-}
-
-static void run_structure(struct thud_tui *tui, char *rest)
-{
-    edit_scene(tui, "structure", rest);
-}
-
-static void run_swap(struct thud_tui *tui, char *rest)
-{
-    edit_scene(tui, "swap", rest);
-}
-
-static void run_link(struct thud_tui *tui, char *rest)
-{
-    edit_scene(tui, "link", rest);
-}
-
-static void run_bumper(struct thud_tui *tui, char *rest)
-{
-    edit_scene(tui, "bumper", *rest ? rest : "1");
 }
 
 static void run_solve(struct thud_tui *tui, char *rest)
@@ -255,32 +221,22 @@ static void run_quit(struct thud_tui *tui, char *rest)
     thud_tui_quit(tui, *rest == '!');
 }
 
-static void run_sweep(struct thud_tui *tui, char *rest)
+/* "sweep", "bench": the study of the screen of that name. */
+static void study(struct thud_tui *tui, const char *word, char *rest)
 {
     (void)rest;
-    thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_act(tui, THUD_DO_RUN);
-}
-
-static void run_bench(struct thud_tui *tui, char *rest)
-{
-    (void)rest;
-    thud_tui_go(tui, THUD_SCREEN_BENCH);
-    thud_tui_act(tui, THUD_DO_RUN);
+    if (go_to(tui, word))
+        thud_tui_act(tui, THUD_DO_RUN);
 }
 
 static const struct command table[] = {
-#define THUD_RUN(word, short_word, usage, name) {word, short_word, run_##name, NULL, THUD_DO_NOTHING, -1, 0},
-#define THUD_SET(word, usage, key)              {word, "", NULL, key, THUD_DO_NOTHING, -1, 0},
-#define THUD_ACT(word, short_word, action)      {word, short_word, NULL, NULL, THUD_DO_##action, -1, 0},
-#define THUD_OF(word, usage, screen)            {word, "", NULL, NULL, THUD_DO_NOTHING, THUD_SCREEN_##screen, 0},
-#define THUD_CLI(word, id)                      {word, "", NULL, NULL, THUD_DO_NOTHING, -1, THUD_COMMAND_##id},
+#define THUD_RUN(own, alias, usage, name) {.word = own, .short_word = alias, .run = run_##name, .screen = -1},
+#define THUD_BY(own, usage, function)     {.word = own, .short_word = "", .by_word = function, .screen = -1},
+#define THUD_SET(own, usage, of)          {.word = own, .short_word = "", .key = of, .screen = -1},
+#define THUD_ACT(own, alias, done)        {.word = own, .short_word = alias, .action = THUD_DO_##done, .screen = -1},
+#define THUD_OF(own, usage, of)           {.word = own, .short_word = "", .screen = THUD_SCREEN_##of},
+#define THUD_CLI(own, id)                 {.word = own, .short_word = "", .verb = THUD_COMMAND_##id, .screen = -1},
 #include "tui/document/command_list.h"
-#undef THUD_RUN
-#undef THUD_SET
-#undef THUD_ACT
-#undef THUD_OF
-#undef THUD_CLI
 };
 
 /* Quotes that a shell would have taken away. */
@@ -350,6 +306,8 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
                 thud_tui_verb(tui, table[i].verb, rest);
             else if (table[i].run)
                 table[i].run(tui, rest);
+            else if (table[i].by_word)
+                table[i].by_word(tui, first, rest);
             else if (table[i].screen >= 0) {
                 thud_tui_go(tui, table[i].screen);
                 thud_tui_view(tui)->command(tui, first, rest);

@@ -307,22 +307,20 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
     const struct thud_energy *e = &result->energy;
     const struct {
         const char *name;
+        bool shown;
         double value;
-    } row[] = {{"input", e->input_j + e->initial_j},
-               {"viscous", e->viscous_j},
-               {"contacts", e->contact_j},
-               {"kinetic", e->kinetic_j},
-               {"strain", e->strain_j + e->stored_j}};
+    } row[] = {{"input", true, e->input_j + e->initial_j},
+               {"viscous", true, e->viscous_j},
+               {"contacts", true, e->contact_j},
+               {"kinetic", true, e->kinetic_j},
+               {"strain", true, e->strain_j + e->stored_j},
+               {"lost in yielding", e->hysteretic_j > 0, e->hysteretic_j},
+               {"work of the weight", e->gravity_j > 0, e->gravity_j}};
     char a[24];
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
-                        thud_tui_number(1e-3 * row[i].value, a));
-    if (e->hysteretic_j > 0)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "lost in yielding",
-                        thud_tui_number(1e-3 * e->hysteretic_j, a));
-    if (e->gravity_j > 0)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", "work of the weight",
-                        thud_tui_number(1e-3 * e->gravity_j, a));
+        if (row[i].shown)
+            thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
+                            thud_tui_number(1e-3 * row[i].value, a));
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
     return y;
 }
