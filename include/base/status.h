@@ -32,5 +32,5 @@ int thud_error_write_whole(struct thud_error *err, enum thud_status status, cons
 
 /* Add a part to an error already set. */
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);
-void thud_error_key(struct thud_error *err, const char *key);
+void thud_error_key(struct thud_error *err, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_error_allow(struct thud_error *err, const char *fmt, ...) THUD_PRINTF(2, 3);

@@ -37,9 +37,10 @@ int thud_error_write_whole(struct thud_error *err, enum thud_status status, cons
     va_start(args, fmt);
     int written = write_message(err, status, fmt, args);
     va_end(args);
-    thud_error_key(err, key);
-    if (err)
+    if (err) {
+        copy(err->key, sizeof err->key, key);
         copy(err->allowed, sizeof err->allowed, allowed);
+    }
     return written;
 }
 
@@ -53,10 +54,14 @@ void thud_error_place(struct thud_error *err, const char *file, int line, int co
     err->column = column;
 }
 
-void thud_error_key(struct thud_error *err, const char *key)
+void thud_error_key(struct thud_error *err, const char *fmt, ...)
 {
-    if (err)
-        copy(err->key, sizeof err->key, key);
+    if (!err)
+        return;
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(err->key, sizeof err->key, fmt, args);
+    va_end(args);
 }
 
 void thud_error_allow(struct thud_error *err, const char *fmt, ...)

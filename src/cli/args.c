@@ -152,9 +152,7 @@ const char *thud_args_repeated(const struct thud_args *args, const char *name, i
 
 void thud_args_key(const char *option, struct thud_error *err)
 {
-    char key[64];
-    snprintf(key, sizeof key, "%s%.60s", dashes(option), option);
-    thud_error_key(err, key);
+    thud_error_key(err, "%s%.60s", dashes(option), option);
 }
 
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,

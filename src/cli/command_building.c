@@ -33,7 +33,7 @@ static enum thud_status assign(const struct thud_args *args, struct thud_scene *
         snprintf(key, sizeof key, "structures.1.%s", name);
         status = thud_scene_set(scene, key, sign + 1, err);
         if (status != THUD_OK)
-            thud_error_key(err, name);
+            thud_error_key(err, "%s", name);
     }
     return status;
 }

@@ -189,7 +189,7 @@ static enum thud_status parameter(const struct thud_synthesis_param *param, cons
         }
     }
     if (thud_quantity_parse(text, param->dimension, NULL, &value, err) != THUD_OK) {
-        thud_error_key(err, param->name);
+        thud_error_key(err, "%s", param->name);
         return THUD_INPUT;
     }
     *to = value.value;

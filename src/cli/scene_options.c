@@ -102,7 +102,7 @@ static enum thud_status refuse_exponent(const struct thud_args *args, const stru
             continue;
         thud_error_set(err, THUD_INPUT, "the stiffness of %s has the exponent %s in its unit, not %s", was,
                        exponents[0], exponents[1]);
-        thud_error_key(err, key);
+        thud_error_key(err, "%s", key);
         thud_error_allow(err, "together with --set %.*s.stiffness=\"...%s\"", (int)n, at,
                          strchr(is, ' ') ? strchr(is, ' ') : "");
         return THUD_INPUT;

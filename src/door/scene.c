@@ -146,7 +146,7 @@ static enum thud_status get_number(const struct thud *scene, const char *key, do
     if (status == THUD_OK)
         *value = quantity.value;
     else
-        thud_error_key(err, key);
+        thud_error_key(err, "%s", key);
     free(text);
     return status;
 }

@@ -85,7 +85,7 @@ static enum thud_status check(const struct thud_synthesis *s, struct thud_error 
         if (value >= param->least && value <= param->most)
             continue;
         thud_error_set(err, THUD_INPUT, "%g %s is out of range", value, param->unit);
-        thud_error_key(err, param->name);
+        thud_error_key(err, "%s", param->name);
         thud_error_allow(err, "%g to %g %s", param->least, param->most, param->unit);
         return THUD_INPUT;
     }

@@ -26,7 +26,7 @@ static enum thud_status find(const char *name, char *path, size_t size, struct t
     thud_paths_find(&paths);
     enum thud_status status = thud_paths_record(&paths, NULL, name, path, size, err);
     if (status)
-        thud_error_key(err, ""); /* here it is no key of a preset */
+        thud_error_key(err, "%s", ""); /* here it is no key of a preset */
     return status;
 }
 
@@ -45,7 +45,7 @@ static enum thud_status treat(struct thud_record **record, const struct thud_rec
     enum thud_status status = THUD_OK;
     if ((!isnan(treatment->from_s) || !isnan(treatment->to_s)) &&
         (status = thud_record_trim(*record, treatment->from_s, treatment->to_s, err)) != THUD_OK)
-        thud_error_key(err, isnan(treatment->from_s) ? "to" : "from");
+        thud_error_key(err, "%s", isnan(treatment->from_s) ? "to" : "from");
     if (!status)
         thud_record_baseline(*record, treatment->baseline);
     if (!status && !isnan(treatment->taper_s) &&
@@ -55,7 +55,7 @@ static enum thud_status treat(struct thud_record **record, const struct thud_rec
     if (!status && !isnan(treatment->filter.low_hz)) {
         status = thud_record_filter_apply(*record, &treatment->filter, &other, err);
         if (status)
-            thud_error_key(err, isnan(treatment->filter.high_hz) ? "high-pass" : "band-pass");
+            thud_error_key(err, "%s", isnan(treatment->filter.high_hz) ? "high-pass" : "band-pass");
         replace(record, other);
     }
     if (!status && !isnan(treatment->resample_s)) {

@@ -82,7 +82,7 @@ static const struct thud_param params[] = {
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what)
 {
     thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_key(err, key);
+    thud_error_key(err, "%s", key);
     thud_error_allow(err, "stiffness; or alpha, area and material-stiffness");
     return THUD_INPUT;
 }
@@ -222,13 +222,13 @@ static bool unusual(const struct thud_law_setup *setup, int n, struct thud_error
         thud_error_set(out, THUD_OK, "a force of %.3g MN at the ultimate strain is unusual",
                        1e-6 * curve.ultimate_force_n);
         thud_error_allow(out, "usually %g to %g MN", 1e-6 * least_n, 1e-6 * most_n);
-        thud_error_key(out, params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
+        thud_error_key(out, "%s", params[isnan(setup->value[STIFFNESS]) ? MATERIAL_STIFFNESS : STIFFNESS].name);
         return true;
     }
     thud_error_set(out, THUD_OK, "%.4g kN/mm past the ultimate strain is softer than the rubber just before it",
                    curve.post_yield_npm / THUD_KN_PER_MM);
     thud_error_allow(out, "usually at least the slope there, %.4g kN/mm", tangent / THUD_KN_PER_MM);
-    thud_error_key(out, params[POST_YIELD].name);
+    thud_error_key(out, "%s", params[POST_YIELD].name);
     return true;
 }
 

@@ -46,12 +46,10 @@ enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_er
     for (int s = 1; s < m->nstructures; s++)
         if (thud_model_fastest(m, s) > thud_model_fastest(m, worst))
             worst = s;
-    char key[32];
-    snprintf(key, sizeof key, "structures.%d", worst + 1);
     thud_error_set(err, THUD_INPUT, "free motion of up to %.3g rad/s cannot be followed over %.6g s%s",
                    m->fastest_radps, by_interval ? state->grid_dt_s : state->end_s,
                    by_interval ? ", an interval of the ground motion" : "");
-    thud_error_key(err, key);
+    thud_error_key(err, "structures.%d", worst + 1);
     thud_error_allow(err,
                      "up to %.3g rad/s here: heavier floors, softer storeys or weaker dashpots; or an implicit method",
                      by_interval ? interval_most_rad / state->grid_dt_s : run_most_rad / state->end_s);
@@ -130,7 +128,7 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
     int i = worst_floor(m, qd), s = m->dof_structure[i];
     thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
                    thud_state_now(&run->state), s + 1, i - m->structure[s].first + 1);
-    thud_error_key(err, run->method->name);
+    thud_error_key(err, "%s", run->method->name);
     if (run->method->flags & THUD_METHOD_FIXED_STEP)
         thud_error_allow(err, "%s; step used %.6g s, fastest mode %.6g rad/s", run->method->limits, run->state.step_s,
                          run->state.fastest_radps);
@@ -161,7 +159,7 @@ enum thud_status thud_run_judge(const struct thud_run *run, struct thud_error *e
         return THUD_OK;
     thud_error_set(err, THUD_DIVERGED, "%.2g %% of the energy is unaccounted for: it has not balanced since t = %.6g s",
                    100 * ratio, run->ledger.balanced_s);
-    thud_error_key(err, run->method->name);
+    thud_error_key(err, "%s", run->method->name);
     if (run->method->flags & THUD_METHOD_FIXED_STEP)
         thud_error_allow(err, "at most %.2g %%; step used %.6g s, fastest mode %.6g rad/s", 100 * most,
                          run->result.step_s, run->state.fastest_radps);

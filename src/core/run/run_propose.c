@@ -123,7 +123,7 @@ static enum thud_status stalled(struct thud_run *run, int row, struct thud_error
     struct row_name name = name_row(run->state.model, row);
     thud_error_set(err, THUD_DIVERGED, "%s %s without end at t = %.9g s", name.words,
                    thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);
-    thud_error_key(err, name.key);
+    thud_error_key(err, "%s", name.key);
     return THUD_DIVERGED;
 }
 
@@ -157,7 +157,7 @@ static enum thud_status watch_crowd(struct thud_run *run, const struct thud_prop
     const bool storey = thud_model_row_storey(run->state.model, p->contact) != NULL;
     thud_error_set(err, THUD_DIVERGED, "%s %ld times from t = %.9g s to %.9g s, last %s",
                    storey ? "storeys yield and unload" : "contacts switch", crowd, progress->from_s, now_s, name.words);
-    thud_error_key(err, name.key);
+    thud_error_key(err, "%s", name.key);
     thud_error_allow(
         err, storey ? "more hardening, or a larger tolerance, lets a storey come to rest at its yield drift"
                     : "a restitution below 1, a larger tolerance or a law with a force lets bounces come to rest");

@@ -358,13 +358,11 @@ static enum thud_status read_structure(struct thud_scene *scene, int index, cons
         status = thud_structure_keep_shape(scene, index, table.rows, table.value, err);
     thud_building_table_clear(&table);
     if (status != THUD_OK && err) {
-        char key[96];
-        snprintf(key, sizeof key, "structures.%d.%.60s", index + 1,
-                 err->key[0]   ? err->key
-                 : periods     ? "periods"
-                 : flexibility ? "flexibility-matrix"
-                               : "stiffness-matrix");
-        thud_error_key(err, key);
+        thud_error_key(err, "structures.%d.%.60s", index + 1,
+                       err->key[0]   ? err->key
+                       : periods     ? "periods"
+                       : flexibility ? "flexibility-matrix"
+                                     : "stiffness-matrix");
     }
     return status;
 }

@@ -24,7 +24,7 @@ static enum thud_status refuse(const struct thud_preset *preset, int node, const
                                const char *allowed, struct thud_error *err)
 {
     thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_key(err, path);
+    thud_error_key(err, "%s", path);
     if (allowed)
         thud_error_allow(err, "%s", allowed);
     return at(preset, node, THUD_INPUT, err);

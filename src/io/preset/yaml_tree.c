@@ -127,7 +127,7 @@ static enum thud_status check_duplicate(struct reading *r, int key, yaml_mark_t 
         if (strcmp(thud_yaml_text(tree, i), text) == 0) {
             refuse(r, mark, "the key is given twice", NULL);
             thud_error_allow(r->err, "once; it is on line %d already", tree->node[i].line);
-            thud_error_key(r->err, text);
+            thud_error_key(r->err, "%s", text);
             return THUD_INPUT;
         }
     return THUD_OK;

@@ -60,7 +60,7 @@ static enum thud_status ask(const struct record_source *source, const char *opti
                             const char *what, const char *allowed, struct thud_error *err)
 {
     record_refuse(source, 0, 0, err, "%s: give it with --%s %s", what, option, example);
-    thud_error_key(err, option);
+    thud_error_key(err, "%s", option);
     thud_error_allow(err, "%s", allowed);
     return THUD_INPUT;
 }
@@ -170,7 +170,7 @@ static enum thud_status scale_to(const struct thud_record *record, const struct 
     if (what) {
         thud_error_set(err, THUD_INPUT, "%s", what);
         thud_error_place(err, record->file, 0, 0);
-        thud_error_key(err, key);
+        thud_error_key(err, "%s", key);
         return THUD_INPUT;
     }
     *factor *= (sa ? choice->sa_mps2 : choice->peak_mps2) / has;
@@ -183,7 +183,7 @@ enum thud_status thud_record_choice_apply(struct thud_record *record, const stru
     if ((!isnan(choice->from_s) || !isnan(choice->to_s)) &&
         thud_record_trim(record, choice->from_s, choice->to_s, err) != THUD_OK) {
         thud_error_place(err, record->file, 0, 0);
-        thud_error_key(err, isnan(choice->from_s) ? "to" : "from");
+        thud_error_key(err, "%s", isnan(choice->from_s) ? "to" : "from");
         return THUD_INPUT;
     }
     double factor = choice->factor * (choice->sign < 0 ? -1 : 1);

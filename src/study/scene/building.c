@@ -66,12 +66,10 @@ bool thud_structure_bends(const struct thud_structure *structure, const struct t
 
 static enum thud_status refuse(const struct thud_structure *s, int index, struct thud_error *err)
 {
-    char key[64];
-    snprintf(key, sizeof key, "structures.%d.%s", index + 1,
-             s->kind == THUD_MODES         ? "periods"
-             : s->flexibility_file[0] != 0 ? "flexibility-matrix"
-                                           : "stiffness-matrix");
-    thud_error_key(err, key);
+    thud_error_key(err, "structures.%d.%s", index + 1,
+                   s->kind == THUD_MODES         ? "periods"
+                   : s->flexibility_file[0] != 0 ? "flexibility-matrix"
+                                                 : "stiffness-matrix");
     return THUD_INPUT;
 }
 

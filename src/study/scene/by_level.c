@@ -122,9 +122,7 @@ void thud_levels_get(const struct thud_by_level *levels, const char *unit, char 
 
 static enum thud_status refuse(int interface, const char *key, struct thud_error *err)
 {
-    char path[64];
-    snprintf(path, sizeof path, "interfaces.%d.%s", interface + 1, key);
-    thud_error_key(err, path);
+    thud_error_key(err, "interfaces.%d.%s", interface + 1, key);
     return THUD_INPUT;
 }
 

@@ -67,9 +67,7 @@ struct thud_foundation_input thud_structure_foundation(const struct thud_structu
 
 static enum thud_status refuse(struct thud_error *err, int index, const char *key, const char *allowed)
 {
-    char path[64];
-    snprintf(path, sizeof path, "structures.%d.foundation.%s", index + 1, key);
-    thud_error_key(err, path);
+    thud_error_key(err, "structures.%d.foundation.%s", index + 1, key);
     thud_error_allow(err, "%s", allowed);
     return THUD_INPUT;
 }
@@ -88,7 +86,7 @@ enum thud_status thud_structure_check_foundation(const struct thud_structure *s,
         thud_quantity_format(value, params[i].unit, text, sizeof text);
         thud_param_check(&params[i], value, text, err);
         snprintf(text, sizeof text, "structures.%d.foundation.%s", index + 1, params[i].name);
-        thud_error_key(err, text);
+        thud_error_key(err, "%s", text);
         return THUD_INPUT;
     }
     if (isnan(f.mass_kg)) {

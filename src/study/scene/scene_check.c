@@ -18,26 +18,16 @@ static enum thud_status missing(const struct thud_param *param, struct thud_erro
     thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
     if (*units)
         thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension), units);
-    thud_error_key(err, key);
-    return THUD_INPUT;
-}
-
-static enum thud_status refuse(struct thud_error *err, const char *key, const char *allowed)
-{
-    thud_error_key(err, key);
-    if (allowed)
-        thud_error_allow(err, "%s", allowed);
+    thud_error_key(err, "%s", key);
     return THUD_INPUT;
 }
 
 static enum thud_status check_names(const struct thud_scene *scene, int s, struct thud_error *err)
 {
-    char key[64];
     for (int i = 0; i < s; i++)
         if (strcmp(scene->structure[i].name, scene->structure[s].name) == 0) {
-            snprintf(key, sizeof key, "structures.%d.name", s + 1);
             thud_error_set(err, THUD_INPUT, "\"%s\" is the name of structure %d too", scene->structure[s].name, i + 1);
-            return refuse(err, key, "every structure has its own name");
+            return thud_scene_refuse(err, "every structure has its own name", "structures.%d.name", s + 1);
         }
     return THUD_OK;
 }
@@ -59,25 +49,23 @@ static enum thud_status check_value(const struct thud_param *param, double value
     thud_quantity_format(value, param->unit, text, sizeof text);
     enum thud_status status = thud_param_check(param, value, text, err);
     if (status != THUD_OK)
-        thud_error_key(err, key);
+        thud_error_key(err, "%s", key);
     return status;
 }
 
 /* A storey's strength is said once, and is one that its drift can be told from. */
 static enum thud_status check_yield(const struct thud_structure *structure, int s, struct thud_error *err)
 {
-    char key[64];
     bool storeys = thud_kind_is_building(structure->kind);
-    snprintf(key, sizeof key, "structures.%d.yield-shear", s + 1);
     for (int i = 0; i < structure->storeys && storeys; i++) {
         if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
             thud_error_set(err, THUD_INPUT, "storey %d has a yield drift too", i + 1);
-            return refuse(err, key, "yield or yield-shear, not both");
+            return thud_scene_refuse(err, "yield or yield-shear, not both", "structures.%d.yield-shear", s + 1);
         }
         if (!(thud_structure_yield(structure, i) >= least_yield_m)) {
             thud_error_set(err, THUD_INPUT, "storey %d yields at a drift of %.3g mm", i + 1,
                            1e3 * thud_structure_yield(structure, i));
-            return refuse(err, key, "> 0.001 mm times the stiffness");
+            return thud_scene_refuse(err, "> 0.001 mm times the stiffness", "structures.%d.yield-shear", s + 1);
         }
     }
     return THUD_OK;
@@ -120,12 +108,10 @@ static enum thud_status check_columns(const struct thud_scene *scene, int s, str
     const struct thud_structure *structure = &scene->structure[s];
     bool has = thud_kind_is_building(structure->kind);
     for (int i = 0; i < structure->storeys && has; i++) {
-        char key[64];
         if (!(structure->column_ei_nm2[i] > 0) || !(structure->column_stiffness_npm[i] > 0))
             continue;
-        snprintf(key, sizeof key, "structures.%d.column.stiffness", s + 1);
         thud_error_set(err, THUD_INPUT, "given as well as EI, which it is there to replace");
-        return refuse(err, key, "EI or stiffness");
+        return thud_scene_refuse(err, "EI or stiffness", "structures.%d.column.stiffness", s + 1);
     }
     return THUD_OK;
 }
@@ -134,14 +120,13 @@ static enum thud_status check_columns(const struct thud_scene *scene, int s, str
 static enum thud_status check_depths(const struct thud_structure *structure, int s, struct thud_error *err)
 {
     for (int i = 0; i < structure->storeys && thud_kind_is_building(structure->kind); i++) {
-        char key[64], depth[48], height[48];
+        char depth[48], height[48];
         if (structure->slab_depth_m[i] <= 0.5 * structure->height_m[i] + rounding_m)
             continue;
-        snprintf(key, sizeof key, "structures.%d.slab-depth", s + 1);
         thud_quantity_format(structure->slab_depth_m[i], "cm", depth, sizeof depth);
         thud_quantity_format(structure->height_m[i], "m", height, sizeof height);
         thud_error_set(err, THUD_INPUT, "the slab of floor %d is %s deep in a storey of %s", i + 1, depth, height);
-        return refuse(err, key, "up to half of the storey's height");
+        return thud_scene_refuse(err, "up to half of the storey's height", "structures.%d.slab-depth", s + 1);
     }
     return THUD_OK;
 }
@@ -153,17 +138,15 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
     if (scene->p_delta && thud_kind_is_read(structure->kind))
         return thud_structure_check_weight(scene, s, err);
     for (int i = 0; i < structure->storeys && scene->p_delta && thud_kind_is_building(structure->kind); i++) {
-        char key[64];
         double weight = thud_structure_weight(structure, i), geometric = weight / structure->height_m[i];
         if (structure->stiffness_npm[i] > geometric)
             continue;
-        snprintf(key, sizeof key, "structures.%d.stiffness.%d", s + 1, i + 1);
         thud_error_set(err, THUD_INPUT,
                        "storey %d of %.40s falls under its own weight: %.4g MN above it on a height of %.4g m take off "
                        "%.4g MN/m",
                        i + 1, structure->name, 1e-6 * weight, structure->height_m[i], 1e-6 * geometric);
         thud_error_allow(err, "with p-delta > %.4g MN/m, and some times that", 1e-6 * geometric);
-        return refuse(err, key, NULL);
+        return thud_scene_refuse(err, NULL, "structures.%d.stiffness.%d", s + 1, i + 1);
     }
     return THUD_OK;
 }
@@ -184,18 +167,19 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
     char key[96];
     if (law == THUD_ISOLATOR_LINEAR && isnan(structure->isolation_stiffness_npm)) {
         thud_error_set(err, THUD_INPUT, "the isolators' stiffness is not given");
-        snprintf(key, sizeof key, "structures.%d.isolation-stiffness", s + 1);
-        return refuse(err, key, "a stiffness, or isolator: {law: lead-rubber or pendulum, ...}");
+        return thud_scene_refuse(err, "a stiffness, or isolator: {law: lead-rubber or pendulum, ...}",
+                                 "structures.%d.isolation-stiffness", s + 1);
     }
     for (int i = 1; i < count; i++) {
         const double value = *(const double *)(const void *)((const char *)structure + places[i].offset);
         snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, params[i].name);
         if (!isnan(value) && !(may[i] & 1u << law)) {
             thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), params[i].title);
-            return refuse(err, key,
-                          law == THUD_ISOLATOR_LINEAR        ? "isolation-stiffness; or another law"
-                          : law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield"
-                                                             : "radius, friction, yield");
+            return thud_scene_refuse(err,
+                                     law == THUD_ISOLATOR_LINEAR        ? "isolation-stiffness; or another law"
+                                     : law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield"
+                                                                        : "radius, friction, yield",
+                                     "structures.%d.isolator.%s", s + 1, params[i].name);
         }
         if (needs[i] & 1u << law || !isnan(value)) {
             enum thud_status status = check_value(&params[i], value, key, err);
@@ -211,28 +195,25 @@ static enum thud_status check_wall(const struct thud_scene *scene, int s, struct
 {
     const struct thud_structure *wall = &scene->structure[s];
     const bool soil = thud_structure_has_group(wall, THUD_GROUP_BACKFILL);
-    char key[64];
-    snprintf(key, sizeof key, "structures.%d.stiffness", s + 1);
+    const char *lacks = isnan(wall->backfill_stiffness_npm) ? "stiffness" : "strength";
     if (thud_wall_gives(wall) && isnan(wall->wall_stiffness_npm)) {
         thud_error_set(err, THUD_INPUT, "the wall has a mass, and no stiffness that holds it");
-        return refuse(err, key, "a stiffness, or no mass: a wall that moves with the ground");
+        return thud_scene_refuse(err, "a stiffness, or no mass: a wall that moves with the ground",
+                                 "structures.%d.stiffness", s + 1);
     }
-    snprintf(key, sizeof key, "structures.%d.mass", s + 1);
     if (!thud_wall_gives(wall) && (soil || !isnan(wall->wall_stiffness_npm) || !isnan(wall->wall_damping))) {
         thud_error_set(err, THUD_INPUT,
                        "a wall without mass moves with the ground, and has no stiffness, damping and backfill");
-        return refuse(err, key, "a mass");
+        return thud_scene_refuse(err, "a mass", "structures.%d.mass", s + 1);
     }
-    snprintf(key, sizeof key, "structures.%d.backfill", s + 1);
     if (soil && s > 0 && s + 1 < scene->nstructures) {
         thud_error_set(err, THUD_INPUT, "%.40s has a neighbour on either side, and no soil", wall->name);
-        return refuse(err, key, "of the first or the last structure");
+        return thud_scene_refuse(err, "of the first or the last structure", "structures.%d.backfill", s + 1);
     }
-    snprintf(key, sizeof key, "structures.%d.backfill.%s", s + 1,
-             isnan(wall->backfill_stiffness_npm) ? "stiffness" : "strength");
     if (soil && (isnan(wall->backfill_stiffness_npm) || isnan(wall->backfill_strength_n))) {
-        thud_error_set(err, THUD_INPUT, "the soil's %s is not given", strrchr(key, '.') + 1);
-        return refuse(err, key, isnan(wall->backfill_stiffness_npm) ? "e.g. 200 MN/m" : "e.g. 3 MN");
+        thud_error_set(err, THUD_INPUT, "the soil's %s is not given", lacks);
+        return thud_scene_refuse(err, isnan(wall->backfill_stiffness_npm) ? "e.g. 200 MN/m" : "e.g. 3 MN",
+                                 "structures.%d.backfill.%s", s + 1, lacks);
     }
     return THUD_OK;
 }
@@ -266,9 +247,8 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
 {
     char key[160];
     if (!choice->law) {
-        snprintf(key, sizeof key, "interfaces.%d.%s.law", interface + 1, part);
         thud_error_set(err, THUD_INPUT, "the impact law is not given");
-        return refuse(err, key, "one of `thud laws`");
+        return thud_scene_refuse(err, "one of `thud laws`", "interfaces.%d.%s.law", interface + 1, part);
     }
     for (int i = 0; i < choice->law->nparams; i++) {
         const struct thud_param *param = &choice->law->params[i];
@@ -288,7 +268,7 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
     if (status == THUD_OK)
         return THUD_OK;
     snprintf(key, sizeof key, "interfaces.%d.%s.%.60s", interface + 1, part, why.key[0] ? why.key : "law");
-    thud_error_key(&why, key);
+    thud_error_key(&why, "%s", key);
     if (err)
         *err = why;
     return status;
@@ -311,15 +291,13 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
     thud_quantity_format(at->bumper_thickness_m, "cm", thick, sizeof thick);
     thud_quantity_format(at->bumper_cavity_m, "cm", text, sizeof text);
     if (out <= 0) {
-        snprintf(key, sizeof key, "interfaces.%d.bumper.cavity", interface + 1);
         thud_error_set(err, THUD_INPUT, "the cavity, %s, is as deep as the bumper is thick, %s", text, thick);
-        return refuse(err, key, "0 to less than the thickness");
+        return thud_scene_refuse(err, "0 to less than the thickness", "interfaces.%d.bumper.cavity", interface + 1);
     }
     char much[48];
-    snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
     thud_quantity_format(rint(out * 1e9) / 1e9, "cm", much, sizeof much);
     thud_error_set(err, THUD_INPUT, "the bumper sticks out by %s into a gap of %s", much, gap);
-    return refuse(err, key, "thickness - cavity <= gap");
+    return thud_scene_refuse(err, "thickness - cavity <= gap", "interfaces.%d.bumper.thickness", interface + 1);
 }
 
 /* An impulse has no force that columns could give under. */
@@ -339,10 +317,9 @@ static enum thud_status check_impulses(const struct thud_scene *scene, int i, st
         int storey = (left ? meeting[k].left_floor : meeting[k].right_floor) - 1 - (s->kind == THUD_ISOLATED);
         if (meeting[k].struck == 0 || isnan(thud_column_ei(s, storey)))
             continue;
-        char key[64];
-        snprintf(key, sizeof key, "interfaces.%d.%s.law", i + 1, bumper ? "bumper" : "contact");
         thud_error_set(err, THUD_INPUT, "%s has impulses, and columns that give need a contact force", law->name);
-        return refuse(err, key, "another law, or columns without EI and stiffness");
+        return thud_scene_refuse(err, "another law, or columns without EI and stiffness", "interfaces.%d.%s.law", i + 1,
+                                 bumper ? "bumper" : "contact");
     }
     return THUD_OK;
 }
@@ -373,28 +350,22 @@ static enum thud_status check_study(const struct thud_scene *scene, struct thud_
         struct thud_slot slot;
         enum thud_status status = thud_slot_find(scene, vary->key, &slot, err);
         if (status != THUD_OK)
-            return refuse(err, "study.vary", NULL);
+            return thud_scene_refuse(err, NULL, "study.vary");
         if (vary->values[0])
             continue;
-        if (slot.param->kind != THUD_PARAM_QUANTITY && slot.param->kind != THUD_PARAM_INTEGER) {
-            thud_error_set(err, THUD_INPUT, "the varied key %s has no values", vary->key);
-            return refuse(err, "study.values", "a list of its words");
-        }
+        if (slot.param->kind != THUD_PARAM_QUANTITY && slot.param->kind != THUD_PARAM_INTEGER)
+            return thud_error_refuse(err, THUD_INPUT, "study.values", "a list of its words",
+                                     "the varied key %s has no values", vary->key);
         const char *absent = isnan(vary->from) ? "from" : isnan(vary->to) ? "to" : isnan(vary->step) ? "step" : NULL;
-        char key[32];
         if (absent) {
-            snprintf(key, sizeof key, "study.%s", absent);
             thud_error_set(err, THUD_INPUT, "the varied key %s has no \"%s\"", vary->key, absent);
-            return refuse(err, key, "from, to and step, or values");
+            return thud_scene_refuse(err, "from, to and step, or values", "study.%s", absent);
         }
-        if (vary->from > vary->to) {
-            thud_error_set(err, THUD_INPUT, "the last value is below the first one");
-            return refuse(err, "study.to", "from <= to");
-        }
-        if ((vary->to - vary->from) / vary->step > 1e6) {
-            thud_error_set(err, THUD_INPUT, "the step makes more than a million values");
-            return refuse(err, "study.step", NULL);
-        }
+        if (vary->from > vary->to)
+            return thud_error_refuse(err, THUD_INPUT, "study.to", "from <= to",
+                                     "the last value is below the first one");
+        if ((vary->to - vary->from) / vary->step > 1e6)
+            return thud_error_refuse(err, THUD_INPUT, "study.step", NULL, "the step makes more than a million values");
     }
     return THUD_OK;
 }
@@ -403,30 +374,25 @@ enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_er
 {
     bool moves = false;
     enum thud_status status = THUD_OK;
-    if (scene->nstructures < 1) {
-        thud_error_set(err, THUD_INPUT, "there is no structure");
-        return refuse(err, "structures", "a list of 1 to 20");
-    }
+    if (scene->nstructures < 1)
+        return thud_error_refuse(err, THUD_INPUT, "structures", "a list of 1 to 20", "there is no structure");
     for (int s = 0; s < scene->nstructures && status == THUD_OK; s++) {
         status = check_structure(scene, s, err);
         moves = moves || scene->structure[s].kind != THUD_WALL;
     }
-    if (status == THUD_OK && !moves) {
-        thud_error_set(err, THUD_INPUT, "there are only walls, so nothing moves");
-        return refuse(err, "structures", "at least one building or rigid body");
-    }
+    if (status == THUD_OK && !moves)
+        return thud_error_refuse(err, THUD_INPUT, "structures", "at least one building or rigid body",
+                                 "there are only walls, so nothing moves");
     for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++)
         status = check_interface(scene, i, err);
     if (status == THUD_OK)
         status = thud_links_check(scene, err);
     if (status == THUD_OK && !isnan(scene->record.to_s) &&
-        !(scene->record.to_s > (isnan(scene->record.from_s) ? 0 : scene->record.from_s))) {
-        thud_error_set(err, THUD_INPUT, "the part of the motion ends before it begins");
-        return refuse(err, "record.to", "later than it begins");
-    }
-    if (status == THUD_OK && !scene->record.file[0] && !(scene->analysis.tail_s > 0)) {
-        thud_error_set(err, THUD_INPUT, "without a ground motion the tail is the duration, and it is 0");
-        return refuse(err, "analysis.tail", "> 0 s, up to 100 s");
-    }
+        !(scene->record.to_s > (isnan(scene->record.from_s) ? 0 : scene->record.from_s)))
+        return thud_error_refuse(err, THUD_INPUT, "record.to", "later than it begins",
+                                 "the part of the motion ends before it begins");
+    if (status == THUD_OK && !scene->record.file[0] && !(scene->analysis.tail_s > 0))
+        return thud_error_refuse(err, THUD_INPUT, "analysis.tail", "> 0 s, up to 100 s",
+                                 "without a ground motion the tail is the duration, and it is 0");
     return status == THUD_OK ? check_study(scene, err) : status;
 }

@@ -154,7 +154,7 @@ static enum thud_status check_ends(const struct thud_scene *scene, int i, struct
     for (int side = 0; side < 2; side++) {
         enum thud_status status = thud_link_end(scene, end[side], &structure[side], &floor[side], err);
         snprintf(key, sizeof key, "links.%d.%s", i + 1, word[side]);
-        thud_error_key(err, key);
+        thud_error_key(err, "%s", key);
         if (status != THUD_OK)
             return status;
     }
@@ -169,7 +169,7 @@ static enum thud_status check_ends(const struct thud_scene *scene, int i, struct
     } else {
         thud_error_set(err, THUD_INPUT, "%s and %s are no neighbours", end[0], end[1]);
     }
-    thud_error_key(err, key);
+    thud_error_key(err, "%s", key);
     thud_error_allow(err, "a floor of the neighbour");
     return THUD_INPUT;
 }
@@ -208,12 +208,11 @@ static enum thud_status check_values(const struct thud_scene *scene, int i, stru
     const struct thud_param *params = thud_group_params(THUD_GROUP_LINK, &count);
     for (int k = 0; k < count; k++) {
         const struct thud_place *place = &thud_group_places(THUD_GROUP_LINK)[k];
-        char key[48], text[96];
+        char text[96];
         double value;
         if (place->store != THUD_STORE_NUMBER || !thud_link_has((enum thud_link_law)scene->link[i].law, k))
             continue;
         memcpy(&value, (const char *)&scene->link[i] + place->offset, sizeof value);
-        snprintf(key, sizeof key, "links.%d.%s", i + 1, params[k].name);
         thud_quantity_format(value, params[k].unit, text, sizeof text);
         const bool needed =
             place->offset == offsetof(struct thud_link, stiffness_npm) && (int)scene->link[i].law >= THUD_LINK_FRICTION;
@@ -227,7 +226,7 @@ static enum thud_status check_values(const struct thud_scene *scene, int i, stru
         } else if (thud_param_check(&params[k], value, text, err) == THUD_OK) {
             continue;
         }
-        thud_error_key(err, key);
+        thud_error_key(err, "links.%d.%s", i + 1, params[k].name);
         return THUD_INPUT;
     }
     return THUD_OK;
@@ -238,15 +237,13 @@ static enum thud_status check_slip(const struct thud_scene *scene, int i, struct
 {
     static const double least_m = 1e-6;
     const struct thud_link *link = &scene->link[i];
-    char key[32];
     if (link->law != THUD_LINK_FRICTION || link->slip_n >= least_m * link->stiffness_npm)
         return THUD_OK;
-    snprintf(key, sizeof key, "links.%d.slip", i + 1);
     thud_error_set(err, THUD_INPUT, "friction gives by only %.3g um before it slips",
                    1e6 * link->slip_n / link->stiffness_npm);
     thud_error_allow(err, "1 um or more, a slip force of at least %.4g kN or a smaller stiffness",
                      1e-3 * least_m * link->stiffness_npm);
-    thud_error_key(err, key);
+    thud_error_key(err, "links.%d.slip", i + 1);
     return THUD_INPUT;
 }
 

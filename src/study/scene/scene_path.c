@@ -289,7 +289,7 @@ enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path
     *out = (struct thud_slot){.structure = -1, .interface = -1, .link = -1, .floor = -1};
     enum thud_status status = split(path, &parts) ? find(scene, &parts, out, err) : wrong_depth(err);
     if (status != THUD_OK)
-        thud_error_key(err, path);
+        thud_error_key(err, "%s", path);
     return status;
 }
 

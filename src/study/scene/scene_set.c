@@ -23,7 +23,7 @@ enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, cons
     status = slot.place.store == THUD_STORE_STUDY ? set_study(scene, &slot, text, err)
                                                   : thud_value_set(scene, &slot, text, err);
     if (status != THUD_OK)
-        thud_error_key(err, path);
+        thud_error_key(err, "%s", path);
     return status;
 }
 

@@ -100,6 +100,9 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
                                 struct thud_error *err);
 void thud_study_get(const struct thud_scene *scene, const struct thud_slot *slot, char *text, size_t size);
 
+/* Adds to an error what is allowed (NULL: nothing) and the key, and gives THUD_INPUT. */
+enum thud_status thud_scene_refuse(struct thud_error *err, const char *allowed, const char *key, ...) THUD_PRINTF(3, 4);
+
 /* A quantity with its bounds. `choice`: the law whose exponent the unit must carry, NULL outside laws. Errors:
  * THUD_INPUT with what is allowed. */
 enum thud_status thud_quantity_read(const struct thud_param *param, const struct thud_law_choice *choice,

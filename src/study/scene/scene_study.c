@@ -139,7 +139,7 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
         if (status == THUD_OK)
             status = add_value(vary, value[i], err);
         else
-            thud_error_key(err, vary->key);
+            thud_error_key(err, "%s", vary->key);
     }
     return status;
 }

@@ -22,7 +22,7 @@ static bool look(struct search *search, const struct thud_param *param, double v
     thud_quantity_format(value, strchr(param->unit, '^') ? "" : param->unit, text, sizeof text);
     thud_error_set(search->out, THUD_OK, "%s is unusual", text);
     thud_error_allow(search->out, "usually %s", usual);
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "%s", key);
     return true;
 }
 
@@ -79,7 +79,7 @@ static bool look_whole_law(struct search *search, const struct thud_law_choice *
         char key[sizeof one.key + 64];
         snprintf(key, sizeof key, "%s.%s", prefix, one.key);
         *search->out = one;
-        thud_error_key(search->out, key);
+        thud_error_key(search->out, "%s", key);
         return true;
     }
     return false;
@@ -92,13 +92,11 @@ static bool look_columns(struct search *search, const struct thud_structure *s, 
         double length = thud_clear_height(s, i), k = 12 * thud_column_ei(s, i) / (length * length * length);
         if (!(s->stiffness_npm[i] > 0) || !(k > s->stiffness_npm[i] * (1 + 1e-9)) || search->found++ != search->wanted)
             continue;
-        char key[96];
-        snprintf(key, sizeof key, "%s.%s", prefix, s->column_stiffness_npm[i] > 0 ? "stiffness" : "EI");
         thud_error_set(search->out, THUD_OK,
                        "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g", i + 1, 1e-6 * k,
                        1e-6 * s->stiffness_npm[i]);
         thud_error_allow(search->out, "usually less than the storey's stiffness");
-        thud_error_key(search->out, key);
+        thud_error_key(search->out, "%s.%s", prefix, s->column_stiffness_npm[i] > 0 ? "stiffness" : "EI");
         return true;
     }
     return false;
@@ -109,14 +107,12 @@ static bool look_modes(struct search *search, const struct thud_structure *s, co
 {
     if (s->kind != THUD_MODES || s->shape_rows == 0 || s->shape_rows >= s->storeys || search->found++ != search->wanted)
         return false;
-    char key[96];
-    snprintf(key, sizeof key, "%s.periods", prefix);
     thud_error_set(search->out, THUD_OK,
                    "%d of %d modes: what they leave out is taken as ten times faster than the fastest of them, so that "
                    "the local give at a struck floor is not known",
                    s->shape_rows, s->storeys);
     thud_error_allow(search->out, "as many modes as floors");
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "%s.periods", prefix);
     return true;
 }
 
@@ -125,45 +121,39 @@ static bool look_estimate(struct search *search, const struct thud_structure *s,
 {
     static const double most_m = 40;
     const double height = s->kind == THUD_ESTIMATED ? thud_structure_estimate(s).height_m : 0;
-    char key[96];
     if (!(height > most_m) || search->found++ != search->wanted)
         return false;
-    snprintf(key, sizeof key, "%s.height", prefix);
     thud_error_set(search->out, THUD_OK, "a period is estimated for a building of %.4g m", height);
     thud_error_allow(search->out, "EN 1998-1 4.3.3.2.2(3): up to %.4g m", most_m);
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "%s.height", prefix);
     return true;
 }
 
 /* A cavity that leaves less of the bumper outside than it can be compressed by: the walls would touch first. */
 static bool look_cavity(struct search *search, const struct thud_interface *at, const char *prefix)
 {
-    char key[96];
     double strain = thud_interface_max_strain(at);
     if (isnan(strain) || at->bumper_cavity_m <= at->bumper_thickness_m * (1 - strain) * (1 + 1e-9) ||
         search->found++ != search->wanted)
         return false;
-    snprintf(key, sizeof key, "%s.cavity", prefix);
     thud_error_set(search->out, THUD_OK, "at %.4g cm the walls would touch before the bumper is at its ultimate strain",
                    100 * at->bumper_cavity_m);
     thud_error_allow(search->out, "usually up to thickness (1 - max-strain), %.4g cm",
                      100 * at->bumper_thickness_m * (1 - strain));
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "%s.cavity", prefix);
     return true;
 }
 
 /* A contact whose law nobody has chosen. */
 static bool look_assumed(struct search *search, const struct thud_law_choice *choice, int i)
 {
-    char key[64];
     if (!choice->assumed || search->found++ != search->wanted)
         return false;
-    snprintf(key, sizeof key, "interfaces.%d.contact.law", i + 1);
     thud_error_set(search->out, THUD_OK,
                    "no impact law is given: %s is taken, with its usual values where none are given",
                    choice->law->name);
     thud_error_allow(search->out, "the law of Polycarpou and Komodromos (2011); others: `thud laws`");
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "interfaces.%d.contact.law", i + 1);
     return true;
 }
 
@@ -195,12 +185,10 @@ static bool look_levels(struct search *search, const struct thud_scene *scene)
         const struct thud_structure *left = &scene->structure[i], *right = left + 1;
         if (contacts[i + 1] > 0 || search->found++ != search->wanted)
             continue;
-        char key[64];
-        snprintf(key, sizeof key, "interfaces.%d", i + 1);
         thud_error_set(search->out, THUD_OK, "%s and %s have nothing at the same level, so they cannot touch",
                        left->name, right->name);
         thud_error_allow(search->out, "floors at or between the other's floors: see heights and base");
-        thud_error_key(search->out, key);
+        thud_error_key(search->out, "interfaces.%d", i + 1);
         return true;
     }
     return false;
@@ -230,14 +218,12 @@ static bool look_faces(struct search *search, const struct thud_scene *scene, in
     }
     if (few == 0 || search->found++ != search->wanted)
         return false;
-    char key[64];
-    snprintf(key, sizeof key, "structures.%d.slab-depth", i + 1);
     thud_error_set(search->out, THUD_OK,
                    "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): that is "
                    "neither a contact of floors nor one of a slab and columns",
                    a, left->name, b, right->name, 100 * overlap, 100 * depth, few);
     thud_error_allow(search->out, "usually a quarter of the shallower slab or more; see height and base");
-    thud_error_key(search->out, key);
+    thud_error_key(search->out, "structures.%d.slab-depth", i + 1);
     return true;
 }
 

@@ -1,9 +1,11 @@
 #include "study/scene/scene_words.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/nearest.h"
+#include "study/scene/scene_slot.h"
 
 void thud_words_add(struct thud_words *words, const char *word)
 {
@@ -25,6 +27,19 @@ enum thud_status thud_words_unknown(const struct thud_words *words, const char *
     else
         thud_error_set(err, THUD_INPUT, "unknown %s \"%.80s\"", what, word);
     thud_error_allow(err, "%s", list);
+    return THUD_INPUT;
+}
+
+enum thud_status thud_scene_refuse(struct thud_error *err, const char *allowed, const char *key, ...)
+{
+    char path[sizeof(struct thud_error){0}.key];
+    va_list args;
+    va_start(args, key);
+    vsnprintf(path, sizeof path, key, args);
+    va_end(args);
+    thud_error_key(err, "%s", path);
+    if (allowed)
+        thud_error_allow(err, "%s", allowed);
     return THUD_INPUT;
 }
 

@@ -45,20 +45,19 @@ static bool look_bumper(const struct thud_scene *scene, int i, const struct thud
             count++;
             past += impact[k].indentation_m > limit;
         }
-    char key[64], often[96] = "", where[48] = "";
+    char often[96] = "", where[48] = "";
     if (count > 0)
         snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * limit, past, count);
     if (most->left_floor > 0 || most->right_floor > 0)
         snprintf(where, sizeof where, " at floor %d",
                  thud_slab_floor(most->left_floor, most->right_floor, most->struck));
-    snprintf(key, sizeof key, "interfaces.%d.bumper", i + 1);
     thud_error_set(out, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,
                    most->indentation.value > thickness ? "more than there is of it" : "past its ultimate strain",
                    often);
     if (!isnan(strain))
         thud_error_allow(out, "up to %.4g mm it is rubber that acts", 1e3 * limit);
-    thud_error_key(out, key);
+    thud_error_key(out, "interfaces.%d.bumper", i + 1);
     return true;
 }
 
@@ -88,12 +87,10 @@ static bool look_drift(const struct thud_structure *s, const struct thud_structu
     double worst = worst_drift(s, r->floors, drift_m, &storey);
     if (!(worst > drift_most))
         return false;
-    char key[64];
-    snprintf(key, sizeof key, "structures.%d", index + 1);
     thud_error_set(out, THUD_OK, "storey %d of %.40s drifts by %.3g mm, %.2g %% of its height, and is taken as elastic",
                    storey, s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
     thud_error_allow(out, "buildings yield before %g %%", 100 * drift_most);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d", index + 1);
     return true;
 }
 
@@ -122,16 +119,15 @@ static bool look_theta(const struct thud_structure *s, const struct thud_structu
     }
     if (!(worst > theta_small))
         return false;
-    char key[64], others[48] = "";
+    char others[48] = "";
     if (above > 1)
         snprintf(others, sizeof others, "; %d storeys are above %g", above, theta_small);
-    snprintf(key, sizeof key, "structures.%d", index + 1);
     thud_error_set(out, THUD_OK, "%sthe stability coefficient of storey %d of %.40s is %.3g%s: %s",
                    worst > theta_most ? "caution: " : "", storey + 1, s->name, worst, others,
                    worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
                                       : "the weight on the drift, which the run leaves out, adds to the response");
     thud_error_allow(out, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d", index + 1);
     return true;
 }
 
@@ -151,9 +147,7 @@ static bool look_yielding(const struct thud_structure *s, const struct thud_stru
     }
     if (!(worst >= 1))
         return false;
-    char key[64];
     double drift_m = r->floor[storey + slab].drift.value;
-    snprintf(key, sizeof key, "structures.%d.yield", index + 1);
     thud_error_set(
         out, THUD_OK,
         "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height: a real "
@@ -161,7 +155,7 @@ static bool look_yielding(const struct thud_structure *s, const struct thud_stru
         storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m, 100 * drift_m / s->height_m[storey]);
     thud_error_allow(out, "bilinear storeys stand for ductilities up to %g and drifts up to %g %%", ductility_most,
                      100 * yielding_drift_most);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d.yield", index + 1);
     return true;
 }
 
@@ -172,13 +166,11 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
         return false;
     const struct thud_structure *s = &scene->structure[c->structure];
     const int storey = thud_structure_storey(s, c->floor);
-    char key[64];
-    snprintf(key, sizeof key, "structures.%d", c->structure + 1);
     thud_error_set(out, THUD_OK,
                    "storey %d of %.40s collapses at %.3f s: its drift comes to %.4g mm, %.3g %% of its height, and the "
                    "run ends there",
                    storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d", c->structure + 1);
     return true;
 }
 
@@ -213,17 +205,16 @@ static bool look_columns(const struct thud_scene *scene, const struct thud_resul
         return false;
     const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
     const struct thud_peak *shear = low->value > up->value ? low : up;
-    char key[64], others[48] = "";
+    char others[48] = "";
     if (above > 1)
         snprintf(others, sizeof others, "; so do those of %d other storey%s", above - 1, above > 2 ? "s" : "");
-    snprintf(key, sizeof key, "structures.%d.column.capacity", structure + 1);
     thud_error_set(out, THUD_OK,
                    "the struck columns below floor %d of %.40s bear a shear of %.4g kN at %.3f s, %.3g times what they "
                    "can, and are taken as whole%s",
                    worst->storey, scene->structure[structure].name, 1e-3 * shear->value, shear->time_s, worst->ratio,
                    others);
     thud_error_allow(out, "up to %.4g kN", 1e-3 * worst->capacity_n);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d.column.capacity", structure + 1);
     return true;
 }
 
@@ -236,17 +227,15 @@ static bool look_overturning(const struct thud_structure *s, const struct thud_s
     if (s->kind != THUD_ISOLATED || isnan(s->width_m))
         return false;
     const double held = 0.5 * thud_isolated_weight(s) * s->width_m;
-    char key[64];
     if (!(r->overturning.value > part * held))
         return false;
-    snprintf(key, sizeof key, "structures.%d.width", index + 1);
     thud_error_set(out, THUD_OK,
                    "the overturning moment of %.40s about its isolators comes to %.4g MN m at %.3f s, %.2g times what "
                    "its weight holds (%.4g MN m): uplift of isolators, and how the load on them changes, are left out",
                    s->name, 1e-6 * r->overturning.value, r->overturning.time_s, r->overturning.value / held,
                    1e-6 * held);
     thud_error_allow(out, "up to half of the weight times half the width, %.4g MN m", 1e-6 * part * held);
-    thud_error_key(out, key);
+    thud_error_key(out, "structures.%d.width", index + 1);
     return true;
 }
 
@@ -341,16 +330,15 @@ bool thud_scene_change_remark(const struct thud_scene *before, const struct thud
         if (k < 0 || was->bumper.law != is->bumper.law || was->bumper_thickness_m == is->bumper_thickness_m ||
             was->bumper.value[k] != is->bumper.value[k] || n-- > 0)
             continue;
-        char text[96], key[64];
+        char text[96];
         double exponent = is->bumper.value[thud_law_param(is->bumper.law, "exponent")];
         stiffness_text(scene, i, text, sizeof text);
-        snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", i + 1);
         thud_error_set(out, THUD_OK,
                        "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g times that",
                        100 * is->bumper_thickness_m, 100 * was->bumper_thickness_m, text,
                        pow(was->bumper_thickness_m / is->bumper_thickness_m, exponent));
         thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
-        thud_error_key(out, key);
+        thud_error_key(out, "interfaces.%d.bumper.thickness", i + 1);
         return true;
     }
     return false;
@@ -388,7 +376,7 @@ bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_er
                            "strain changes with it",
                            text);
         thud_error_allow(out, "alpha, area and material-stiffness in place of stiffness make it follow");
-        thud_error_key(out, key);
+        thud_error_key(out, "%s", key);
         return true;
     }
     return false;

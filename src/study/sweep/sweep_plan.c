@@ -174,7 +174,7 @@ static enum thud_status check_parts(const struct thud_sweep_axis *axis, char par
     struct thud_quantity unused;
     for (int i = 0; i < 3; i++)
         if (thud_quantity_parse(part[i], axis->param->dimension, "", &unused, err) != THUD_OK) {
-            thud_error_key(err, axis->key);
+            thud_error_key(err, "%s", axis->key);
             return THUD_INPUT;
         }
     return THUD_OK;
