@@ -24,24 +24,44 @@ static void add(char *text, size_t size, int columns, const char *part)
         snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
 }
 
+static const char bare[] = "no bumper: ";
+
+/* "16 impacts, 34.5 MN": three digits. */
+static void pounding_words(int impacts, double force_n, char text[64])
+{
+    const double force = 1e-6 * force_n;
+    snprintf(text, 64, "%d impact%s, %.*f MN", impacts, impacts == 1 ? "" : "s",
+             force >= 99.95     ? 0
+             : force >= 9.995   ? 1
+             : force >= 0.9995  ? 2
+             : force >= 0.09995 ? 3
+                                : 4,
+             force);
+}
+
 static void bumper_words(const struct thud_summary_line *line, bool brief, char *part, size_t size)
 {
+    char words[64];
     *part = '\0';
     if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
         return;
     if (line->bumper_impacts == 0)
         snprintf(part, size, "bumper: no contact");
-    else if (line->force_n > 0)
-        snprintf(part, size, "bumper: %s%+.0f %%", brief ? "" : "force ",
-                 thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
-    else
+    else if (isnan(line->bumper_force_n))
         snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
+    else {
+        pounding_words(line->bumper_impacts, line->bumper_force_n, words);
+        snprintf(part, size, "bumper: %s", brief ? strchr(words, ',') + 2 : words);
+        const size_t n = strlen(part);
+        if (!brief && line->force_n > 0)
+            snprintf(part + n, size - n, " (%+.0f %%)",
+                     thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
+    }
 }
 
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size)
 {
-    char part[160], bumper[80], gap[48];
-    double force = 1e-6 * line->force_n;
+    char part[160], bumper[120], gap[48], words[64];
     *text = '\0';
     if (isnan(line->force_n) && line->impacts == 0)
         return;
@@ -50,20 +70,14 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     if (isnan(line->force_n))
         snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %.3g kN s in all", gap, line->impacts,
                  line->impacts == 1 ? "" : "s", 1e-3 * line->impulse_ns);
-    else if (line->impacts > 0) /* three digits */
-        snprintf(part, sizeof part, "POUNDS at %s: %d impact%s, %.*f MN", gap, line->impacts,
-                 line->impacts == 1 ? "" : "s",
-                 force >= 99.95     ? 0
-                 : force >= 9.995   ? 1
-                 : force >= 0.9995  ? 2
-                 : force >= 0.09995 ? 3
-                                    : 4,
-                 force);
-    else
+    else if (line->impacts > 0) {
+        pounding_words(line->impacts, line->force_n, words);
+        snprintf(part, sizeof part, "POUNDS at %s: %s", gap, words);
+    } else
         snprintf(part, sizeof part, "NO CONTACT at %s", gap);
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
-        int rest = *bumper ? 3 + (int)strlen(bumper) : 0;
+        int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(bare)) : 0;
         snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->need_m),
                  thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
@@ -72,6 +86,12 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     }
     if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)
         bumper_words(line, true, bumper, sizeof bumper);
-    if (*bumper)
-        add(text, size, columns, bumper);
+    if (!*bumper)
+        return;
+    add(text, size, columns, bumper);
+    const size_t n = strlen(text), room = strlen(bare);
+    if ((int)(n + room) <= columns && n + room < size) {
+        memmove(text + room, text, n + 1);
+        memcpy(text, bare, room);
+    }
 }

@@ -22,6 +22,7 @@ double thud_summary_gap_cm(double gap_m);
 /* Up to the next tenth of a millimetre: of tables, where rules stand beside each other. */
 double thud_table_gap_cm(double gap_m);
 
-/* "POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: force -9 %". Gaps are rounded up
- * to the next millimetre. What has no room in `columns` is left off, the codes' rules first. Empty without a result. */
+/* "no bumper: POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: 31 impacts, 19.5 MN
+ * (-9 %)". Gaps are rounded up to the next millimetre. What has no room in `columns` is left off, the codes' rules first,
+ * then of the bumper all but its force, then whose result comes first. Empty without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
