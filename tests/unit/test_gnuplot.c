@@ -655,6 +655,36 @@ START_TEST(a_copy_is_just_like_it)
 }
 END_TEST
 
+/* The names of two near lines stand on their outer sides; a reference that coincides with a curve lies over it in dashes;
+ * a strip of zeros takes the scale of the others. */
+START_TEST(nothing_hides_another)
+{
+    struct thud_figure *figure = thud_figure_create("near", "", 2, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, ""), *zeros = thud_figure_panel(figure, 1, 0, "");
+    const double x[] = {0.02, 10.0}, y[] = {0.0, 0.2}, none[] = {0.0, 0.0};
+    thud_panel_log(panel, THUD_X);
+    thud_panel_limits(panel, THUD_X, x[0], x[1]);
+    thud_panel_mark(panel, THUD_X, 0.506, 0.506, "library");
+    thud_panel_mark(panel, THUD_X, 0.409, 0.409, "school");
+    thud_panel_add(panel, (struct thud_style){.color = -1}, "no pounding", 2, x, y);
+    thud_panel_add(panel, (struct thud_style){.color = 0}, "no bumper", 2, x, y);
+    thud_panel_add(zeros, (struct thud_style){.color = 0}, "no bumper", 2, x, none);
+    thud_figure_share_scale(figure, THUD_Y, 0, 1, 2, NULL);
+    ck_assert_double_lt(thud_panel_range(zeros, THUD_Y).most, 0.5);
+    ck_assert_double_ge(thud_panel_range(zeros, THUD_Y).least, 0.0);
+    struct thud_text script = {0};
+    struct thud_error err;
+    ck_assert_int_eq(thud_gnuplot_script(figure, &(struct thud_picture_options){0}, "near.png", &script, &err),
+                     THUD_OK);
+    ck_assert_ptr_nonnull(strstr(script.data, "first 0.409, graph 1 right"));
+    ck_assert_ptr_nonnull(strstr(script.data, "first 0.506, graph 1 left"));
+    const char *curve = strstr(script.data, "$P1S2 using"), *reference = strstr(script.data, "$P1S1 using");
+    ck_assert(curve && curve < reference);
+    thud_text_clear(&script);
+    thud_figure_free(figure);
+}
+END_TEST
+
 /* Named classes have a name each on a scale without numbers between them; the ends of a log axis lie a hair outside
  * their ticks; the numbers of a narrow frame stand apart. */
 START_TEST(scales_can_be_read)
@@ -697,6 +727,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, draws_every_format_whole_and_the_same_twice);
     tcase_add_test(tcase, legends_and_titles_stand_where_they_say_something);
     tcase_add_test(tcase, a_copy_is_just_like_it);
+    tcase_add_test(tcase, nothing_hides_another);
     tcase_add_test(tcase, scales_can_be_read);
     tcase_add_test(tcase, size_and_font_are_as_asked);
     tcase_add_test(tcase, a_width_on_paper);

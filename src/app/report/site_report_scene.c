@@ -9,7 +9,6 @@
 #include "ground/intensity.h"
 #include "ground/spectrum.h"
 #include "plot/figures/figures_record.h"
-#include "plot/figures/figures_scene.h"
 #include "study/sweep/sweep_table.h"
 
 static void add_structure_rows(struct site *site)
@@ -86,8 +85,6 @@ void thud_site_scene(struct site *site)
             name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
             thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
     }
-    thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
-                     "Elevation of the buildings, levels in metres, and the model that is computed.");
 }
 
 /* ---- load cases ---- */
@@ -182,7 +179,7 @@ void thud_site_loads(struct site *site)
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;
     }
-    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.45,
+    thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.4,
                      "Acceleration, velocity and displacement of the ground.");
     point = malloc(POINTS * sizeof *point);
     if (!point) {
@@ -190,7 +187,7 @@ void thud_site_loads(struct site *site)
         return;
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
-    thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
+    thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.4,
                      "Response spectrum of the ground motion at 5 % damping (Sa of the total acceleration, not the "
                      "pseudo-acceleration "
                      "of the tables), with the fundamental periods of the buildings.");

@@ -443,9 +443,11 @@ static void results(struct site *site)
     add_column_table(site);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(site, &site->cases[i]);
-    if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases))
-        thud_site_figure(site, thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases), 0,
+    if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases)) {
+        struct thud_figure *envelope = thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases);
+        thud_site_figure(site, envelope, 0.1 + 0.18 * (envelope ? envelope->rows : 1),
                          "Largest values over the height, in each case.");
+    }
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
         struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
         const bool made = thud_figure_check(forces, NULL) == THUD_OK;

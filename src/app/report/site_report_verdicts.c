@@ -10,6 +10,7 @@
 #include "core/methods/method.h"
 #include "ground/identity.h"
 #include "io/preset/preset.h"
+#include "plot/figures/figures_scene.h"
 
 static void row(struct site *site, const char *what, const char *found)
 {
@@ -317,6 +318,9 @@ static void put_input(void *context, const char *section, const char *key, const
     if (!inputs->begun || strlen(inputs->owner) != n || strncmp(section, inputs->owner, n) != 0) {
         inputs->begun = true;
         snprintf(inputs->owner, sizeof inputs->owner, "%.*s", (int)n, section);
+        if (strcmp(inputs->owner, "structures.1") == 0) /* after tables that fill the first page */
+            thud_site_figure(inputs->site, thud_figure_of_scene(inputs->site->scene, "scene", ""), 0.5,
+                             "Elevation of the buildings, levels in metres, and the model that is computed.");
         owner_name(inputs->site, inputs->owner, name, sizeof name);
         snprintf(caption, sizeof caption, "Inputs of %s", name);
         thud_document_table(d, caption);

@@ -109,7 +109,7 @@ static struct thud_range round_log(struct thud_range range, const struct thud_ax
     return range;
 }
 
-struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side)
+static struct thud_range data_range(const struct thud_panel *panel, enum thud_side side)
 {
     const struct thud_axis *axis = &panel->axis[side];
     struct thud_range range = {NAN, NAN, 0.0};
@@ -122,6 +122,13 @@ struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_sid
         if (panel->mark[i].side == side && panel->mark[i].from == panel->mark[i].to)
             stretch(&range, panel->mark[i].from, axis->log);
     }
+    return range;
+}
+
+struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side)
+{
+    const struct thud_axis *axis = &panel->axis[side];
+    struct thud_range range = data_range(panel, side);
     if (!isnan(axis->least))
         range.least = axis->least;
     if (!isnan(axis->most))
@@ -133,6 +140,16 @@ struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_sid
     return axis->log ? round_log(range, axis, side) : round_linear(range, axis, side, panel->map != NULL);
 }
 
+/* Curves of zeros alone fit into any scale. */
+static void widen(const struct thud_panel *panel, enum thud_side side, double *least, double *most)
+{
+    const struct thud_range data = data_range(panel, side), range = thud_panel_range(panel, side);
+    if (data.least == 0.0 && data.most == 0.0)
+        return;
+    *least = fmin(*least, range.least);
+    *most = fmax(*most, range.most);
+}
+
 void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, int first, int step, int n,
                              const struct thud_figure *other)
 {
@@ -141,10 +158,9 @@ void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, in
         const int p = first + k * step;
         if (!figure->panel[p].used || figure->panel[p].closer || is_set(&figure->panel[p].axis[side]))
             continue;
-        struct thud_range range = thud_panel_range(&figure->panel[p], side);
-        struct thud_range beside = other ? thud_panel_range(&other->panel[p], side) : range;
-        least = fmin(least, fmin(range.least, beside.least));
-        most = fmax(most, fmax(range.most, beside.most));
+        widen(&figure->panel[p], side, &least, &most);
+        if (other)
+            widen(&other->panel[p], side, &least, &most);
     }
     for (int k = 0; least <= most && k < n; k++)
         if (!is_set(&figure->panel[first + k * step].axis[side]))

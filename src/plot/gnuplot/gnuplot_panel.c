@@ -356,6 +356,27 @@ static bool has_line_right(const struct sheet *sheet, int number_of)
     return false;
 }
 
+/* On which side of its line the name of mark i stands: towards the wider half, but not where it would run into the line
+ * of another mark that has room on its other side. */
+static bool stands_left(const struct sheet *sheet, int number_of, int i, const struct box *box)
+{
+    const struct thud_panel *panel = &sheet->figure->panel[number_of];
+    const struct thud_range x = thud_sheet_range(sheet, number_of, THUD_X);
+    const bool by_ratio = panel->axis[THUD_X].log;
+    const double width = by_ratio ? log(x.most / x.least) : x.most - x.least, from = panel->mark[i].from;
+    const double needed = thud_gnuplot_width(panel->mark[i].text, THUD_SMALL_EM * sheet->em) + 0.8 * sheet->em;
+    double room[2] = {INFINITY, INFINITY}; /* left, right: px to the next line or the frame */
+    for (int k = -1; k <= panel->nmarks; k++) {
+        const double to = k < 0 ? x.least : k == panel->nmarks ? x.most : panel->mark[k].from;
+        const double away = (by_ratio ? log(to / from) : to - from) / width * (box->right - box->left);
+        if (k == i || (k >= 0 && k < panel->nmarks && panel->mark[k].side != THUD_X))
+            continue;
+        room[away > 0.0] = fmin(room[away > 0.0], fabs(away));
+    }
+    const bool left = 2.0 * from > x.least + x.most;
+    return room[!left] < needed && room[left] > room[!left] ? !left : left;
+}
+
 static void marks(const struct sheet *sheet, int number_of, const struct box *box)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
@@ -388,7 +409,7 @@ static void marks(const struct sheet *sheet, int number_of, const struct box *bo
         thud_gnuplot_quote(out, mark->text, 0.0, sheet->em);
         if (across)
             thud_text_append(out, " at first %.9g, graph 1 %s", from,
-                             2.0 * from > range.least + range.most ? "right offset -0.4,-0.65"
+                             stands_left(sheet, number_of, i, box) ? "right offset -0.4,-0.65"
                                                                    : "left offset 0.4,-0.65");
         else
             thud_text_append(out, " at graph %s, first %.9g %s offset 0,%s", left ? "0.015" : "0.985", from,
@@ -481,6 +502,12 @@ static void edges(const struct sheet *sheet, int number_of, int i)
                          side, *dash ? "dt " : "", dash, thud_color_rgb(band->style.color));
 }
 
+/* A reference in grey dashes is drawn over the other curves: where they coincide both are seen. */
+static bool is_over(const struct thud_series *series)
+{
+    return series->style.color < 0 && !series->style.thin && !series->style.wide && series->style.kind != THUD_FILL;
+}
+
 static void plots(const struct sheet *sheet, int number_of)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
@@ -492,7 +519,10 @@ static void plots(const struct sheet *sheet, int number_of)
         comma = ", ";
         thud_text_append(out, "%s$P%dC1 with lines lw 2.2 lc rgb '#000000'", comma, number_of + 1);
     }
-    for (int i = 0; i < panel->nseries; i++) {
+    for (int k = 0; k < 2 * panel->nseries; k++) {
+        const int i = k % panel->nseries;
+        if (is_over(panel->series[i]) != (k >= panel->nseries))
+            continue;
         thud_text_append(out, "%s$P%dS%d using 1:2%s ", comma, number_of + 1, i + 1,
                          panel->series[i]->y_high ? ":3" : "");
         thud_gnuplot_style(sheet, panel->series[i], false);
