@@ -106,7 +106,6 @@ enum thud_status thud_report_pdf(const char *folder, const atomic_int *cancel, s
             return thud_error_set(err, THUD_CANCELLED, "stopped; report.pdf was not made");
         return thud_error_set(err, THUD_OUTPUT, "%s made no PDF of %s", maker[i].program, html);
     }
-    thud_error_set(err, THUD_OUTPUT, "report.pdf was not made: neither weasyprint nor a headless browser was found");
-    thud_error_allow(err, "install weasyprint, or print report.html from a browser");
-    return THUD_OUTPUT;
+    return thud_error_refuse(err, THUD_OUTPUT, NULL, "install weasyprint, or print report.html from a browser",
+                             "report.pdf was not made: neither weasyprint nor a headless browser was found");
 }

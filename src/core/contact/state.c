@@ -94,11 +94,9 @@ double thud_state_default_step(const struct thud_state *state)
 
 enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct thud_error *err)
 {
-    thud_error_set(err, THUD_DIVERGED, "more contacts touch at once than the modes tell apart, at t = %.6g s",
-                   thud_state_now(state));
-    thud_error_key(err, "modes");
-    thud_error_allow(err, "more of them, or all");
-    return THUD_DIVERGED;
+    return thud_error_refuse(err, THUD_DIVERGED, "modes", "more of them, or all",
+                             "more contacts touch at once than the modes tell apart, at t = %.6g s",
+                             thud_state_now(state));
 }
 
 double thud_contact_indentation(const struct thud_state *state, int c)

@@ -98,22 +98,17 @@ static enum thud_status check(const struct thud_law *law, const struct thud_law_
         fault = cycle_fault(law, setup, &memory, depth_m[i]);
     if (!fault)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "the law %s cannot be used: %s", law->name, fault);
-    thud_error_key(err, "law");
-    thud_error_allow(err, "what thud(3) says of a law of one's own");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, "law", "what thud(3) says of a law of one's own",
+                             "the law %s cannot be used: %s", law->name, fault);
 }
 
 enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err)
 {
     int spring = thud_law_spring(law);
     setup->law = law;
-    if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE) {
-        thud_error_set(err, THUD_INPUT, "columns that give need a contact force, and %s has impulses", law->name);
-        thud_error_key(err, "law");
-        thud_error_allow(err, "another law, or columns without EI and stiffness");
-        return THUD_INPUT;
-    }
+    if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE)
+        return thud_error_refuse(err, THUD_INPUT, "law", "another law, or columns without EI and stiffness",
+                                 "columns that give need a contact force, and %s has impulses", law->name);
     if (setup->column_npm > 0 && spring >= 0)
         setup->value[spring] *= setup->column_npm / (setup->value[spring] + setup->column_npm);
     enum thud_status status = law->prepare ? law->prepare(setup, err) : THUD_OK;

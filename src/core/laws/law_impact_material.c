@@ -48,10 +48,7 @@ static const struct thud_param params[] = {
 
 static enum thud_status refuse(struct thud_error *err, int param, const char *what, const char *allowed)
 {
-    thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_key(err, "%s", params[param].name);
-    thud_error_allow(err, "%s", allowed);
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, params[param].name, allowed, "%s", what);
 }
 
 static bool has_lines(const struct thud_law_setup *setup)

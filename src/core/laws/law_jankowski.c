@@ -24,10 +24,8 @@ static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error 
     } else if (n == 1.5) {
         setup->constant[XI] = thud_jankowski_xi_published(e);
     } else {
-        thud_error_set(err, THUD_INPUT, "the published damping is for exponent 1.5, not %g", n);
-        thud_error_key(err, "damping");
-        thud_error_allow(err, "damping exact, or exponent 1.5");
-        return THUD_INPUT;
+        return thud_error_refuse(err, THUD_INPUT, "damping", "damping exact, or exponent 1.5",
+                                 "the published damping is for exponent 1.5, not %g", n);
     }
     setup->constant[D] = 2 * setup->constant[XI] * sqrt(setup->value[STIFFNESS] * setup->mass_kg);
     return thud_law_check_hertz_stiffness(setup->value[STIFFNESS], n, err);

@@ -81,10 +81,7 @@ static const struct thud_param params[] = {
 
 static enum thud_status refuse(struct thud_error *err, const char *key, const char *what)
 {
-    thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_key(err, "%s", key);
-    thud_error_allow(err, "stiffness; or alpha, area and material-stiffness");
-    return THUD_INPUT;
+    return thud_error_refuse(err, THUD_INPUT, key, "stiffness; or alpha, area and material-stiffness", "%s", what);
 }
 
 /* Given, or from eq. (6): k = alpha A K_r / d^n. */
@@ -121,12 +118,8 @@ static struct thud_rubber_curve curve_of(const struct thud_law_setup *setup)
 
 static enum thud_status prepare(struct thud_law_setup *setup, struct thud_error *err)
 {
-    if (!(setup->thickness_m > 0)) {
-        thud_error_set(err, THUD_INPUT, "the rubber law needs the thickness of a bumper");
-        thud_error_key(err, "thickness");
-        thud_error_allow(err, "> 0");
-        return THUD_INPUT;
-    }
+    if (!(setup->thickness_m > 0))
+        return thud_error_refuse(err, THUD_INPUT, "thickness", "> 0", "the rubber law needs the thickness of a bumper");
     enum thud_status status = find_stiffness(setup, err);
     if (status != THUD_OK)
         return status;

@@ -121,10 +121,8 @@ static enum thud_status stalled(struct thud_run *run, int row, struct thud_error
     if (row < 0)
         return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s", now_s);
     struct row_name name = name_row(run->state.model, row);
-    thud_error_set(err, THUD_DIVERGED, "%s %s without end at t = %.9g s", name.words,
-                   thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);
-    thud_error_key(err, "%s", name.key);
-    return THUD_DIVERGED;
+    return thud_error_refuse(err, THUD_DIVERGED, name.key, NULL, "%s %s without end at t = %.9g s", name.words,
+                             thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);
 }
 
 /* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves

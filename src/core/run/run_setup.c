@@ -213,13 +213,10 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
 static enum thud_status start(struct thud_run *run, const struct thud_run *like, struct thud_error *err)
 {
     pick_method(run);
-    if (run->options.floor_spectra && run->method->order != 0) {
-        thud_error_set(err, THUD_INPUT, "floor spectra follow the motion between steps, which %s does not compute",
-                       run->method->name);
-        thud_error_key(err, "method");
-        thud_error_allow(err, "exact, or auto");
-        return THUD_INPUT;
-    }
+    if (run->options.floor_spectra && run->method->order != 0)
+        return thud_error_refuse(err, THUD_INPUT, "method", "exact, or auto",
+                                 "floor spectra follow the motion between steps, which %s does not compute",
+                                 run->method->name);
     set_times(run);
     run->state.tolerance = run->options.tolerance;
     thud_run_set_scales(run, like);

@@ -273,9 +273,8 @@ static enum thud_status start_failed(const char *program, int number, struct thu
         return thud_error_set(err, THUD_MEMORY, "out of memory for gnuplot");
     if (number != ENOENT)
         return thud_error_set(err, THUD_GNUPLOT, "%s could not be started: %s", program, strerror(number));
-    thud_error_set(err, THUD_GNUPLOT, "%s was not found; pictures need it", program);
-    thud_error_allow(err, "install gnuplot 5.4 or later, on Debian the package gnuplot-nox");
-    return THUD_GNUPLOT;
+    return thud_error_refuse(err, THUD_GNUPLOT, NULL, "install gnuplot 5.4 or later, on Debian the package gnuplot-nox",
+                             "%s was not found; pictures need it", program);
 }
 
 /* A gnuplot that fails under a limit of memory says so in many ways, or dies without a word. */

@@ -23,10 +23,7 @@ enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_f
             return THUD_OK;
         }
     }
-    thud_error_set(err, THUD_USAGE, "\"%s\" is no picture format", text);
-    thud_error_key(err, "--format");
-    thud_error_allow(err, "png, svg, pdf");
-    return THUD_USAGE;
+    return thud_error_refuse(err, THUD_USAGE, "--format", "png, svg, pdf", "\"%s\" is no picture format", text);
 }
 
 enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err)

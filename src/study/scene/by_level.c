@@ -90,11 +90,9 @@ enum thud_status thud_levels_set(struct thud_by_level *levels, const struct thud
     char copy[4096], *item[THUD_LEVELS_MAX] = {copy};
     snprintf(copy, sizeof copy, "%s", text);
     out.n = text[0] == '[' ? thud_list_split(copy, item, THUD_LEVELS_MAX) : 1;
-    if (out.n < 1 || out.n > THUD_LEVELS_MAX || strlen(text) >= sizeof copy) {
-        thud_error_set(err, THUD_INPUT, "that is no list of up to %d levels", THUD_LEVELS_MAX);
-        thud_error_allow(err, "[5 cm, none, 8 cm], from the lowest up");
-        return THUD_INPUT;
-    }
+    if (out.n < 1 || out.n > THUD_LEVELS_MAX || strlen(text) >= sizeof copy)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "[5 cm, none, 8 cm], from the lowest up",
+                                 "that is no list of up to %d levels", THUD_LEVELS_MAX);
     for (int l = 0; l < out.n; l++) {
         out.value_m[l] = NAN;
         enum thud_status status = strcmp(item[l], THUD_FLOOR_NONE) == 0
