@@ -30,6 +30,12 @@ static inline enum thud_status thud_error_given(int written, enum thud_status st
 int thud_error_write_whole(struct thud_error *err, enum thud_status status, const char *key, const char *allowed,
                            const char *fmt, ...) THUD_PRINTF(5, 6);
 
+/* The same with the file it is about and a line of it; line 0: all of it. */
+#define thud_error_in(err, status, file, line, ...)                                                                    \
+    thud_error_given(thud_error_write_in((err), (status), (file), (line), __VA_ARGS__), (status))
+int thud_error_write_in(struct thud_error *err, enum thud_status status, const char *file, int line, const char *fmt,
+                        ...) THUD_PRINTF(5, 6);
+
 /* Add a part to an error already set. */
 void thud_error_place(struct thud_error *err, const char *file, int line, int column);
 void thud_error_key(struct thud_error *err, const char *fmt, ...) THUD_PRINTF(2, 3);

@@ -44,6 +44,17 @@ int thud_error_write_whole(struct thud_error *err, enum thud_status status, cons
     return written;
 }
 
+int thud_error_write_in(struct thud_error *err, enum thud_status status, const char *file, int line, const char *fmt,
+                        ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    int written = write_message(err, status, fmt, args);
+    va_end(args);
+    thud_error_place(err, file, line, 0);
+    return written;
+}
+
 void thud_error_place(struct thud_error *err, const char *file, int line, int column)
 {
     if (!err)

@@ -123,11 +123,8 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
     if (args->noperands != 1)
         return thud_error_refuse(err, THUD_USAGE, NULL, "such as mine.yaml; - writes to standard output",
                                  "thud new needs the name of one file");
-    if (!to_output && access(path, F_OK) == 0) {
-        thud_error_set(err, THUD_OUTPUT, "is there already: thud new writes over no file");
-        thud_error_place(err, path, 0, 0);
-        return THUD_OUTPUT;
-    }
+    if (!to_output && access(path, F_OK) == 0)
+        return thud_error_in(err, THUD_OUTPUT, path, 0, "is there already: thud new writes over no file");
     thud_new_preset_init(&preset);
     title_of(path, preset.text[THUD_NEW_NAME][0], sizeof preset.text[THUD_NEW_NAME][0]);
     enum thud_status status = THUD_OK;

@@ -130,11 +130,8 @@ enum thud_status thud_command_verify(const struct thud_args *args, struct thud_e
     if (args->noperands == 0)
         thud_paths_presets(&paths, &names);
     int n = args->noperands > 0 ? args->noperands : names.n;
-    if (n == 0) {
-        thud_error_set(err, THUD_INPUT, "there is no preset");
-        thud_error_place(err, paths.presets, 0, 0);
-        return THUD_INPUT;
-    }
+    if (n == 0)
+        return thud_error_in(err, THUD_INPUT, paths.presets, 0, "there is no preset");
     enum thud_status status = THUD_OK;
     if (total.data) {
         thud_list_begin(&total.list, "presets");

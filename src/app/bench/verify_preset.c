@@ -68,8 +68,7 @@ static enum thud_status read_expected(struct thud_verification *v, const char *p
         return thud_expectation_read(v->path, &v->expected, err);
     if (v->update)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "there are no expectations");
-    thud_error_place(err, v->path, 0, 0);
+    thud_error_in(err, THUD_INPUT, v->path, 0, "there are no expectations");
     thud_error_allow(err, "`thud verify --update %.100s` writes them", preset);
     return THUD_INPUT;
 }
@@ -108,12 +107,10 @@ static enum thud_status renew(struct thud_verification *v, struct work *work, st
         run_cases(work, thud_verify_independent(work->method), &work->independent, &origin.independent, err);
     if (status == THUD_OK)
         status = thud_verify_confirm(&work->own, &work->independent, &v->fresh, &v->disputed, err);
-    if (status == THUD_OK && v->fresh.n == 0) {
-        thud_error_set(err, THUD_INPUT, "%s and %s agree on nothing, so there is nothing to expect", origin.own,
-                       origin.independent);
-        thud_error_place(err, work->session.preset_path, 0, 0);
-        return THUD_INPUT;
-    }
+    if (status == THUD_OK && v->fresh.n == 0)
+        return thud_error_in(err, THUD_INPUT, work->session.preset_path, 0,
+                             "%s and %s agree on nothing, so there is nothing to expect", origin.own,
+                             origin.independent);
     if (status == THUD_OK)
         thud_expectation_text(&origin, &v->fresh, &v->disputed, &v->text);
     return status;

@@ -256,11 +256,8 @@ static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, 
     refusals.files = (int)count;
     if (status == THUD_OK)
         status = tell_refusals(&refusals, folder, err);
-    if (status == THUD_OK && count == 0) {
-        thud_error_set(err, THUD_INPUT, "holds no files");
-        thud_error_place(err, folder, 0, 0);
-        status = THUD_INPUT;
-    }
+    if (status == THUD_OK && count == 0)
+        status = thud_error_in(err, THUD_INPUT, folder, 0, "holds no files");
     thud_folder_names_free(name, count);
     return status;
 }
@@ -318,11 +315,8 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
                 err->status = status;
         }
     }
-    if (status == THUD_OK && r->list->n == before) {
-        thud_error_set(err, THUD_INPUT, "names no files");
-        thud_error_place(err, base->record.file, 0, 0);
-        status = THUD_INPUT;
-    }
+    if (status == THUD_OK && r->list->n == before)
+        status = thud_error_in(err, THUD_INPUT, base->record.file, 0, "names no files");
     free(text);
     free(scene);
     return status;

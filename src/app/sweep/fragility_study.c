@@ -12,8 +12,7 @@
 
 static enum thud_status refuse(const char *path, int line, const char *what, struct thud_error *err)
 {
-    thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_place(err, path, line, 0);
+    thud_error_in(err, THUD_INPUT, path, line, "%s", what);
     thud_error_allow(err, "intensity, annual rate of being exceeded: intensities rise, rates fall");
     return THUD_INPUT;
 }
@@ -61,11 +60,10 @@ static enum thud_status read_unit(const char *path, int line, const char *head, 
     *factor = said > 0 ? said : 1;
     if (said > 0 ? dimension == axis->param->dimension : axis->param->dimension != THUD_ACCELERATION)
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT,
-                   said > 0 ? "its intensity has a unit of another kind than %s"
-                            : "the unit of its intensity is not said (%s)",
-                   axis->key);
-    thud_error_place(err, path, line, 0);
+    thud_error_in(err, THUD_INPUT, path, line,
+                  said > 0 ? "its intensity has a unit of another kind than %s"
+                           : "the unit of its intensity is not said (%s)",
+                  axis->key);
     thud_error_allow(err, axis->param->dimension == THUD_ACCELERATION
                               ? "a first line such as sa_g,annual_rate or sa (cm/s2),annual_rate; g, m/s2, cm/s2, gal"
                               : "a number without unit: factor,annual_rate");

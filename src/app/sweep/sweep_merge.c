@@ -71,9 +71,7 @@ void thud_sweep_parts_free(struct thud_sweep_parts *parts)
 
 static enum thud_status refuse(struct thud_error *err, const char *folder, const char *what)
 {
-    thud_error_set(err, THUD_INPUT, "%s", what);
-    thud_error_place(err, folder, 0, 0);
-    return THUD_INPUT;
+    return thud_error_in(err, THUD_INPUT, folder, 0, "%s", what);
 }
 
 /* A file of a folder, whole; *text is NULL where there is none. */

@@ -206,11 +206,8 @@ static enum thud_status add_table(const char *folder, const char *name, const st
     struct table table = {.name = name, .schema = schema};
     int length = snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = length < PATH_ROOM ? fopen(path, "r") : NULL;
-    if (!file) {
-        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
-        thud_error_place(err, path, 0, 0);
-        return THUD_INPUT;
-    }
+    if (!file)
+        return thud_error_in(err, THUD_INPUT, path, 0, "%s", strerror(errno));
     bool ok = look(file, &table);
     fclose(file);
     if (ok)

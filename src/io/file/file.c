@@ -15,9 +15,7 @@ enum { PIPE_PATIENCE_MS = 1000 };
 
 enum thud_status thud_file_refuse(struct thud_error *err, enum thud_status status, const char *path, const char *what)
 {
-    thud_error_set(err, status, "%s", what);
-    thud_error_place(err, path, 0, 0);
-    return status;
+    return thud_error_in(err, status, path, 0, "%s", what);
 }
 
 /* Of a pipe: returns once there is something to read, or its writers have gone. */

@@ -171,9 +171,7 @@ static enum thud_status unlocked(struct thud_folder_lock *lock, enum thud_status
     if (lock->fd >= 0)
         close(lock->fd);
     lock->fd = -1;
-    thud_error_set(err, status, "%s", what);
-    thud_error_place(err, lock->path, 0, 0);
-    return status;
+    return thud_error_in(err, status, lock->path, 0, "%s", what);
 }
 
 /* The file that is locked is the one that has the name: the one before may have gone with its study. */

@@ -57,9 +57,7 @@ static int write_through(const char *path, const char *text, size_t size)
 
 static enum thud_status unwritten(const char *path, int why, struct thud_error *err)
 {
-    thud_error_set(err, THUD_OUTPUT, "cannot be written: %s", strerror(why));
-    thud_error_place(err, path, 0, 0);
-    return THUD_OUTPUT;
+    return thud_error_in(err, THUD_OUTPUT, path, 0, "cannot be written: %s", strerror(why));
 }
 
 enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
@@ -177,10 +175,8 @@ static enum thud_status walk_folder(const char *path, bool make, struct thud_err
                  : stat(part, &about) == 0 && !S_ISDIR(about.st_mode)) {
             int why = errno;
             bool is_file = why == EEXIST && stat(part, &about) == 0;
-            thud_error_set(err, THUD_OUTPUT, "the folder cannot be made: %s",
-                           is_file ? "there is a file of this name" : strerror(why));
-            thud_error_place(err, part, 0, 0);
-            return THUD_OUTPUT;
+            return thud_error_in(err, THUD_OUTPUT, part, 0, "the folder cannot be made: %s",
+                                 is_file ? "there is a file of this name" : strerror(why));
         }
         part[i] = kept;
     }

@@ -113,9 +113,7 @@ static enum thud_status read_list(const char *folder, char **text, struct thud_e
     if (status == THUD_OK && strncmp(*text, heading, sizeof heading - 1) != 0) {
         free(*text);
         *text = NULL;
-        thud_error_set(err, THUD_INPUT, "is no list of results by thud");
-        thud_error_place(err, path, 0, 0);
-        return THUD_INPUT;
+        return thud_error_in(err, THUD_INPUT, path, 0, "is no list of results by thud");
     }
     return status;
 }
@@ -137,9 +135,9 @@ static bool is_other(const struct thud_made_by *by, const struct part *part)
 static enum thud_status refuse(const struct thud_made_by *by, const struct part *part, struct thud_error *err)
 {
     bool same = strcmp(part->what, by->what) == 0;
-    thud_error_set(err, THUD_INPUT, "the folder holds the results of another scene or study: %.200s; this is %s%.200s",
-                   part->what, same ? "the same with other values in scene or motion, " : "", by->what);
-    thud_error_place(err, by->folder, 0, 0);
+    thud_error_in(err, THUD_INPUT, by->folder, 0,
+                  "the folder holds the results of another scene or study: %.200s; this is %s%.200s", part->what,
+                  same ? "the same with other values in scene or motion, " : "", by->what);
     thud_error_allow(err, "another folder, or --replace, which removes what was written there");
     return THUD_INPUT;
 }

@@ -8,9 +8,7 @@
 
 static enum thud_status failed(const struct thud_output *out, int why, struct thud_error *err)
 {
-    thud_error_set(err, THUD_OUTPUT, "cannot be written: %s", strerror(why));
-    thud_error_place(err, out->path, 0, 0);
-    return THUD_OUTPUT;
+    return thud_error_in(err, THUD_OUTPUT, out->path, 0, "cannot be written: %s", strerror(why));
 }
 
 enum thud_status thud_output_open(const char *path, struct thud_output *out, struct thud_error *err)

@@ -120,11 +120,8 @@ void thud_paths_presets(const struct thud_paths *paths, struct thud_file_names *
 static enum thud_status not_found(const char *what, const char *name, const char *folder, const char *ending,
                                   struct thud_error *err)
 {
-    if (is_folder(name)) {
-        thud_error_set(err, THUD_INPUT, "is a folder, not a file");
-        thud_error_place(err, name, 0, 0);
-        return THUD_INPUT;
-    }
+    if (is_folder(name))
+        return thud_error_in(err, THUD_INPUT, name, 0, "is a folder, not a file");
     struct thud_file_names *names = calloc(1, sizeof *names);
     const char *near = NULL;
     char list[sizeof err->allowed] = "";
@@ -252,11 +249,8 @@ enum thud_status thud_folder_names(const char *folder, char ***names, size_t *co
     DIR *dir = opendir(folder);
     *names = NULL;
     *count = 0;
-    if (!dir) {
-        thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
-        thud_error_place(err, folder, 0, 0);
-        return THUD_INPUT;
-    }
+    if (!dir)
+        return thud_error_in(err, THUD_INPUT, folder, 0, "%s", strerror(errno));
     bool failed = false;
     for (const struct dirent *entry; !failed && (entry = readdir(dir)) != NULL;) {
         if (entry->d_name[0] == '.' || !may_be_record(folder, entry->d_name))

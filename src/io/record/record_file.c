@@ -168,8 +168,7 @@ static enum thud_status scale_to(const struct thud_record *record, const struct 
     else if (!((has = sa ? thud_record_sa(record, choice->period_s) : thud_record_peak(record)) > 0))
         what = "a record of nothing but zeros cannot be scaled to a peak";
     if (what) {
-        thud_error_set(err, THUD_INPUT, "%s", what);
-        thud_error_place(err, record->file, 0, 0);
+        thud_error_in(err, THUD_INPUT, record->file, 0, "%s", what);
         thud_error_key(err, "%s", key);
         return THUD_INPUT;
     }

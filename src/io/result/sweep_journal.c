@@ -17,9 +17,7 @@
 static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
                                struct thud_error *err)
 {
-    thud_error_set(err, status, "%s", what);
-    thud_error_place(err, journal->path, 0, 0);
-    return status;
+    return thud_error_in(err, status, journal->path, 0, "%s", what);
 }
 
 enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err)
