@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { FLOORS_MAX = 8, TEXT = 400 };
+enum { TEXT = 400 };
 enum verdict { NO, PARTLY, YES };
 static const double change = THUD_PAPER_CHANGE;
 static const double narrow_m = 0.1; /* "relatively narrow gap sizes" */

@@ -373,25 +373,22 @@ static bool html_columns(struct thud_text *out, const struct thud_document *docu
 
 static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
+    static const char *const tag[] = {[TITLE] = "h1", [HEADING] = "h2", [PARAGRAPH] = "p", [LINES] = "pre"};
     const struct thud_document_piece *piece = &document->piece[i];
     html_leave(out, place, piece->kind);
     switch (piece->kind) {
     case TITLE:
-        html_element(out, "<h1>", text_of(piece), "</h1>\n");
-        break;
     case HEADING:
-        html_element(out, "<h2>", text_of(piece), "</h2>\n");
-        break;
     case PARAGRAPH:
-        html_element(out, "<p>", text_of(piece), "</p>\n");
+    case LINES:
+        thud_text_append(out, "<%s>", tag[piece->kind]);
+        escape_html(out, text_of(piece));
+        thud_text_append(out, "</%s>\n", tag[piece->kind]);
         break;
     case ITEM:
         thud_text_append(out, place->list ? "" : "<ul>\n");
         place->list = true;
         html_element(out, "<li>", text_of(piece), "</li>\n");
-        break;
-    case LINES:
-        html_element(out, "<pre>", text_of(piece), "</pre>\n");
         break;
     case TABLE:
         *place = (struct place){.table = true, .at = i, .rows = count_rows(document, i)};

@@ -92,7 +92,6 @@ static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
                                          study->by && study->by->replace, &m->journal, &done, err);
     if (status != THUD_OK)
         return status;
-    m->out->resumed = done;
     if (study->description && (study->description->size > 0 || study->description->failed))
         status = thud_text_write_in(study->description, study->folder, THUD_SWEEP_STUDY_FILE, err);
     if (status == THUD_OK)

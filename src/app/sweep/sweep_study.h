@@ -41,7 +41,6 @@ struct thud_sweep_study {
 struct thud_sweep_outcome {
     struct thud_sweep_total total;
     struct thud_sweep_watch watch;
-    long resumed;                     /* points that were done before */
     struct thud_sweep_collector rows; /* the table; empty where there were too many rows */
     const char **names;               /* of the records */
     bool too_many;

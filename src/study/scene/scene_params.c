@@ -15,8 +15,6 @@
     {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = (fallback_), \
      .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
 #define POSITIVE      .least = 0, .least_open = true
-#define NO_LEAST      .least = NAN
-#define NO_MOST       .most = NAN
 #define UP_TO(value)  .most = (value)
 #define FROM(value)   .least = (value)
 #define BELOW(value)  .most = (value), .most_open = true
