@@ -70,6 +70,19 @@ enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_tex
     return before == THUD_OK ? printed : before;
 }
 
+enum thud_status thud_cli_list(const struct thud_args *args, void (*table)(struct thud_text *out),
+                               void (*put)(bool json, struct thud_text *out), struct thud_error *err)
+{
+    struct thud_text text = {0};
+    if (args->noperands > 0)
+        return thud_error_set(err, THUD_USAGE, "thud %s takes no name", thud_command_at(args->command)->name);
+    if (thud_cli_form(args) == THUD_AS_TEXT)
+        table(&text);
+    else
+        put(thud_cli_form(args) == THUD_AS_JSON, &text);
+    return thud_cli_print_as(args, &text, THUD_OK, err);
+}
+
 enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err)
 {
     struct thud_text out = {0};

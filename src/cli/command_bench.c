@@ -54,7 +54,7 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
         status = thud_figure_deliver(figure, folder, &picture.options, status, err);
     else
         thud_figure_free(figure);
-    enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(table, status == THUD_OK ? err : NULL);
+    enum thud_status printed = thud_cli_print_as(args, table, THUD_OK, status == THUD_OK ? err : NULL);
     return status == THUD_OK ? printed : status;
 }
 

@@ -24,13 +24,5 @@ static void table(struct thud_text *out)
 
 enum thud_status thud_command_methods(const struct thud_args *args, struct thud_error *err)
 {
-    struct thud_text text = {0};
-    if (args->noperands > 0)
-        return thud_error_set(err, THUD_USAGE, "thud methods takes no name");
-    bool json = thud_args_has(args, "json"), csv = thud_args_has(args, "csv");
-    if (json || csv)
-        thud_methods_put(json, &text);
-    else
-        table(&text);
-    return (json || csv ? thud_cli_print_data : thud_cli_print)(&text, err);
+    return thud_cli_list(args, table, thud_methods_put, err);
 }

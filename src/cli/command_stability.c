@@ -95,8 +95,7 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
             picture.options.cancel = cancel;
         put(args, plan, scene->name, &text);
         enum thud_status saved = folder ? save(plan, folder, &picture.options, err) : THUD_OK;
-        bool data = thud_args_has(args, "json") || thud_args_has(args, "csv");
-        enum thud_status printed = (data ? thud_cli_print_data : thud_cli_print)(&text, saved == THUD_OK ? err : NULL);
+        enum thud_status printed = thud_cli_print_as(args, &text, THUD_OK, saved == THUD_OK ? err : NULL);
         if (saved != THUD_OK || printed != THUD_OK)
             status = saved != THUD_OK ? saved : printed;
     }

@@ -23,6 +23,10 @@ enum thud_status thud_cli_print_data(struct thud_text *text, struct thud_error *
 
 /* By --json and --csv. */
 enum thud_written thud_cli_form(const struct thud_args *args);
+/* A list of what there is, which takes no name: as people read it, CSV or JSON. Errors: THUD_USAGE, THUD_OUTPUT,
+ * THUD_MEMORY. */
+enum thud_status thud_cli_list(const struct thud_args *args, void (*table)(struct thud_text *out),
+                               void (*put)(bool json, struct thud_text *out), struct thud_error *err);
 /* As data with --json or --csv, else for people. `before`: what files came to, which is given back; nothing is printed
  * after a failure but that of gnuplot, whose message stands. */
 enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,

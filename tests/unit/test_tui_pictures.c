@@ -98,13 +98,13 @@ END_TEST
 START_TEST(whole_histories_for_files)
 {
     fixture_keys(&f, "5");
-    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_LOOK);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_CONTACTS);
     fixture_keys(&f, "p");
     fixture_expect(&f, "Written");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     ck_assert_int_eq(count_files(".png"), 1);
     fixture_keys(&f, ":set gap 1.5 cm<Enter>");
-    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_LOOK);
+    ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_CONTACTS);
     fixture_keys(&f, "e");
     fixture_expect(&f, "Written");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
@@ -114,6 +114,23 @@ START_TEST(whole_histories_for_files)
     fixture_expect(&f, "Energies");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     fixture_expect(&f, "viscous");
+}
+END_TEST
+
+/* The motion without pounding is kept where it is seen: in figures with its curve, and as the case that moves. */
+START_TEST(motions_that_are_seen)
+{
+    fixture_keys(&f, "5");
+    ck_assert_ptr_null(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
+    ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_NONE));
+    fixture_keys(&f, "<Down><Down>");
+    fixture_expect(&f, "Floor acceleration");
+    ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
+    fixture_keys(&f, "<Up><Up>:set gap 1.3 cm<Enter>");
+    ck_assert_ptr_null(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
+    fixture_keys(&f, "b");
+    fixture_expect(&f, "no pounding");
+    ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
 }
 END_TEST
 
@@ -266,6 +283,7 @@ Suite *thud_suite(void)
     tcase_add_test(pictures, the_figure_shown);
     tcase_add_test(pictures, a_changed_picture_stays);
     tcase_add_test(pictures, whole_histories_for_files);
+    tcase_add_test(pictures, motions_that_are_seen);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, figures_are_marked_on_the_shelf);
     tcase_add_test(pictures, marked_figures_go_into_the_report);

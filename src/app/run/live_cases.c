@@ -149,9 +149,14 @@ static enum thud_status case_start(struct thud_live_case *c, const struct thud_s
         return status;
     options.keep_impacts = true;
     options.keep_history = history != THUD_LIVE_NO_HISTORY;
-    options.history_look_s = history == THUD_LIVE_LOOK ? look_s : 0.0;
+    options.history_look_s = history == THUD_LIVE_CONTACTS || history == THUD_LIVE_LOOK ? look_s : 0.0;
     options.history_step_s = history_step(c->model, record, options.tail_s);
     return thud_run_create(c->model, record, &options, &c->run, &c->error);
+}
+
+static enum thud_live_history kept_of(enum thud_live_history history, enum thud_live_which which)
+{
+    return history == THUD_LIVE_CONTACTS && which == THUD_LIVE_FREE ? THUD_LIVE_NO_HISTORY : history;
 }
 
 /* The last result goes aside; of a run that was cut off nothing stays, but of what was shown meanwhile. */
@@ -206,7 +211,7 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
         keep_old(c);
         if (!case_scene(scene, (enum thud_live_which)i, &of_case)) {
             c->state = THUD_LIVE_ABSENT;
-        } else if (case_start(c, &of_case, record, history) == THUD_OK) {
+        } else if (case_start(c, &of_case, record, kept_of(history, (enum thud_live_which)i)) == THUD_OK) {
             c->state = THUD_LIVE_RUNNING;
             live->running = true;
         } else {
@@ -285,6 +290,12 @@ double thud_live_progress(const struct thud_live *live)
 const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which)
 {
     return live->which[which].state == THUD_LIVE_DONE ? thud_run_result(live->which[which].run) : NULL;
+}
+
+const struct thud_history *thud_live_motions(const struct thud_live *live, enum thud_live_which which)
+{
+    const struct thud_live_case *c = &live->which[which];
+    return c->state == THUD_LIVE_DONE && kept_of(live->history, which) ? thud_run_history(c->run) : NULL;
 }
 
 bool thud_live_is_old(const struct thud_live *live, enum thud_live_which which)

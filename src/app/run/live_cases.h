@@ -39,7 +39,8 @@ struct thud_live_need {
 /* What is kept of the motions. */
 enum thud_live_history {
     THUD_LIVE_NO_HISTORY,
-    THUD_LIVE_LOOK, /* to be looked at: rows in contact 1 ms apart beside those of peaks, no energies */
+    THUD_LIVE_CONTACTS, /* as the next, of the cases with contacts alone */
+    THUD_LIVE_LOOK,     /* to be looked at: rows in contact 1 ms apart beside those of peaks, no energies */
     THUD_LIVE_WHOLE
 };
 
@@ -72,6 +73,8 @@ double thud_live_progress(const struct thud_live *live); /* 0 to 1 */
 void thud_live_stop(struct thud_live *live);
 void thud_live_clear(struct thud_live *live);
 
+/* The motions of a case; NULL unless it is DONE and they were kept. */
+const struct thud_history *thud_live_motions(const struct thud_live *live, enum thud_live_which which);
 /* What a case found, NULL unless it is DONE. */
 const struct thud_result *thud_live_result(const struct thud_live *live, enum thud_live_which which);
 

@@ -23,7 +23,8 @@ bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
  * it. */
 static bool needs_whole(struct thud_tui *tui, enum thud_action action)
 {
-    if (!thud_tui_view(tui)->history || tui->run.live.history != THUD_LIVE_LOOK)
+    const enum thud_live_history kept = tui->run.live.history;
+    if (!thud_tui_view(tui)->history || kept == THUD_LIVE_NO_HISTORY || kept == THUD_LIVE_WHOLE)
         return false;
     tui->files.whole_wanted = action;
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with whole histories, for the file");

@@ -57,12 +57,6 @@ static void contact_name(const struct thud_model *model, const struct thud_scene
              scene->structure[c->interface].name, right);
 }
 
-static const struct thud_history *history_of(const struct thud_live *live, int which)
-{
-    const struct thud_live_case *c = &live->which[which];
-    return c->state == THUD_LIVE_DONE && live->history ? thud_run_history(c->run) : NULL;
-}
-
 /* A case plain, or dashed and with the name `pinned`, of the state to compare with. */
 struct shown {
     const struct thud_live *live;
@@ -155,7 +149,7 @@ static bool curve_of(enum thud_plot plot, const struct thud_sight *sight, const 
 static void add_case(struct thud_panel *panel, const struct shown *of, int which, enum thud_plot plot,
                      const struct thud_sight *sight)
 {
-    const struct thud_history *h = history_of(of->live, which);
+    const struct thud_history *h = thud_live_motions(of->live, (enum thud_live_which)which);
     const struct thud_model *model = of->live->which[which].model;
     struct curve curve;
     char name[48];
@@ -268,7 +262,7 @@ static struct thud_figure *envelopes(const struct thud_live *live, const struct 
 static struct thud_figure *energies(const struct thud_live *live, const struct thud_sight *sight, const char **why)
 {
     static const char *const name[] = {"input", "kinetic", "strain", "viscous", "contact"};
-    const struct thud_history *h = history_of(live, (int)sight->which);
+    const struct thud_history *h = thud_live_motions(live, sight->which);
     if (!h) {
         *why = "This case has no results";
         return NULL;

@@ -252,10 +252,15 @@ static void next_figure(struct thud_tui *tui)
     other_plot(tui, 1);
 }
 
-/* Energies are kept for their own figure alone. */
+/* Energies are kept for their own figure alone, the motion without pounding where it is seen. */
 static enum thud_live_history history(const struct thud_tui *tui)
 {
-    return thud_plots(tui)->plot == THUD_PLOT_ENERGY ? THUD_LIVE_WHOLE : THUD_LIVE_LOOK;
+    const struct thud_plots_state *p = thud_plots(tui);
+    const bool peaks = p->plot == THUD_PLOT_ENVELOPE_ACCELERATION || p->plot == THUD_PLOT_ENVELOPE_DRIFT,
+               contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_LOOP;
+    return p->plot == THUD_PLOT_ENERGY                              ? THUD_LIVE_WHOLE
+           : (peaks || contact) && p->sight.which != THUD_LIVE_FREE ? THUD_LIVE_CONTACTS
+                                                                    : THUD_LIVE_LOOK;
 }
 
 static void other_sight(struct thud_tui *tui, int step)

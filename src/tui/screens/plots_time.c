@@ -19,7 +19,7 @@ const struct thud_live_case *thud_plots_case(struct thud_tui *tui)
     if (c->state == THUD_LIVE_ABSENT)
         p->sight.which = THUD_LIVE_NONE;
     c = &tui->run.live.which[p->sight.which];
-    return c->state == THUD_LIVE_DONE && tui->run.live.history ? c : NULL;
+    return thud_live_motions(&tui->run.live, p->sight.which) ? c : NULL;
 }
 
 double thud_plots_end(struct thud_tui *tui)
