@@ -160,11 +160,12 @@ void thud_site_loads(struct site *site)
     thud_document_paragraph(d, "Ground motion along the line of the buildings, the same under all of them. Vertical "
                                "loads act by P-Delta alone, where it is switched on (input p-delta).");
     add_load_cases(site, suite, site->suite.runs ? site->suite.plan.nrecords : 1);
-    thud_document_paragraph(d,
-                            "%s: %zu samples every %.4g s, %.4g s long; %s at %.4g s, largest velocity %.3g m/s, Arias "
-                            "intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
-                            motion, site->record->samples, site->record->dt_s, m.duration_s, peak, m.pga_time_s,
-                            m.pgv_mps, m.arias_mps, m.d5_95_s);
+    thud_document_paragraph(
+        d,
+        "Ground motion: %s, %zu samples every %.4g s, %.4g s long; %s at %.4g s, largest velocity %.3g m/s, Arias "
+        "intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
+        motion, site->record->samples, site->record->dt_s, m.duration_s, peak, m.pga_time_s, m.pgv_mps, m.arias_mps,
+        m.d5_95_s);
     thud_document_table(d, "Response of each building's first mode to this ground motion");
     thud_document_head(d, "structure|T1 s|damping %|Sa g|Sd cm");
     for (int s = 0; s < site->scene->nstructures; s++) {
