@@ -11,6 +11,10 @@
  * drift, or there is no such storey. */
 double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
                                   int storey);
+/* The largest drift of a building's storeys over their height (`elastic`: of those that do not yield), and that storey,
+ * from 1; 0: it has none. */
+double thud_drift_ratio(const struct thud_structure *structure, const struct thud_structure_result *result,
+                        bool elastic, int *storey);
 /* P-Delta: which storey collapsed, when and how far it had drifted; false where none has. */
 bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out);
 /* The n-th (from 0) remark on what storeys bear: a collapse, those that yield beyond a ductility of 6 or a drift of 2 %, and

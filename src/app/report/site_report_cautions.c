@@ -43,24 +43,6 @@ static int caution_failures(struct site *site)
     return used > 0;
 }
 
-double thud_site_drift_ratio(const struct site *site, const struct thud_result *result, int s, bool elastic,
-                             int *storey)
-{
-    const struct thud_structure *p = &site->scene->structure[s];
-    const struct thud_structure_result *r = &result->structure[s];
-    const int base = p->kind == THUD_ISOLATED; /* the slab's storey is the isolators */
-    double most = 0;
-    for (int i = base; thud_site_is_building(site, s) && i < r->floors; i++) {
-        const bool left_out = elastic && r->storey && r->storey[i].yields;
-        const double ratio = left_out ? 0 : r->floor[i].drift.value / p->height_m[i - base];
-        if (ratio > most) {
-            most = ratio;
-            *storey = i + 1 - base;
-        }
-    }
-    return most;
-}
-
 static int caution_drifts(struct site *site)
 {
     int n = 0;
@@ -69,7 +51,8 @@ static int caution_drifts(struct site *site)
         size_t used = 0;
         for (int i = 0; i < site->ncases; i++) {
             int storey = 0;
-            double ratio = thud_site_drift_ratio(site, site->cases[i].result, s, true, &storey);
+            double ratio =
+                thud_drift_ratio(&site->scene->structure[s], &site->cases[i].result->structure[s], true, &storey);
             if (ratio > drift_limit)
                 used += (size_t)snprintf(said + used, sizeof said - used, "%s%.2f %% %s (storey %d)", used ? ", " : "",
                                          100 * ratio, site->cases[i].words, storey);

@@ -101,10 +101,6 @@ void thud_site_checks(struct site *site);
 void thud_site_unmade(struct site *site);
 void thud_site_provenance(struct site *site);
 
-/* The largest drift of the storeys of structure s over their height (`elastic`: of those that cannot yield), and that
- * storey, from 1; 0: it has none. */
-double thud_site_drift_ratio(const struct site *site, const struct thud_result *result, int s, bool elastic,
-                             int *storey);
 /* Storeys of buildings that can yield, in the scene as written; isolators are none. *past, unless NULL: those that do. */
 int thud_site_storeys(const struct site *site, int *past);
 /* How many floors (storeys, for drifts) the bumper lowers, leaves unchanged and raises. */

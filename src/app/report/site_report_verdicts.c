@@ -158,7 +158,7 @@ static void governing_rows(struct site *site)
     char text[300], name[64];
     for (int s = 0; s < r->nstructures; s++) {
         int storey = 0;
-        const double ratio = thud_site_drift_ratio(site, r, s, false, &storey);
+        const double ratio = thud_drift_ratio(&site->scene->structure[s], &r->structure[s], false, &storey);
         if (ratio > drift) {
             drift = ratio;
             under[0] = s, under[1] = storey;

@@ -77,14 +77,20 @@ static double worst_drift(const struct thud_structure *s, int floors, const doub
     return worst;
 }
 
+double thud_drift_ratio(const struct thud_structure *structure, const struct thud_structure_result *result,
+                        bool elastic, int *storey)
+{
+    double drift_m[THUD_STOREYS_MAX + 1];
+    for (int f = 0; f < result->floors; f++)
+        drift_m[f] = elastic && result->storey && result->storey[f].yields ? 0 : result->floor[f].drift.value;
+    return worst_drift(structure, result->floors, drift_m, storey);
+}
+
 static bool look_drift(const struct thud_structure *s, const struct thud_structure_result *r, int index,
                        struct thud_error *out)
 {
-    double drift_m[THUD_STOREYS_MAX + 1];
     int storey;
-    for (int f = 0; f < r->floors; f++)
-        drift_m[f] = r->storey && r->storey[f].yields ? 0 : r->floor[f].drift.value;
-    double worst = worst_drift(s, r->floors, drift_m, &storey);
+    double worst = thud_drift_ratio(s, r, true, &storey);
     if (!(worst > drift_most))
         return false;
     thud_error_set(out, THUD_OK, "storey %d of %.40s drifts by %.3g mm, %.2g %% of its height, and is taken as elastic",
@@ -422,13 +428,8 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         }
         double ratio = worst_drift(structure, point->floors[s], drift_m, &storey);
         drifts = drifts || ratio > drift_most;
-        if (ratio > w->drift.value) {
-            w->drift.value = ratio;
-            w->drift.point = point->index;
-            w->drift.which = point->which[k];
-            w->drift.structure = s;
-            w->drift.storey = storey;
-        }
+        if (ratio > w->drift.value)
+            w->drift = (struct thud_sweep_worst){ratio, point->index, point->which[k], s, storey};
         double theta = scene->p_delta ? 0 : worst_theta(structure, drift_m, &storey);
         unstable = unstable || theta > theta_small;
         if (theta > w->theta.value)
@@ -444,10 +445,8 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         pressed = pressed || contact[c].indentation_m > (isnan(strain) ? 1 : strain) * thickness;
         beyond = beyond || contact[c].indentation_m > thickness;
         if (contact[c].indentation_m / thickness > w->press.value) {
-            w->press.value = contact[c].indentation_m / thickness;
-            w->press.point = point->index;
-            w->press.which = point->which[k];
-            w->press.structure = i;
+            w->press =
+                (struct thud_sweep_worst){contact[c].indentation_m / thickness, point->index, point->which[k], i, 0};
             w->press_m = contact[c].indentation_m;
             w->thickness_m = thickness;
         }
