@@ -5,11 +5,11 @@ enum { THUD_QUADRATURE_POINTS = 8 };
 extern const double thud_quadrature_node[THUD_QUADRATURE_POINTS];
 extern const double thud_quadrature_weight[THUD_QUADRATURE_POINTS];
 
-/* Gauss-Lobatto quadrature on [0, 1]: its ends, and points between them. Exact for polynomials of degrees below `order`;
- * else the error is at most `error` times the largest |f^(order)| there (Abramowitz and Stegun, 25.4.32). */
-enum { THUD_LOBATTO_RULES = 4, THUD_LOBATTO_INNER = 8, THUD_LOBATTO_ORDER = 18 };
+/* Gauss-Lobatto quadrature on [0, 1]: its ends, and points between them. Exact for polynomials of degrees below `order`
+ * (Abramowitz and Stegun, 25.4.32). */
+enum { THUD_LOBATTO_RULES = 2, THUD_LOBATTO_INNER = 8 };
 extern const struct thud_lobatto {
     int inner, order;
-    double error, end_weight;
+    double end_weight;
     double node[THUD_LOBATTO_INNER], weight[THUD_LOBATTO_INNER]; /* (inner) */
 } thud_lobatto[THUD_LOBATTO_RULES];

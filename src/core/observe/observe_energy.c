@@ -16,8 +16,8 @@
 
 enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
 
-/* Structures. The power of damping and of the ground is integrated by the rule of fewest points whose error is bounded
- * by a small part of the tolerance; the rates at both ends of the piece are known. */
+/* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
+ * by those that leave rounding alone; the rates at both ends of the piece are known. */
 
 /* Power of the damping that couples modes (isolated buildings) at these modal rates. */
 static double coupled_power(const struct thud_model *m, const double *rate)
@@ -40,7 +40,7 @@ static double coupled_work(const struct thud_model *m, const double *rates, cons
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         const double *first = rates + p->first_mode * INNER, *d = p->damping;
         for (int i = 0; d && i < p->modes; i++, d += p->modes) {
-            double by_weight[INNER];
+            double by_weight[INNER] = {0};
             for (int k = 0; k < points; k++)
                 by_weight[k] = weight[k] * first[i * INNER + k];
             sum += d[i] * thud_dot(points, by_weight, first + i * INNER);
@@ -108,11 +108,12 @@ static double end_loss(const struct thud_model *m, const double *rate, double fa
     return factor * factor * loss;
 }
 
-void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observation *o, int rule, double *input_j,
+void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observation *o, double *input_j,
                                 double *viscous_j)
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
+    const int degree = 2 * (seg->terms - 2), rule = degree < thud_lobatto[0].order ? 0 : THUD_LOBATTO_RULES - 1;
     const struct thud_lobatto *by = &thud_lobatto[rule];
     struct thud_rate_powers scaled;
     const struct thud_rate_powers *power = &l->power[rule];
@@ -124,10 +125,6 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
     }
     if (by->inner == 2)
         add_all_modes(m, seg, power, 2, l->rates, &sum);
-    else if (by->inner == 4)
-        add_all_modes(m, seg, power, 4, l->rates, &sum);
-    else if (by->inner == 6)
-        add_all_modes(m, seg, power, 6, l->rates, &sum);
     else
         add_all_modes(m, seg, power, THUD_LOBATTO_INNER, l->rates, &sum);
     double loss = by->end_weight * (end_loss(m, seg->q + m->nmodes, rate, seg->a0, &start) +
@@ -142,87 +139,6 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
         loss += rate * rate * coupled_work(m, l->rates, by->weight, by->inner);
     *input_j = input * o->s * seg->h_s;
     *viscous_j = loss * o->s * seg->h_s;
-}
-
-/* Size of the load on the modes, times h^2, by order: of the ground and the forces. A row's share is sqrt(g . g). */
-static void load_sizes(const struct thud_ledger *l, const struct thud_observation *o, double *load)
-{
-    const struct thud_model *m = o->state->model;
-    const struct thud_segment *seg = o->seg;
-    const double square = seg->h_s * seg->h_s;
-    for (int k = 0; k < THUD_SEGMENT_TERMS; k++)
-        load[k] = 0;
-    for (int i = 0; i < seg->rows; i++) {
-        const int c = seg->row[i];
-        const double share = square * sqrt(m->delassus[c * m->nrows + c]);
-        for (int k = 0; k < seg->loaded; k++)
-            load[k] += share * fabs(seg->force[k * m->nrows + c]);
-    }
-    load[0] += square * l->influence * fabs(seg->a0);
-    load[1] += square * l->influence * fabs(seg->a1);
-}
-
-/* Bounds of the modal rates' derivatives in the segment, as norms over the modes and in units of its length: with u =
- * (q', omega q) and a load p,
- *     |u'| <= (omega + 2 zeta omega) |u| + |p| ,
- * and sqrt(2 E) of the largest energy so far, with what the load adds, bounds |u| itself. */
-static void rate_bounds(const struct thud_ledger *l, const struct thud_observation *o, double *bound)
-{
-    const struct thud_segment *seg = o->seg;
-    const int last = (seg->loaded > 2 ? seg->loaded : 2) - 1;
-    const double angle = seg->h_s * (o->state->fastest_radps + l->dashpot);
-    double load[THUD_SEGMENT_TERMS], most = 0, factor = 1;
-    load_sizes(l, o, load);
-    for (int k = last; k >= 0; k--)
-        load[k] = most += load[k]; /* of the orders from k on */
-    bound[0] = seg->h_s * sqrt(2 * l->largest_j) + most;
-    for (int i = 0; i < thud_lobatto[THUD_LOBATTO_RULES - 2].order;
-         i++) { /* s^k by i times: at most last!/(last - i)! */
-        bound[i + 1] = angle * bound[i] + (i <= last ? factor * load[i] : 0);
-        factor *= last - i;
-    }
-}
-
-/* Bound of the error of a rule: its constant times that of the derivative of its order, by Leibniz, of sum_j c_j q_j'^2
- * and of gamma . q' (a0 + a1 s), from the bounds of the rates' derivatives. */
-static double error_bound(const struct thud_ledger *l, const struct thud_segment *seg, const double *bound,
-                          const struct thud_lobatto *rule)
-{
-    const int order = rule->order;
-    double sum = 0, binomial = 1;
-    for (int i = 0; i < order / 2; i++) {
-        sum += 2 * binomial * bound[i] * bound[order - i];
-        binomial = binomial * (order - i) / (i + 1);
-    }
-    sum = l->dashpot / seg->h_s * (sum + binomial * bound[order / 2] * bound[order / 2]);
-    sum += l->influence * ((fabs(seg->a0) + fabs(seg->a1)) * bound[order] + order * fabs(seg->a1) * bound[order - 1]);
-    return rule->error * sum;
-}
-
-void thud_ledger_error_bounds(const struct thud_ledger *l, const struct thud_observation *o, double *bound)
-{
-    double rate[THUD_LOBATTO_ORDER + 1];
-    rate_bounds(l, o, rate);
-    for (int rule = 0; rule + 1 < THUD_LOBATTO_RULES; rule++)
-        bound[rule] = error_bound(l, o->seg, rate, &thud_lobatto[rule]);
-}
-
-/* The rule of fewest points that is exact, or right to a small part of what may be unaccounted for; where no bound is
- * known only an exact one or the last: of coupled damping, and of storeys that yield, whose modes hold more than the
- * structure's energy. */
-static int rule_for(const struct thud_ledger *l, const struct thud_observation *o)
-{
-    static const double part = 1e-4; /* in each of some hundred pieces */
-    const struct thud_model *m = o->state->model;
-    const bool bounded = !o->seg->interpolates && !m->couples && m->nstoreys == 0;
-    double bound[THUD_LOBATTO_RULES - 1];
-    int rule = 0;
-    if (bounded)
-        thud_ledger_error_bounds(l, o, bound);
-    while (rule + 1 < THUD_LOBATTO_RULES && 2 * (o->seg->terms - 2) >= thud_lobatto[rule].order &&
-           !(bounded && bound[rule] <= part * l->limit * l->largest_j))
-        rule++;
-    return rule;
 }
 
 /* Work of the ground by its acceleration, and of the dashpots of single modes, between the two ends of a step. */
@@ -275,7 +191,7 @@ static void add_segment(struct thud_ledger *l, const struct thud_observation *o)
         add_ends(l, o);
         return;
     }
-    thud_ledger_structure_work(l, o, rule_for(l, o), &ground_j, &damping_j);
+    thud_ledger_structure_work(l, o, &ground_j, &damping_j);
     l->input_j += ground_j;
     l->viscous_j += damping_j;
 }
@@ -401,9 +317,6 @@ enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_
         thud_ledger_clear(ledger);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    for (int j = 0; j < model->nmodes; j++)
-        ledger->dashpot = fmax(ledger->dashpot, model->dashpot[j]);
-    ledger->influence = sqrt(thud_dot(model->nmodes, model->gamma, model->gamma));
     for (int rule = 0; rule < THUD_LOBATTO_RULES; rule++)
         for (int i = 0; i < thud_lobatto[rule].inner; i++) {
             double x = 1;

@@ -20,7 +20,6 @@ struct thud_ledger {
     bool closed;       /* nothing more comes: the balance is that of an earlier moment */
     struct thud_energy balance;
     int looks;
-    double dashpot, influence;      /* largest 2 zeta omega; sqrt(sum of gamma^2) */
     struct thud_rate_powers *power; /* (THUD_LOBATTO_RULES) */
     double *rates;                  /* (nmodes x THUD_LOBATTO_INNER) workspace */
     struct thud_contact_work *work; /* (ncontacts) the same */
@@ -38,11 +37,8 @@ void thud_ledger_start(struct thud_ledger *ledger, const struct thud_state *stat
 void thud_ledger_finish(struct thud_ledger *ledger, const struct thud_state *state);
 /* Adds the works over the segment, whose o->work is not read. */
 void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *o);
-/* Work of the ground and loss in the structures' damping over the segment by one of the rules of quadrature; and bounds
- * of the error of the two together, of all rules but the last (THUD_LOBATTO_RULES - 1), where modes are uncoupled and no
- * storey yields. */
-void thud_ledger_structure_work(struct thud_ledger *ledger, const struct thud_observation *o, int rule, double *input_j,
+/* Work of the ground and loss in the structures' damping over the segment. */
+void thud_ledger_structure_work(struct thud_ledger *ledger, const struct thud_observation *o, double *input_j,
                                 double *viscous_j);
-void thud_ledger_error_bounds(const struct thud_ledger *ledger, const struct thud_observation *o, double *bound);
 /* Work done on the contacts so far. */
 double thud_ledger_contact_work(const struct thud_ledger *ledger);
