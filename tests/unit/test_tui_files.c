@@ -58,7 +58,7 @@ START_TEST(saving_under_another_name)
     ck_assert_str_eq(old, fixture_towers);
     free(text);
     free(old);
-    snprintf(keys, sizeof keys, "W<C-u>%s/towers<Enter>", f.folder);
+    snprintf(keys, sizeof keys, "W%s/towers<Enter>", f.folder);
     fixture_keys(&f, keys);
     fixture_expect(&f, "exists. Write over it?");
     fixture_keys(&f, "n");

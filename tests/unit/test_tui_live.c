@@ -280,6 +280,10 @@ START_TEST(the_answer_in_one_line)
              thud_tui_number(1e-6 * bumper, number), 100.0 * (bumper / force - 1.0));
     fixture_expect(&f, words);
     fixture_expect(&f, "SRSS");
+    fixture_keys(&f, ":link add 1<Enter>");
+    fixture_expect(&f, "neither: ");
+    fixture_expect(&f, "   both: ");
+    fixture_keys(&f, "u");
     double need = f.tui->run.live.need[0].relative_displacement_m;
     ck_assert_double_gt(need, 0.02);
     ck_assert_double_ge(f.tui->run.live.need[0].abs_m, f.tui->run.live.need[0].srss_m);

@@ -20,6 +20,16 @@ const char *thud_live_name(enum thud_live_which which)
     return thud_case_title(thud_case_compared((int)which));
 }
 
+const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_which which)
+{
+    const bool linked = scene->nlinks > 0;
+    if (which == THUD_LIVE_FREE)
+        return "no pounding";
+    if (which == THUD_LIVE_NONE)
+        return linked ? "neither" : "no bumper";
+    return !linked ? "bumper" : thud_scene_has_bumper(scene) ? "both" : "links";
+}
+
 int thud_live_color(enum thud_live_which which)
 {
     return thud_case_color(thud_case_compared((int)which));

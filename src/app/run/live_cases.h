@@ -9,6 +9,8 @@
 
 enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
 const char *thud_live_name(enum thud_live_which which); /* "no pounding", ... */
+/* "no bumper" and "bumper"; of a scene with links "neither", and "links" or "both". */
+const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_which which);
 /* As in the figures: no pounding grey, no bumper the first colour, bumper the second. */
 int thud_live_color(enum thud_live_which which);
 

@@ -24,8 +24,6 @@ static void add(char *text, size_t size, int columns, const char *part)
         snprintf(text + n, size - n, "%s%s", n ? "   " : "", part);
 }
 
-static const char bare[] = "no bumper: ";
-
 /* "16 impacts, 34.5 MN": three digits. */
 static void pounding_words(int impacts, double force_n, char text[64])
 {
@@ -43,15 +41,15 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
 {
     char words[64];
     *part = '\0';
-    if (!line->compared || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
+    if (!line->with || (isnan(line->bumper_force_n) && line->bumper_impacts == 0))
         return;
     if (line->bumper_impacts == 0)
-        snprintf(part, size, "bumper: no contact");
+        snprintf(part, size, "%s: no contact", line->with);
     else if (isnan(line->bumper_force_n))
-        snprintf(part, size, "bumper: %d impact%s", line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
+        snprintf(part, size, "%s: %d impact%s", line->with, line->bumper_impacts, line->bumper_impacts == 1 ? "" : "s");
     else {
         pounding_words(line->bumper_impacts, line->bumper_force_n, words);
-        snprintf(part, size, "bumper: %s", brief ? strchr(words, ',') + 2 : words);
+        snprintf(part, size, "%s: %s", line->with, brief ? strchr(words, ',') + 2 : words);
         const size_t n = strlen(part);
         if (!brief && line->force_n > 0)
             snprintf(part + n, size - n, " (%+.0f %%)",
@@ -77,7 +75,7 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
         snprintf(part, sizeof part, "NO CONTACT at %s", gap);
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
-        int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(bare)) : 0;
+        int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0;
         snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->need_m),
                  thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
@@ -89,9 +87,10 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     if (!*bumper)
         return;
     add(text, size, columns, bumper);
-    const size_t n = strlen(text), room = strlen(bare);
+    snprintf(part, sizeof part, "%s: ", line->without);
+    const size_t n = strlen(text), room = strlen(part);
     if ((int)(n + room) <= columns && n + room < size) {
         memmove(text + room, text, n + 1);
-        memcpy(text, bare, room);
+        memcpy(text, part, room);
     }
 }

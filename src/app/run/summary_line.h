@@ -8,13 +8,13 @@
 struct thud_summary_line {
     double gap_m;
     int impacts;
-    double force_n;        /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
-    double impulse_ns;     /* in all */
-    double need_m;         /* the clearance that is never used up; NaN: not known */
-    double abs_m, srss_m;  /* by the codes' rules, where need_m is known */
-    bool compared;         /* the bumper's run stands beside that without, of which the rest tells */
-    int bumper_impacts;    /* of that run */
-    double bumper_force_n; /* likewise; NaN: it has no result */
+    double force_n;             /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
+    double impulse_ns;          /* in all */
+    double need_m;              /* the clearance that is never used up; NaN: not known */
+    double abs_m, srss_m;       /* by the codes' rules, where need_m is known */
+    const char *without, *with; /* NULL: nothing is compared; else what the rest tells of, "no bumper", and "bumper" */
+    int bumper_impacts;         /* of that run */
+    double bumper_force_n;      /* likewise; NaN: it has no result */
 };
 
 /* A gap in cm, up to the next millimetre, so that the number written is enough. */

@@ -33,7 +33,10 @@ static const struct thud_prompt save_as = {.words = "save as: ", .files = true, 
 
 void thud_tui_save_as(struct thud_tui *tui)
 {
-    thud_tui_prompt(tui, &save_as, tui->doc.path);
+    char name[THUD_NAME_MAX + 16];
+    snprintf(name, sizeof name, "my-%s.yaml", tui->doc.scene.name);
+    thud_tui_prompt(tui, &save_as, thud_doc_is_shipped(&tui->doc, tui->doc.path) ? name : tui->doc.path);
+    tui->dialog.line.selected = true;
 }
 
 static void overwrite(struct thud_tui *tui, const char *path)
@@ -63,10 +66,7 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
     snprintf(before, sizeof before, "%s", tui->doc.path);
     bool other = path && strcmp(to, before) != 0;
     if (thud_doc_is_shipped(&tui->doc, other ? to : before)) {
-        char name[THUD_NAME_MAX + 16];
-        snprintf(name, sizeof name, "my-%s.yaml", tui->doc.scene.name);
-        thud_tui_prompt(tui, &save_as, name);
-        tui->dialog.line.selected = true;
+        thud_tui_save_as(tui);
         thud_tui_say(tui, THUD_ROLE_WARN, "Presets that come with thud stay unchanged: a name for yours");
         return;
     }

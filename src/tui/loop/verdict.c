@@ -39,7 +39,8 @@ static void words_of_pair(const struct thud_tui *tui, int columns, char *text, s
         line.abs_m = need->abs_m;
         line.srss_m = need->srss_m;
     }
-    line.compared = true;
+    line.without = thud_live_short_name(scene, THUD_LIVE_NONE);
+    line.with = thud_live_short_name(scene, THUD_LIVE_BUMPER);
     line.bumper_force_n = thud_live_force(&tui->run.live, THUD_LIVE_BUMPER, tui->interface + 1, &line.bumper_impacts);
     say_collapse(tui, THUD_LIVE_NONE, text, size);
     if (!*text)

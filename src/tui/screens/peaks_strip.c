@@ -51,15 +51,10 @@ static void add_head(char *text, size_t size, int edge, const char *head)
 void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_t size)
 {
     struct strip strip = strip_of(tui, w);
-    const bool linked = tui->doc.scene.nlinks > 0, bumper = thud_scene_has_bumper(&tui->doc.scene);
-    const char *const head[] = {"no pounding", linked ? "neither" : "no bumper",
-                                !linked  ? "bumper"
-                                : bumper ? "both"
-                                         : "links",
-                                "ratio"};
     snprintf(text, size, "%s", thud_tui_shows_old(tui) ? "Before the edit" : "Peaks");
     for (int i = 0; i <= THUD_LIVE_CASES; i++)
-        add_head(text, size, edge_of(&strip, i), head[i]);
+        add_head(text, size, edge_of(&strip, i),
+                 i == THUD_LIVE_CASES ? "ratio" : thud_live_short_name(&tui->doc.scene, (enum thud_live_which)i));
     if (strip.percent && thud_tui_pinned(tui))
         add_head(text, size, strip.percent + 8, "change");
 }
