@@ -38,6 +38,18 @@ void thud_field_row(struct thud_tui *tui, int index, const struct thud_pane *pan
     thud_field_value(tui, index, pane, 1 + LABEL, y, pane->w - LABEL - 2 > 6 ? pane->w - LABEL - 2 : 6, key, true);
 }
 
+int thud_field_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int y,
+                    const struct thud_labelled *row, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "interfaces.%d.%s", tui->interface + 1, row[i].key);
+        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
+            thud_field_row(tui, index, pane, y++, row[i].label, path);
+    }
+    return y;
+}
+
 void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int number, const char *path,
                      const char *text)
 {

@@ -115,33 +115,22 @@ static int link_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
     return y;
 }
 
-/* Rows of an interface's own fields, labels beside keys. */
-static int own_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *const field[][2], int n)
-{
-    char key[THUD_PATH_MAX];
-    for (int i = 0; i < n; i++) {
-        snprintf(key, sizeof key, "interfaces.%d.%s", tui->interface + 1, field[i][1]);
-        thud_field_row(tui, FORM, pane, y++, field[i][0], key);
-    }
-    return y;
-}
-
 static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
 {
-    static const char *const gap[][2] = {{"gap", "gap"}, {"gap by level", "gap-by-level"}, {"levels", "levels"}},
-                             *const bumper[][2] = {{"thickness", "bumper.thickness"},
-                                                   {"by level", "bumper.thickness-by-level"},
-                                                   {"cavity", "bumper.cavity"}};
+    static const struct thud_labelled gap[] = {{"gap", "gap"}, {"gap by level", "gap-by-level"}, {"levels", "levels"}},
+                                      bumper[] = {{"thickness", "bumper.thickness"},
+                                                  {"by level", "bumper.thickness-by-level"},
+                                                  {"cavity", "bumper.cavity"}};
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
     char number[24];
-    int y = own_rows(tui, pane, 0, gap, 3);
+    int y = thud_field_rows(tui, FORM, pane, 0, gap, 3);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
                     thud_tui_number(100.0 * thud_interface_clearance(at), number));
     heading(pane, y++, "Bare contact");
     y = law_rows(tui, pane, y, "contact", at->contact.law);
     heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
     if (at->has_bumper)
-        y = law_rows(tui, pane, own_rows(tui, pane, y, bumper, 3), "bumper", at->bumper.law);
+        y = law_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, bumper, 3), "bumper", at->bumper.law);
     return beside_rows(tui, pane, link_rows(tui, pane, y));
 }
 

@@ -4,33 +4,18 @@
 #include "tui/document/field.h"
 #include "tui/screens/plots.h"
 
-struct labelled {
-    const char *label, *key;
-};
 /* Keys of the interface, of its bumper, and of the scene; what a law has not is left out. */
-static const struct labelled interface_key[] = {
+static const struct thud_labelled interface_key[] = {
     {"gap", "gap"}, {"bare stiffness", "contact.stiffness"}, {"bare restitution", "contact.restitution"}};
-static const struct labelled bumper_key[] = {{"  thickness", "bumper.thickness"},
-                                             {"  cavity", "bumper.cavity"},
-                                             {"  stiffness", "bumper.stiffness"},
-                                             {"  restitution", "bumper.restitution"}};
-static const struct labelled scene_key[] = {{"record", "record.file"},
-                                            {"peak", "record.peak"},
-                                            {"sign", "record.sign"},
-                                            {"method", "analysis.method"},
-                                            {"tolerance", "analysis.tolerance"}};
-
-static int fields(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, const struct labelled *row,
-                  size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "interfaces.%d.%s", tui->interface + 1, row[i].key);
-        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
-            thud_field_row(tui, index, pane, y++, row[i].label, path);
-    }
-    return y;
-}
+static const struct thud_labelled bumper_key[] = {{"  thickness", "bumper.thickness"},
+                                                  {"  cavity", "bumper.cavity"},
+                                                  {"  stiffness", "bumper.stiffness"},
+                                                  {"  restitution", "bumper.restitution"}};
+static const struct thud_labelled scene_key[] = {{"record", "record.file"},
+                                                 {"peak", "record.peak"},
+                                                 {"sign", "record.sign"},
+                                                 {"method", "analysis.method"},
+                                                 {"tolerance", "analysis.tolerance"}};
 
 static int impacts(const struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
@@ -64,11 +49,11 @@ int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane
     if (tui->interface + 1 < scene->nstructures) {
         const struct thud_interface *at = &scene->interface[tui->interface];
         char number[24];
-        y = fields(tui, index, pane, y, interface_key, sizeof interface_key / sizeof *interface_key);
+        y = thud_field_rows(tui, index, pane, y, interface_key, sizeof interface_key / sizeof *interface_key);
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0),
                       at->has_bumper ? "bumper             [x] on (B)" : "bumper             [ ] off (B)");
         if (at->has_bumper)
-            y = fields(tui, index, pane, y, bumper_key, sizeof bumper_key / sizeof *bumper_key);
+            y = thud_field_rows(tui, index, pane, y, bumper_key, sizeof bumper_key / sizeof *bumper_key);
         thud_field_note(pane, y++, "%-18s %s cm", "clearance",
                         thud_tui_number(100.0 * thud_interface_clearance(at), number));
     }

@@ -76,9 +76,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     static const char *const sort[] = {"by time", "by force", "by floor"};
     const char *filter = state(tui)->filter, *with = *filter ? ", with " : "";
     if (index == PEAKS)
-        snprintf(text, size, "Peaks%s%s%s%s: no pounding / no bumper / bumper, ratio",
+        snprintf(text, size, "Peaks%s%s%s%s: no pounding / %s / %s, ratio",
                  thud_tui_shows_old(tui) ? " before the edit" : "", state(tui)->by_value ? ", largest first" : "", with,
-                 filter);
+                 filter, thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
+                 thud_live_short_name(&tui->doc.scene, THUD_LIVE_BUMPER));
     else if (index == IMPACTS)
         snprintf(text, size, "Impacts, %s, %s%s%s", thud_live_name(shown(tui)), sort[state(tui)->sort], with, filter);
     else
