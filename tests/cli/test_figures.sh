@@ -84,7 +84,7 @@ is "a full disk: exit status 6" [ $? -eq 6 ]
 is "nothing half written, and no script without its data" [ -z "$(find "$tmp/limit" -type f)" ]
 
 odd="a'b\"\`touch $tmp/executed\`{_^@%s"
-run run towers --set "structures.1.name=$odd" -o "$tmp/odd $odd"
+run run towers --to 8s --set "structures.1.name=$odd" -o "$tmp/odd $odd"
 is "a building and a folder of any name" [ "$code" -eq 0 ]
 is "execute nothing" [ ! -e "$tmp/executed" ]
 is "and have all their pictures" is_png "$tmp/odd $odd/force.png"

@@ -109,7 +109,7 @@ START_TEST(numbers_stand_in_the_formula)
     struct thud_text text = {0};
     level.code.r = 8;
     thud_gap_numbers(&level, THUD_GAP_TBDY, &text);
-    ck_assert_str_eq(text.data, "max(0.25 x 8 x sqrt(1.80^2 + 2.40^2), 3, 3 + (12 - 6)/3) cm");
+    ck_assert_str_eq(text.data, "max(0.25 x 8 x sqrt(1.800^2 + 2.400^2), 3, 3 + (12 - 6)/3) cm");
     thud_text_clear(&text);
     for (int rule = 0; rule < THUD_GAP_RULES; rule++) {
         thud_gap_numbers(&level, rule, &text);

@@ -202,8 +202,8 @@ void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_
         char letter;
         const char *format;
         double value;
-    } number[] = {{'l', "%.2f", 100 * level->left_m},
-                  {'r', "%.2f", 100 * level->right_m},
+    } number[] = {{'l', "%.3f", 100 * level->left_m},
+                  {'r', "%.3f", 100 * level->right_m},
                   {'p', "%.3g", level->correlation},
                   {'k', "%g", reduction(level)},
                   {'a', "%g", alpha(level)},
