@@ -2,7 +2,7 @@
  * each function. SI units; floors, storeys and interfaces are counted from 1, buildings run from left to right.
  *
  * A function that can fail returns an enum thud_status and takes, last, where to put the message (NULL: nowhere); it
- * leaves its results as they were or NULL. Nothing is printed, no signal is handled, there is no global state. A struct
+ * leaves its results as they were or NULL, but for thud_run with THUD_COLLAPSED. Nothing is printed, no signal is handled, there is no global state. A struct
  * thud is used by one thread at a time, different ones at the same time; results are not changed once they are there. */
 #ifndef THUD_H
 #define THUD_H
@@ -22,14 +22,15 @@ extern "C" {
 /* The first seven are the program's exit statuses. */
 enum thud_status {
     THUD_OK = 0,
-    THUD_CHECK = 1,    /* a check did not hold */
-    THUD_USAGE = 2,    /* wrong usage, or no terminal */
-    THUD_INPUT = 3,    /* bad input */
-    THUD_DIVERGED = 4, /* the integration failed */
-    THUD_GNUPLOT = 5,  /* gnuplot is missing or failed */
-    THUD_OUTPUT = 6,   /* output could not be written */
-    THUD_MEMORY = 7,   /* out of memory */
-    THUD_CANCELLED = 8 /* stopped on request; what was done is kept */
+    THUD_CHECK = 1,     /* a check did not hold */
+    THUD_USAGE = 2,     /* wrong usage, or no terminal */
+    THUD_INPUT = 3,     /* bad input */
+    THUD_DIVERGED = 4,  /* the integration failed */
+    THUD_GNUPLOT = 5,   /* gnuplot is missing or failed */
+    THUD_OUTPUT = 6,    /* output could not be written */
+    THUD_MEMORY = 7,    /* out of memory */
+    THUD_CANCELLED = 8, /* stopped on request; what was done is kept */
+    THUD_COLLAPSED = 9  /* a storey has collapsed: results up to then are there; the program exits with 4 */
 };
 
 /* One message: FILE:LINE:COLUMN: KEY: what is wrong (what is allowed). Unused parts are empty or 0. */
@@ -124,6 +125,7 @@ struct thud_control {
     void *context;
 };
 
+/* THUD_COLLAPSED: *out has the results up to the collapse, peaks cut off there; the message says when, and which storey. */
 THUD_API enum thud_status thud_run(struct thud *scene, const struct thud_control *control, struct thud_results **out,
                                    struct thud_error *err);
 /* `vary`: "gap=5cm:25cm:1cm" and others that make a grid, NULL at the end; NULL: the scene's own study. */

@@ -292,8 +292,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++)
-        if (thud_collapse_remark(&cases->item[i].scene, thud_run_result(cases->item[i].solution.run), err))
-            status = err->status = THUD_DIVERGED;
+        status = thud_collapse_status(&cases->item[i].scene, thud_run_result(cases->item[i].solution.run), err);
     thud_run_cases_free(cases);
     return status;
 }
@@ -324,8 +323,8 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
             status = report_run(args, session, scene, which, &solution, err);
         if (status == THUD_OK && options.keep_history)
             status = thud_made_by_end(&by, draw(args, &picture, scene, &solution, err), err);
-        if (status == THUD_OK && thud_collapse_remark(scene, thud_run_result(solution.run), err))
-            status = err->status = THUD_DIVERGED;
+        if (status == THUD_OK)
+            status = thud_collapse_status(scene, thud_run_result(solution.run), err);
     } else if (status == THUD_DIVERGED) {
         struct thud_error failure = *err;
         enum thud_status printed = report_failure(args, session, scene, which, &solution, &failure, err);

@@ -9,6 +9,7 @@
 #include "io/result/result_rows.h"
 #include "io/result/sweep_csv.h"
 #include "study/methods/truncation.h"
+#include "study/sweep/remark.h"
 
 /* Segments of a run between two looks at the caller's wish to stop. */
 enum { SLICE = 20 };
@@ -105,15 +106,17 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
         }
         if (status == THUD_OK)
             status = put_run(&report, control->histories != 0, results, err);
+        if (status == THUD_OK)
+            status = thud_collapse_status(cased, report.result, err);
     }
     thud_solution_clear(&solution);
     return status;
 }
 
-/* Hands the results over, or frees them. */
+/* Hands the results over, of a run that ended in a collapse those up to it, or frees them. */
 static enum thud_status conclude(struct thud_results *results, enum thud_status status, struct thud_results **out)
 {
-    if (status == THUD_OK)
+    if (status == THUD_OK || status == THUD_COLLAPSED)
         *out = results;
     else
         thud_free(results);

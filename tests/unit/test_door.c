@@ -334,6 +334,33 @@ START_TEST(it_stops_when_told_and_tells_how_far_it_is)
 }
 END_TEST
 
+/* A storey of 3 m collapses at a drift of 30 cm, where histories and peaks end. */
+START_TEST(a_collapse_is_told_and_its_results_stay)
+{
+    struct thud *scene = open_scene("towers-yielding");
+    struct thud_control control = {.size = sizeof control, .which = "none", .histories = 1};
+    struct thud_results *results = NULL;
+    size_t rows, moments;
+    set(scene, "structures.1.hardening", "0 %");
+    set(scene, "structures.2.hardening", "0 %");
+    thud_free(run(scene, &control));
+    set(scene, "p-delta", "yes");
+    ck_assert_int_eq(thud_run(scene, &control, &results, &error), THUD_COLLAPSED);
+    ck_assert_int_eq(error.status, THUD_COLLAPSED);
+    ck_assert_str_eq(error.key, "structures.2");
+    ck_assert_ptr_nonnull(strstr(error.what, "storey 1 of B collapses at 11.946 s"));
+    ck_assert_ptr_nonnull(results);
+    const double *drift = column(results, "floors", "drift_m", &rows);
+    ck_assert_double_eq_tol(drift[4], 0.1 * 3, 1e-12); /* the lowest floor of B, behind A's four */
+    const double *time_s = column(results, "histories", "time_s", &moments);
+    ck_assert_double_eq_tol(time_s[moments - 1], column(results, "floors", "drift_time_s", &rows)[4], 1e-9);
+    thud_free(results);
+    ck_assert_int_eq(thud_run(scene, &control, &results, NULL), THUD_COLLAPSED);
+    thud_free(results);
+    thud_close(scene);
+}
+END_TEST
+
 START_TEST(a_table_is_its_text)
 {
     struct thud *scene = open_scene("towers");
@@ -475,6 +502,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, the_motion_follows_the_structures_where_it_is_scaled_to_them);
     tcase_add_test(tests, it_stops_when_told_and_tells_how_far_it_is);
     tcase_add_test(tests, a_table_is_its_text);
+    tcase_add_test(tests, a_collapse_is_told_and_its_results_stay);
     tcase_add_test(tests, a_sweep_is_the_same_with_any_number_of_threads);
     tcase_add_test(tests, scenes_of_several_threads_do_not_meet);
     tcase_add_test(tests, the_scene_goes_out_and_comes_back);

@@ -17,6 +17,9 @@ double thud_drift_ratio(const struct thud_structure *structure, const struct thu
                         bool elastic, int *storey);
 /* P-Delta: which storey collapsed, when and how far it had drifted; false where none has. */
 bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out);
+/* The same as the status of what ends there: THUD_COLLAPSED with that message, else THUD_OK. */
+enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
+                                      struct thud_error *err);
 /* The n-th (from 0) remark on what storeys bear: a collapse, those that yield beyond a ductility of 6 or a drift of 2 %, and
  * stability coefficients above 0.1 and 0.3. False when there are no more. */
 bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n,

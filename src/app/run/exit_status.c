@@ -5,6 +5,8 @@ int thud_exit_status(enum thud_status status)
     switch (status) {
     case THUD_MEMORY:
         return THUD_OUTPUT;
+    case THUD_COLLAPSED:
+        return THUD_DIVERGED;
     case THUD_CANCELLED:
         return 128 + 2;
     case THUD_OK:

@@ -180,6 +180,18 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
     return true;
 }
 
+enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
+                                      struct thud_error *err)
+{
+    struct thud_error fall;
+    if (!thud_collapse_remark(scene, result, &fall))
+        return THUD_OK;
+    fall.status = THUD_COLLAPSED;
+    if (err)
+        *err = fall;
+    return THUD_COLLAPSED;
+}
+
 bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n, struct thud_error *out)
 {
     if (thud_collapse_remark(scene, result, out) && n-- == 0)
