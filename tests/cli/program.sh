@@ -19,6 +19,17 @@ is() { # WHAT CONDITION...
         head -20 "$tmp/out" "$tmp/err" 2>/dev/null | sed 's/^/# /'
     fi
 }
+# The one place that looks for Python: no test needs it, and each tells what it leaves out without.
+python=$(command -v python3 || :)
+is_python() { # WHAT ARGUMENTS...: Python does it, where there is one
+    [ -n "$python" ] || {
+        echo "ok - $1 # SKIP no python3"
+        return
+    }
+    what=$1
+    shift
+    is "$what" "$python" "$@"
+}
 run() { # ARGUMENTS...: of thud; keeps $tmp/out, $tmp/err and its exit status in $code
     "$THUD" "$@" >"$tmp/out" 2>"$tmp/err"
     code=$?

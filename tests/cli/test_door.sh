@@ -1,11 +1,10 @@
 #!/bin/sh
 # The library: what it shows, what it leaves alone, and that it gives the bytes that the program gives, from C and from Python.  TAP.
 # DOOR_SCENES: how many scenes from Python.
-set -u
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
 BUILD=${BUILD:-build/release}
 CC=${CC:-cc}
-tmp=$(mktemp -d) || exit 1
-trap 'rm -rf "$tmp"' EXIT
 LC_ALL=C
 export LC_ALL
 
@@ -90,20 +89,20 @@ ok "it gives the bytes of run --json ($n of 14)" $?
 ok "its errors are those of the program" $?
 
 # Python
-if ! command -v python3 >/dev/null 2>&1; then
+if [ -z "$python" ]; then
     echo "ok - Python # SKIP no python3"
     exit 0
 fi
 [ "$(wc -l <tests/door/thud.py)" -le 200 ]
 ok "the Python file has at most 200 lines" $?
-PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=${DOOR_SCENES:-25} python3 tests/door/scenes.py >"$tmp/python" 2>"$tmp/out"
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=${DOOR_SCENES:-25} "$python" tests/door/scenes.py >"$tmp/python" 2>"$tmp/out"
 status=$?
 cat "$tmp/python"
 [ $status -eq 0 ] || ok "Python" 1
 localedef --no-archive -i de_DE -f UTF-8 "$tmp/de_DE.UTF-8" >/dev/null 2>&1
-if LOCPATH=$tmp LC_ALL=de_DE.UTF-8 python3 -c 'import locale; locale.setlocale(locale.LC_ALL, ""); assert locale.localeconv()["decimal_point"] == ","' 2>/dev/null; then
+if LOCPATH=$tmp LC_ALL=de_DE.UTF-8 "$python" -c 'import locale; locale.setlocale(locale.LC_ALL, ""); assert locale.localeconv()["decimal_point"] == ","' 2>/dev/null; then
     PYTHONDONTWRITEBYTECODE=1 LOCPATH=$tmp LC_ALL=de_DE.UTF-8 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=3 \
-        python3 tests/door/scenes.py >"$tmp/out" 2>&1 && ! grep -q '^not ok' "$tmp/out"
+        "$python" tests/door/scenes.py >"$tmp/out" 2>&1 && ! grep -q '^not ok' "$tmp/out"
     ok "it writes a point where the program around it writes a comma" $?
 else
     echo "ok - it writes a point where the program around it writes a comma # SKIP no such locale can be made"

@@ -107,7 +107,7 @@ run run towers --floor-spectra "5 %" --format svg --width 90mm --quiet -o "$tmp/
 run run towers --floor-spectra "5 %" --format svg --width 190mm --quiet -o "$tmp/narrow/floors-wide"
 run uncertainty towers --samples 2 --format svg --width 165mm --quiet -o "$tmp/narrow/tornado"
 run figures all --format svg --width 90mm --quiet -o "$tmp/narrow/paper"
-is "no text of them is cut, outside, through another or small" python3 tests/cli/figure_faults.py "$tmp"/narrow/*
+is_python "no text of them is cut, outside, through another or small" tests/cli/figure_faults.py "$tmp"/narrow/*
 is "where a closer look finds no room it is said" grep -q "A wider picture shows the largest impact closer[.]" "$tmp/narrow/run/force.txt"
 captions() { # every picture has its title and footer as text, and not in itself
     for picture in "$tmp"/narrow/run/*.svg; do

@@ -89,6 +89,8 @@ plant src/core/a.c "/* TO""DO */\n"
 finds "a note to oneself is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
 plant src/core/a.c "int a; \n"
 finds "a trailing blank is found" "a.c:1" sh $tools/check-tree.sh "$tmp/tree"
+plant tests/cli/test_bad.sh "pyth""on3 tests/cli/read.py\n"
+finds "a test that needs Python is found" "test_bad.sh:1" sh $tools/check-tree.sh "$tmp/tree"
 
 unused() { # WHAT PATTERN HEADER SOURCE [TEST]: a tree of one header, one file that is compiled and one test
     plant src/base/bad.c "$4"

@@ -102,15 +102,15 @@ is "have each case's rows" [ "$(cut -d, -f1 "$tmp/out" | uniq -c | tr -s ' ' | t
 sed -n 's/^bumper,//p' "$tmp/out" >"$tmp/rows"
 "$THUD" run towers --case bumper --csv --quiet | sed 1d >"$tmp/alone"
 is "which are those of the case alone" cmp "$tmp/rows" "$tmp/alone"
-if command -v python3 >/dev/null 2>&1; then
-    # shellcheck disable=SC2016 # for the inner shell
-    json() { # WHAT ARGUMENTS...: is JSON
-        is "$1" sh -c 'shift; "$THUD" "$@" --json --quiet 2>"$0/err" | python3 -c "import json, sys; d = json.load(sys.stdin); assert d"' "$tmp" "$@"
-    }
-    json "cases" run towers --cases none,bumper
-    json "a bench" bench rigid-concrete --methods exact --patience 0.3s
-    json "what costs" bench towers --cost duration --patience 0.02s
-    json "the paper's figures" figures fig4 -o "$tmp/figures"
-fi
+json() { # WHAT ARGUMENTS...: is JSON
+    what=$1
+    shift
+    "$THUD" "$@" --json --quiet >"$tmp/out.json" 2>"$tmp/err"
+    is_python "$what" -c 'import json, sys; assert json.load(open(sys.argv[1]))' "$tmp/out.json"
+}
+json "cases" run towers --cases none,bumper
+json "a bench" bench rigid-concrete --methods exact --patience 0.3s
+json "what costs" bench towers --cost duration --patience 0.02s
+json "the paper's figures" figures fig4 -o "$tmp/figures"
 is "a bench as CSV" gives 0 bench rigid-concrete --methods exact --patience 0.3s --csv --quiet
 is "has its header" shows '^method,located,setting,state,seconds'

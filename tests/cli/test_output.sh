@@ -157,7 +157,7 @@ sum=$(sha256sum <records/kobe-surrogate.csv | cut -d ' ' -f 1)
 is "a ground motion is told by the SHA-256 of its file" grep -q "\"file\": \"[^\"]*kobe-surrogate.csv\".* \"sha256\": \"$sum\"" "$tmp/gap/needed-gaps.json"
 
 # every answer of rows is the same as CSV and as JSON
-if ! command -v python3 >/dev/null 2>&1; then
+if [ -z "$python" ]; then
     echo "ok - CSV and JSON have one content # SKIP no python3"
 else
     "$THUD" run towers --to 5s --quiet --csv >"$tmp/floors.csv" && "$THUD" run towers --to 5s --quiet --json >"$tmp/floors.json"
@@ -166,7 +166,7 @@ else
         "$THUD" $words --csv >"$tmp/answer.csv" 2>/dev/null
         # shellcheck disable=SC2086 # several words
         "$THUD" $words --json >"$tmp/answer.json" 2>/dev/null
-        is "$words: CSV and JSON have one content" python3 tests/cli/same_rows.py "$tmp/answer.csv" "$tmp/answer.json" "$path"
+        is "$words: CSV and JSON have one content" "$python" tests/cli/same_rows.py "$tmp/answer.csv" "$tmp/answer.json" "$path"
     done <<END
 laws laws
 methods methods
@@ -179,13 +179,13 @@ runs stiffness towers --to 5s --quiet
 quantities uncertainty towers --to 5s --samples 3 --quiet
 modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
-    is "run: the floors of the CSV are those of the JSON" python3 tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
+    is "run: the floors of the CSV are those of the JSON" "$python" tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
     for folder in run sweep suite gap fragility uncertainty bench stability cost figures; do
-        is "$folder: every table reads as datapackage.json says, scenes are SI too" python3 tests/cli/read_tables.py "$tmp/$folder"
+        is "$folder: every table reads as datapackage.json says, scenes are SI too" "$python" tests/cli/read_tables.py "$tmp/$folder"
     done
     "$THUD" suite records --preset towers --quiet --csv >"$tmp/motions.csv" && "$THUD" suite records --preset towers --quiet --json >"$tmp/motions.json"
     while read -r table json path lacks; do
-        is "$table: the rows are those of $json" python3 tests/cli/same_rows.py "$tmp/$table" "$tmp/$json" "$path" ${lacks:+"$lacks"}
+        is "$table: the rows are those of $json" "$python" tests/cli/same_rows.py "$tmp/$table" "$tmp/$json" "$path" ${lacks:+"$lacks"}
     done <<END
 stability/verdicts.csv stability.json verdicts
 suite/sweep.csv sweep.json rows

@@ -257,7 +257,7 @@ else
 fi
 is "the isolators are no storey in the table of one input at a time" grep -q '^| drift of the isolators of isolated | 265 mm |' "$tmp/moat/report.md"
 "$THUD" report slab-against-columns --samples 0 -o "$tmp/columns" >/dev/null 2>&1
-is "no text of a figure of it is cut, outside or through another" python3 tests/cli/figure_faults.py "$tmp/columns"
+is_python "no text of a figure of it is cut, outside or through another" tests/cli/figure_faults.py "$tmp/columns"
 if sed -n '/^## What to know first/,/^- /p' "$tmp/columns/report.md" | grep -q 'Struck columns fail: without bumper .*times their capacity, at .*, with the bumper .* no meaning'; then
     echo "ok - columns above their capacity stand first of the cautions"
 else
