@@ -7,26 +7,31 @@
 #include "ground/record.h"
 
 /* Integrals are exact for an acceleration that is linear between the samples. Velocity and displacement are those of
- * the acceleration less its mean, from rest, and their peaks are taken over the samples, as networks do. NaN: not
- * defined (a record of zeros has no significant duration). */
+ * the acceleration less its mean, from rest, and their peaks are those of these continuous motions, between the samples
+ * too. NaN: not defined (a record of zeros has no significant duration). */
 struct thud_intensity {
     double pga_mps2, pga_time_s;
     double pgv_mps, pgv_time_s;
     double pgd_m, pgd_time_s;
-    double end_m;              /* displacement at the last sample */
-    bool drifts;               /* the displacement is that of a baseline that is off, or of noise, not of the ground */
-    double arias_mps;          /* pi/(2 g) times the integral of a^2 */
-    double d5_95_s, d5_75_s;   /* between 5 % and 95 % (75 %) of the Arias intensity */
-    double t5_s, t75_s, t95_s; /* when they are reached */
-    double cav_mps;            /* integral of |a| */
-    double bracketed_s;        /* from the first to the last time |a| is 0.05 g; 0 when it never is */
-    double predominant_s;      /* period of the largest 5 %-damped total acceleration, from 0.02 s to 10 s */
-    double duration_s;         /* (samples - 1) dt */
+    double mean_mps2;           /* of the acceleration, taken off for velocity and displacement */
+    double end_m;               /* displacement at the last sample */
+    bool drifts;                /* the displacement is that of a baseline that is off, or of noise, not of the ground */
+    double arias_mps;           /* pi/(2 g) times the integral of a^2 */
+    double arias_trapezoid_mps; /* the same by the trapezoidal rule on a^2, as PEER's flatfiles have it; larger */
+    double d5_95_s, d5_75_s;    /* between 5 % and 95 % (75 %) of the Arias intensity */
+    double t5_s, t75_s, t95_s;  /* when they are reached */
+    double cav_mps;             /* integral of |a| */
+    double bracketed_s;         /* from the first to the last time |a| is 0.05 g; 0 when it never is */
+    double duration_s;          /* (samples - 1) dt */
 };
 
 enum { THUD_BRACKET_PER_MILLE = 50 }; /* threshold of the bracketed duration in g/1000 */
 
 struct thud_intensity thud_intensity_of(const struct thud_record *record);
+
+/* Period (s, 0.02 to 10) of the largest total acceleration at 5 % damping, to 1 %; NaN of a record of zeros. It takes
+ * ten times as long as all the rest. */
+double thud_record_predominant_period(const struct thud_record *record);
 
 /* Velocity and displacement at the samples (each `samples` long, either may be NULL), of the acceleration less its
  * mean, from rest. */

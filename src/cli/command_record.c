@@ -56,13 +56,12 @@ static enum thud_status info_of(const struct thud_args *args, const struct thud_
                                 struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    struct thud_intensity intensity = thud_intensity_of(record);
     struct thud_motion_info_row row;
-    thud_motion_info_fill(record, &intensity, &row);
+    thud_motion_info_fill(record, &row);
     if (thud_cli_form(args))
         thud_list_add(list, &row, NULL, 0);
     else
-        thud_record_info_table(record, &intensity, list->out);
+        thud_record_info_table(record, &row, list->out);
     if (thud_args_has(args, "o")) {
         char stem[128], name[160], title[640];
         thud_record_file_stem(record->file, stem, sizeof stem);

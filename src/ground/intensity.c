@@ -4,6 +4,7 @@
 
 #include "base/quantity.h"
 #include "ground/oscillator.h"
+#include "ground/spectrum.h"
 
 /* The displacement at the end over the largest one. Of 22 processed records of 1940 to 2019 the integral of the
  * acceleration ends below 0.46, of those whose baseline is off or whose noise was left in at 1.00. */
@@ -45,13 +46,47 @@ static void take_peak(double value, double time, double *peak, double *when)
     }
 }
 
+/* Velocity and displacement at time t within a step: v0 + a0 t + s t^2/2 and its integral, s the slope of a. */
+static void motion_within(double a0, double slope, double t, double *v, double *u)
+{
+    *u += t * (*v + t * (a0 / 2 + t * slope / 6));
+    *v += t * (a0 + t * slope / 2);
+}
+
+/* Peaks inside a step of the straight line from a0 to a1: of the velocity where the line crosses zero, of the
+ * displacement where the velocity does. */
+static void peaks_within(double a0, double a1, double from, double dt, double v0, double u0, struct thud_intensity *out)
+{
+    const double slope = (a1 - a0) / dt;
+    double time[3] = {-a0 / slope, NAN, NAN};
+    if (fabs(slope) * dt > 1e-9 * fabs(a0)) {
+        const double root = sqrt(a0 * a0 - 2 * slope * v0), q = -(a0 + copysign(root, a0));
+        time[1] = q / slope;
+        time[2] = 2 * v0 / q;
+    } else {
+        time[1] = -v0 / a0;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (!(time[k] > 0 && time[k] < dt))
+            continue;
+        double v = v0, u = u0;
+        motion_within(a0, slope, time[k], &v, &u);
+        take_peak(v, from + time[k], &out->pgv_mps, &out->pgv_time_s);
+        take_peak(u, from + time[k], &out->pgd_m, &out->pgd_time_s);
+    }
+}
+
 static void peaks(const struct thud_record *record, struct thud_intensity *out)
 {
     double mean = mean_of(record), v = 0, u = 0, dt = record->dt_s;
+    out->mean_mps2 = mean;
     for (size_t i = 0; i < record->samples; i++) {
-        if (i)
-            advance(record->a_mps2[i - 1] - mean, record->a_mps2[i] - mean, dt, &v, &u);
         double t = (double)i * dt;
+        if (i) {
+            const double before = record->a_mps2[i - 1] - mean, after = record->a_mps2[i] - mean;
+            peaks_within(before, after, t - dt, dt, v, u, out);
+            advance(before, after, dt, &v, &u);
+        }
         take_peak(record->a_mps2[i], t, &out->pga_mps2, &out->pga_time_s);
         take_peak(v, t, &out->pgv_mps, &out->pgv_time_s);
         take_peak(u, t, &out->pgd_m, &out->pgd_time_s);
@@ -99,12 +134,15 @@ static double time_of(const struct thud_record *record, double target)
 
 static void energy(const struct thud_record *record, struct thud_intensity *out)
 {
-    double sum = 0;
+    double sum = 0, trapezoids = 0;
     for (size_t i = 0; i + 1 < record->samples; i++) {
+        const double before = record->a_mps2[i], after = record->a_mps2[i + 1];
+        trapezoids += record->dt_s * (before * before + after * after) / 2;
         sum += square_part(record->a_mps2[i], record->a_mps2[i + 1], record->dt_s, 1);
         out->cav_mps += abs_step(record->a_mps2[i], record->a_mps2[i + 1], record->dt_s);
     }
     out->arias_mps = THUD_PI / (2 * THUD_GRAVITY) * sum;
+    out->arias_trapezoid_mps = THUD_PI / (2 * THUD_GRAVITY) * trapezoids;
     out->t5_s = out->t75_s = out->t95_s = out->d5_95_s = out->d5_75_s = NAN;
     if (!(sum > 0))
         return;
@@ -143,7 +181,9 @@ static double bracketed(const struct thud_record *record)
 
 /* ---- predominant period ---- */
 
-enum { BATCH = 4, COARSE = 20 * BATCH, FINE = 6 * BATCH };
+#define SHORTEST 0.02 /* s, range of the search */
+#define LONGEST  10.0
+enum { BATCH = 4, COARSE = 63 * BATCH, NEAR = 4 };
 
 /* Largest total acceleration of four oscillators side by side, looked at `finest` radians or less apart: enough to tell
  * which is the largest, and a long record takes well under a second. */
@@ -176,31 +216,37 @@ static void four_peaks(const struct thud_record *record, const double *period, d
     }
 }
 
-/* The best of `count` periods in geometric steps; NaN when none moves. */
-static double best_period(const struct thud_record *record, double from, double to, int count, double finest)
+/* The largest exact Sa among periods around `about`, in NEAR geometric steps to either side within a factor `ratio`. */
+static void refine(const struct thud_record *record, double about, double ratio, double *largest, double *best)
 {
-    double best = NAN, largest = 0;
-    for (int i = 0; i < count; i += BATCH) {
-        double period[BATCH], peak[BATCH];
-        for (int l = 0; l < BATCH; l++)
-            period[l] = from * pow(to / from, (double)(i + l) / (count - 1));
-        four_peaks(record, period, finest, peak);
-        for (int l = 0; l < BATCH; l++)
-            if (peak[l] > largest) {
-                largest = peak[l];
-                best = period[l];
-            }
+    for (int i = -NEAR; i <= NEAR; i++) {
+        const double period = fmin(fmax(about * pow(ratio, (double)i / NEAR), SHORTEST), LONGEST);
+        const double sa = thud_spectrum_at(record, period, 0.05).acceleration_mps2;
+        if (sa > *largest) {
+            *largest = sa;
+            *best = period;
+        }
     }
-    return best;
 }
 
-static double predominant(const struct thud_record *record)
+/* Scans the spectrum in steps of a quarter of the half-power bandwidth of 5 % damping (2.5 %), then refines every
+ * maximum of the scan that its error can hide: 3 % by sampling half a radian apart, 3 % by half a step of period.
+ * NaN: nothing moves. */
+double thud_record_predominant_period(const struct thud_record *record)
 {
-    const double from = 0.02, to = 10, ratio = pow(to / from, 1.0 / (COARSE - 1));
-    double best = best_period(record, from, to, COARSE, 0.5);
-    if (isnan(best))
-        return best;
-    return best_period(record, fmax(from, best / ratio), fmin(to, best * ratio), FINE, 0.2);
+    const double ratio = pow(LONGEST / SHORTEST, 1.0 / (COARSE - 1)), hidden = 0.94;
+    double period[COARSE], peak[COARSE + 2] = {0}, scanned = 0, largest = 0, best = NAN;
+    for (int i = 0; i < COARSE; i += BATCH) {
+        for (int l = 0; l < BATCH; l++)
+            period[i + l] = SHORTEST * pow(ratio, i + l);
+        four_peaks(record, period + i, 0.5, peak + 1 + i);
+    }
+    for (int i = 1; i <= COARSE; i++)
+        scanned = fmax(scanned, peak[i]);
+    for (int i = 1; i <= COARSE && scanned > 0; i++)
+        if (peak[i] >= hidden * scanned && peak[i] >= peak[i - 1] && peak[i] >= peak[i + 1])
+            refine(record, period[i - 1], ratio, &largest, &best);
+    return best;
 }
 
 struct thud_intensity thud_intensity_of(const struct thud_record *record)
@@ -212,6 +258,5 @@ struct thud_intensity thud_intensity_of(const struct thud_record *record)
     peaks(record, &out);
     energy(record, &out);
     out.bracketed_s = bracketed(record);
-    out.predominant_s = predominant(record);
     return out;
 }

@@ -18,9 +18,9 @@ struct thud_motion_info_row {
     size_t samples;
     double dt_s, scale;
     struct thud_intensity own;
+    double predominant_s;
 };
-void thud_motion_info_fill(const struct thud_record *record, const struct thud_intensity *intensity,
-                           struct thud_motion_info_row *row);
+void thud_motion_info_fill(const struct thud_record *record, struct thud_motion_info_row *row);
 
 /* `needs`: an option without which it is not read; `error`: why it cannot be. */
 struct thud_motion_list_row {

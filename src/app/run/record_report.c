@@ -33,8 +33,10 @@ static void seconds(struct thud_text *out, const char *name, double value, const
         row(out, name, "%.4g s%s", value, more);
 }
 
-void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *m, struct thud_text *out)
+void thud_record_info_table(const struct thud_record *record, const struct thud_motion_info_row *measured,
+                            struct thud_text *out)
 {
+    const struct thud_intensity *m = &measured->own;
     thud_text_append(out, "%s\n", record->file);
     row(out, "format", "%s%s%s%s", record->format, record->note[0] ? " (" : "", record->note,
         record->note[0] ? ")" : "");
@@ -47,12 +49,15 @@ void thud_record_info_table(const struct thud_record *record, const struct thud_
     row(out, "PGA", "%.4f g at %.4g s (%.4g m/s2)", m->pga_mps2 / THUD_GRAVITY, m->pga_time_s, m->pga_mps2);
     row(out, "PGV", "%.4g m/s at %.4g s", m->pgv_mps, m->pgv_time_s);
     row(out, "PGD", "%.4g m at %.4g s", m->pgd_m, m->pgd_time_s);
+    row(out, "mean taken off", "%.4g m/s2, for PGV and PGD alone", m->mean_mps2);
     if (m->drifts)
         row(out, "caution",
             "the displacement ends at %.4g m: drift of the baseline or noise, hardly the ground's (--high-pass 0.1Hz, "
             "--baseline)",
             m->end_m);
-    row(out, "Arias intensity", "%.4g m/s, exact for straight lines between the samples", m->arias_mps);
+    row(out, "Arias intensity",
+        "%.4g m/s, exact for straight lines between the samples (trapezoidal rule on a^2: %.4g)", m->arias_mps,
+        m->arias_trapezoid_mps);
     char more[80] = "";
     if (!isnan(m->t5_s))
         snprintf(more, sizeof more, ", from %.4g s to %.4g s", m->t5_s, m->t95_s);
@@ -60,7 +65,7 @@ void thud_record_info_table(const struct thud_record *record, const struct thud_
     seconds(out, "D5-75", m->d5_75_s, "");
     row(out, "CAV", "%.4g m/s", m->cav_mps);
     seconds(out, "bracketed duration", m->bracketed_s, " above 0.05 g");
-    seconds(out, "predominant period", m->predominant_s, ", of the largest Sa at 5 % damping");
+    seconds(out, "predominant period", measured->predominant_s, ", of the largest Sa at 5 % damping");
 }
 
 void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,

@@ -1,11 +1,11 @@
 /* What is done with ground motions: read and treated as asked, measured, shown, listed. */
 #pragma once
 
-#include "ground/intensity.h"
 #include "ground/record_edit.h"
 #include "ground/record_filter.h"
 #include "ground/spectrum.h"
 #include "io/file/schema.h"
+#include "io/result/list_rows.h"
 #include "plot/figures/figures_record.h"
 #include "study/scene/scene.h"
 
@@ -27,7 +27,7 @@ enum thud_status thud_record_open(const char *name, const struct thud_record_tre
  * step that it has now. */
 void thud_record_treatment_describe(const struct thud_record_treatment *treatment, double dt_s, struct thud_text *out);
 
-void thud_record_info_table(const struct thud_record *record, const struct thud_intensity *intensity,
+void thud_record_info_table(const struct thud_record *record, const struct thud_motion_info_row *row,
                             struct thud_text *out);
 /* period_s,acceleration_mps2,velocity_mps,displacement_m under a comment line with the damping. */
 void thud_spectrum_csv(const struct thud_record *record, const struct thud_spectrum_point *point, size_t count,

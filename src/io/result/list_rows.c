@@ -25,14 +25,17 @@ static const struct thud_column infos[] = {
     INFO(own.pgv_time_s, "pgv_time_s", "Its time, s."),
     INFO(own.pgd_m, "pgd_m", "Peak ground displacement, m."),
     INFO(own.pgd_time_s, "pgd_time_s", "Its time, s."),
+    INFO(own.mean_mps2, "mean_mps2", "Mean acceleration, taken off for velocity and displacement alone, m/s2."),
     INFO(own.end_m, "end_displacement_m", "Displacement at the last sample, m."),
     INFO(own.drifts, "pgd_is_drift", "Whether the displacement is drift."),
     INFO(own.arias_mps, "arias_mps", "Arias intensity, m/s."),
+    INFO(own.arias_trapezoid_mps, "arias_trapezoid_mps",
+         "The same by the trapezoidal rule on the squared samples, m/s."),
     INFO(own.d5_95_s, "d5_95_s", "Significant duration from 5 to 95 %, s."),
     INFO(own.d5_75_s, "d5_75_s", "From 5 to 75 %, s."),
     INFO(own.cav_mps, "cav_mps", "Cumulative absolute velocity, m/s."),
     INFO(own.bracketed_s, "bracketed_s", "Bracketed duration above 0.05 g, s."),
-    INFO(own.predominant_s, "predominant_s", "Predominant period, s."),
+    INFO(predominant_s, "predominant_s", "Predominant period, s."),
     INFO(scale, "scale", "What the samples of the file were multiplied by, with the sign; 1: as recorded."),
     INFO(sha256, "sha256", "SHA-256 of its file, unpacked.")};
 const struct thud_schema thud_motion_info_schema =
@@ -41,12 +44,21 @@ const struct thud_schema thud_motion_info_schema =
                 "format\nand\n.Va version .\n",
                 infos);
 
-void thud_motion_info_fill(const struct thud_record *r, const struct thud_intensity *intensity,
-                           struct thud_motion_info_row *row)
+void thud_motion_info_fill(const struct thud_record *r, struct thud_motion_info_row *row)
 {
-    *row = (struct thud_motion_info_row){
-        r->file,      r->format,  r->note, r->event, r->station, r->component, r->sha256[0] ? r->sha256 : NULL,
-        r->synthetic, r->samples, r->dt_s, r->scale, *intensity};
+    *row = (struct thud_motion_info_row){r->file,
+                                         r->format,
+                                         r->note,
+                                         r->event,
+                                         r->station,
+                                         r->component,
+                                         r->sha256[0] ? r->sha256 : NULL,
+                                         r->synthetic,
+                                         r->samples,
+                                         r->dt_s,
+                                         r->scale,
+                                         thud_intensity_of(r),
+                                         thud_record_predominant_period(r)};
 }
 
 #define MOTION(member, text) THUD_FIELD(struct thud_motion_list_row, member, #member, text)
