@@ -88,3 +88,31 @@ is "and holds the bumper against the link alone" awk -F'|' '/^\| [12], surrogate
 sed '/^  records:/d; /^  signs:/d' presets/$scene.yaml >"$tmp/p.yaml"
 is "that of one motion is made" gives 0 report "$tmp/p.yaml" -o "$tmp/one" --quiet
 is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring), in every case: largest force' "$tmp/one/report.md"
+
+# A case without the links has another motion without pounding, and with friction other states: each run counts.
+# shellcheck disable=SC2086 # options in a word
+{
+    scene=$tmp/p.yaml # one motion
+    motion="--peak 0.5g"
+    friction="--set links.1.law=friction --set links.1.stiffness=500MN/m --set links.1.slip=1000kN"
+    is "friction beside none: a study" gives 0 sweep $scene $friction $motion --vary gap=10cm,12cm --cases none,link --csv --quiet
+    is "has every value" [ "$(grep -c ',link,.*,,' "$tmp/out")" -eq 0 ]
+    awk -F, '$2 == "link" && $3 == 0.1 && $1 == "kobe-surrogate.csv" && $5 > 0 { print $4, $5, $6 }' "$tmp/out" >"$tmp/swept"
+    is "the same as a run" gives 0 run $scene $friction $motion --set gap=10cm --case link --json --quiet
+    tr -d '\n ' <"$tmp/out" | sed 's/"floor":/\n&/g' | sed -n 's/^"floor":\([0-9]*\),"acceleration_mps2":\([0-9.]*\),.*/\1 \2/p' |
+        awk '$1 == 1 { s++ } { print substr("AB", s, 1), $0 }' >"$tmp/single"
+    is "of the same peaks" cmp "$tmp/swept" "$tmp/single"
+    needs() { # SCENE [KEY=VALUE]: that of `gap`, cm
+        "$THUD" gap $1 $motion ${2:+--set "$2"} --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i }
+            NR > 1 && $c > most { most = $c } END { printf "%.2f", int(1e4 * most + 0.999999) / 100 }'
+    }
+    at_1=$(needs "$scene" "links.1.damping=1000 kN s/m") at_4=$(needs "$scene" "links.1.damping=4000 kN s/m")
+    is "a study of dampers" gives 0 sweep $scene $motion --cases none,link --quiet \
+        --vary "links.1.damping=1000 kN s/m,4000 kN s/m"
+    is "needs what gap says with the one" shows "required gap $at_1 cm .* at links.1.damping 1000"
+    is "and with the other" shows "least $at_4 cm at links.1.damping 4000"
+    is "cases with and without the link" gives 0 run $scene $motion --cases none,bumper,link --quiet
+    is "need two gaps" [ "$(grep -c 'do not collide from a gap' "$tmp/out")" -eq 2 ]
+    is "with the link that of gap" shows "^With the links: A and B do not collide from a gap of $(needs "$scene") cm"
+    is "without it that of the towers alone" shows "^Without the links: A and B do not collide from a gap of $(needs towers) cm"
+}

@@ -23,6 +23,14 @@
     is "for one of the two alone" [ "$(grep -c '^foundation: ' "$tmp/out")" -eq 1 ]
     is "a sweep over the soil" gives 0 sweep towers-on-soil --vary "structures.2.foundation.vs=150 m/s,300 m/s" --cases none --csv --quiet
     is "runs each" [ "$(grep -c ',B,6,' "$tmp/out")" -eq 2 ]
+    for study in "sweep --vary gap=10cm,12cm" "fragility --vary record.factor=0.5,1"; do
+        # shellcheck disable=SC2086 # command and option
+        set -- ${study%% *} towers-on-soil ${study#* } --record kobe-surrogate.csv --cases none --quiet --no-figures -o "$tmp/${study%% *}"
+        is "${study%% *} into a folder" gives 0 "$@"
+        rows=$(cat "$tmp/${study%% *}/s"*.csv | cksum)
+        is "and again" gives 0 "$@"
+        is "with the same rows" [ "$(cat "$tmp/${study%% *}/s"*.csv | cksum)" = "$rows" ]
+    done
     is "the gap that is needed" gives 0 gap towers-on-soil --quiet
     is "a foundation without mass" gives 3 run towers-on-soil --set structures.2.foundation.mass=
     is "is told what is missing" says 'structures.2.foundation.mass: the foundation.s mass is not given'

@@ -187,6 +187,11 @@ enum thud_case {
     THUD_CASE_LINK,
     THUD_CASES
 };
+/* Whether the scene's links stay in a case. */
+static inline bool thud_case_has_links(enum thud_case which)
+{
+    return which == THUD_CASE_AS_WRITTEN || which == THUD_CASE_LINK;
+}
 
 /* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
 enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };

@@ -126,8 +126,12 @@ struct thud_sweep_point {
     struct thud_sweep_floor
         *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no result; the last is no pounding */
     struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no result */
-    struct thud_gap_level *level;       /* (ncontacts) */
+    /* (nlinkages x ncontacts) with the scene's links, and behind them without those where the scene has links */
+    int nlinkages;
+    struct thud_gap_level *level;
 };
+/* (ncontacts) those of a case. */
+const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which);
 
 /* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
  * possible), THUD_MEMORY. */

@@ -7,7 +7,6 @@
 
 #include "app/run/figure_files.h"
 #include "app/run/summary_line.h"
-#include "core/run/baseline.h"
 #include "ground/identity.h"
 #include "io/file/schema.h"
 #include "study/scene/level.h"
@@ -34,15 +33,22 @@ static enum thud_status parse(const struct thud_scene *scene, const char *text, 
     return status;
 }
 
+/* Whether a case is run with (without) the links of the scene. */
+static bool has_linkage(const struct thud_run_cases *cases, bool linked)
+{
+    for (int i = 1; i < cases->n; i++)
+        if (thud_case_has_links(cases->item[i].which) == linked)
+            return true;
+    return false;
+}
+
 /* The session's scene without bumpers, and without links where a case goes without them, whose walls let everything
  * through. */
 static enum thud_status run_free(struct thud_session *session, const struct thud_run_cases *cases,
                                  const struct thud_run_options *options, struct thud_run_case *item,
                                  struct thud_error *err)
 {
-    bool linked = true;
-    for (int i = 1; i < cases->n; i++)
-        linked = linked && (cases->item[i].which == THUD_CASE_LINK || cases->item[i].which == THUD_CASE_AS_WRITTEN);
+    const bool linked = !has_linkage(cases, false);
     struct thud_scene *kept = malloc(sizeof *kept);
     if (!kept)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -57,26 +63,23 @@ static enum thud_status run_free(struct thud_session *session, const struct thud
     return status;
 }
 
-static enum thud_status find_needs(struct thud_run_cases *cases, const struct thud_record *record,
-                                   const struct thud_run_options *options, struct thud_error *err)
+/* Of the scene as written; and without its links where a case leaves them out. */
+static enum thud_status find_needs(const struct thud_session *session, struct thud_run_cases *cases,
+                                   struct thud_error *err)
 {
-    struct thud_run_options plain = *options;
-    struct thud_baseline_motion *baseline = NULL;
-    const struct thud_model *model = cases->item[0].solution.model;
-    plain.keep_history = plain.keep_impacts = false;
-    bool done = false;
-    enum thud_status status = thud_baseline_create(model, record, &plain, &baseline, err);
-    while (status == THUD_OK && !done)
-        status = thud_baseline_advance(baseline, 100000, &done, err);
-    for (int c = 0; status == THUD_OK && c < model->npairs; c++) {
-        const struct thud_model_contact *p = &model->contact[c];
-        double closing = thud_baseline_relative_displacement(baseline, c);
-        if (closing < cases->need_m[p->interface - 1])
-            continue;
-        cases->need_m[p->interface - 1] = closing;
-        cases->need_pair[p->interface - 1] = c;
-    }
-    thud_baseline_free(baseline);
+    enum thud_status status = THUD_OK;
+    const bool links = session->scene.nlinks > 0;
+    if (!links || has_linkage(cases, true))
+        status = thud_needed_gap_run(&session->scene, session->record, &cases->need, err);
+    if (status != THUD_OK || !links || !has_linkage(cases, false))
+        return status;
+    struct thud_scene *bare = malloc(sizeof *bare);
+    if (!bare)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    status = thud_scene_case(&session->scene, THUD_CASE_NONE, bare, err);
+    if (status == THUD_OK)
+        status = thud_needed_gap_run(bare, session->record, &cases->need_without_links, err);
+    free(bare);
     return status;
 }
 
@@ -95,7 +98,7 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
         status = thud_session_run(session, cases->item[i].which, options, &cases->item[i].scene,
                                   &cases->item[i].solution, err);
     if (status == THUD_OK)
-        status = find_needs(cases, session->record, options, err);
+        status = find_needs(session, cases, err);
     cases->record = session->record;
     if (status != THUD_OK) {
         thud_run_cases_free(cases);
@@ -109,6 +112,8 @@ void thud_run_cases_free(struct thud_run_cases *cases)
 {
     for (int i = 0; cases && i < cases->n; i++)
         thud_solution_clear(&cases->item[i].solution);
+    free(cases ? cases->need : NULL);
+    free(cases ? cases->need_without_links : NULL);
     free(cases);
 }
 
@@ -232,10 +237,10 @@ static void put_struck(const struct thud_structure *left, int left_floor, int ri
 }
 
 /* "floor 4", "the base slab": where slabs meet; `left`: the structures of the interface. */
-static const char *meet_at(const struct thud_structure *left, const struct thud_contact_result *c, char text[24])
+static const char *meet_at(const struct thud_structure *left, int left_floor, int right_floor, char text[24])
 {
-    const struct thud_structure *own = left + (c->left_floor == 0);
-    const int floor = thud_slab_floor(c->left_floor, c->right_floor, 0) - 1;
+    const struct thud_structure *own = left + (left_floor == 0);
+    const int floor = thud_slab_floor(left_floor, right_floor, 0) - 1;
     return thud_structure_storey(own, floor) == 0 ? "the base slab"
                                                   : thud_structure_level_name(own, floor, false, text);
 }
@@ -264,7 +269,8 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
         if (most->struck != 0)
             put_struck(left, most->left_floor, most->right_floor, most->struck, out);
         else
-            thud_text_append(out, "%s and %s at %s", left->name, left[1].name, meet_at(left, most, level));
+            thud_text_append(out, "%s and %s at %s", left->name, left[1].name,
+                             meet_at(left, most->left_floor, most->right_floor, level));
         thud_text_append(out, ", %.3f s", most->force.time_s);
     }
     int none = without(cases);
@@ -303,41 +309,33 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
     thud_text_clear(&list);
 }
 
-/* The first contact pair of an interface (from 0). */
-static int first_pair(const struct thud_result *r, int interface)
+/* A building that collapses without contact is helped by no gap. `links`: which motion it is of. */
+static void say_needs(const struct thud_scene *scene, const struct thud_needed_gap *gap, const char *links,
+                      struct thud_text *out)
 {
-    int first = 0;
-    while (r->contact[first].interface <= interface)
-        first++;
-    return first;
-}
-
-/* A building that collapses without contact is helped by no gap. */
-static void say_needs(const struct thud_run_cases *cases, struct thud_text *out)
-{
-    const struct thud_scene *scene = &cases->item[0].scene;
-    const struct thud_result *r = result_of(cases, 0);
-    const struct thud_collapse *fall = &r->collapse;
-    char level[24];
+    const struct thud_collapse *fall = &gap->collapse;
+    char name[24];
     if (fall->happened) {
         const struct thud_structure *s = &scene->structure[fall->structure];
-        thud_text_append(out, "Storey %d of %s collapses without contact at %.3f s, and no gap prevents it.\n",
+        thud_text_append(out, "%sStorey %d of %s collapses without contact at %.3f s, and no gap prevents it.\n", links,
                          thud_structure_storey(s, fall->floor), s->name, fall->time_s);
     }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
-        if (!(cases->need_m[i] > 0))
+        int decides = -1;
+        const double need_m = thud_needed_gap_widest(gap, i + 1, THUD_GAP_EXACT, &decides);
+        if (!(need_m > 0))
             continue;
-        const struct thud_contact_result *c = &r->contact[cases->need_pair[i]];
+        const struct thud_gap_level *level = &gap->level[decides];
         const struct thud_level_values at =
-            thud_interface_level(&scene->interface[i], cases->need_pair[i] - first_pair(r, i));
-        thud_text_append(out, "%s%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ",
+            thud_interface_level(&scene->interface[i], thud_needed_gap_level(gap->level, decides));
+        thud_text_append(out, "%s%s%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ", links,
                          fall->happened ? "Until then " : "", scene->structure[i].name, scene->structure[i + 1].name,
-                         thud_table_gap_cm(cases->need_m[i]), 100 * at.gap_m);
-        if (c->struck != 0)
-            put_struck(&scene->structure[i], c->left_floor, c->right_floor, c->struck, out);
+                         thud_table_gap_cm(need_m), 100 * at.gap_m);
+        if (level->struck != 0)
+            put_struck(&scene->structure[i], level->left_floor, level->right_floor, level->struck, out);
         else
-            thud_text_append(out, "%s", meet_at(&scene->structure[i], c, level));
-        thud_text_append(out, " need%s it.\n", c->struck ? "" : "s");
+            thud_text_append(out, "%s", meet_at(&scene->structure[i], level->left_floor, level->right_floor, name));
+        thud_text_append(out, " need%s it.\n", level->struck ? "" : "s");
     }
 }
 
@@ -361,5 +359,9 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
     for (int i = 1; none && i < cases->n; i++)
         for (int k = 0; k < 4 && i != none; k++)
             say_floors(cases, i, k % 2 == 1, k >= 2, out);
-    say_needs(cases, out);
+    const bool links = cases->need_without_links != NULL;
+    if (links)
+        say_needs(scene, cases->need_without_links, "Without the links: ", out);
+    if (cases->need)
+        say_needs(scene, cases->need, links ? "With the links: " : "", out);
 }

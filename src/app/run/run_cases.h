@@ -3,6 +3,7 @@
 
 #include "app/run/session.h"
 #include "plot/figures/figures_run.h"
+#include "study/scene/needed_gap.h"
 
 enum { THUD_RUN_CASES_MAX = 1 + THUD_CASES };
 
@@ -17,10 +18,9 @@ struct thud_run_cases {
     const struct thud_record *record; /* the session's; NULL: there is none */
     int n;                            /* no pounding, then the cases asked for */
     struct thud_run_case item[THUD_RUN_CASES_MAX];
-    /* of each interface: the gap from which on there is no contact without bumper, and the contact that needs it; 0:
-     * none comes closer */
-    double need_m[THUD_STRUCTURES_MAX];
-    int need_pair[THUD_STRUCTURES_MAX];
+    /* The required gap of the scene as written, and of that without its links where a case leaves them out; NULL: none
+     * of the cases is like it. */
+    struct thud_needed_gap *need, *need_without_links;
 };
 
 /* `text`: cases by name, `none,bumper`. Errors: THUD_USAGE, and those of thud_session_run. */

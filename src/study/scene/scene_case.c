@@ -98,9 +98,8 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
                                  "the scene has no link for the case \"%s\"", thud_case_name(which));
     if (out != scene)
         thud_scene_copy(out, scene);
-    if (which != THUD_CASE_AS_WRITTEN && which != THUD_CASE_LINK) {
+    if (!thud_case_has_links(which))
         drop_links(out);
-    }
     for (int i = 0; i + 1 < out->nstructures; i++)
         thud_interface_case(&out->interface[i], which);
     return THUD_OK;

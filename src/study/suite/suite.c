@@ -141,11 +141,12 @@ static void put_clearances(const struct thud_scene *scene, const struct thud_swe
 {
     value[THUD_SUITE_USED] = 0;
     value[THUD_SUITE_SHORT] = -INFINITY;
+    const struct thud_gap_level *level = thud_sweep_levels(point, which);
     for (int c = 0; c < point->ncontacts; c++) {
-        double closing = point->level[c].relative_displacement_m;
-        struct thud_interface cased = scene->interface[point->level[c].interface - 1];
+        double closing = level[c].relative_displacement_m;
+        struct thud_interface cased = scene->interface[level[c].interface - 1];
         thud_interface_case(&cased, which);
-        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(point->level, c));
+        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(level, c));
         double clearance = thud_level_clearance(&at);
         if (closing > 0)
             value[THUD_SUITE_USED] = fmax(value[THUD_SUITE_USED], clearance > 0 ? closing / clearance : INFINITY);

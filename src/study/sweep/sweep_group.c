@@ -66,21 +66,20 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
     return status;
 }
 
-/* Every case of the plan leaves the links in. */
-static bool all_linked(const struct thud_sweep_plan *plan)
+enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan)
 {
     for (int i = 0; i < plan->ncases; i++)
-        if (plan->cases[i] != THUD_CASE_AS_WRITTEN && plan->cases[i] != THUD_CASE_LINK)
-            return false;
-    return true;
+        if (!thud_case_has_links(plan->cases[i]))
+            return THUD_CASE_NONE;
+    return THUD_CASE_AS_WRITTEN;
 }
 
-/* Baseline g from the first point's scene, without the links where a case goes without them; *cased: scratch. */
-static enum thud_status build_baseline(struct thud_sweep_group *group, int g, int record,
+/* Baseline g of a linkage from the first point's scene; *cased: scratch. */
+static enum thud_status build_baseline(struct thud_sweep_group *group, int linkage, int g, int record,
                                        const struct thud_scene *scene, struct thud_scene *cased, struct thud_error *err)
 {
-    struct thud_sweep_baseline *baseline = &group->baseline[g];
-    const bool linked = all_linked(group->plan);
+    struct thud_sweep_baseline *baseline = &group->baseline[linkage][g];
+    const enum thud_case which = linkage == THUD_SWEEP_LINKED ? THUD_CASE_AS_WRITTEN : THUD_CASE_NONE;
     struct thud_run_options options;
     enum thud_change change;
     double factor;
@@ -89,8 +88,7 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int g, in
     double scale = changed && change == THUD_CHANGE_SCALE ? factor : 1;
     enum thud_status status = take_record(group->plan, baseline, scene, record, scale, err);
     if (status == THUD_OK)
-        status = thud_sweep_case(group->plan, scene, linked ? THUD_CASE_AS_WRITTEN : THUD_CASE_NONE, variant, false,
-                                 cased, err);
+        status = thud_sweep_case(group->plan, scene, which, variant, false, cased, err);
     if (status == THUD_OK) {
         thud_scene_drop_contacts(cased);
         status = thud_sweep_model(cased, &baseline->model, &options, err);
@@ -109,10 +107,13 @@ static enum thud_status build(struct thud_sweep_group *group, struct thud_scene 
     enum thud_status status = thud_sweep_scene(group->plan, point, scene, err);
     if (status == THUD_OK)
         thud_gap_aligned(scene, group->aligned);
-    for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
-        status = build_baseline(group, g, record, scene, cased, err);
+    group->nlinkages = scene->nlinks > 0 ? THUD_SWEEP_LINKAGES : 1;
+    for (int l = 0; l < group->nlinkages; l++)
+        for (int g = 0; g < group->nbaselines && status == THUD_OK; g++)
+            status = build_baseline(group, l, g, record, scene, cased, err);
     if (status == THUD_OK &&
-        !(group->level = calloc((size_t)group->baseline[0].model->npairs + 1, sizeof *group->level)))
+        !(group->level = calloc((size_t)(group->nlinkages * group->baseline[THUD_SWEEP_LINKED][0].model->npairs) + 1,
+                                sizeof *group->level)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     return status;
 }
@@ -147,17 +148,21 @@ enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long b
 {
     bool whole = false;
     *done = false;
-    if (group->ndone < group->nbaselines) {
-        enum thud_status status = thud_baseline_advance(group->baseline[group->ndone].baseline, budget, &whole, err);
+    const int n = group->nbaselines, all = group->nlinkages * n;
+    if (group->ndone < all) {
+        struct thud_sweep_baseline *next = &group->baseline[group->ndone / n][group->ndone % n];
+        enum thud_status status = thud_baseline_advance(next->baseline, budget, &whole, err);
         if (status != THUD_OK)
             return status;
         group->ndone += whole;
     }
-    if (group->ndone < group->nbaselines)
+    if (group->ndone < all)
         return THUD_OK;
     enum thud_status status = thud_sweep_same_advance(group, budget, done, err);
-    if (status == THUD_OK && *done)
-        thud_gap_levels(group->aligned, group->baseline[0].model, group->baseline[0].baseline, group->level);
+    for (int l = 0; l < group->nlinkages && status == THUD_OK && *done; l++) {
+        const struct thud_sweep_baseline *nominal = &group->baseline[l][0];
+        thud_gap_levels(group->aligned, nominal->model, nominal->baseline, group->level + l * nominal->model->npairs);
+    }
     return status;
 }
 
@@ -165,10 +170,11 @@ void thud_sweep_group_free(struct thud_sweep_group *group)
 {
     if (!group)
         return;
-    for (int g = 0; g < group->nbaselines; g++) {
-        thud_baseline_free(group->baseline[g].baseline);
-        thud_model_free(group->baseline[g].model);
-        thud_record_free(group->baseline[g].scaled);
+    for (int i = 0; i < group->nlinkages * group->nbaselines; i++) {
+        struct thud_sweep_baseline *b = &group->baseline[i / group->nbaselines][i % group->nbaselines];
+        thud_baseline_free(b->baseline);
+        thud_model_free(b->model);
+        thud_record_free(b->scaled);
     }
     thud_sweep_same_free(group->same);
     free(group->level);

@@ -7,11 +7,14 @@
 
 /* The motion without pounding of one variant. */
 struct thud_sweep_baseline {
-    struct thud_model *model;         /* case `none`, or as written where there is no bumper */
+    struct thud_model *model;
     const struct thud_record *record; /* NULL: no ground motion */
     struct thud_record *scaled;       /* owned, where the record itself is varied */
     struct thud_baseline_motion *baseline;
 };
+
+/* With the links of the scene, and without them for the cases that leave them out. */
+enum { THUD_SWEEP_LINKED, THUD_SWEEP_UNLINKED, THUD_SWEEP_LINKAGES };
 
 /* Gaps change no motion without pounding: nominal, then ground motion and stiffness less and more. */
 enum { THUD_SWEEP_BASELINES = THUD_SWEEP_VARIANTS - 2 };
@@ -19,9 +22,10 @@ enum { THUD_SWEEP_BASELINES = THUD_SWEEP_VARIANTS - 2 };
 struct thud_sweep_group {
     const struct thud_sweep_plan *plan;
     long index;
-    int nbaselines, ndone; /* nbaselines: 1, or THUD_SWEEP_BASELINES */
-    struct thud_sweep_baseline baseline[THUD_SWEEP_BASELINES];
-    struct thud_gap_level *level;      /* (model->npairs); once done */
+    int nlinkages;         /* 1 where the scene has no links, else THUD_SWEEP_LINKAGES */
+    int nbaselines, ndone; /* nbaselines: of each linkage, 1 or THUD_SWEEP_BASELINES */
+    struct thud_sweep_baseline baseline[THUD_SWEEP_LINKAGES][THUD_SWEEP_BASELINES];
+    struct thud_gap_level *level;      /* (nlinkages x model->npairs); once done */
     bool aligned[THUD_STRUCTURES_MAX]; /* by interface: thud_gap_aligned */
     struct thud_sweep_same *same;
 };
@@ -35,9 +39,25 @@ static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int va
     return variant > 0;
 }
 
-static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct thud_sweep_group *group, int variant)
+/* That of a case. */
+static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct thud_sweep_group *group, int variant,
+                                                                    enum thud_case which)
 {
-    return &group->baseline[variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+    const int linkage = thud_case_has_links(which) ? THUD_SWEEP_LINKED : group->nlinkages - 1;
+    return &group->baseline[linkage][variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+}
+
+/* The case whose baseline is the motion without pounding that a plan's ratios are to: with the links where every case
+ * has them. */
+enum thud_case thud_sweep_free_case(const struct thud_sweep_plan *plan);
+
+/* Floors of all structures, which have peaks; the dofs of foundations have none. */
+static inline int thud_sweep_floor_count(const struct thud_model *model)
+{
+    int floors = 0;
+    for (int s = 0; s < model->nstructures; s++)
+        floors += model->structure[s].n;
+    return floors;
 }
 
 /* A case of a point's scene, as a variant changes it. `check`: refuses what is not possible. Errors: THUD_INPUT. */
@@ -49,7 +69,7 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
                                   struct thud_run_options *options, struct thud_error *err);
 
 /* Everything 0; NULL when out of memory. */
-struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants);
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nlinkages, int nvariants);
 
 /* Of case k (k = ncases: no pounding) of a variant: (nfloors), (ncontacts). */
 static inline struct thud_sweep_floor *thud_sweep_floors(const struct thud_sweep_point *point, int variant, int k)

@@ -188,10 +188,10 @@ enum thud_status thud_sweep_same_advance(struct thud_sweep_group *group, long bu
         status = add_keys(same, group->plan, group->index * same->points + same->next, scenes, err);
     free(scenes);
     if (status == THUD_OK && same->next == same->points) {
-        const struct thud_model *model = group->baseline[0].model;
+        const struct thud_model *model = group->baseline[THUD_SWEEP_LINKED][0].model;
         int nvariants = group->plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1;
         *done = true;
-        status = match(same, size_of(nvariants, model->ndof, model->npairs), err);
+        status = match(same, size_of(nvariants, thud_sweep_floor_count(model), model->npairs), err);
     }
     return status;
 }

@@ -17,25 +17,31 @@ struct thud_sweep_task {
     struct thud_run *run;
 };
 
-struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nvariants)
+struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nlinkages, int nvariants)
 {
     struct thud_sweep_point *point;
     size_t floors = (size_t)nvariants * (size_t)(ncases + 1) * (size_t)nfloors;
     size_t contacts = (size_t)nvariants * (size_t)ncases * (size_t)ncontacts;
     size_t head = (sizeof *point + 15) / 16 * 16;
     char *block = calloc(1, head + floors * sizeof *point->floor + contacts * sizeof *point->contact +
-                                (size_t)ncontacts * sizeof *point->level);
+                                (size_t)nlinkages * (size_t)ncontacts * sizeof *point->level);
     if (!block)
         return NULL;
     point = (void *)block;
     point->ncases = ncases;
     point->nfloors = nfloors;
     point->ncontacts = ncontacts;
+    point->nlinkages = nlinkages;
     point->nvariants = nvariants;
     point->floor = (void *)(block + head);
     point->contact = (void *)(point->floor + floors);
     point->level = (void *)(point->contact + contacts);
     return point;
+}
+
+const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which)
+{
+    return point->level + (thud_case_has_links(which) ? 0 : point->nlinkages - 1) * point->ncontacts;
 }
 
 /* Floors' peaks of a result. */
@@ -83,7 +89,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
                                         long index, struct thud_sweep_task **out, struct thud_error *err)
 {
     *out = NULL;
-    const struct thud_model *model = group->baseline[0].model;
+    const struct thud_model *model = group->baseline[THUD_SWEEP_LINKED][0].model;
     struct thud_sweep_task *task = calloc(1, sizeof *task);
     struct thud_scene *scenes = malloc(2 * sizeof *scenes);
     enum thud_status status = THUD_MEMORY;
@@ -97,8 +103,9 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     if (status == THUD_OK) {
         enum thud_case which[THUD_SWEEP_CASES_MAX + 1];
         int ncases = thud_sweep_point_cases(plan, task->scene, which);
-        struct thud_sweep_point *point = task->point = thud_sweep_point_create(
-            ncases, model->ndof, model->npairs, plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
+        struct thud_sweep_point *point = task->point =
+            thud_sweep_point_create(ncases, thud_sweep_floor_count(model), model->npairs, group->nlinkages,
+                                    plan->sensitivity > 0 ? THUD_SWEEP_VARIANTS : 1);
         status = point ? THUD_OK : THUD_MEMORY;
         for (int i = 0; point && i < ncases; i++) {
             point->which[i] = which[i];
@@ -119,17 +126,22 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
         point->floors[s] = model->structure[s].n;
     for (int v = 0; v < point->nvariants; v++)
         take_floors(thud_sweep_floors(point, v, point->ncases),
-                    thud_baseline_result(thud_sweep_baseline(group, v)->baseline));
-    memcpy(point->level, group->level, (size_t)point->ncontacts * sizeof *point->level);
+                    thud_baseline_result(thud_sweep_baseline(group, v, thud_sweep_free_case(plan))->baseline));
+    memcpy(point->level, group->level, (size_t)(point->nlinkages * point->ncontacts) * sizeof *point->level);
     *out = task;
     return THUD_OK;
+}
+
+static const struct thud_sweep_baseline *baseline_of(const struct thud_sweep_task *task)
+{
+    return thud_sweep_baseline(task->group, task->variant, task->point->which[task->which]);
 }
 
 /* Whether the motion without pounding never uses up the clearance of contact c. */
 static bool never_closes(const struct thud_sweep_task *task, int c)
 {
     const struct thud_model_contact *p = &task->model->contact[c];
-    const struct thud_baseline_motion *baseline = thud_sweep_baseline(task->group, task->variant)->baseline;
+    const struct thud_baseline_motion *baseline = baseline_of(task)->baseline;
     return (p->law->flags & THUD_LAW_NO_FORCE) || thud_baseline_relative_displacement(baseline, c) <= p->clearance_m;
 }
 
@@ -167,15 +179,13 @@ static int leave_out(struct thud_sweep_task *task, bool drop, int *left)
     return dropped;
 }
 
-static bool same_shape(const struct thud_model *a, const struct thud_model *b)
+/* Whether results have the same floors and contacts. */
+static bool same_layout(const struct thud_model *a, const struct thud_model *b)
 {
-    return a->ndof == b->ndof && a->nmodes == b->nmodes && a->npairs == b->npairs && a->nstoreys == b->nstoreys;
-}
-
-/* The baseline is the motion of a model without pounding: links in the one and not in the other make it another's. */
-static bool same_motion(const struct thud_model *a, const struct thud_model *b)
-{
-    return same_shape(a, b) && a->nlinks == b->nlinks;
+    bool same = a->nstructures == b->nstructures && a->npairs == b->npairs;
+    for (int s = 0; same && s < a->nstructures; s++)
+        same = a->structure[s].n == b->structure[s].n;
+    return same;
 }
 
 /* What became of the run at work; of a changed one only the sums are kept. */
@@ -215,11 +225,9 @@ static void no_numbers(const struct thud_sweep_task *task)
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
 {
-    const struct thud_sweep_baseline *baseline = thud_sweep_baseline(task->group, task->variant);
+    const struct thud_sweep_baseline *baseline = baseline_of(task);
     struct thud_sweep_effort *effort = &task->effort;
-    unsigned shortcuts = thud_baseline_shares(baseline->baseline) && same_motion(task->model, baseline->model)
-                             ? task->plan->shortcuts
-                             : 0;
+    unsigned shortcuts = thud_baseline_shares(baseline->baseline) ? task->plan->shortcuts : 0;
     int left = 0, dropped = 0;
     if (shortcuts & (THUD_SWEEP_FREE | THUD_SWEEP_LEVELS))
         dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
@@ -246,7 +254,7 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
                                               true, task->cased, err);
     if (status == THUD_OK)
         status = thud_sweep_model(task->cased, &task->model, &options, err);
-    if (status == THUD_OK && !same_shape(task->model, task->group->baseline[0].model))
+    if (status == THUD_OK && !same_layout(task->model, baseline_of(task)->model))
         status = thud_error_set(err, THUD_INPUT, "floors and contacts differ from those of the study's first case");
     if (status == THUD_OK)
         status = start_run(task, &options, err);

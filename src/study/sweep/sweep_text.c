@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "study/scene/building.h"
 #include "study/sweep/sweep_private.h"
 
@@ -209,20 +210,20 @@ static void rest(struct line *l, struct thud_sweep_point *p)
         effort(l, &p->which[k], &p->effort[k]);
     floors(l, p->floor, (p->ncases + 1) * p->nfloors);
     contacts(l, p->contact, p->ncases * p->ncontacts);
-    for (int i = 0; i < p->ncontacts; i++)
+    for (int i = 0; i < p->nlinkages * p->ncontacts; i++)
         level(l, &p->level[i]);
     variants(l, p);
 }
 
-/* At the start of a line with a spread. */
-static const char spread_mark[] = "spread ";
+/* At the start of a line with a spread, and of one with the levels without links. */
+static const char spread_mark[] = "spread ", links_mark[] = "links ";
 
 void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
 {
     size_t start = out->size;
     struct line l = {.out = out};
     struct thud_sweep_point same = *point; /* the walk changes nothing that is written */
-    thud_text_append(out, "%s", point->nvariants > 1 ? spread_mark : "");
+    thud_text_append(out, "%s%s", point->nvariants > 1 ? spread_mark : "", point->nlinkages > 1 ? links_mark : "");
     sizes(&l, &same);
     rest(&l, &same);
     if (!out->failed)
@@ -240,12 +241,12 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
         snprintf(sum, sizeof sum, "%016llx", thud_hash(THUD_HASH_START, line, (size_t)(last + 1 - line)));
     if (!last || strcmp(last + 1, sum) != 0)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
-    bool spread = strncmp(line, spread_mark, strlen(spread_mark)) == 0;
-    l.at += spread ? strlen(spread_mark) : 0;
+    const bool spread = thud_scan_word(&l.at, spread_mark), links = thud_scan_word(&l.at, links_mark);
     sizes(&l, &head);
     struct thud_sweep_point *point =
         l.failed ? NULL
-                 : thud_sweep_point_create(head.ncases, head.nfloors, head.ncontacts, spread ? THUD_SWEEP_VARIANTS : 1);
+                 : thud_sweep_point_create(head.ncases, head.nfloors, head.ncontacts, links ? THUD_SWEEP_LINKAGES : 1,
+                                           spread ? THUD_SWEEP_VARIANTS : 1);
     if (!point)
         return thud_error_set(err, l.failed ? THUD_INPUT : THUD_MEMORY,
                               l.failed ? "a line is damaged" : "out of memory");
@@ -325,6 +326,7 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     }
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
+    h = thud_hash(h, scene->link, (size_t)scene->nlinks * sizeof *scene->link);
     for (int i = 0; i < plan->naxes; i++) {
         h = thud_hash_text(h, plan->axis[i].key);
         for (int v = 0; v < plan->axis[i].n; v++)
