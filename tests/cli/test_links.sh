@@ -61,6 +61,19 @@ is "and it is said" says 'the scene has no link for the case "link"'
 is "one is added by its law" gives 0 run towers --case link --set links.1.law=dashpot --set links.1.from=A.4 \
     --set links.1.to=B.4 --set links.1.damping=3MNs/m --json --quiet
 is "and stands in the answer" shows '"ends": "A.4-B.4", "law": "dashpot"'
+is "where friction is all that slips" gives 0 run $scene --set links.1.law=friction --set links.1.stiffness=500MN/m \
+    --set links.1.slip=1000kN --json --quiet
+# shellcheck disable=SC2016 # a program of awk
+is "the ledger has its loss and adds up" awk '{
+        while (match($0, /"(initial|input|kinetic|strain|viscous|contact|stored|hysteretic)_j": -?[0-9.e+-]+/)) {
+            split(substr($0, RSTART, RLENGTH), at, "\"")
+            if ($0 ~ /"energy"/) e[at[2]] = substr(at[3], 3)
+            $0 = substr($0, RSTART + RLENGTH) ($0 ~ /"energy"/ ? "\"energy\"" : "")
+        }
+    } END {
+        left = e["initial_j"] + e["input_j"] - e["kinetic_j"] - e["strain_j"] - e["viscous_j"] - e["contact_j"] - e["stored_j"] - e["hysteretic_j"]
+        exit !(e["hysteretic_j"] > 1000 && left * left < 1e-12 * e["input_j"] ^ 2)
+    }' "$tmp/out"
 is "case none goes without" gives 0 run $scene --case none --json --quiet
 is "and has no list of them" test "$(grep -c '"links"' "$tmp/out")" = 0
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/run/run.h"
+#include "march.h"
 
 enum { SAMPLES = 600 };
 
@@ -240,7 +241,34 @@ START_TEST(closed_contact_holds_energy)
     ck_assert_double_eq_tol(e->stored_j / first, right / together, 1e-12);
     ck_assert_double_eq_tol(e->kinetic_j / first, left / together, 1e-12);
     ck_assert_double_eq_tol(e->contact_j / first, 0, 1e-12);
+    const struct thud_contact_result *c = &thud_run_result(run)->contact[0];
+    ck_assert_double_eq_tol(c->stored_j / first, right / together, 1e-12);
+    ck_assert_double_eq_tol(c->dissipated_j / first, 0, 1e-12);
     thud_run_free(run);
+    thud_model_free(model);
+}
+END_TEST
+
+/* A free body of m in a contact k d + c d', stopped there: d = v exp(-zeta w t) sin(w_d t)/w_d, k d^2/2 is stored, and
+ * what neither moves nor is stored is dissipated. */
+START_TEST(closed_contact_parts_what_it_took)
+{
+    const double m = 320e3, k = 2.5e9, v = 0.5, w = sqrt(k / m), t = 0.4 * acos(-1) / w;
+    const struct march_law law = march_law("kelvin-voigt", "stiffness", k, "restitution", 0.6, NULL);
+    struct thud_model *model = march_mass_and_wall(m, 0, 0, v, 0, &law);
+    for (int i = 0; i < 2; i++) {
+        struct march a = march_run(model, NULL, i == 0 ? "exact" : "dormand-prince", 0, 1e-11, true, t);
+        ck_assert_int_eq(a.status, THUD_OK);
+        const double e = log(0.6), zeta = -e / sqrt(acos(-1) * acos(-1) + e * e), wd = w * sqrt(1 - zeta * zeta),
+                     fade = v * exp(-zeta * w * t), d = fade * sin(wd * t) / wd,
+                     rate = fade * (cos(wd * t) - zeta * w / wd * sin(wd * t)), first = 0.5 * m * v * v,
+                     stored = 0.5 * k * d * d;
+        const struct thud_contact_result *c = &a.result->contact[0];
+        ck_assert_double_eq_tol(c->stored_j / stored, 1, 1e-9);
+        ck_assert_double_eq_tol(c->dissipated_j / first, 1 - rate * rate / (v * v) - stored / first, 1e-9);
+        ck_assert_double_eq_tol(a.result->energy.contact_j / first, c->dissipated_j / first, 1e-12);
+        march_free(&a);
+    }
     thud_model_free(model);
 }
 END_TEST
@@ -343,6 +371,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, energies_balance_row_by_row);
     tcase_add_loop_test(tcase, columns_give_the_result, 0, 5);
     tcase_add_test(tcase, closed_contact_holds_energy);
+    tcase_add_test(tcase, closed_contact_parts_what_it_took);
     tcase_add_test(tcase, a_ledger_that_does_not_balance_ends_the_run);
     tcase_add_test(tcase, ground_is_the_record);
     tcase_add_loop_test(tcase, error_is_a_part_of_the_most_there_was, 0, 2);

@@ -101,7 +101,31 @@ START_TEST(a_spring_between_equal_oscillators)
     ck_assert_double_eq_tol(a.result->link[0].stroke.value, 1 / wd, 1e-10 / wd);
     ck_assert_double_eq_tol(a.result->link[0].force.value, link.stiffness_npm / wd, 1e-4 * k[0] / wd);
     ck_assert_double_eq(a.result->link[0].lost_j, 0);
+    const double difference = sin(wd * t) / wd, stored = 0.5 * link.stiffness_npm * difference * difference;
+    ck_assert_double_eq_tol(a.result->link[0].stored_j, stored, 1e-10 * stored);
     march_free(&a);
+    thud_model_free(model);
+}
+END_TEST
+
+/* A free body presses an elastic strut, and the run ends before it turns: k d^2/2 is stored, and nothing is lost. */
+START_TEST(an_elastic_strut_stores)
+{
+    const double m = 320e3, k = 5e8, v = 1, w = sqrt(k / m), t = 0.3 * acos(-1) / w, d = v / w * sin(w * t);
+    const struct thud_structure_input s[] = {{.n = 1, .mass_kg = &m, .velocity_mps = v}, {.n = 0}};
+    struct thud_link_input link = {.left_floor = 1, .right_structure = 1, .law = thud_law_find("linear")};
+    link.setup.value[thud_law_param(link.law, "stiffness")] = k;
+    struct thud_model *model = NULL;
+    const struct thud_model_input input = {.nstructures = 2, .structure = s, .nlinks = 1, .link = &link};
+    ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
+    static const char *const method[] = {"exact", "dormand-prince"};
+    for (int i = 0; i < 2; i++) {
+        struct march a = march_run(model, NULL, method[i], 0, 1e-11, true, t);
+        ck_assert_int_eq(a.status, THUD_OK);
+        ck_assert_double_eq_tol(a.result->link[0].stored_j, 0.5 * k * d * d, 1e-9 * k * d * d);
+        ck_assert_double_eq(a.result->link[0].lost_j, 0);
+        march_free(&a);
+    }
     thud_model_free(model);
 }
 END_TEST
@@ -125,6 +149,9 @@ START_TEST(friction_stops_a_body)
         if (_i == 0) {
             ck_assert_double_eq_tol(a.result->energy.hysteretic_j, lost, 1e-9 * lost);
             ck_assert_double_eq_tol(a.result->link[0].lost_j, lost, 1e-9 * lost);
+            ck_assert_double_eq_tol(a.result->link[0].stored_j + a.result->energy.kinetic_j, 0.5 * k * give * give,
+                                    1e-9 * lost); /* it swings in the give */
+            ck_assert_double_gt(a.result->link[0].stored_j, 0.01 * k * give * give);
             ck_assert_double_eq_tol(a.result->link[0].stroke.value, lost / slip + give, 1e-10);
             ck_assert_double_eq(a.result->link[0].force.value, slip);
             ck_assert_int_eq(a.result->link[0].engaged, 1);
@@ -361,6 +388,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_dashpot_between_equal_oscillators, 0, 3);
     tcase_add_test(tcase, a_spring_between_equal_oscillators);
+    tcase_add_test(tcase, an_elastic_strut_stores);
     tcase_add_loop_test(tcase, friction_stops_a_body, 0, 2);
     tcase_add_test(tcase, a_very_stiff_link_makes_two_floors_one);
     tcase_add_test(tcase, a_link_to_the_ground);

@@ -293,6 +293,32 @@ START_TEST(falls_on_soft_ground)
 }
 END_TEST
 
+/* Without damping, what neither moves nor strains the storey is in the springs of the soil. */
+START_TEST(soil_stores_the_rest)
+{
+    const struct thud_foundation_input soil = {
+        .mass_kg = 2e4, .inertia_kgm2 = 3e5, .sway_npm = 2 * k, .rocking_nmprad = k * height * height};
+    const double mass = MASS, v = 0.4;
+    struct thud_structure_input s = {
+        .n = 1, .mass_kg = &mass, .stiffness_npm = &k, .foundation = &soil, .rise_m = &height, .velocity_mps = v};
+    struct thud_model *model = NULL;
+    ck_assert_int_eq(thud_model_create(&(struct thud_model_input){.nstructures = 1, .structure = &s}, &model, NULL),
+                     THUD_OK);
+    struct march a = march_run(model, NULL, "exact", 0, 0, true, 0.21);
+    ck_assert_int_eq(a.status, THUD_OK);
+    const double sway = march_displacement(&a, 1), turn = march_displacement(&a, 2) / height,
+                 drift = march_displacement(&a, 0) - sway - height * turn, v_floor = march_velocity(&a, 0),
+                 v_sway = march_velocity(&a, 1), v_turn = march_velocity(&a, 2) / height;
+    const double moving = 0.5 * (mass * v_floor * v_floor + soil.mass_kg * v_sway * v_sway +
+                                 soil.inertia_kgm2 * v_turn * v_turn),
+                 left = a.result->energy.initial_j - moving - 0.5 * k * drift * drift;
+    ck_assert_double_gt(left, 0.1 * a.result->energy.initial_j);
+    ck_assert_double_eq_tol(a.result->structure[0].soil_stored_j / left, 1, 1e-11);
+    march_free(&a);
+    thud_model_free(model);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("soil");
@@ -305,6 +331,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, by_its_matrix_and_mirrored);
     tcase_add_loop_test(tcase, refusals, 0, 5);
     tcase_add_test(tcase, falls_on_soft_ground);
+    tcase_add_test(tcase, soil_stores_the_rest);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -70,14 +70,15 @@ struct thud_model_structure {
     const double *shear; /* its storey shears: s (n x modes) by modal values and, behind it, T (n x n); else NULL */
     bool drifts;         /* it has storeys */
     const double *level_m,
-        *moment;                 /* (n) heights z, and the overturning moment (2 x modes) by modal values and by their
+        *moment;                  /* (n) heights z, and the overturning moment (2 x modes) by modal values and by their
                                        rates; NULL: it is not asked for */
-    const double *omega;         /* (dofs) its own natural frequencies, also of modes that are left out, rad/s */
-    int system;                  /* index of the system that it belongs to */
-    int first_shape;             /* modes of the structures before it, counted for each of them */
-    const double *geometric_npm; /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
-    const double *collapse_m;    /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
-    double collapse_least_m;     /* the least of them */
+    const double *omega;          /* (dofs) its own natural frequencies, also of modes that are left out, rad/s */
+    int system;                   /* index of the system that it belongs to */
+    int first_shape;              /* modes of the structures before it, counted for each of them */
+    const double *geometric_npm;  /* (n) W/h that the weight takes off each storey's stiffness; NULL: no P-Delta */
+    const double *collapse_m;     /* (n) drift at which a storey has collapsed, INFINITY: never; NULL with the other */
+    double collapse_least_m;      /* the least of them */
+    double sway_npm, rocking_npm; /* on soil: of its springs, against u_f and against r; else 0 */
     double rigid_period_s, soil_damping; /* on soil: first period on rigid ground, first mode's damping ratio; else 0 */
 };
 

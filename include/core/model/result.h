@@ -30,11 +30,12 @@ struct thud_contact_result {
     int impacts; /* those with an impulse above 1e-11 of effective mass times velocity scale */
     struct thud_peak force;       /* N */
     struct thud_peak indentation; /* m */
-    double impulse_ns, contact_time_s, residual_m, dissipated_j;
-    double approach_mps, separation_mps; /* of the last impact */
-    double restitution;                  /* of the last impact; NaN: it did not close, or did not part */
-    double nominal_restitution;          /* as asked for */
-    bool impulsive;                      /* its law passes impulses */
+    double impulse_ns, contact_time_s, residual_m;
+    double work_j, stored_j, dissipated_j; /* done on it; of that held as elastic energy at the end, and the rest */
+    double approach_mps, separation_mps;   /* of the last impact */
+    double restitution;                    /* of the last impact; NaN: it did not close, or did not part */
+    double nominal_restitution;            /* as asked for */
+    bool impulsive;                        /* its law passes impulses */
 };
 
 /* A link between two floors, of neighbours or of one and the ground. */
@@ -42,6 +43,7 @@ struct thud_link_result {
     struct thud_peak force;  /* N */
     struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
     double lost_j;           /* in its dashpot, by its law, or by friction */
+    double stored_j;         /* elastic energy at the end */
     double residual_m; /* left of its stroke at the end where it bears nothing: by friction, or the gap at soil; NaN:
                                 it leaves none */
     int engaged;       /* times a one-sided one came to act, or one of friction slipped */
@@ -124,6 +126,7 @@ struct thud_structure_result {
     double rigid_period_s,
         soil_damping;             /* on soil: its first period on rigid ground, and the damping ratio of its first
                                             mode as it is; else 0 */
+    double soil_stored_j;         /* on soil: in the springs of sway and rocking at the end */
     struct thud_peak base_shear;  /* N */
     struct thud_peak overturning; /* moment about the base, N m; 0 where it is not asked for */
     double *period_s;             /* (floors), longest first; INFINITY for a free rigid body */

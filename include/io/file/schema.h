@@ -114,6 +114,8 @@ void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out);
 /* "format": 1, "preset": ..., "version": ...; the first members of every result in JSON. `preset` NULL: of none. */
 void thud_json_head(struct thud_text *out, const char *preset);
+/* The same of a result whose keys have changed their meaning: its format. */
+void thud_json_head_of(struct thud_text *out, int format, const char *preset);
 
 /* Rows of one kind, made one at a time: `make` fills the i-th of them into `row`, of at most THUD_ROW_MAX bytes. */
 enum { THUD_ROW_MAX = 2048 };

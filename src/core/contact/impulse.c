@@ -104,7 +104,7 @@ static enum thud_status note(struct thud_state *state, struct thud_contact_log *
                                  .impulse_ns = impulse,
                                  .dissipated_j = lost};
     r->impulse_ns += impulse;
-    r->dissipated_j += lost;
+    r->work_j += lost;
     log->lost_j += lost;
     if (!thud_impact_counts(state, c, impulse) || state->contact[c].mode == THUD_STICKING)
         return THUD_OK; /* a held contact passes the blow on */

@@ -104,6 +104,15 @@ double thud_contact_indentation(const struct thud_state *state, int c)
     return thud_model_gap_sum(state->model, c, state->q) - thud_state_clearance(state, c);
 }
 
+double thud_contact_stored(const struct thud_state *state, int c)
+{
+    const struct thud_model_contact *p = &state->model->contact[c];
+    const struct thud_contact_state *s = &state->contact[c];
+    if (!thud_contact_acts(s))
+        return 0;
+    return thud_law_energy(p->law, &p->setup, &s->memory, s->phase, thud_contact_indentation(state, c));
+}
+
 double thud_contact_rate(const struct thud_state *state, int c)
 {
     return thud_model_gap_sum(state->model, c, state->qd);

@@ -192,6 +192,8 @@ enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct
 
 /* Indentation of contact c, and its rate. */
 double thud_contact_indentation(const struct thud_state *state, int c);
+/* Elastic energy that contact c holds now. */
+double thud_contact_stored(const struct thud_state *state, int c);
 double thud_contact_rate(const struct thud_state *state, int c);
 /* Force of a row (of a contact cut at 0 where the law does not pull) at indentation d and rate v, by its present branch;
  * 0 where it does not follow that. */

@@ -184,6 +184,8 @@ static enum thud_status fill_soil(struct thud_arena *arena, struct thud_model_st
     double *all = block, *all_damping = block + dofs * dofs;
     to->rigid_period_s = 2 * THUD_PI / fixed_omega[0];
     to->arm_m = thud_foundation_arm(in);
+    to->sway_npm = in->foundation->sway_npm;
+    to->rocking_npm = in->foundation->rocking_nmprad / (to->arm_m * to->arm_m);
     for (int i = 0; i < to->n; i++)
         rise[i] = in->rise_m[i] / to->arm_m;
     to->rise = rise;

@@ -104,7 +104,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         log->now[of->contact].impulse_ns += of->impulse_ns;
         log->now[of->contact].dissipated_j += of->work_j;
         r->impulse_ns += of->impulse_ns;
-        r->dissipated_j += of->work_j;
+        r->work_j += of->work_j;
         if (thud_contact_acts(&o->state->contact[of->contact]))
             log->waiting_s[of->contact] += pushing_s(o, of);
         if (thud_impact_counts(o->state, of->contact, log->now[of->contact].impulse_ns)) {

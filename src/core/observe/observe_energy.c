@@ -219,24 +219,12 @@ static void mark(struct thud_ledger *l, const struct thud_state *state)
     l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - lost);
 }
 
-/* Elastic energy in the contacts that are closed. */
-static double stored_energy(const struct thud_state *state)
-{
-    double stored = 0;
-    for (int c = 0; c < state->model->ncontacts; c++) {
-        const struct thud_model_contact *p = &state->model->contact[c];
-        const struct thud_contact_state *s = &state->contact[c];
-        if (thud_contact_acts(s))
-            stored += thud_law_energy(p->law, &p->setup, &s->memory, s->phase, thud_contact_indentation(state, c));
-    }
-    return stored;
-}
-
 /* All of it at the state. error_ratio: what is unaccounted for, of the largest energy that the structures have held. */
 static struct thud_energy balance(const struct thud_ledger *l, const struct thud_state *state)
 {
-    double stored = stored_energy(state), work = thud_ledger_contact_work(l),
-           gravity = thud_model_gravity_work(state->model, state->q);
+    double stored = 0, work = thud_ledger_contact_work(l), gravity = thud_model_gravity_work(state->model, state->q);
+    for (int c = 0; c < state->model->ncontacts; c++)
+        stored += thud_contact_stored(state, c);
     struct thud_energy e = {.input_j = l->input_j,
                             .kinetic_j = thud_state_kinetic(state),
                             .strain_j = thud_state_strain(state) + gravity,

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "core/contact/storey.h"
 #include "core/motion/free_vibration.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/tolerance.h"
@@ -188,7 +189,9 @@ void thud_links_finish(const struct thud_state *state, struct thud_result *resul
     for (int i = 0; i < m->nlinks; i++) {
         const int storey = m->link[i].storey;
         if (storey >= 0) {
+            const double d = thud_model_link(m, i, state->q), held = d - thud_storey_plastic(state, storey, d);
             result->link[i].lost_j = state->storey[storey].hysteretic_j;
+            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * held * held;
             result->link[i].engaged = state->storey[storey].excursions;
             result->link[i].residual_m = state->storey[storey].plastic_m;
             result->link[i].contact = m->ncontacts + storey;
@@ -196,14 +199,18 @@ void thud_links_finish(const struct thud_state *state, struct thud_result *resul
         }
         const int contact = result->link[i].contact = m->link[i].contact;
         result->link[i].residual_m = NAN;
-        if (contact < 0)
+        if (contact < 0) {
+            const double d = thud_model_link(m, i, state->q);
+            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * d * d;
             continue;
+        }
         const struct thud_contact_result *from = &result->contact[contact];
         const double least_j = THUD_TOL_LINK_LOSS * from->force.value * from->indentation.value;
         result->link[i] =
             (struct thud_link_result){.force = from->force,
                                       .stroke = from->indentation,
                                       .lost_j = fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
+                                      .stored_j = from->stored_j,
                                       .residual_m = from->residual_m,
                                       .engaged = from->impacts,
                                       .contact = contact};

@@ -319,6 +319,25 @@ static void finish_storeys(struct thud_run *run)
     }
 }
 
+/* What contacts and soil hold at this state, and what contacts have lost: the rest of the work done on them. */
+static void finish_stored(struct thud_run *run)
+{
+    const struct thud_model *m = run->state.model;
+    for (int c = 0; c < m->ncontacts; c++) {
+        struct thud_contact_result *r = &run->result.contact[c];
+        r->stored_j = thud_contact_stored(&run->state, c);
+        r->dissipated_j = r->work_j - r->stored_j;
+    }
+    for (int s = 0; s < m->nstructures; s++) {
+        const struct thud_model_structure *p = &m->structure[s];
+        if (p->dofs == p->n)
+            continue;
+        const double sway = thud_model_floor(m, p->first + p->n, run->state.q),
+                     turn = thud_model_floor(m, p->first + p->n + 1, run->state.q);
+        run->result.structure[s].soil_stored_j = 0.5 * (p->sway_npm * sway * sway + p->rocking_npm * turn * turn);
+    }
+}
+
 static bool observes(const struct thud_run *run, const struct thud_observer *table)
 {
     for (int i = 0; i < run->observers; i++)
@@ -335,6 +354,7 @@ void thud_run_finish(struct thud_run *run)
         thud_ledger_finish(&run->ledger, &run->state);
     r->energy = run->ledger.balance;
     finish_storeys(run);
+    finish_stored(run);
     thud_links_finish(&run->state, r);
     if (run->done && *r->reason && r->reason != no_contact && !has_contact(run->state.model, r))
         r->reason = run->state.model->nstoreys > 0 ? "no contact: closed form between events of storeys that yield"

@@ -148,7 +148,12 @@ void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out)
 
 void thud_json_head(struct thud_text *out, const char *preset)
 {
-    thud_text_append(out, "\"format\": 1, ");
+    thud_json_head_of(out, 1, preset);
+}
+
+void thud_json_head_of(struct thud_text *out, int format, const char *preset)
+{
+    thud_text_append(out, "\"format\": %d, ", format);
     if (preset) {
         thud_text_append(out, "\"preset\": ");
         thud_json_string(out, preset);

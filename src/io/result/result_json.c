@@ -5,6 +5,9 @@
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 
+/* 2: dissipated_j and lost_j are without what is stored at the end. */
+enum { FORMAT = 2 };
+
 static void add_record(const struct thud_report *report, struct thud_text *out)
 {
     thud_text_append(out, "  \"record\": ");
@@ -68,7 +71,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
                          {"sway_m", r->foundation[0].displacement.value},
                          {"sway_time_s", r->foundation[0].displacement.time_s},
                          {"rotation_rad", r->foundation[1].displacement.value / r->arm_m},
-                         {"rotation_time_s", r->foundation[1].displacement.time_s});
+                         {"rotation_time_s", r->foundation[1].displacement.time_s}, {"stored_j", r->soil_stored_j});
         thud_text_append(out, "}");
     }
     thud_text_append(out, ", \"floors\": [");
@@ -174,7 +177,7 @@ static void add_peaks(const struct thud_report *report, struct thud_text *out)
 void thud_result_json(const struct thud_report *report, struct thud_text *out)
 {
     thud_text_append(out, "{\n  ");
-    thud_json_head(out, report->scene->name);
+    thud_json_head_of(out, FORMAT, report->scene->name);
     thud_text_append(out, ", \"case\": \"%s\",\n", report->which);
     add_status(report, out);
     add_record(report, out);
@@ -182,7 +185,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
         add_peaks(report, out);
     thud_text_append(out, "  \"energy\": {");
     thud_json_members(&thud_energy_schema,
-                      (thud_scene_yields(report->scene) ? THUD_ROW_YIELDS : 0u) |
+                      (thud_scene_yields(report->scene) || thud_scene_slips(report->scene) ? THUD_ROW_YIELDS : 0u) |
                           (report->scene->p_delta ? THUD_ROW_WEIGHS : 0u),
                       &report->result->energy, out);
     thud_text_append(out, "}");

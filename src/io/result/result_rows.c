@@ -171,7 +171,7 @@ static const struct thud_column contacts[] = {
      .shown = {"contact", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
     {CONTACT(peak.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
      .shown = {"residual", "mm", 1e3, 9, 3, THUD_DIGITS_FREE}},
-    {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J.")},
+    {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J, without what it stores at the end.")},
     {CONTACT(peak.approach_mps, "approach_mps", "Speed before the last impact, m/s.")},
     {CONTACT(peak.separation_mps, "separation_mps", "Speed after it, m/s.")},
     {CONTACT(peak.restitution, "restitution",
@@ -179,6 +179,7 @@ static const struct thud_column contacts[] = {
      .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
     {CONTACT(peak.nominal_restitution, "nominal_restitution", "Coefficient that was asked for."),
      .shown = {"", "nominal", 1, 8, 3, THUD_DIGITS_FREE}},
+    {CONTACT(peak.stored_j, "stored_j", "Elastic energy that it holds at the end, J.")},
     {CONTACT(blow, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_contact_schema = THUD_SCHEMA(
     "contacts", "In the list\n.Va contacts\nof\n.Pa result.json :\nevery pair of floors at one height.\n", contacts);
@@ -286,10 +287,12 @@ static const struct thud_column links[] = {
           "restrainer or "
           "a strut 0; no value of others."),
      .shown = {"residual", "mm", 1e3, 9, 4, THUD_DIGITS_FREE}},
-    {LINK(own.lost_j, "lost_j", "Energy lost in it, J."), .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
+    {LINK(own.lost_j, "lost_j", "Energy lost in it, J, without what it stores at the end."),
+     .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
     {LINK(own.engaged, "engaged",
           "How often a restrainer or a strut came to act, or friction slipped; no value of others."),
-     .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}}};
+     .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}},
+    {LINK(own.stored_j, "stored_j", "Elastic energy that it holds at the end, J.")}};
 const struct thud_schema thud_link_schema = THUD_SCHEMA(
     "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
 
