@@ -172,7 +172,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
 {
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
-    enum thud_status status = thud_made_by_begin(by, err);
+    enum thud_status status = THUD_OK;
     static const struct {
         const char *name;
         void (*put)(const struct thud_uncertainty_study *study, struct thud_text *out);
@@ -249,6 +249,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
                                          (const struct thud_record *const *)records.record, records.n, which, &inputs,
                                          &u, err);
     study.uncertainty = u;
+    study.by = status == THUD_OK && thud_args_has(args, "o") ? &by : NULL;
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);
     thud_progress_end();
@@ -259,6 +260,7 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     if (status == THUD_OK && thud_args_has(args, "o")) {
         thud_picture_options_motions(&picture, motions, suite ? records.n : 1);
         status = save(args, &study, &picture, &by, err);
+        study.is_written = status == THUD_OK || status == THUD_GNUPLOT;
     }
     status = thud_cli_print_as(args, &text, status, err);
     thud_uncertainty_study_clear(&study);

@@ -29,21 +29,29 @@ if command -v gnuplot >/dev/null 2>&1; then # one that draws one and the same pi
     chmod +x "$THUD_GNUPLOT"
 fi
 
-study() { "$THUD" sweep rigid-bumper --vary gap=5cm:9cm:0.25cm --cases none,bumper --quiet -j "$1" -o "$2"; }
+# every other study is one of samples
+study() { # THREADS FOLDER
+    if [ $((i % 2)) -eq 1 ]; then
+        "$THUD" sweep rigid-bumper --vary gap=5cm:9cm:0.25cm --cases none,bumper --quiet -j "$1" -o "$2"
+    else
+        "$THUD" uncertainty rigid-bumper --samples 8 --quiet -j "$1" -o "$2"
+    fi
+}
 random() { # LIMIT: 1 to LIMIT, into $drawn
     seed=$(((seed * 1103515245 + 12345) % 2147483648))
     drawn=$((seed / 65536 % $1 + 1))
 }
 whole() { # nothing is there under its own name but the journal and what is right
     [ -d "$tmp/out" ] || return 0
-    find "$tmp/out" -type f ! -name sweep.journal ! -name sweep.lock ! -name '*.part' | while read -r file; do
-        cmp -s "$file" "$tmp/right/${file#"$tmp/out/"}" || echo "${file##*/}"
+    find "$tmp/out" -type f ! -name '*.journal' ! -name sweep.lock ! -name '*.part' | while read -r file; do
+        cmp -s "$file" "$tmp/right$((i % 2))/${file#"$tmp/out/"}" || echo "${file##*/}"
     done
 }
 
-rm -rf "$tmp/right"
-study 1 "$tmp/right" >/dev/null 2>&1
-calls=$(THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/count" LD_PRELOAD="$preload" study 1 "$tmp/counted" >/dev/null 2>&1 && cat "$tmp/count")
+for i in 0 1; do
+    study 1 "$tmp/right$i" >/dev/null 2>&1
+    THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/count$i" LD_PRELOAD="$preload" study 1 "$tmp/counted$i" >/dev/null 2>&1
+done
 kills=0
 wrong=0
 complain() {
@@ -54,11 +62,12 @@ i=0
 while [ "$i" -lt "$studies" ]; do
     i=$((i + 1))
     rm -rf "$tmp/out"
+    calls=$(cat "$tmp/count$((i % 2))")
     status=137
     while [ "$status" -eq 137 ]; do # killed again and again, until it comes to its end before
         random 2
         if [ "$drawn" -eq 1 ]; then kind="kill"; else kind=tear; fi
-        threads=$((i % 2 + 1))
+        threads=$((i / 2 % 2 + 1))
         random "$calls"
         THUD_FAULT_KIND=$kind THUD_FAULT_AT=$drawn LD_PRELOAD="$preload" study $threads "$tmp/out" >"$tmp/said" 2>&1
         status=$?
@@ -67,10 +76,25 @@ while [ "$i" -lt "$studies" ]; do
         [ -z "$odd" ] || complain "$odd half there"
     done
     [ "$status" -eq 0 ] || complain "status $status: $(head -c 300 "$tmp/said")"
-    diff -r "$tmp/right" "$tmp/out" >"$tmp/said" || complain "another answer, or something left: $(head -3 "$tmp/said")"
+    diff -r "$tmp/right$((i % 2))" "$tmp/out" >"$tmp/said" || complain "another answer, or something left: $(head -3 "$tmp/said")"
 done
 if [ "$wrong" -eq 0 ] && [ "$kills" -gt 0 ]; then
     echo "ok - $studies studies killed $kills times: whole on the disk, and the same bytes in the end"
 else
     echo "not ok - $studies studies killed $kills times: $wrong wrong"
 fi
+
+# what is done is not done again: a line of the journal is a write, and those there are need none
+for i in 0 1; do
+    rm -rf "$tmp/out"
+    calls=$(cat "$tmp/count$i")
+    THUD_FAULT_KIND=kill THUD_FAULT_AT=$((calls / 2)) LD_PRELOAD="$preload" study 1 "$tmp/out" >/dev/null 2>&1
+    lines=$(grep -a -c '^[0-9]' "$tmp/out"/*.journal 2>/dev/null || echo 0)
+    THUD_FAULT_KIND=write THUD_FAULT_COUNT="$tmp/again" LD_PRELOAD="$preload" study 1 "$tmp/out" >/dev/null 2>&1
+    again=$(cat "$tmp/again")
+    if [ "$lines" -gt 5 ] && [ "$again" -le $((calls - lines)) ]; then
+        echo "ok - of $calls writes a study killed half-way makes $again after $lines lines of its journal"
+    else
+        echo "not ok - of $calls writes a study killed half-way makes $again after $lines lines of its journal ($i)"
+    fi
+done

@@ -27,6 +27,13 @@ static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
 enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
                                          struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
                                          long *done, struct thud_error *err);
+/* Likewise the journal of samples, whose lines are rows of numbers: those that are done are read into `row` (rows x
+ * numbers), which has to stay there. It has a name of its own: the folder may hold the beginning of a sweep too. */
+enum thud_status thud_sample_journal_open(const char *folder, unsigned long long fingerprint, double *row, long rows,
+                                          size_t numbers, bool replace, struct thud_sweep_journal **out, long *done,
+                                          struct thud_error *err);
+/* Adds the next row as it stands in `row`. Errors: THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_sample_journal_add(struct thud_sweep_journal *journal, struct thud_error *err);
 /* Adds the next point. On failure the journal is as before. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
                                         struct thud_error *err);

@@ -165,6 +165,9 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
  * THUD_INPUT, THUD_MEMORY. */
 void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out);
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err);
+/* Likewise a line of n numbers with its place in a study; false: it is damaged. */
+void thud_sweep_numbers_write(long index, const double *x, size_t n, struct thud_text *out);
+bool thud_sweep_numbers_read(const char *line, long *index, double *x, size_t n);
 /* Identifies a plan: equal for equal scenes, records, axes, cases and sensitivity. */
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 

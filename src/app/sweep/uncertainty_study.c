@@ -16,6 +16,7 @@ struct work {
     struct thud_uncertainty_study *study;
     pthread_mutex_t lock;
     size_t next, done;
+    bool *has; /* (rows) which rows are done */
     bool stop;
     enum thud_status status;
     struct thud_error error;
@@ -94,6 +95,17 @@ static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_e
     return status;
 }
 
+/* The rows that follow on those in the journal. */
+static enum thud_status keep(struct work *w, struct thud_error *err)
+{
+    struct thud_sweep_journal *journal = w->study->journal;
+    enum thud_status status = THUD_OK;
+    for (size_t row;
+         status == THUD_OK && (row = (size_t)thud_sweep_journal_done(journal)) < w->study->rows && w->has[row];)
+        status = thud_sample_journal_add(journal, err);
+    return status;
+}
+
 static void *worker(void *context)
 {
     struct work *w = context;
@@ -112,6 +124,9 @@ static void *worker(void *context)
             thud_uncertainty_evaluate(study->uncertainty, study->place + row * d, study->value + row * q, &error);
         pthread_mutex_lock(&w->lock);
         w->done++;
+        w->has[row] = status == THUD_OK;
+        if (status == THUD_OK && w->status == THUD_OK && study->journal)
+            status = keep(w, &error);
         if (status != THUD_OK && w->status == THUD_OK) {
             w->status = status;
             w->error = error;
@@ -138,10 +153,22 @@ static void watch(struct work *w)
     }
 }
 
-static enum thud_status make(struct thud_uncertainty_study *study, struct thud_error *err)
+static enum thud_status stopped(const struct thud_uncertainty_study *study, size_t done, struct thud_error *err)
+{
+    thud_error_set(err, THUD_CANCELLED, "stopped: %zu of %zu runs are done, %s", done, study->rows,
+                   study->journal ? "the rest is missing" : "none is kept");
+    if (study->journal)
+        thud_error_allow(err, "the same command goes on from there");
+    return THUD_CANCELLED;
+}
+
+/* All rows from `done` on. */
+static enum thud_status make(struct thud_uncertainty_study *study, size_t done, struct thud_error *err)
 {
     pthread_t thread[THREADS_MAX];
-    struct work w = {.study = study};
+    struct work w = {.study = study, .next = done, .done = done, .has = calloc(study->rows, sizeof *w.has)};
+    if (!w.has)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
     int wanted = thud_threads_count(study->threads, (long)study->rows, THREADS_MAX);
     pthread_mutex_init(&w.lock, NULL);
     int started = thud_threads_start(thread, wanted, worker, &w);
@@ -150,16 +177,31 @@ static enum thud_status make(struct thud_uncertainty_study *study, struct thud_e
     for (int i = 0; i < started; i++)
         pthread_join(thread[i], NULL);
     pthread_mutex_destroy(&w.lock);
+    free(w.has);
     if (started == 0)
         return thud_error_set(err, THUD_MEMORY, "no thread could be started");
     if (w.status != THUD_OK) {
         *err = w.error;
         return w.status;
     }
-    return w.done == study->rows
-               ? THUD_OK
-               : thud_error_set(err, THUD_CANCELLED, "stopped: %zu of %zu runs were done, none is kept", w.done,
-                                study->rows);
+    return w.done == study->rows ? THUD_OK : stopped(study, w.done, err);
+}
+
+/* Takes the folder, and the rows that are done there. */
+static enum thud_status begin(struct thud_uncertainty_study *study, long *done, struct thud_error *err)
+{
+    const struct thud_made_by *by = study->by;
+    size_t places = study->rows * (size_t)study->uncertainty->ninputs;
+    unsigned long long fingerprint = thud_hash(by->asked, study->place, places * sizeof *study->place);
+    enum thud_status status = thud_folder_make(by->folder, err);
+    if (status == THUD_OK)
+        status = thud_folder_lock(by->folder, &study->lock, err);
+    if (status == THUD_OK)
+        status = thud_made_by_enter(by, err);
+    return status == THUD_OK ? thud_sample_journal_open(by->folder, fingerprint, study->value, (long)study->rows,
+                                                        (size_t)study->uncertainty->nquantities, by->replace,
+                                                        &study->journal, done, err)
+                             : status;
 }
 
 /* Share of the variance of the samples that lies between the means of the ground motions, the rest within (one-way analysis
@@ -275,6 +317,7 @@ static enum thud_status tell_all(struct thud_uncertainty_study *study, struct th
 enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study, struct thud_error *err)
 {
     size_t d = (size_t)study->uncertainty->ninputs, q = (size_t)study->uncertainty->nquantities;
+    study->lock.fd = -1;
     study->rows = thud_uncertainty_first_sample(study) + thud_uncertainty_samples(study) +
                   (study->indices ? study->samples * d : 0);
     study->place = malloc(study->rows * d * sizeof *study->place);
@@ -283,14 +326,21 @@ enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study
         return thud_error_set(err, THUD_MEMORY, "out of memory for the samples");
     for (size_t i = 0; i < study->rows * q; i++)
         study->value[i] = NAN;
+    long done = 0;
     enum thud_status status = fill(study, err);
+    if (status == THUD_OK && study->by)
+        status = begin(study, &done, err);
     if (status == THUD_OK)
-        status = make(study, err);
+        status = make(study, (size_t)done, err);
     return status == THUD_OK ? tell_all(study, err) : status;
 }
 
 void thud_uncertainty_study_clear(struct thud_uncertainty_study *study)
 {
+    thud_sweep_journal_close(study->journal, study->is_written);
+    if (study->by)
+        thud_folder_unlock(&study->lock);
+    study->journal = NULL;
     free(study->place);
     free(study->value);
     free(study->told);

@@ -5,6 +5,9 @@
 #include <stdbool.h>
 
 #include "base/text.h"
+#include "io/file/file.h"
+#include "io/file/made_by.h"
+#include "io/result/sweep_journal.h"
 #include "study/uncertainty/uncertainty.h"
 
 /* Rows of places (ninputs each) and of values (nquantities each), one after the other: nominal; each input least and
@@ -23,11 +26,16 @@ struct thud_uncertainty_study {
     const atomic_int *cancel;                                                 /* may be NULL */
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
     void *context;
+    const struct thud_made_by *by; /* whose results the folder's are, where what is done is kept; NULL: nowhere */
+    bool is_written;               /* the results are in the folder: what was kept goes with the study */
+    struct thud_folder_lock lock;  /* held by a study with a journal */
+    struct thud_sweep_journal *journal;
     size_t rows;
     double *place, *value;              /* (rows x ninputs), (rows x nquantities) */
     struct thud_uncertainty_told *told; /* (nquantities) */
 };
-/* Errors: THUD_CANCELLED, THUD_MEMORY, THUD_INPUT. */
+/* With a folder it goes on from the rows that are done there, and holds the folder until it is cleared. Errors:
+ * THUD_CANCELLED, THUD_MEMORY, THUD_INPUT, THUD_OUTPUT. */
 enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study, struct thud_error *err);
 void thud_uncertainty_study_clear(struct thud_uncertainty_study *study);
 

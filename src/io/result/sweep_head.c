@@ -39,7 +39,7 @@ static const char *unescape(char *text)
     return text;
 }
 
-static void put_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
+void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
 {
     thud_text_append(out, "cases ");
     for (int i = 0; i < plan->ncases; i++)
@@ -58,17 +58,14 @@ static void put_body(const struct thud_sweep_plan *plan, const char *preset, str
     thud_text_append(out, "\npreset\n%s\n", preset);
 }
 
-void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *preset, struct thud_sweep_shard shard,
+void thud_sweep_head_write(unsigned long long fingerprint, struct thud_sweep_shard shard, const struct thud_text *body,
                            struct thud_text *out)
 {
-    struct thud_text body = {0};
-    put_body(plan, preset, &body);
-    thud_text_append(out, "thud-sweep-journal %d %s %016llx %d %d %zu\n", FORMAT, THUD_VERSION,
-                     thud_sweep_fingerprint(plan), shard.index, shard.count, body.size);
-    if (body.data)
-        thud_text_bytes(out, body.data, body.size);
-    out->failed |= body.failed;
-    thud_text_clear(&body);
+    thud_text_append(out, "thud-sweep-journal %d %s %016llx %d %d %zu\n", FORMAT, THUD_VERSION, fingerprint,
+                     shard.index, shard.count, body->size);
+    if (body->data)
+        thud_text_bytes(out, body->data, body->size);
+    out->failed |= body->failed;
 }
 
 static enum thud_status refuse(const struct thud_sweep_journal *journal, struct thud_error *err)
@@ -203,7 +200,7 @@ enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct
     for (size_t i = 0; i < size; i++)
         journal->head_lines += head->text[i] == '\n';
     head->sum = thud_hash(THUD_HASH_START, head->text, strlen(head->text));
-    return split(head) ? THUD_OK : damaged(journal, err);
+    return journal->row || split(head) ? THUD_OK : damaged(journal, err);
 }
 
 void thud_sweep_head_clear(struct thud_sweep_head *head)

@@ -13,6 +13,18 @@
 #include "io/result/sweep_journal_private.h"
 
 #define JOURNAL "sweep.journal"
+#define SAMPLES "uncertainty.journal"
+
+/* The study that a journal has to be of. */
+struct key {
+    const char *name; /* of the file */
+    unsigned long long fingerprint;
+    struct thud_sweep_shard shard;
+    double *row; /* (rows x numbers), where its lines are rows of numbers; else NULL */
+    long rows;
+    size_t numbers;
+    struct thud_text body;
+};
 
 static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
                                struct thud_error *err)
@@ -37,29 +49,83 @@ long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_swe
 }
 
 /* NULL: out of memory. `file` is NULL, with errno, where it could not be opened. */
-static struct thud_sweep_journal *make(const char *folder, const char *mode, struct thud_error *err)
+static struct thud_sweep_journal *make(const char *folder, const char *name, const char *mode, struct thud_error *err)
 {
     struct thud_sweep_journal *journal = calloc(1, sizeof *journal);
     if (!journal) {
         thud_error_set(err, THUD_MEMORY, "out of memory");
         return NULL;
     }
-    snprintf(journal->path, sizeof journal->path, "%s/" JOURNAL, folder);
+    snprintf(journal->path, sizeof journal->path, "%s/%s", folder, name);
     journal->file = fopen(journal->path, mode);
     return journal;
+}
+
+/* The next line without its end; NULL at the end of what is done. */
+static enum thud_status next_line(struct thud_sweep_journal *journal, char **line, struct thud_error *err)
+{
+    *line = NULL;
+    errno = 0;
+    ssize_t n = getline(&journal->buffer, &journal->capacity, journal->file);
+    if (n <= 0 && !feof(journal->file)) {
+        if (errno == ENOMEM)
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        journal->unreadable = true;
+        return failed(journal, THUD_INPUT, strerror(errno), err);
+    }
+    if (n <= 0)
+        return THUD_OK;
+    journal->line_number++;
+    if (journal->buffer[n - 1] != '\n')
+        return thud_error_in(err, THUD_INPUT, journal->path, journal->line_number, "the last line is torn");
+    journal->buffer[n - 1] = '\0';
+    *line = journal->buffer;
+    return THUD_OK;
+}
+
+/* The place of the line that was read is that of the next one. */
+static enum thud_status check_place(struct thud_sweep_journal *journal, long index, struct thud_error *err)
+{
+    if (index == thud_sweep_shard_point(journal->shard, journal->read++))
+        return THUD_OK;
+    return thud_error_set(err, THUD_INPUT, "a point is missing");
+}
+
+/* A row of numbers; *there: it was not the end. */
+static enum thud_status next_row(struct thud_sweep_journal *journal, bool *there, struct thud_error *err)
+{
+    char *line;
+    long index;
+    double *row = journal->row + (size_t)journal->read * journal->numbers;
+    enum thud_status status = next_line(journal, &line, err);
+    *there = status == THUD_OK && line;
+    if (!*there)
+        return status;
+    bool whole = journal->read < journal->rows && thud_sweep_numbers_read(line, &index, row, journal->numbers);
+    return whole ? check_place(journal, index, err) : thud_error_set(err, THUD_INPUT, "a line is damaged");
+}
+
+static enum thud_status pass_line(struct thud_sweep_journal *journal, bool *there, struct thud_error *err)
+{
+    struct thud_sweep_point *point;
+    if (journal->row)
+        return next_row(journal, there, err);
+    enum thud_status status = thud_sweep_journal_next(journal, &point, err);
+    *there = status == THUD_OK && point;
+    free(point);
+    return status;
 }
 
 /* Counts the whole lines and cuts off what comes after them. */
 static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud_error *err)
 {
-    struct thud_sweep_point *point;
+    bool there;
     struct thud_error damage;
     enum thud_status status;
     thud_sweep_journal_rewind(journal);
-    while ((status = thud_sweep_journal_next(journal, &point, &damage)) == THUD_OK && point) {
+    while ((status = pass_line(journal, &there, &damage)) == THUD_OK && there) {
         journal->done++;
         journal->end = ftello(journal->file);
-        free(point);
     }
     if (status == THUD_MEMORY)
         return thud_error_set(err, status, "out of memory");
@@ -71,12 +137,12 @@ static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud
     return THUD_OK;
 }
 
-static enum thud_status create(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
-                               const char *folder, const char *preset, struct thud_error *err)
+static enum thud_status create(struct thud_sweep_journal *journal, const struct key *key, const char *folder,
+                               struct thud_error *err)
 {
     struct thud_text text = {0};
-    thud_sweep_head_write(plan, preset, journal->shard, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, JOURNAL, err);
+    thud_sweep_head_write(key->fingerprint, key->shard, &key->body, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, key->name, err);
     if (status != THUD_OK)
         return status;
     FILE *file = fopen(journal->path, "r+");
@@ -86,15 +152,15 @@ static enum thud_status create(struct thud_sweep_journal *journal, const struct 
     return THUD_OK;
 }
 
-static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct thud_sweep_plan *plan,
-                                     const char *folder, const char *preset, struct thud_error *err)
+static enum thud_status open_journal(struct thud_sweep_journal *journal, const struct key *key, const char *folder,
+                                     struct thud_error *err)
 {
     struct thud_sweep_head head = {0};
-    enum thud_status status = journal->file ? THUD_OK : create(journal, plan, folder, preset, err);
+    enum thud_status status = journal->file ? THUD_OK : create(journal, key, folder, err);
     if (status == THUD_OK)
         status = thud_sweep_head_read(journal, &head, err);
-    if (status == THUD_OK && (head.fingerprint != thud_sweep_fingerprint(plan) ||
-                              head.shard.index != journal->shard.index || head.shard.count != journal->shard.count)) {
+    if (status == THUD_OK && (head.fingerprint != key->fingerprint || head.shard.index != key->shard.index ||
+                              head.shard.count != key->shard.count)) {
         status = failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
         thud_error_allow(err, "the same study, another folder, or --replace");
     }
@@ -103,31 +169,35 @@ static enum thud_status open_journal(struct thud_sweep_journal *journal, const s
 }
 
 /* A journal of this study in `folder`, new or gone on with. */
-static enum thud_status begin(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
-                              struct thud_sweep_shard shard, struct thud_sweep_journal **out, struct thud_error *err)
+static enum thud_status begin(const char *folder, const struct key *key, struct thud_sweep_journal **out,
+                              struct thud_error *err)
 {
-    *out = make(folder, "r+", err);
+    *out = make(folder, key->name, "r+", err);
     if (!*out)
         return THUD_MEMORY;
-    (*out)->shard = shard;
+    (*out)->shard = key->shard;
+    (*out)->row = key->row;
+    (*out)->rows = key->rows;
+    (*out)->numbers = key->numbers;
     enum thud_status status = THUD_OK;
     if (!(*out)->file && errno != ENOENT)
         status = failed(*out, THUD_OUTPUT, strerror(errno), err);
-    return status == THUD_OK ? open_journal(*out, plan, folder, preset, err) : status;
+    return status == THUD_OK ? open_journal(*out, key, folder, err) : status;
 }
 
-enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
-                                         struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
-                                         long *done, struct thud_error *err)
+/* Clears the key. */
+static enum thud_status open_or_replace(const char *folder, struct key *key, bool replace,
+                                        struct thud_sweep_journal **out, long *done, struct thud_error *err)
 {
     struct thud_sweep_journal *journal;
     *out = NULL;
     *done = 0;
-    enum thud_status status = begin(folder, plan, preset, shard, &journal, err);
+    enum thud_status status = begin(folder, key, &journal, err);
     if (status == THUD_INPUT && replace) { /* another study's, or none that can be read */
         thud_sweep_journal_close(journal, true);
-        status = begin(folder, plan, preset, shard, &journal, err);
+        status = begin(folder, key, &journal, err);
     }
+    thud_text_clear(&key->body);
     if (status != THUD_OK) {
         thud_sweep_journal_close(journal, false);
         return status;
@@ -137,12 +207,27 @@ enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_s
     return THUD_OK;
 }
 
-enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
-                                        struct thud_error *err)
+enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
+                                         struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
+                                         long *done, struct thud_error *err)
+{
+    struct key key = {JOURNAL, thud_sweep_fingerprint(plan), shard, NULL, 0, 0, {0}};
+    thud_sweep_head_body(plan, preset, &key.body);
+    return open_or_replace(folder, &key, replace, out, done, err);
+}
+
+enum thud_status thud_sample_journal_open(const char *folder, unsigned long long fingerprint, double *row, long rows,
+                                          size_t numbers, bool replace, struct thud_sweep_journal **out, long *done,
+                                          struct thud_error *err)
+{
+    struct key key = {SAMPLES, fingerprint, {1, 1}, row, rows, numbers, {0}};
+    return open_or_replace(folder, &key, replace, out, done, err);
+}
+
+/* journal->line, in one write. */
+static enum thud_status add_line(struct thud_sweep_journal *journal, struct thud_error *err)
 {
     struct thud_text *line = &journal->line;
-    line->size = 0;
-    thud_sweep_point_write(point, line);
     thud_text_append(line, "\n");
     if (line->failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -164,6 +249,22 @@ enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, cons
     return THUD_OK;
 }
 
+enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
+                                        struct thud_error *err)
+{
+    journal->line.size = 0;
+    thud_sweep_point_write(point, &journal->line);
+    return add_line(journal, err);
+}
+
+enum thud_status thud_sample_journal_add(struct thud_sweep_journal *journal, struct thud_error *err)
+{
+    journal->line.size = 0;
+    thud_sweep_numbers_write(journal->done, journal->row + (size_t)journal->done * journal->numbers, journal->numbers,
+                             &journal->line);
+    return add_line(journal, err);
+}
+
 long thud_sweep_journal_done(const struct thud_sweep_journal *journal)
 {
     return journal->done;
@@ -182,33 +283,19 @@ void thud_sweep_journal_rewind(struct thud_sweep_journal *journal)
 enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
                                          struct thud_error *err)
 {
+    char *line;
     *out = NULL;
-    errno = 0;
-    ssize_t n = getline(&journal->buffer, &journal->capacity, journal->file);
-    if (n <= 0 && !feof(journal->file)) {
-        if (errno == ENOMEM)
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
-        journal->unreadable = true;
-        return failed(journal, THUD_INPUT, strerror(errno), err);
-    }
-    if (n <= 0)
-        return THUD_OK;
-    journal->line_number++;
-    enum thud_status status = THUD_INPUT;
-    if (journal->buffer[n - 1] == '\n') {
-        journal->buffer[n - 1] = '\0';
-        status = thud_sweep_point_read(journal->buffer, out, err);
-    } else {
-        thud_error_set(err, status, "the last line is torn");
-    }
-    if (status == THUD_OK && (*out)->index != thud_sweep_shard_point(journal->shard, journal->read)) {
+    enum thud_status status = next_line(journal, &line, err);
+    if (status != THUD_OK || !line)
+        return status;
+    status = thud_sweep_point_read(line, out, err);
+    if (status == THUD_OK)
+        status = check_place(journal, (*out)->index, err);
+    if (status != THUD_OK) {
         free(*out);
         *out = NULL;
-        status = thud_error_set(err, THUD_INPUT, "a point is missing");
-    }
-    journal->read++;
-    if (status != THUD_OK)
         thud_error_place(err, journal->path, journal->line_number, 0);
+    }
     return status;
 }
 
@@ -229,7 +316,7 @@ enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_j
                                          struct thud_sweep_head *head, struct thud_error *err)
 {
     *head = (struct thud_sweep_head){0};
-    struct thud_sweep_journal *journal = make(folder, "r", err);
+    struct thud_sweep_journal *journal = make(folder, JOURNAL, "r", err);
     *out = NULL;
     if (!journal)
         return THUD_MEMORY;

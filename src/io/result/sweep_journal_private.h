@@ -9,6 +9,9 @@ struct thud_sweep_journal {
     FILE *file;
     char path[4200];
     struct thud_sweep_shard shard;
+    double *row; /* (rows x numbers) what the lines are read into; NULL: they are points */
+    long rows;
+    size_t numbers;
     off_t start, end; /* of the points' lines */
     long done, read;
     int head_lines, line_number;
@@ -18,9 +21,11 @@ struct thud_sweep_journal {
     size_t capacity;
 };
 
-/* Head as text, with a first line that gives its size. */
-void thud_sweep_head_write(const struct thud_sweep_plan *plan, const char *preset, struct thud_sweep_shard shard,
+/* Head as text: a first line that gives the size of its body, and the body. */
+void thud_sweep_head_write(unsigned long long fingerprint, struct thud_sweep_shard shard, const struct thud_text *body,
                            struct thud_text *out);
+/* The body of a plan's. */
+void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out);
 /* From the file's start; sets journal->start. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
                                       struct thud_error *err);

@@ -215,6 +215,42 @@ static void rest(struct line *l, struct thud_sweep_point *p)
     variants(l, p);
 }
 
+/* The checksum that closes a line, over what it has from `start` on. */
+static void put_sum(struct thud_text *out, size_t start)
+{
+    if (!out->failed)
+        thud_text_append(out, "%016llx", thud_hash(THUD_HASH_START, out->data + start, out->size - start));
+}
+
+/* Where the checksum of a line begins; NULL: it is another's. */
+static const char *find_sum(const char *line)
+{
+    const char *last = strrchr(line, ' ');
+    char sum[20] = "";
+    if (last)
+        snprintf(sum, sizeof sum, "%016llx", thud_hash(THUD_HASH_START, line, (size_t)(last + 1 - line)));
+    return last && strcmp(last + 1, sum) == 0 ? last + 1 : NULL;
+}
+
+void thud_sweep_numbers_write(long index, const double *x, size_t n, struct thud_text *out)
+{
+    size_t start = out->size;
+    put_whole(out, index);
+    for (size_t i = 0; i < n; i++)
+        put(out, x[i]);
+    put_sum(out, start);
+}
+
+bool thud_sweep_numbers_read(const char *line, long *index, double *x, size_t n)
+{
+    struct line l = {.at = line};
+    const char *sum = find_sum(line);
+    *index = whole(&l, 0, 0, LONG_MAX / 2);
+    for (size_t i = 0; i < n; i++)
+        x[i] = get(&l);
+    return sum && !l.failed && l.at == sum;
+}
+
 /* At the start of a line with a spread, and of one with the levels without links. */
 static const char spread_mark[] = "spread ", links_mark[] = "links ";
 
@@ -226,20 +262,16 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     thud_text_append(out, "%s%s", point->nvariants > 1 ? spread_mark : "", point->nlinkages > 1 ? links_mark : "");
     sizes(&l, &same);
     rest(&l, &same);
-    if (!out->failed)
-        thud_text_append(out, "%016llx", thud_hash(THUD_HASH_START, out->data + start, out->size - start));
+    put_sum(out, start);
 }
 
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err)
 {
     struct line l = {.at = line};
     struct thud_sweep_point head = {0};
-    const char *last = strrchr(line, ' ');
-    char sum[20] = "";
+    const char *sum = find_sum(line);
     *out = NULL;
-    if (last)
-        snprintf(sum, sizeof sum, "%016llx", thud_hash(THUD_HASH_START, line, (size_t)(last + 1 - line)));
-    if (!last || strcmp(last + 1, sum) != 0)
+    if (!sum)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     const bool spread = thud_scan_word(&l.at, spread_mark), links = thud_scan_word(&l.at, links_mark);
     sizes(&l, &head);
@@ -256,7 +288,7 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     int nfloors = 0;
     for (int s = 0; s < point->nstructures; s++)
         nfloors += point->floors[s];
-    if (l.failed || l.at != last + 1 || nfloors != point->nfloors) {
+    if (l.failed || l.at != sum || nfloors != point->nfloors) {
         free(point);
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     }
