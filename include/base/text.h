@@ -33,5 +33,6 @@ void thud_text_clear(struct thud_text *text);
 unsigned long long thud_hash(unsigned long long h, const void *bytes, size_t size);
 unsigned long long thud_hash_text(unsigned long long h, const char *text); /* with its NUL */
 
-/* The part of a path after its last slash; all of it where nothing follows one. */
+/* The part of a path after its last slash; all of it where nothing follows one. Settings of a ground motion that stand
+ * behind its path belong to the name: "b.csv:unit=cm/s2" of "a/b.csv:unit=cm/s2". */
 const char *thud_path_name(const char *path);

@@ -165,10 +165,21 @@ void thud_text_clear(struct thud_text *text)
     *text = (struct thud_text){0};
 }
 
+/* Whether the text begins with a setting of a ground motion, `:unit=`. */
+static bool is_setting(const char *text)
+{
+    size_t n = 1;
+    while (text[0] == ':' && text[n] >= 'a' && text[n] <= 'z')
+        n++;
+    return n > 1 && text[n] == '=';
+}
+
 const char *thud_path_name(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    return slash && slash[1] ? slash + 1 : path;
+    const char *name = path;
+    for (const char *c = path; *c && !is_setting(c); c++)
+        name = c[0] == '/' && c[1] ? c + 1 : name;
+    return name;
 }
 
 unsigned long long thud_hash(unsigned long long h, const void *bytes, size_t size)

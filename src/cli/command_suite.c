@@ -113,8 +113,9 @@ static enum thud_status save_list(const struct thud_suite_study *study, const ch
     if (name > path)
         snprintf(folder, sizeof folder, "%.*s", (int)(name - path > 1 ? name - path - 1 : 1), path);
     from_list(path, from, sizeof from);
-    thud_suite_list_text(study, from, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, name, err);
+    enum thud_status status = thud_suite_list_text(study, from, &text, err);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, name, err);
     thud_text_clear(&text);
     return status;
 }

@@ -91,7 +91,7 @@ static bool says_vertical(const char *text)
 
 bool thud_record_is_vertical(const struct thud_record *record)
 {
-    const char *slash = strrchr(record->file, '/'), *name = slash ? slash + 1 : record->file, *dot = strrchr(name, '.');
+    const char *name = thud_path_name(record->file), *dot = strrchr(name, '.');
     const char *dash = strrchr(name, '-'), *line = strrchr(name, '_');
     const char *last = dash > line ? dash : line; /* "rsn6-elc-up.at2" */
     if (says_vertical(record->component))

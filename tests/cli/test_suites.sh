@@ -380,6 +380,39 @@ is "read back, nothing is left to scale" gives 0 suite "$tmp/suite/suite.list" -
 # shellcheck disable=SC2016 # of awk
 is "but for rounding" sh -c "sed -n 's/.*\"common_factor\": \([0-9.]*\),.*/\1/p' '$tmp/out' | awk '{ d = \$1 - 1; exit !(d < 1e-9 && d > -1e-9) }'"
 is "a list beside the motions" sh -c "cd '$tmp' && \"\$THUD\" suite motions --target en1998:0.2g,C --count 1 -o mine.list >/dev/null && [ \$(grep -c '^motions/' mine.list) -eq 1 ]"
+# Awkward names and ways to read: every list gives the motions that it was made of, to the last digit.
+mkdir -p "$tmp/odd/a b#c"
+sed '/^#/d' records/kobe-surrogate.csv | sed 's/^time.*/t (s),a (cm\/s2),b (cm\/s2)/' | awk -F, -v OFS=, '/^[0-9]/ { print $1, 100 * $2, 50 * $2 + 30 * sin(7 * $1); next } { print }' >"$tmp/odd/two.csv"
+sed '/^#/d' records/northridge-surrogate.csv >"$tmp/odd/plain"
+for name in "with space.csv" 'a "quoted" one.csv' '"all quoted".csv' "no#comment.csv" "a,b.csv" " blank" "x:from=3s" "it's.csv" "a b#c/deep.csv"; do cp "$tmp/odd/plain" "$tmp/odd/$name"; done
+asked() { # SUITE FOLDER: the files of its motions and what these ask of the gap, in order
+    (cd "$2" && "$THUD" gap towers --records "$1" --json --quiet 2>"$tmp/err") | grep -o '"relative_displacement_m": [0-9.e-]*\|"sha256": "[^"]*"'
+}
+round() { # WHAT SUITE OPTIONS...: from the folder of the motions, with the list in it and outside of it
+    which=$1 suite=$2
+    shift 2
+    asked "$suite" "$tmp/odd" >"$tmp/wanted"
+    for list in t.list "$tmp/outside.list"; do
+        (cd "$tmp/odd" && "$THUD" suite "$suite" "$@" -o "$list" >/dev/null 2>"$tmp/err")
+        asked "$list" "$tmp/odd" >"$tmp/out"
+        is "$which: a list is read back to the same motions" cmp "$tmp/wanted" "$tmp/out"
+        is "$which: which are some" [ -s "$tmp/out" ]
+        rm -f "$tmp/odd/t.list"
+    done
+}
+round "two parts of a motion" "kobe-surrogate.csv:to=9s,kobe-surrogate.csv:from=3s:to=9s,kobe-surrogate.csv:from=3.123456789s:to=9s"
+round "two columns in a unit with a slash" "two.csv:column=2:unit=cm/s2:to=9s,two.csv:column=3:unit=cm/s2:to=9s"
+round "peaks, factors and signs" "kobe-surrogate.csv:peak=0.3g:to=9s,kobe-surrogate.csv:factor=0.7:sign=-:to=9s,plain:peak=0.2g:sign=-:to=9s"
+round "in a folder with such a name" "$tmp/odd/a b#c:to=9s"
+is "a name has its settings whole" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2:unit=cm/s2,two.csv:column=3:unit=cm/s2 --quiet | grep -q '^two.csv:column=3:unit=cm/s2 '"
+is "two motions that say nothing of themselves" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2,plain --quiet >'$tmp/out'"
+is "count as independent, which is said" shows "! 2 motions do not say of which event and station they are (each counts as independent, also"
+is "not of one that says it" sh -c "cd '$tmp/odd' && ! \"\$THUD\" suite kobe-surrogate.csv,plain --quiet | grep 'do not say'"
+rm "$tmp/odd/two.csv"
+round "every awkward name of a folder" "$tmp/odd:to=9s"
+printf 'a\nb' >"$tmp/two-lines" && mkdir "$tmp/lines" && cp "$tmp/odd/plain" "$tmp/lines/$(cat "$tmp/two-lines")"
+is "a name of two lines" gives 3 suite "$tmp/lines" -o "$tmp/lines.list"
+is "is refused" says "a list cannot name a file of two lines"
 is "more than there are: said" gives 0 suite "$tmp/motions" --target en1998:0.3g,B --count 7
 is "with their number" shows "^chosen  *3, fewer than the 7 asked for"
 printf 'period_s,sa_g\n0.05,0.4\n0.5,0.9\n2,0.2\n' >"$tmp/target.csv"

@@ -10,8 +10,10 @@
 #include "io/file/file.h"
 #include "io/record/record_file.h"
 
+/* Those that scale stand first. */
 static const char *const settings[] = {"peak", "sa", "period", "factor",  "sign",   "from",
                                        "to",   "dt", "unit",   "channel", "column", "skip"};
+enum { SCALES = 5 };
 enum { SETTINGS = sizeof settings / sizeof *settings };
 _Static_assert(sizeof settings / sizeof *settings <= THUD_RECORD_SETTINGS_MAX, "room for all of them");
 
@@ -20,11 +22,53 @@ const char *thud_record_setting(int i)
     return i < SETTINGS ? settings[i] : NULL;
 }
 
+/* The first such character that stands in no quotation marks; NULL: none. They open where the text begins and behind
+ * `=`, and hold two of themselves for one. */
+static char *find_unquoted(char *text, char wanted)
+{
+    bool quoted = false;
+    for (char *c = text; *c; c++) {
+        if (quoted && c[0] == '"' && c[1] == '"')
+            c++;
+        else if (*c == '"' && (quoted || c == text || c[-1] == '='))
+            quoted = !quoted;
+        else if (*c == wanted && !quoted)
+            return c;
+    }
+    return NULL;
+}
+
+/* What quotation marks around a name or value hold, in its place. */
+static void take_quotes_off(char *text)
+{
+    if (*text != '"')
+        return;
+    char *to = text;
+    for (const char *c = text + 1; *c && (*c != '"' || c[1] == '"'); c++) {
+        c += *c == '"';
+        *to++ = *c;
+    }
+    *to = '\0';
+}
+
+void thud_record_put_quoted(struct thud_text *out, const char *text)
+{
+    const size_t n = strlen(text);
+    if (n > 0 && !strpbrk(text, "\":#") && text[0] != ' ' && text[0] != '\t' && text[n - 1] != ' ' &&
+        text[n - 1] != '\t') {
+        thud_text_append(out, "%s", text);
+        return;
+    }
+    for (const char *c = text; *c; c++)
+        thud_text_append(out, "%s%c%s", c == text ? "\"" : "", *c, *c == '"' ? "\"" : "");
+    thud_text_append(out, "\"");
+}
+
 /* Cuts the text before its next setting `:KEY=VALUE`: gives its key and where `VALUE...` begins; NULL where there is
  * none. A path may have colons of its own. */
 static const char *cut_setting(char *text, char **value)
 {
-    for (char *p = text; (p = strchr(p, ':')) != NULL; p++)
+    for (char *p = text; (p = find_unquoted(p, ':')) != NULL; p++)
         for (int i = 0; i < SETTINGS; i++) {
             const char *at = p + 1;
             if (!thud_scan_word(&at, settings[i]) || *at != '=')
@@ -100,6 +144,7 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
 {
     char *value = NULL;
     const char *key = cut_setting(item, &value);
+    take_quotes_off(item);
     if (!*item || strlen(item) >= sizeof scene->record.file)
         return thud_error_refuse(err, THUD_USAGE, "--records",
                                  "FILE,FILE,..., each with its own settings after colons: a.AT2:peak=0.9g",
@@ -108,7 +153,9 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
     enum thud_status status = THUD_OK;
     const char *given[SETTINGS];
     for (int n = 0; key && status == THUD_OK; n++) {
-        const char *own = value, *next = cut_setting(value, &value);
+        char *own = value;
+        const char *next = cut_setting(value, &value);
+        take_quotes_off(own);
         for (int i = 0; i < n; i++)
             if (given[i] == key)
                 return thud_error_refuse(err, THUD_USAGE, "--records", NULL, "%s is given twice for %.200s", key, item);
@@ -131,13 +178,12 @@ static enum thud_status open_treated(const struct reading *r, const struct thud_
     return thud_record_open(choice->file, &own, out, err);
 }
 
-static enum thud_status read_one(const struct thud_session *session, const struct thud_scene *scene,
-                                 struct thud_record **out, struct thud_error *err)
+/* path: where the file was found. */
+static enum thud_status read_one(const struct thud_session *session, const struct thud_scene *scene, char *path,
+                                 size_t size, struct thud_record **out, struct thud_error *err)
 {
-    char path[1024];
     struct thud_record_choice choice = scene->record;
-    enum thud_status status =
-        thud_paths_record(&session->paths, session->preset_path, choice.file, path, sizeof path, err);
+    enum thud_status status = thud_paths_record(&session->paths, session->preset_path, choice.file, path, size, err);
     if (status == THUD_OK)
         status = thud_record_choice_resolve(&session->scene, &choice, err);
     if (status == THUD_OK)
@@ -147,47 +193,57 @@ static enum thud_status read_one(const struct thud_session *session, const struc
     return status;
 }
 
-/* How a file is read, but for what scales it: as settings of a list. */
+/* How a file is read, but for what scales it, as a line of a list has it behind the name. */
 static char *reading_of(const struct thud_scene *scene)
 {
-    static const char *const keys[] = {"from", "to", "dt", "unit", "channel", "column", "skip"};
-    char text[THUD_TEXT_MAX] = "", key[32], value[64];
-    size_t used = 0;
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        snprintf(key, sizeof key, "record.%s", keys[i]);
-        if (thud_scene_get(scene, key, value, sizeof value, NULL) == THUD_OK && value[0] && used < sizeof text)
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s%s=%s", used ? ":" : "", keys[i], value);
+    struct thud_text text = {0};
+    char key[32], value[64];
+    thud_text_append(&text, "%s", "");
+    for (int i = SCALES; i < SETTINGS; i++) {
+        snprintf(key, sizeof key, "record.%s", settings[i]);
+        if (thud_scene_get(scene, key, value, sizeof value, NULL) != THUD_OK || !value[0])
+            continue;
+        thud_text_append(&text, ":%s=", settings[i]);
+        thud_record_put_quoted(&text, value);
     }
-    return strdup(text);
+    if (text.failed)
+        thud_text_clear(&text);
+    return text.data;
 }
 
-static enum thud_status add(struct reading *r, struct thud_record *record, const struct thud_scene *scene,
-                            struct thud_error *err)
+/* Of the file at `path`. */
+static enum thud_status add(struct reading *r, struct thud_record *record, const char *path,
+                            const struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_record_list *list = r->list;
-    char *own = reading_of(scene);
-    bool ok = own != NULL;
+    char *own = reading_of(scene), *found = strdup(path);
+    bool ok = own && found;
     if (ok && list->n == r->room) {
         int room = r->room > 0 ? 2 * r->room : 16;
         struct thud_record **records = realloc(list->record, (size_t)room * sizeof *records);
         char **owns = realloc(list->own, (size_t)room * sizeof *owns);
+        char **paths = realloc(list->path, (size_t)room * sizeof *paths);
         list->record = records ? records : list->record;
         list->own = owns ? owns : list->own;
-        ok = records && owns;
+        list->path = paths ? paths : list->path;
+        ok = records && owns && paths;
         r->room = ok ? room : r->room;
     }
     if (!ok) {
         free(own);
+        free(found);
         thud_record_free(record);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     list->own[list->n] = own;
+    list->path[list->n] = found;
     list->record[list->n++] = record;
     return THUD_OK;
 }
 
 /* The motion with reversed polarity, too. */
-static enum thud_status add_turned(struct reading *r, const struct thud_scene *scene, struct thud_error *err)
+static enum thud_status add_turned(struct reading *r, const char *path, const struct thud_scene *scene,
+                                   struct thud_error *err)
 {
     const struct thud_record *record = r->list->record[r->list->n - 1];
     struct thud_record *turned;
@@ -201,7 +257,7 @@ static enum thud_status add_turned(struct reading *r, const struct thud_scene *s
     snprintf(turned->component, sizeof turned->component, "%.50s%sreversed", record->component,
              *record->component ? ", " : "");
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);
-    return add(r, turned, scene, err);
+    return add(r, turned, path, scene, err);
 }
 
 /* A motion of a file that is there already is told apart by its settings, `own`. */
@@ -220,14 +276,16 @@ static enum thud_status add_file(struct reading *r, const struct thud_scene *sce
                                  struct thud_error *err)
 {
     struct thud_record *record = NULL;
-    enum thud_status status =
-        r->session ? read_one(r->session, scene, &record, err) : open_treated(r, &scene->record, &record, err);
+    char path[1024];
+    snprintf(path, sizeof path, "%s", scene->record.file);
+    enum thud_status status = r->session ? read_one(r->session, scene, path, sizeof path, &record, err)
+                                         : open_treated(r, &scene->record, &record, err);
     if (status == THUD_OK)
-        status = add(r, record, scene, err);
+        status = add(r, record, path, scene, err);
     if (status != THUD_OK)
         return status;
     name_apart(r->list, own);
-    return r->both ? add_turned(r, scene, err) : THUD_OK;
+    return r->both ? add_turned(r, path, scene, err) : THUD_OK;
 }
 
 static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, struct thud_error *err)
@@ -267,10 +325,11 @@ static enum thud_status add_line(struct reading *r, const struct thud_scene *bas
                                  struct thud_error *err)
 {
     char own[THUD_TEXT_MAX] = "", name[THUD_TEXT_MAX], *value;
-    char *end = line + strcspn(line, "#");
+    char *end;
     const char *slash = strrchr(base->record.file, '/');
-    *end = '\0';
     line += strspn(line, " \t");
+    if ((end = find_unquoted(line, '#')) != NULL)
+        *end = '\0';
     for (end = line + strlen(line); end > line && (end[-1] == ' ' || end[-1] == '\t');)
         *--end = '\0';
     if (!*line)
@@ -381,10 +440,10 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
     }
     for (char *item = copy, *end; status == THUD_OK && item; item = end) {
         char own[THUD_TEXT_MAX] = "";
-        end = strchr(item, ',');
+        item += bracketed ? strspn(item, " ") : 0;
+        end = find_unquoted(item, ',');
         if (end)
             *end++ = '\0';
-        item += bracketed ? strspn(item, " ") : 0;
         r.skip = cut_skip(item);
         size_t whole = strlen(item);
         char *said = strdup(item);
@@ -435,7 +494,7 @@ enum thud_status thud_record_list_open(const char *name, const struct thud_recor
     scene->record = treatment->choice;
     if (!thud_record_is_list(name)) {
         status = thud_record_open(name, treatment, &record, err);
-        status = status == THUD_OK ? add(&r, record, scene, err) : status;
+        status = status == THUD_OK ? add(&r, record, name, scene, err) : status;
     } else if (snprintf(scene->record.file, sizeof scene->record.file, "%s", name) < (int)sizeof scene->record.file)
         status = add_list(&r, scene, err);
     else
@@ -450,9 +509,12 @@ void thud_record_list_clear(struct thud_record_list *list)
 {
     for (int i = 0; list->record && i < list->n; i++)
         thud_record_free(list->record[i]);
-    for (int i = 0; list->own && i < list->n; i++)
+    for (int i = 0; i < list->n; i++) {
         free(list->own[i]);
+        free(list->path[i]);
+    }
     free(list->own);
+    free(list->path);
     free(list->record);
     *list = (struct thud_record_list){0};
 }

@@ -5,6 +5,7 @@
 
 #include "app/run/record_verbs.h"
 #include "app/run/session.h"
+#include "base/text.h"
 
 enum { THUD_RECORD_SETTINGS_MAX = 16 };
 /* What can be said of a ground motion beside its file, as words of the command line and as keys of a preset's record:
@@ -14,11 +15,17 @@ const char *thud_record_setting(int i);
 struct thud_record_list {
     int n, skipped;              /* the second: files that could not be read, and were to be left out */
     struct thud_record **record; /* (n) each named in `file` as it was typed */
-    char **own; /* (n) how it was read, as a list says it, without what scales it: "dt=0.005 s:unit=g", or "" */
+    char **path;                 /* (n) where its file was found */
+    char **own; /* (n) how it was read, as a list says it, without what scales it: ":dt=0.005 s:unit=g", or "" */
 };
 
+/* A name or a value as a list has it: in quotation marks, themselves doubled, where it would be read as something
+ * else. */
+void thud_record_put_quoted(struct thud_text *out, const char *text);
+
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
- * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. The settings of a
+ * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value
+ * may stand in quotation marks. The settings of a
  * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
  * list hold for all its files that do not say otherwise; `:unreadable=skip` leaves out those of them that cannot be
  * read; and `common` (n pairs key, value) for everything. `both`: each

@@ -221,21 +221,25 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
     thud_text_append(out, "\n]}\n");
 }
 
-void thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out)
+enum thud_status thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out,
+                                      struct thud_error *err)
 {
+    char name[8192];
     if (study->has_target)
         thud_text_append(out, "# scaled to %s over %.4g to %.4g s\n", study->target.text, study->scaled.period_s[0],
                          study->scaled.period_s[THUD_TARGET_PERIODS - 1]);
     for (int i = 0; i < study->records->n; i++) {
-        const struct thud_record *r = study->records->record[i];
+        const char *path = study->records->path[i];
         double factor = study->factor[i];
         if (!study->scaled.motion[i].chosen)
             continue;
-        thud_text_append(out, "%s%s", r->file[0] == '/' ? "" : from, r->file);
-        if (study->records->own && study->records->own[i][0])
-            thud_text_append(out, ":%s", study->records->own[i]);
-        thud_text_append(out, ":factor=");
+        if (strchr(path, '\n'))
+            return thud_error_refuse(err, THUD_INPUT, path, "another name", "a list cannot name a file of two lines");
+        snprintf(name, sizeof name, "%s%s", path[0] == '/' ? "" : from, path);
+        thud_record_put_quoted(out, name);
+        thud_text_append(out, "%s:factor=", study->records->own[i]);
         thud_text_number(out, fabs(factor));
         thud_text_append(out, factor < 0 ? ":sign=-\n" : "\n");
     }
+    return THUD_OK;
 }

@@ -28,5 +28,7 @@ void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_
 void thud_suite_motions_csv(const struct thud_suite_study *study, struct thud_text *out);
 void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_text *out);
 /* What --records takes: a line for each chosen motion with its factor. Files stand from the folder of the list: `from`
- * is put before names that are no whole path ("" where the list stands in the working folder). */
-void thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out);
+ * is put before names that are no whole path ("" where the list stands in the working folder). Errors: THUD_INPUT (a
+ * name that no line can hold). */
+enum thud_status thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out,
+                                      struct thud_error *err);

@@ -181,18 +181,12 @@ static bool is_turned(const struct thud_record *const *record, int i)
     return i > 0 && thud_motion_is_turned(record[i]->file, record[i - 1]->file);
 }
 
-static void name_of(const struct thud_record *record, char *text, size_t size)
-{
-    const char *slash = strrchr(record->file, '/');
-    snprintf(text, size, "%.100s", slash ? slash + 1 : record->file);
-}
-
 /* What is wrong with motion i; `kind` counts the questions. */
 static bool motion_remark(const struct thud_record *const *record, int count, int i, int kind, double factor,
                           struct thud_error *out)
 {
     char name[104], other[104];
-    name_of(record[i], name, sizeof name);
+    snprintf(name, sizeof name, "%.100s", thud_path_name(record[i]->file));
     if (kind == 0 && !(factor <= 4 && factor >= 0.25)) {
         thud_error_set(out, THUD_OK, "%s is scaled by %.3g", name, factor);
         thud_error_allow(out, "usually 1/4 to 4: beyond, it is no longer a motion of such a size");
@@ -205,7 +199,7 @@ static bool motion_remark(const struct thud_record *const *record, int count, in
     }
     for (int k = 0; k < i && k < count && kind == 2 && !is_turned(record, i); k++) {
         bool same = thud_record_same_motion(record[i], record[k]);
-        name_of(record[k], other, sizeof other);
+        snprintf(other, sizeof other, "%.100s", thud_path_name(record[k]->file));
         if (!same && !thud_record_same_station(record[i], record[k]))
             continue;
         thud_error_set(out, THUD_OK, same ? "%s and %s are one motion" : "%s and %s are two components of one station",
@@ -216,9 +210,35 @@ static bool motion_remark(const struct thud_record *const *record, int count, in
     return false;
 }
 
+/* Nothing that the two say of themselves tells whether they are components of one station. */
+static bool may_be_of_one_station(const struct thud_record *a, const struct thud_record *b)
+{
+    const bool events = *a->event && *b->event, stations = *a->station && *b->station;
+    return !a->synthetic && !b->synthetic && (!events || (thud_record_same_event(a, b) && !stations));
+}
+
+/* How many motions of another file or channel may be a component of a station that another one is of, too. */
+static int of_unknown_station(const struct thud_record *const *record, int count)
+{
+    int n = 0;
+    for (int i = 0; i < count; i++) {
+        bool may_be = false;
+        for (int k = 0; k < count && !may_be && !is_turned(record, i); k++)
+            may_be = k != i && !is_turned(record, k) && may_be_of_one_station(record[i], record[k]);
+        n += may_be;
+    }
+    return n;
+}
+
 static bool suite_remark(const struct thud_record *const *record, int count, int kind, struct thud_error *out)
 {
     bool one_event = count > 1;
+    const int unknown = kind == 2 ? of_unknown_station(record, count) : 0;
+    if (unknown > 0) {
+        thud_error_set(out, THUD_OK, "%d motions do not say of which event and station they are", unknown);
+        thud_error_allow(out, "each counts as independent, also where two are components of one station");
+        return true;
+    }
     for (int i = 1, all = count; i < all; i++) {
         one_event = one_event && thud_record_same_event(record[0], record[i]);
         count -= is_turned(record, i);
@@ -241,11 +261,12 @@ static bool suite_remark(const struct thud_record *const *record, int count, int
 bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int *from,
                        struct thud_error *out)
 {
-    while (*from < 2 + 3 * count) {
-        int question = (*from)++, i = (question - 2) / 3;
-        if (question < 2
-                ? suite_remark(record, count, question, out)
-                : motion_remark(record, count, i, (question - 2) % 3, factor ? factor[i] : fabs(record[i]->scale), out))
+    enum { OF_SUITE = 3, OF_MOTION = 3 };
+    while (*from < OF_SUITE + OF_MOTION * count) {
+        int question = (*from)++, i = (question - OF_SUITE) / OF_MOTION;
+        if (question < OF_SUITE ? suite_remark(record, count, question, out)
+                                : motion_remark(record, count, i, (question - OF_SUITE) % OF_MOTION,
+                                                factor ? factor[i] : fabs(record[i]->scale), out))
             return true;
     }
     return false;
