@@ -7,30 +7,55 @@
 #include "base/status.h"
 #include "ground/record.h"
 
-enum thud_target_kind { THUD_TARGET_NONE, THUD_TARGET_EN1998, THUD_TARGET_ASCE7, THUD_TARGET_POINTS };
+enum thud_target_kind {
+    THUD_TARGET_NONE,
+    THUD_TARGET_EN1998,
+    THUD_TARGET_ASCE7,
+    THUD_TARGET_ASCE7_22,
+    THUD_TARGET_GB50011,
+    THUD_TARGET_NZS1170,
+    THUD_TARGET_POINTS
+};
 enum { THUD_TARGET_POINTS_MAX = 400, THUD_TARGET_TEXT = 160 };
+#define THUD_TARGET_ALLOWED                                                                                            \
+    "en1998:0.3g,B, asce7:SDS=1g,SD1=0.6g,TL=8s, asce7-22:TABLE.csv, gb50011:AMAX=0.9,TG=0.45s, nzs1170:Z=0.4,C, or "  \
+    "a "                                                                                                               \
+    "CSV"
 
 struct thud_target {
     enum thud_target_kind kind;
-    char text[THUD_TARGET_TEXT]; /* as typed; a file's name */
-    double damping;              /* of the spectrum; 0.05 unless said */
-    /* EN 1998-1 3.2.2.2: a_g S, the corner periods of table 3.2 (type 1) or 3.3 (type 2), and eta */
-    double plateau_mps2; /* a_g S */
-    double tb_s, tc_s, td_s, eta;
-    /* ASCE 7-16 11.4.6 */
-    double sds_mps2, sd1_mps2, tl_s;
-    int n; /* points, periods rising */
+    char text[THUD_TARGET_TEXT];     /* as typed; a file's name */
+    char file[THUD_TARGET_TEXT];     /* of the points of ASCE 7-22 */
+    double damping;                  /* of the spectrum; 0.05 unless said */
+    double ag_mps2;                  /* EN 1998-1: a_g, and type 0 (1) or 1 (2) */
+    int type, ground;                /* ground type or site class, 0: A to 4: E */
+    double sds_mps2, sd1_mps2, tl_s; /* ASCE 7-16; TL of ASCE 7-22 too */
+    double alpha_max, tg_s;          /* GB 50011: alpha_max in units of gravity */
+    double z, r;                     /* NZS 1170.5 */
+    int n;                           /* points, periods rising */
     double period_s[THUD_TARGET_POINTS_MAX], sa_mps2[THUD_TARGET_POINTS_MAX];
 };
 
-/* "en1998:0.3g,B" (a_g, ground A to E; then `type2`, and the damping, `8 %`, where they are not type 1 and 5 %) or
- * "asce7:SDS=1.0g,SD1=0.6g,TL=8s" (design spectrum; SD1 is S_D1, an acceleration at 1 s). Errors: THUD_INPUT with what
- * is allowed. */
+/* What the code of a spectrum says of the motions scaled to it (from secondary sources): the least number, and the
+ * number from which the mean of their results may be taken in place of the largest (0: never). */
+struct thud_target_code {
+    const char *name, *allowed;
+    int least, mean;
+    const char *clause, *remark; /* of the numbers; what else to check, or NULL */
+};
+/* Of a target; NULL, or points of no code: EN 1998-1's numbers. */
+const struct thud_target_code *thud_target_code(const struct thud_target *target);
+
+/* "en1998:0.3g,B" and the like, each as its code's `allowed` says. The points of ASCE 7-22 are not read here
+ * (thud_target_read). Errors: THUD_INPUT with what is allowed. */
 enum thud_status thud_target_parse(const char *text, struct thud_target *out, struct thud_error *err);
 /* Whether a text names a code's spectrum, and not a file. */
 bool thud_target_is_code(const char *text);
 
-/* Sa at a period (0: the peak ground acceleration); between points straight on logarithmic axes, NaN outside them. */
+/* The periods at which it is defined. */
+void thud_target_range(const struct thud_target *target, double *from_s, double *to_s);
+/* Sa at a period (0: the peak ground acceleration); between points straight on logarithmic axes (ASCE 7-22: on linear
+ * ones), NaN outside its range. */
 double thud_target_sa(const struct thud_target *target, double period_s);
 
 /* Over so many periods of its range a motion is held against a target. */

@@ -91,7 +91,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
         status = read_range(range, &study->scaling, err);
     if (status == THUD_OK && !target && (scale || study->scaling.count > 0)) {
         thud_error_set(err, THUD_USAGE, "there is no target to select and scale by");
-        return refuse("target", "en1998:0.3g,B, asce7:SDS=1.0g,SD1=0.6g,TL=8s, or a CSV", THUD_USAGE, err);
+        return refuse("target", THUD_TARGET_ALLOWED, THUD_USAGE, err);
     }
     return status;
 }

@@ -1,4 +1,4 @@
-/* Elastic response spectra of EN 1998-1 and ASCE 7-16.
+/* Design spectra of codes, a row of `codes` each: a new one is a row, its words and its Sa.
  *
  * EN 1998-1:2004, 3.2.2.2(1), horizontal, eta = sqrt(10/(5 + xi)) >= 0.55 with the damping xi in per cent:
  *
@@ -12,10 +12,26 @@
  *     T <= T0         Sa = S_DS (0.4 + 0.6 T/T0)
  *     T0 <= T <= TS   Sa = S_DS
  *     TS <= T <= TL   Sa = S_D1/T
- *     TL <= T         Sa = S_D1 TL/T^2 */
+ *     TL <= T         Sa = S_D1 TL/T^2
+ *
+ * ASCE 7-22, 11.4.5.1 (multi-period): straight lines between the given periods; beyond the last, T_n, Sa(T_n) T_n/T up
+ * to TL and Sa(T_n) T_n TL/T^2 from there on.
+ *
+ * GB 50011-2010, 5.1.5, with the damping z, g = 0.9 + (0.05 - z)/(0.3 + 6 z), n1 = 0.02 + (0.05 - z)/(4 + 32 z) >= 0
+ * and n2 = 1 + (0.05 - z)/(0.08 + 1.6 z) >= 0.55, up to 6 s, in units of gravity:
+ *
+ *     T <= 0.1 s      a = a_max (0.45 + (n2 - 0.45) T/0.1)
+ *     0.1 s <= T <= Tg      a = a_max n2
+ *     Tg <= T <= 5 Tg       a = a_max n2 (Tg/T)^g
+ *     5 Tg <= T             a = a_max (n2 0.2^g - n1 (T - 5 Tg))
+ *
+ * NZS 1170.5:2004, 3.1.1 and the equations of C3.1.2, 5 %: Sa = g C_h(T) Z R, the near-fault factor N(T,D) being 1 (20 km
+ * or more from the major faults of table 3.6). C_h rises from C_h(0) to a plateau between 0.1 s and T_p, falls as T^-0.75
+ * up to 1.5 s, as 1/T up to 3 s, and as 1/T^2 from there on. */
 #include "ground/target.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -32,11 +48,191 @@ static const struct {
      {1.5, 0.1, 0.25, 1.2},
      {1.8, 0.1, 0.3, 1.2},
      {1.6, 0.05, 0.25, 1.2}}};
-static const char en1998[] = "en1998:", asce7[] = "asce7:";
+
+static double en1998_at(const struct thud_target *t, double period_s)
+{
+    const double plateau = t->ag_mps2 * ground[t->type][t->ground].s, tb = ground[t->type][t->ground].tb_s,
+                 tc = ground[t->type][t->ground].tc_s, td = ground[t->type][t->ground].td_s,
+                 eta = fmax(0.55, sqrt(10 / (5 + 100 * t->damping))), top = 2.5 * eta * plateau;
+    if (period_s < tb)
+        return plateau * (1 + period_s / tb * (2.5 * eta - 1));
+    if (period_s <= tc)
+        return top;
+    return period_s <= td ? top * tc / period_s : top * tc * td / (period_s * period_s);
+}
+
+static double asce7_at(const struct thud_target *t, double period_s)
+{
+    double ts = t->sd1_mps2 / t->sds_mps2 /* of accelerations at 1 s */, t0 = 0.2 * ts;
+    if (period_s < t0)
+        return t->sds_mps2 * (0.4 + 0.6 * period_s / t0);
+    if (period_s <= ts)
+        return t->sds_mps2;
+    return period_s <= t->tl_s ? t->sd1_mps2 / period_s : t->sd1_mps2 * t->tl_s / (period_s * period_s);
+}
+
+/* Between the points of a table, straight on logarithmic axes or on linear ones; NaN outside. */
+static double between_points(const struct thud_target *t, double period_s, bool linear)
+{
+    for (int i = 0; i < t->n; i++)
+        if (t->period_s[i] == period_s)
+            return t->sa_mps2[i];
+    for (int i = 0; i + 1 < t->n; i++)
+        if (period_s > t->period_s[i] && period_s < t->period_s[i + 1]) {
+            const double *p = t->period_s + i, *a = t->sa_mps2 + i;
+            if (linear || !(p[0] > 0))
+                return a[0] + (a[1] - a[0]) * (period_s - p[0]) / (p[1] - p[0]);
+            return a[0] * pow(a[1] / a[0], log(period_s / p[0]) / log(p[1] / p[0]));
+        }
+    return NAN;
+}
+
+static double points_at(const struct thud_target *t, double period_s)
+{
+    return between_points(t, period_s, false);
+}
+
+static double asce7_22_at(const struct thud_target *t, double period_s)
+{
+    const double last = t->n > 0 ? t->period_s[t->n - 1] : INFINITY;
+    if (!(period_s > last && t->tl_s > 0))
+        return between_points(t, period_s, true);
+    return t->sa_mps2[t->n - 1] * last / period_s * fmin(1, t->tl_s / period_s);
+}
+
+static double gb50011_at(const struct thud_target *t, double period_s)
+{
+    const double z = t->damping, tg = t->tg_s, gamma = 0.9 + (0.05 - z) / (0.3 + 6 * z),
+                 n1 = fmax(0, 0.02 + (0.05 - z) / (4 + 32 * z)), n2 = fmax(0.55, 1 + (0.05 - z) / (0.08 + 1.6 * z));
+    const double a = period_s < 0.1       ? 0.45 + (n2 - 0.45) * period_s / 0.1
+                     : period_s <= tg     ? n2
+                     : period_s <= 5 * tg ? n2 * pow(tg / period_s, gamma)
+                                          : n2 * pow(0.2, gamma) - n1 * (period_s - 5 * tg);
+    return THUD_GRAVITY * t->alpha_max * a;
+}
+
+static double nzs1170_at(const struct thud_target *t, double period_s)
+{
+    static const struct {
+        double zero, plateau, tp_s, power, power_s, inverse, square; /* power (power_s/T)^0.75, inverse/T, square/T^2 */
+    } shape[5] = {{1, 2.35, 0.3, 1.6, 0.5, 1.05, 3.15},
+                  {1, 2.35, 0.3, 1.6, 0.5, 1.05, 3.15},
+                  {1.33, 2.93, 0.3, 2, 0.5, 1.32, 3.96},
+                  {1.12, 3, 0.56, 2.4, 0.75, 2.14, 6.42},
+                  {1.12, 3, 1, 3, 1, 3.32, 9.96}};
+    const double x = period_s,
+                 c = x < 0.1 ? shape[t->ground].zero + (shape[t->ground].plateau - shape[t->ground].zero) * x / 0.1
+                     : x <= shape[t->ground].tp_s ? shape[t->ground].plateau
+                     : x <= 1.5                   ? shape[t->ground].power * pow(shape[t->ground].power_s / x, 0.75)
+                     : x <= 3                     ? shape[t->ground].inverse / x
+                                                  : shape[t->ground].square / (x * x);
+    return THUD_GRAVITY * t->z * t->r * c;
+}
+
+/* ---- words ---- */
+
+/* A value of a code's spectrum: `key` (KEY=VALUE) or, without, the first word. Needed unless `optional`. */
+struct word {
+    const char *key;
+    enum thud_dimension dimension;
+    size_t to;
+    bool optional;
+};
+enum { WORDS = 4 };
+#define TO(member) offsetof(struct thud_target, member)
+
+static const struct code {
+    struct thud_target_code shown;
+    double (*at)(const struct thud_target *target, double period_s);
+    double longest_s; /* 0: no end */
+    bool grounds, types, damped, table;
+    struct word word[WORDS]; /* up to the first that goes nowhere */
+} codes[] = {
+    [THUD_TARGET_EN1998] = {{"en1998",
+                             "en1998:A_G,GROUND[,type2][,DAMPING], such as en1998:0.3g,B or en1998:0.2g,C,type2,8%", 3,
+                             7, "EN 1998-1 4.3.3.4.3(3)", NULL},
+                            en1998_at,
+                            0,
+                            true,
+                            true,
+                            true,
+                            false,
+                            {{NULL, THUD_ACCELERATION, TO(ag_mps2), false}}},
+    [THUD_TARGET_ASCE7] = {{"asce7",
+                            "asce7:SDS=ACCELERATION,SD1=ACCELERATION,TL=TIME, such as asce7:SDS=1.0g,SD1=0.6g,TL=8s",
+                            11, 11, "ASCE 7-16 16.2.2",
+                            "chapter 16 scales motions to the MCE_R spectrum, 1.5 times the design spectrum (11.4.7)"},
+                           asce7_at,
+                           0,
+                           false,
+                           false,
+                           false,
+                           false,
+                           {{"SDS", THUD_ACCELERATION, TO(sds_mps2), false},
+                            {"SD1", THUD_ACCELERATION, TO(sd1_mps2), false},
+                            {"TL", THUD_TIME, TO(tl_s), false}}},
+    [THUD_TARGET_ASCE7_22] =
+        {{"asce7-22", "asce7-22:TABLE.csv[,TL=TIME], the multi-period spectrum as a CSV of period and acceleration", 11,
+          11, "ASCE 7-22 16.2.2",
+          "chapter 16 scales motions to the MCE_R spectrum: the table has to be that, not two thirds of it"},
+         asce7_22_at,
+         0,
+         false,
+         false,
+         false,
+         true,
+         {{"TL", THUD_TIME, TO(tl_s), true}}},
+    [THUD_TARGET_GB50011] =
+        {{"gb50011",
+          "gb50011:AMAX=RATIO,TG=TIME[,DAMPING], such as gb50011:AMAX=0.9,TG=0.45s or gb50011:AMAX=0.16,TG=0.35s,4%", 3,
+          7, "GB 50011-2010 5.1.2", NULL},
+         gb50011_at,
+         6,
+         false,
+         false,
+         true,
+         false,
+         {{"AMAX", THUD_RATIO, TO(alpha_max), false}, {"TG", THUD_TIME, TO(tg_s), false}}},
+    [THUD_TARGET_NZS1170] = {{"nzs1170",
+                              "nzs1170:Z=FACTOR,CLASS[,R=FACTOR], such as nzs1170:Z=0.4,C or nzs1170:Z=0.13,D,R=1.8", 3,
+                              0, "NZS 1170.5 5.5.1", NULL},
+                             nzs1170_at,
+                             0,
+                             true,
+                             false,
+                             false,
+                             false,
+                             {{"Z", THUD_RATIO, TO(z), false}, {"R", THUD_RATIO, TO(r), true}}},
+    [THUD_TARGET_POINTS] = {{"", "", 3, 7, "EN 1998-1 4.3.3.4.3(3)", NULL}, .at = points_at},
+    [THUD_TARGET_NONE] = {{"", "", 3, 7, "EN 1998-1 4.3.3.4.3(3)", NULL}, .at = NULL},
+};
+
+/* The code whose name and colon a text begins with; THUD_TARGET_NONE: none. */
+static enum thud_target_kind kind_of(const char *text)
+{
+    const size_t n = strcspn(text, ":");
+    for (size_t k = 0; k < sizeof codes / sizeof *codes && text[n] == ':'; k++)
+        if (n > 0 && strlen(codes[k].shown.name) == n && strncmp(text, codes[k].shown.name, n) == 0)
+            return (enum thud_target_kind)k;
+    return THUD_TARGET_NONE;
+}
 
 bool thud_target_is_code(const char *text)
 {
-    return strncmp(text, en1998, sizeof en1998 - 1) == 0 || strncmp(text, asce7, sizeof asce7 - 1) == 0;
+    return kind_of(text) != THUD_TARGET_NONE;
+}
+
+const struct thud_target_code *thud_target_code(const struct thud_target *target)
+{
+    return &codes[target ? target->kind : THUD_TARGET_NONE].shown;
+}
+
+void thud_target_range(const struct thud_target *t, double *from_s, double *to_s)
+{
+    *from_s = t->n > 0 ? t->period_s[0] : 0;
+    *to_s = codes[t->kind].longest_s > 0 ? codes[t->kind].longest_s : INFINITY;
+    if (t->n > 0 && !(t->tl_s > 0))
+        *to_s = t->period_s[t->n - 1];
 }
 
 static enum thud_status refuse(struct thud_error *err, const char *allowed)
@@ -74,132 +270,77 @@ static enum thud_status positive(const char *text, enum thud_dimension dimension
     return status;
 }
 
-static enum thud_status parse_en1998(const char *text, struct thud_target *out, struct thud_error *err)
+/* Whether a word stands where a ground type or site class may. */
+static bool is_letter(const struct code *code, const char *text)
 {
-    static const char allowed[] =
-        "en1998:A_G,GROUND[,type2][,DAMPING], such as en1998:0.3g,B or en1998:0.2g,C,type2,8%";
-    char word[THUD_TARGET_TEXT];
-    int place = 0, type = 0, letter = -1;
-    double ag = 0;
-    for (; next_word(&text, word, sizeof word); place++) {
-        if (place == 0) {
-            if (positive(word, THUD_ACCELERATION, &ag, err) != THUD_OK)
-                return refuse(err, allowed);
-        } else if (place == 1 && word[0] >= 'A' && word[0] <= 'E' && !word[1]) {
-            letter = word[0] - 'A';
-        } else if (place > 1 && (strcmp(word, "type1") == 0 || strcmp(word, "type2") == 0)) {
-            type = word[4] == '2';
-        } else if (place > 1 && strchr(word, '%')) {
-            if (positive(word, THUD_RATIO, &out->damping, err) != THUD_OK)
-                return refuse(err, allowed);
-        } else {
-            thud_error_set(err, THUD_INPUT, "\"%.40s\" is no %s", word,
-                           place == 1 ? "ground type" : "part of the spectrum");
-            return refuse(err, place == 1 ? "A, B, C, D or E" : allowed);
-        }
-    }
-    if (letter < 0) {
-        thud_error_set(err, THUD_INPUT, "the ground type is missing");
-        return refuse(err, allowed);
-    }
-    out->plateau_mps2 = ag * ground[type][letter].s;
-    out->tb_s = ground[type][letter].tb_s;
-    out->tc_s = ground[type][letter].tc_s;
-    out->td_s = ground[type][letter].td_s;
-    out->eta = fmax(0.55, sqrt(10 / (5 + 100 * out->damping)));
-    return THUD_OK;
+    return code->grounds && text[0] && !text[1];
 }
 
-static enum thud_status parse_asce7(const char *text, struct thud_target *out, struct thud_error *err)
+/* One word of a code's spectrum, the first at place 0. */
+static enum thud_status take_word(const struct code *code, const char *text, int place, struct thud_target *out,
+                                  struct thud_error *err)
 {
-    static const char allowed[] =
-        "asce7:SDS=ACCELERATION,SD1=ACCELERATION,TL=TIME, such as asce7:SDS=1.0g,SD1=0.6g,TL=8s";
-    char word[THUD_TARGET_TEXT];
-    while (next_word(&text, word, sizeof word)) {
-        char *value = strchr(word, '=');
-        if (value)
-            *value++ = '\0';
-        double *to = strcmp(word, "SDS") == 0   ? &out->sds_mps2
-                     : strcmp(word, "SD1") == 0 ? &out->sd1_mps2
-                     : strcmp(word, "TL") == 0  ? &out->tl_s
-                                                : NULL;
-        if (!to || !value) {
-            thud_error_set(err, THUD_INPUT, "\"%.40s\" is no part of the spectrum", word);
-            return refuse(err, allowed);
-        }
-        if (positive(value, to == &out->tl_s ? THUD_TIME : THUD_ACCELERATION, to, err) != THUD_OK)
-            return refuse(err, allowed);
-    }
-    if (out->sds_mps2 > 0 && out->sd1_mps2 > 0 && out->tl_s > 0)
+    const size_t n = strcspn(text, "=");
+    for (const struct word *w = code->word; w < code->word + WORDS && w->to; w++)
+        if (w->key ? text[n] == '=' && strlen(w->key) == n && strncmp(text, w->key, n) == 0 : place == 0)
+            return positive(text + (w->key ? n + 1 : 0), w->dimension, (double *)((char *)out + w->to), err);
+    if (code->table && place == 0 && text[n] != '=') {
+        snprintf(out->file, sizeof out->file, "%s", text);
         return THUD_OK;
-    thud_error_set(err, THUD_INPUT, "SDS, SD1 or TL is missing");
-    return refuse(err, allowed);
+    }
+    if (code->grounds && text[0] >= 'A' && text[0] <= 'E' && !text[1]) {
+        out->ground = text[0] - 'A';
+        return THUD_OK;
+    }
+    if (code->types && (strcmp(text, "type1") == 0 || strcmp(text, "type2") == 0)) {
+        out->type = text[4] == '2';
+        return THUD_OK;
+    }
+    if (code->damped && strchr(text, '%'))
+        return positive(text, THUD_RATIO, &out->damping, err);
+    return thud_error_set(err, THUD_INPUT, "\"%.40s\" is no %s", text,
+                          is_letter(code, text) ? "ground type" : "part of the spectrum");
 }
 
 enum thud_status thud_target_parse(const char *text, struct thud_target *out, struct thud_error *err)
 {
-    *out = (struct thud_target){.damping = 0.05};
+    char word[THUD_TARGET_TEXT];
+    *out = (struct thud_target){.damping = 0.05, .ground = -1, .r = 1};
     if (strlen(text) >= sizeof out->text) {
         thud_error_set(err, THUD_INPUT, "the target's text is too long");
         return refuse(err, "a spectrum such as en1998:0.3g,B");
     }
     snprintf(out->text, sizeof out->text, "%s", text);
-    out->kind = strncmp(text, asce7, sizeof asce7 - 1) == 0 ? THUD_TARGET_ASCE7 : THUD_TARGET_EN1998;
-    if (!thud_target_is_code(text)) {
+    out->kind = kind_of(text);
+    const struct code *code = &codes[out->kind];
+    if (out->kind == THUD_TARGET_NONE) {
         thud_error_set(err, THUD_INPUT, "\"%.60s\" is no spectrum", text);
-        return refuse(err, "en1998:0.3g,B, asce7:SDS=1.0g,SD1=0.6g,TL=8s, or a CSV of period and acceleration");
+        return refuse(err, THUD_TARGET_ALLOWED);
     }
-    return out->kind == THUD_TARGET_ASCE7 ? parse_asce7(text + sizeof asce7 - 1, out, err)
-                                          : parse_en1998(text + sizeof en1998 - 1, out, err);
-}
-
-static double en1998_at(const struct thud_target *t, double period_s)
-{
-    double top = 2.5 * t->eta * t->plateau_mps2;
-    if (period_s < t->tb_s)
-        return t->plateau_mps2 * (1 + period_s / t->tb_s * (2.5 * t->eta - 1));
-    if (period_s <= t->tc_s)
-        return top;
-    return period_s <= t->td_s ? top * t->tc_s / period_s : top * t->tc_s * t->td_s / (period_s * period_s);
-}
-
-static double asce7_at(const struct thud_target *t, double period_s)
-{
-    double ts = t->sd1_mps2 / t->sds_mps2 /* of accelerations at 1 s */, t0 = 0.2 * ts;
-    if (period_s < t0)
-        return t->sds_mps2 * (0.4 + 0.6 * period_s / t0);
-    if (period_s <= ts)
-        return t->sds_mps2;
-    return period_s <= t->tl_s ? t->sd1_mps2 / period_s : t->sd1_mps2 * t->tl_s / (period_s * period_s);
-}
-
-static double points_at(const struct thud_target *t, double period_s)
-{
-    for (int i = 0; i < t->n; i++)
-        if (t->period_s[i] == period_s)
-            return t->sa_mps2[i];
-    for (int i = 0; i + 1 < t->n; i++)
-        if (period_s > t->period_s[i] && period_s < t->period_s[i + 1]) {
-            const double *p = t->period_s + i, *a = t->sa_mps2 + i;
-            double x = p[0] > 0 ? log(period_s / p[0]) / log(p[1] / p[0]) : period_s / p[1];
-            return p[0] > 0 ? a[0] * pow(a[1] / a[0], x) : a[0] + x * (a[1] - a[0]);
-        }
-    return NAN;
+    const char *at = text + strlen(code->shown.name) + 1;
+    for (int place = 0; next_word(&at, word, sizeof word); place++)
+        if (take_word(code, word, place, out, err) != THUD_OK)
+            return refuse(err, is_letter(code, word) ? "A, B, C, D or E" : code->shown.allowed);
+    const char *missing = code->grounds && out->ground < 0 ? "ground" : code->table && !out->file[0] ? "table" : NULL;
+    for (const struct word *w = code->word; w < code->word + WORDS && w->to && !missing; w++)
+        if (!w->optional && !(*(double *)((char *)out + w->to) > 0))
+            missing = w->key ? w->key : "acceleration";
+    if (missing) {
+        thud_error_set(err, THUD_INPUT, "the %s is missing", missing);
+        return refuse(err, code->shown.allowed);
+    }
+    if (out->kind == THUD_TARGET_ASCE7 && out->tl_s < out->sd1_mps2 / out->sds_mps2) {
+        thud_error_set(err, THUD_INPUT, "TL, %.4g s, is below TS = SD1/SDS, %.4g s", out->tl_s,
+                       out->sd1_mps2 / out->sds_mps2);
+        return refuse(err, "TL of TS or more");
+    }
+    return THUD_OK;
 }
 
 double thud_target_sa(const struct thud_target *target, double period_s)
 {
-    switch (target->kind) {
-    case THUD_TARGET_EN1998:
-        return en1998_at(target, period_s);
-    case THUD_TARGET_ASCE7:
-        return asce7_at(target, period_s);
-    case THUD_TARGET_POINTS:
-        return points_at(target, period_s);
-    case THUD_TARGET_NONE:
-        break;
-    }
-    return NAN;
+    const struct code *code = &codes[target->kind];
+    return !code->at || (code->longest_s > 0 && period_s > code->longest_s) ? NAN : code->at(target, period_s);
 }
 
 void thud_target_periods(double from_s, double to_s, size_t count, double *period_s)

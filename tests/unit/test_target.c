@@ -42,6 +42,58 @@ START_TEST(spectra_by_hand)
     by_hand("asce7:SDS=1.0g,SD1=0.6g,TL=8s", 5,
             (const double[][2]){{0, 0.4}, {0.06, 0.7}, {0.6, 1}, {1.2, 0.5}, {10, 0.6 * 8 / 100}});
     by_hand("asce7:TL=4s,SD1=1.96133m/s2,SDS=4.903325 m/s2", 2, (const double[][2]){{0.3, 0.5}, {1, 0.2}});
+    /* alpha_max 0.9, Tg 0.45 s; 5 %: gamma 0.9, eta1 0.02, eta2 1 */
+    by_hand("gb50011:AMAX=0.9,TG=0.45s", 5,
+            (const double[][2]){{0, 0.405},
+                                {0.05, 0.9 * 0.725},
+                                {0.3, 0.9},
+                                {0.9, 0.9 * pow(0.5, 0.9)},
+                                {3.25, 0.9 * (pow(0.2, 0.9) - 0.02)}});
+    /* 10 %: gamma 0.9 - 0.05/0.9, eta1 0.02 - 0.05/7.2, eta2 1 - 0.05/0.24 */
+    by_hand("gb50011:AMAX=0.16,TG=0.35s,10%", 2,
+            (const double[][2]){{0.7, 0.16 * (1 - 0.05 / 0.24) * pow(0.5, 0.9 - 0.05 / 0.9)},
+                                {2.75, 0.16 * ((1 - 0.05 / 0.24) * pow(0.2, 0.9 - 0.05 / 0.9) - (0.02 - 0.05 / 7.2))}});
+    ck_assert(isnan(thud_target_sa(&target, 6.5)));
+    /* the rounded values of table 3.1 of NZS 1170.5, classes B, C, D and E */
+    static const double period[4] = {0.5, 1, 2, 4}, at_zero[4] = {1, 1.33, 1.12, 1.12};
+    static const double table[4][4] = {
+        {1.60, 0.95, 0.53, 0.20}, {2.00, 1.19, 0.66, 0.25}, {3.00, 1.93, 1.07, 0.40}, {3.00, 3.00, 1.66, 0.62}};
+    for (int c = 0; c < 4; c++) {
+        char text[40];
+        snprintf(text, sizeof text, "nzs1170:Z=0.4,%c,R=1.3", 'B' + c);
+        ck_assert_int_eq(thud_target_parse(text, &target, &error), THUD_OK);
+        for (int i = 0; i < 4; i++)
+            ck_assert_double_eq_tol(thud_target_sa(&target, period[i]) / (0.52 * g), table[c][i], 0.006);
+        ck_assert_double_eq_tol(thud_target_sa(&target, 0) / (0.52 * g), at_zero[c], 1e-12);
+    }
+}
+END_TEST
+
+/* Straight lines between the points, then Sa_n T_n/T up to TL and TL/T of that. */
+START_TEST(multi_period_spectrum)
+{
+    ck_assert_int_eq(thud_target_parse("asce7-22:mine.csv, TL=12s", &target, &error), THUD_OK);
+    ck_assert_str_eq(target.file, "mine.csv");
+    target.n = 3;
+    for (int i = 0; i < 3; i++) {
+        target.period_s[i] = (const double[]){0, 0.2, 10}[i];
+        target.sa_mps2[i] = (const double[]){4, 10, 0.5}[i];
+    }
+    ck_assert_double_eq_tol(thud_target_sa(&target, 0.05), 5.5, 1e-12);
+    ck_assert_double_eq_tol(thud_target_sa(&target, 5.1), 5.25, 1e-12);
+    ck_assert_double_eq_tol(thud_target_sa(&target, 11), 5 / 11.0, 1e-12);
+    ck_assert_double_eq_tol(thud_target_sa(&target, 24), 5 / 24.0 * 0.5, 1e-12);
+    target.tl_s = 0;
+    ck_assert(isnan(thud_target_sa(&target, 11)));
+}
+END_TEST
+
+/* The numbers of motions are those of the target's own code. */
+START_TEST(numbers_of_the_code)
+{
+    ck_assert_int_eq(thud_target_code(NULL)->mean, 7);
+    ck_assert_int_eq(thud_target_parse("asce7:SDS=1g,SD1=0.6g,TL=8s", &target, &error), THUD_OK);
+    ck_assert(thud_target_code(&target)->least == 11 && strstr(thud_target_code(&target)->remark, "MCE_R"));
 }
 END_TEST
 
@@ -57,6 +109,13 @@ START_TEST(no_spectra)
                                        "asce7:SDS=1,SD1=1,TL=8s",
                                        "asce7:SDS=1g,SD1=0.6g,TL=8",
                                        "asce7:SDS=1g,SD1=0.6g,TX=8s",
+                                       "asce7:SDS=1g,SD1=0.6g,TL=0.5s",
+                                       "asce7-22:TL=8s",
+                                       "gb50011:AMAX=0.9",
+                                       "gb50011:AMAX=0.9,TG=0.4",
+                                       "nzs1170:C",
+                                       "nzs1170:Z=0.4",
+                                       "nzs1170:Z=0.4,G",
                                        "",
                                        "eurocode"};
     for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
@@ -85,7 +144,7 @@ static struct thud_record *motion(unsigned seed, double scale, const char *event
     return record;
 }
 
-enum { MOTIONS = 3 };
+enum { MOTIONS = 3, DENSE = 12 * (THUD_TARGET_PERIODS - 1) + 1 };
 
 /* Factors and means computed here from thud_spectrum_at, without the functions under test. */
 START_TEST(three_motions_by_hand)
@@ -93,7 +152,7 @@ START_TEST(three_motions_by_hand)
     struct thud_record *record[MOTIONS];
     struct thud_scaling scaling;
     struct thud_scaled_suite suite;
-    double factor[MOTIONS], mean[THUD_TARGET_PERIODS] = {0}, peak = 0, need = 0;
+    double factor[MOTIONS], mean[DENSE] = {0}, peak = 0, need = 0;
     bool common = _i == 1;
     for (int i = 0; i < MOTIONS; i++)
         record[i] = motion((unsigned)i + 1, 4.0 + 2 * i, "", "");
@@ -115,8 +174,8 @@ START_TEST(three_motions_by_hand)
         factor[i] = common ? 1 : exp(sum / THUD_TARGET_PERIODS);
         peak += factor[i] * thud_record_peak(record[i]) / MOTIONS;
     }
-    for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
-        double period = 0.1 * pow(10, p / (THUD_TARGET_PERIODS - 1.0)), w = 2 * acos(-1) / period;
+    for (int p = 0; p < DENSE; p++) {
+        double period = 0.1 * pow(10, p / (DENSE - 1.0)), w = 2 * acos(-1) / period;
         for (int i = 0; i < MOTIONS; i++)
             mean[p] += factor[i] * w * w * thud_spectrum_at(record[i], period, 0.05).displacement_m / MOTIONS;
         need = fmax(need, 0.9 * thud_target_sa(&target, period) / mean[p]);
@@ -127,7 +186,7 @@ START_TEST(three_motions_by_hand)
     ck_assert_int_eq(suite.chosen, MOTIONS);
     for (int i = 0; i < MOTIONS; i++)
         ck_assert_double_eq_tol(suite.motion[i].factor, factor[i] * need, 1e-9 * factor[i] * need);
-    /* the rule: nowhere below 90 %, and the peak not below a_g S */
+    /* the rule: nowhere below 90 %, between the periods of the factors either, and the peak not below a_g S */
     ck_assert(suite.ratio >= 0.9 - 1e-9 && suite.mean_peak_mps2 >= 0.2 * g * 1.15 * (1 - 1e-9));
     thud_scaled_suite_clear(&suite);
     for (int i = 0; i < MOTIONS; i++)
@@ -271,6 +330,8 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("target");
     TCase *tcase = tcase_create("target");
     tcase_add_test(tcase, spectra_by_hand);
+    tcase_add_test(tcase, multi_period_spectrum);
+    tcase_add_test(tcase, numbers_of_the_code);
     tcase_add_test(tcase, no_spectra);
     tcase_add_loop_test(tcase, three_motions_by_hand, 0, 2);
     tcase_add_test(tcase, what_may_be_chosen);

@@ -145,7 +145,7 @@ static const struct thud_option options[] = {
     {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
     {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
     {"patience", "TIME", "pass over what takes longer, default 12 s", THUD_WORD_TEXT, false, BENCH},
-    {"target", "SPECTRUM", "en1998:0.3g,B, asce7:SDS=1g,SD1=0.6g,TL=8s, or a CSV", THUD_WORD_TEXT, false, SUITE},
+    {"target", "SPECTRUM", "of a code, such as en1998:0.3g,B, or a CSV", THUD_WORD_TEXT, false, SUITE},
     {"count", "N", "motions to select, default all that may be", THUD_WORD_TEXT, false, SUITE},
     {"scale", "each|common", "each to its least misfit, or all by one factor", THUD_WORD_CHOICE, false, SUITE},
     {"range", "FROM:TO", "periods that count, default 0.2 to 2 first ones", THUD_WORD_TEXT, false, SUITE},

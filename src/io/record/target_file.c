@@ -67,8 +67,6 @@ static enum thud_status read_file(const char *path, struct thud_target *out, str
     enum csv_what what = CSV_COMMENT;
     char *text = NULL;
     double factor[2] = {1, 1};
-    *out = (struct thud_target){.kind = THUD_TARGET_POINTS, .damping = 0.05};
-    snprintf(out->text, sizeof out->text, "%.150s", path);
     enum thud_status status = thud_text_read(path, BYTES_MAX, &text, err);
     if (status != THUD_OK)
         return status;
@@ -95,6 +93,11 @@ static enum thud_status read_file(const char *path, struct thud_target *out, str
 enum thud_status thud_target_read(const char *text, struct thud_target *out, struct thud_error *err)
 {
     const char *dot = strrchr(text, '.');
-    bool file = !thud_target_is_code(text) && dot && strcmp(dot, ".csv") == 0;
-    return file ? read_file(text, out, err) : thud_target_parse(text, out, err);
+    if (thud_target_is_code(text) || !dot || strcmp(dot, ".csv") != 0) {
+        enum thud_status status = thud_target_parse(text, out, err);
+        return status == THUD_OK && out->file[0] ? read_file(out->file, out, err) : status;
+    }
+    *out = (struct thud_target){.kind = THUD_TARGET_POINTS, .damping = 0.05};
+    snprintf(out->text, sizeof out->text, "%.150s", text);
+    return read_file(text, out, err);
 }

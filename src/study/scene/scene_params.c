@@ -1,6 +1,7 @@
 /* The tables of everything a preset may say, but for the laws' own parameters. */
 #include <math.h>
 
+#include "ground/target.h"
 #include "study/scene/scene_slot.h"
 
 /* clang-format off */
@@ -56,7 +57,7 @@ static const struct thud_param record_params[] = {
     {NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
             THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
     {NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
-    WORD("target", "target spectrum", "Scales the motion to a design spectrum over 0.2 to 2 times the buildings' first periods, in place of a peak: en1998:0.3g,B, asce7:SDS=1g,SD1=0.6g,TL=8s, or a CSV."),
+    WORD("target", "target spectrum", "Scales the motion to a design spectrum over 0.2 to 2 times the buildings' first periods, in place of a peak: " THUD_TARGET_ALLOWED "."),
     CHOICE("sign", "sign", "-: the motion with reversed polarity; in a preset as \"-\".", signs, 0),
     {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
     {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},

@@ -37,9 +37,11 @@ static enum thud_status set_range(const struct thud_record *const *record, int n
     double from = s->from_s, to = s->to_s;
     for (int i = 0; i < n; i++)
         from = fmax(from, samples_per_period * record[i]->dt_s);
-    if (target && target->n > 0) {
-        from = fmax(from, target->period_s[0]);
-        to = fmin(to, target->period_s[target->n - 1]);
+    if (target) {
+        double first, last;
+        thud_target_range(target, &first, &last);
+        from = fmax(from, first);
+        to = fmin(to, last);
     }
     if (!(from > 0) || !(to > from))
         return thud_error_refuse(err, THUD_INPUT, NULL, "a range that begins at four samples or more, from < to",
@@ -107,8 +109,50 @@ static void choose(const struct thud_record *const *record, struct thud_scaled_s
     }
 }
 
+/* Mean Sa of the chosen motions at a period, each by its own factor. */
+static double mean_at(const struct thud_record *const *record, const struct thud_scaled_suite *suite, double period_s)
+{
+    double mean = 0, sa;
+    for (int i = 0; i < suite->n; i++)
+        if (suite->motion[i].chosen) {
+            thud_target_motion(record[i], suite->damping, &period_s, 1, &sa);
+            mean += suite->motion[i].factor * sa / suite->chosen;
+        }
+    return mean;
+}
+
+/* The least ratio of mean and target, at suite->ratio_s. The periods that count are 5 % and more apart, the half-power
+ * bandwidth of 5 % damping is 10 %: between two of them a ratio is looked for where both lie within a quarter of the
+ * least. */
+static void find_least(const struct thud_record *const *record, const struct thud_target *target,
+                       struct thud_scaled_suite *suite)
+{
+    enum { BETWEEN = 12 };
+    double at[THUD_TARGET_PERIODS];
+    suite->ratio = INFINITY;
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
+        at[p] = target ? suite->mean_mps2[p] / suite->target_mps2[p] : NAN;
+        if (at[p] < suite->ratio) {
+            suite->ratio = at[p];
+            suite->ratio_s = suite->period_s[p];
+        }
+    }
+    const double near = 1.25 * suite->ratio;
+    for (int p = 0; p + 1 < THUD_TARGET_PERIODS; p++)
+        for (int k = 1; k < BETWEEN && fmin(at[p], at[p + 1]) <= near; k++) {
+            const double period =
+                suite->period_s[p] * pow(suite->period_s[p + 1] / suite->period_s[p], (double)k / BETWEEN);
+            const double ratio = mean_at(record, suite, period) / thud_target_sa(target, period);
+            if (ratio < suite->ratio) {
+                suite->ratio = ratio;
+                suite->ratio_s = period;
+            }
+        }
+}
+
 /* The factor of all, and the mean that comes of it. */
-static void scale_all(struct thud_scaled_suite *suite, const struct thud_target *target, bool common)
+static void scale_all(const struct thud_record *const *record, struct thud_scaled_suite *suite,
+                      const struct thud_target *target, bool common)
 {
     double count = suite->chosen, peak = 0, need = 0;
     for (int p = 0; p < THUD_TARGET_PERIODS; p++)
@@ -120,22 +164,17 @@ static void scale_all(struct thud_scaled_suite *suite, const struct thud_target 
             suite->mean_mps2[p] += m->factor * m->sa_mps2[p] / count;
         peak += m->chosen ? m->factor * m->peak_mps2 / count : 0;
     }
-    for (int p = 0; p < THUD_TARGET_PERIODS && target; p++)
-        need = fmax(need, least_share * suite->target_mps2[p] / suite->mean_mps2[p]);
+    find_least(record, target, suite);
+    if (target)
+        need = least_share / suite->ratio;
     suite->zero_mps2 = target ? thud_target_sa(target, 0) : NAN;
     if (target && suite->zero_mps2 > 0)
         need = fmax(need, suite->zero_mps2 / peak);
     suite->common = !target ? 1 : common ? need : fmax(1, need);
     suite->mean_peak_mps2 = suite->common * peak;
-    suite->ratio = INFINITY;
-    for (int p = 0; p < THUD_TARGET_PERIODS; p++) {
+    suite->ratio *= suite->common;
+    for (int p = 0; p < THUD_TARGET_PERIODS; p++)
         suite->mean_mps2[p] *= suite->common;
-        double ratio = target ? suite->mean_mps2[p] / suite->target_mps2[p] : NAN;
-        if (ratio < suite->ratio) {
-            suite->ratio = ratio;
-            suite->ratio_s = suite->period_s[p];
-        }
-    }
     for (int i = 0; i < suite->n; i++)
         suite->motion[i].factor *= suite->common;
 }
@@ -168,7 +207,7 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
         status =
             thud_error_set(err, THUD_INPUT, "no motion can be taken: %s", n > 0 ? out->motion[0].why : "there is none");
     if (status == THUD_OK)
-        scale_all(out, target, scaling->common);
+        scale_all(record, out, target, scaling->common);
     else
         thud_scaled_suite_clear(out);
     return status;
