@@ -99,6 +99,38 @@ START_TEST(an_offset_that_grows)
 }
 END_TEST
 
+/* A thin face that rises past slabs of 30 cm, millimetre by millimetre, from above the neighbour's ground to its top, meets
+ * the nearest floor or strikes columns, one at a time, whichever side it comes from. */
+START_TEST(nothing_passes_between_faces_and_columns)
+{
+    static struct thud_scene scene;
+    struct thud_contact_pair contact_pair[THUD_CONTACT_PAIRS_MAX];
+    const double depth_m = (const double[]){0, 0.5e-2, 1.5e-2, 2.5e-2}[_i];
+    for (int mm = 12; mm <= 12000; mm++) {
+        const double middle_m = 1e-3 * mm;
+        for (int side = 0; side < 2; side++) {
+            neighbours(&scene, 0, 0.3);
+            building(&scene.structure[side], "A", 4, 3, 0.3, 0);
+            building(&scene.structure[1 - side], "B", 1, middle_m + 0.5 * depth_m, depth_m, 0);
+            const int n = thud_interface_contact_pairs(&scene, 0, contact_pair);
+            const struct thud_contact_pair *one = NULL, *thin = NULL;
+            for (int i = 0; i < n; i++) /* those in which the thin slab is a face */
+                if (contact_pair[i].struck == 0 || contact_pair[i].struck == (side == 0 ? -1 : 1)) {
+                    ck_assert_ptr_null(thin);
+                    thin = &contact_pair[i];
+                }
+            one = thin;
+            ck_assert_msg(one, "nothing at %g m, depth %g m", middle_m, depth_m);
+            const int floor = side == 0 ? one->left_floor : one->right_floor, storey = (mm + 10) / 3000 + 1;
+            if (one->struck == 0) /* within 1 cm of the floor's face, or overlapping it */
+                ck_assert_double_lt(fabs(middle_m - (3 * floor - 0.15)), 0.15 + 0.5 * depth_m + 0.0101);
+            else
+                ck_assert_int_eq(floor, storey);
+        }
+    }
+}
+END_TEST
+
 /* The rule of slabs without depth: levels within 1 cm meet, any other slab between two floors strikes columns there. */
 START_TEST(without_depth)
 {
@@ -327,6 +359,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("slab_depth");
     TCase *tcase = tcase_create("slab_depth");
     tcase_add_loop_test(tcase, an_offset_that_grows, 0, 61);
+    tcase_add_loop_test(tcase, nothing_passes_between_faces_and_columns, 0, 4);
     tcase_add_loop_test(tcase, without_depth, 0, 200);
     tcase_add_loop_test(tcase, random_depths_and_the_mirror, 0, 200);
     tcase_add_test(tcase, walls_and_bodies);

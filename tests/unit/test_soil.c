@@ -3,11 +3,13 @@
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/quantity.h"
 #include "march.h"
 #include "study/scene/building.h"
+#include "study/scene/level.h"
 #include "study/scene/solution.h"
 #include "suite.h"
 #include "towers.h"
@@ -319,6 +321,48 @@ START_TEST(soil_stores_the_rest)
 }
 END_TEST
 
+/* A building that sways by u and turns by t as one body moves what strikes its columns at the height z over its foundation
+ * by u + z t, however deep its slabs are. */
+START_TEST(struck_columns_turn_with_the_building)
+{
+    static const char *const depth[] = {"0 cm", "30 cm", "150 cm"};
+    const double u = 0.03, t = 0.002;
+    thud_test_towers(&scene);
+    give_soil();
+    set("structures.1.slab-depth", depth[_i]);
+    set("structures.2.slab-depth", depth[_i]);
+    set("structures.2.base", "1.5 m");
+    set("structures.1.height.2", "3.4 m");
+    struct thud_model *m = assembled();
+    double *q = calloc((size_t)m->nmodes, sizeof *q);
+    int struck = 0;
+    for (int c = 0; c < m->ncontacts; c++) {
+        const struct thud_model_contact *at = &m->contact[c];
+        if (at->struck == 0)
+            continue;
+        const int own = at->struck > 0, other = 1 - own, floor = own ? at->left_floor : at->right_floor;
+        const struct thud_structure *slab = &scene.structure[other];
+        const double z = thud_structure_elevation(slab, floor - 1) - 0.5 * thud_structure_depth(slab, floor - 1) -
+                         scene.structure[own].base_m;
+        const struct thud_model_structure *p = &m->structure[own];
+        memset(q, 0, (size_t)m->nmodes * sizeof *q);
+        for (int i = 0; i < p->dofs; i++) { /* q = Phi' M x */
+            const double x =
+                i < p->n    ? u + t * (thud_structure_elevation(&scene.structure[own], i) - scene.structure[own].base_m)
+                : i == p->n ? u
+                            : t * p->arm_m;
+            for (int j = 0; j < p->modes; j++)
+                q[p->first_mode + j] += p->phi[i * p->modes + j] * m->mass_kg[p->first + i] * x;
+        }
+        ck_assert_double_eq_tol(thud_model_gap_sum(m, c, q), (own ? -1 : 1) * (u + z * t), 1e-9);
+        struck++;
+    }
+    ck_assert_int_ge(struck, 2);
+    free(q);
+    thud_model_free(m);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("soil");
@@ -332,6 +376,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, refusals, 0, 5);
     tcase_add_test(tcase, falls_on_soft_ground);
     tcase_add_test(tcase, soil_stores_the_rest);
+    tcase_add_loop_test(tcase, struck_columns_turn_with_the_building, 0, 3);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);
     return suite;

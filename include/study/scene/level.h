@@ -30,7 +30,7 @@ struct thud_contact_pair {
 enum { THUD_CONTACT_PAIRS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 
 /* Of the interface (from 0), from below: how many, into out (THUD_CONTACT_PAIRS_MAX). Floors whose faces overlap, or whose
- * levels are within 1 cm of each other, meet. Any other floor whose face's middle lies in the clear height of a storey
+ * levels are within 1 cm of each other, or the middle of one within 1 cm of the other's face, meet. Any other floor whose face's middle lies in the clear height of a storey
  * of the neighbour strikes the columns there. What stands above the neighbour's top floor, below its ground, or within
  * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
 int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out);

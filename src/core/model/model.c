@@ -351,12 +351,10 @@ static int dof_below(const struct thud_model_structure *p, int dof)
     return dof > p->first ? dof - 1 : p->rise ? p->first + p->n : -1;
 }
 
-/* The rotation of the foundation, where there is one, moves the side too, by so much. */
+/* The rotation of the foundation moves the side too, by so much. */
 static void tilt_side(const struct thud_model *m, struct thud_model_side *side, double by_tilt, double *row)
 {
     const struct thud_model_structure *p = &m->structure[side->structure];
-    if (!p->rise)
-        return;
     side->tilt = p->first + p->n + 1;
     side->by_tilt = by_tilt; /* of r = H t */
     for (int j = 0; j < side->modes; j++)
@@ -364,7 +362,8 @@ static void tilt_side(const struct thud_model *m, struct thud_model_side *side, 
 }
 
 /* The place that is struck, eta of the length over the lower floor, moves with the floors above and below, h of the one
- * and 1 - h of the other; its ends turn with the foundation, by which it lies on the line between them. */
+ * and 1 - h of the other. A turn t of the foundation alone moves these by z_lower t and (z_lower + h_i) t, h_i from level
+ * to level, and the place, a over the lower floor, by (z_lower + a) t: the difference is (a - h h_i) t. */
 static struct thud_model_side column_side(const struct thud_model *m, struct thud_arena *arena, int dof,
                                           const struct thud_struck_input *struck, double h)
 {
@@ -374,7 +373,9 @@ static struct thud_model_side column_side(const struct thud_model *m, struct thu
     side.share = h;
     for (int j = 0; j < side.modes; j++)
         row[j] = h * side.row[j] + (side.below < 0 ? 0 : (1 - h) * floor_row(m, side.below)[j]);
-    tilt_side(m, &side, (struck->a_m - h * (struck->a_m + struck->b_m)) / m->structure[side.structure].arm_m, row);
+    const struct thud_model_structure *of = &m->structure[side.structure];
+    if (of->rise)
+        tilt_side(m, &side, struck->a_m / of->arm_m - h * of->rise[dof - of->first], row);
     side.row = row;
     return side;
 }

@@ -83,10 +83,19 @@ static void fill(struct row *row, const struct thud_structure *s)
     }
 }
 
-/* Whether faces that cover [z - depth, z] overlap; levels within 1 cm are one, also of slabs without depth. */
+/* Whether the middle of face a lies on face b, or within 1 cm of it: there it strikes no columns. */
+static bool middle_on_face(double a, double a_depth, double b, double b_depth)
+{
+    const double middle = a - 0.5 * a_depth;
+    return middle <= b + same_level_m && middle >= b - b_depth - same_level_m;
+}
+
+/* Whether faces that cover [z - depth, z] overlap; those meet too whose levels are within 1 cm, or one's middle of the
+ * other, so that no slab passes between a neighbour's face and the columns beside it. */
 static bool faces_meet(double a, double a_depth, double b, double b_depth)
 {
-    return fabs(a - b) <= same_level_m || (a - a_depth < b - rounding_m && b - b_depth < a - rounding_m);
+    return fabs(a - b) <= same_level_m || (a - a_depth < b - rounding_m && b - b_depth < a - rounding_m) ||
+           middle_on_face(a, a_depth, b, b_depth) || middle_on_face(b, b_depth, a, a_depth);
 }
 
 /* Whether what covers [level - depth, level] strikes columns of the building at its middle, and which: the floor above
