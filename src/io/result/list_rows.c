@@ -152,10 +152,12 @@ const struct thud_schema thud_published_schema =
 #define VALUE(member, text) THUD_FIELD(struct thud_published_row, member, #member, text)
 static const struct thud_column values[] = {VALUE(quantity, "What it is."),
                                             VALUE(unit, "Its unit."),
-                                            VALUE(published, "As printed."),
+                                            VALUE(published, "As printed; of a check what is expected."),
                                             VALUE(computed, "By thud."),
                                             VALUE(difference, "Relative; absolute where 0 is printed."),
                                             VALUE(tolerance, "Allowed difference."),
+                                            VALUE(check, "Whether it is an identity or a cross-check, not a "
+                                                         "published value."),
                                             VALUE(holds, "Whether it is within.")};
 const struct thud_schema thud_published_value_schema = THUD_SCHEMA(
     "verify --published of each value", "A row for each number; with\n.Fl -json\nthe list\n.Va values .\n", values);
