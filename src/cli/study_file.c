@@ -123,6 +123,8 @@ static enum thud_status begin(const struct thud_args *args, const char *group, c
     untitled->document = (struct thud_title_block){0};
     thud_scene_json(untitled, NULL, 0, &text);
     free(untitled);
+    for (int s = 0; s < scene->nstructures; s++)
+        thud_text_append(&text, "%s", scene->structure[s].file_sha256);
     if (!text.failed)
         out->scene = out->asked = thud_hash(THUD_HASH_START, text.data, text.size);
     snprintf(out->what, sizeof out->what, "%s of %.60s", thud_command_at(args->command)->name, scene->name);

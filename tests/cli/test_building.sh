@@ -25,6 +25,14 @@ is "no unit" gives 3 building import "$tmp/bare.csv"
 is "is asked for" says "bare.csv:1: the unit of the matrix is not said (in the header, (kN/m), or unit: kN/m"
 is "and given" gives 0 building import "$tmp/bare.csv" --set unit=MN/m
 
+printf 'kN/m\nnan,-350000\n-350000,350000\n' >"$tmp/nan.csv"
+is "no number in the first cell" gives 3 building import "$tmp/nan.csv"
+is "is told in its place" says 'nan.csv:2:1: "nan" is not a number'
+printf 'Story;S1;S2\n;kN/m;kN/m\nS1;700000;-350000\nS2;-350000;350000\n' >"$tmp/semi.csv"
+is "a row of units that begins with the separator" gives 0 building import "$tmp/semi.csv"
+tr ';' ',' <"$tmp/semi.csv" >"$tmp/comma.csv"
+cp "$tmp/out" "$tmp/semi" && run building import "$tmp/comma.csv"
+is "is one with semicolons too" [ "$(tail -n +2 "$tmp/out")" = "$(tail -n +2 "$tmp/semi")" ]
 is "the shipped scene" gives 0 run frame-beside-wall --json
 is "has storey shears" [ "$(grep -c '"storey_shear_n"' "$tmp/out")" -eq 12 ]
 cp "$tmp/out" "$tmp/first"
@@ -41,6 +49,11 @@ cp "$frame" "$wall" "$tmp"
 sed -i 's/-349473.602,537/-349400,537/' "$tmp/frame-beside-wall.frame.csv"
 is "a preset beside its files" gives 3 run "$tmp/own.yaml"
 is "says which file is wrong, and where" says 'frame-beside-wall.frame.csv:4:8: structures.1.stiffness-matrix: not symmetric'
+tac "$wall" | sed 's/^/M,/; /Case/d; /sec/d' | awk -F, -v OFS=, '{ print $2, $3, $4, $10, $9, $8, $7, $6, $5 }' | sed '1i Case,Mode,Period (s),a,b,c,d,e,f' >"$tmp/frame-beside-wall.wall.csv"
+cp "$frame" "$tmp"
+is "floors from the roof down" gives 3 run "$tmp/own.yaml"
+is "are told with one key" says 'wall.csv:[0-9:]* structures.2.order: the floors seem to stand from the roof down'
+cp "$wall" "$tmp"
 rm "$tmp/frame-beside-wall.frame.csv"
 sed -i 's/frame-beside-wall.frame/none/' "$tmp/own.yaml"
 is "a file that is not there" gives 3 run "$tmp/own.yaml"

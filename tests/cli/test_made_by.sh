@@ -56,6 +56,26 @@ mv "$tmp/changed.yaml" "$tmp/own.yaml"
 is "of the same name, changed" gives 3 gap "$tmp/own.yaml" --record kobe-surrogate.csv -o "$tmp/g"
 is "is told so" says "the same with other values in scene or motion"
 
+# a building that is read from a file is another one where the file is
+mkdir "$tmp/read" && cp presets/frame-beside-wall.* "$tmp/read"
+read_run() { run run "$tmp/read/frame-beside-wall.yaml" --to 5s --no-figures --quiet -o "$tmp/f"; }
+read_run
+is "a building by its matrix" [ "$code" -eq 0 ]
+sum() { sha256sum <"$tmp/read/frame-beside-wall.$1.csv" | cut -d ' ' -f 1; }
+is "is told by the SHA-256 of its file" grep -q "\"stiffness-matrix\": \"frame-beside-wall.frame.csv\".*\"sha256\": \"$(sum frame)\"" "$tmp/f/result.json"
+is "and one by its modes" grep -q "\"periods\": \"frame-beside-wall.wall.csv\".*\"sha256\": \"$(sum wall)\"" "$tmp/f/result.json"
+is "the scene as typed stays a preset" gives 0 run "$tmp/read/frame-beside-wall.yaml" --to 5s --quiet --case none
+cp "$tmp/f/result.json" "$tmp/first.json"
+sed 's/0.834799453/0.834799454/' "$tmp/read/frame-beside-wall.wall.csv" >"$tmp/other.csv"
+is "(with another period)" [ "$(cmp "$tmp/other.csv" "$tmp/read/frame-beside-wall.wall.csv" | wc -l)" -eq 1 ]
+mv "$tmp/other.csv" "$tmp/read/frame-beside-wall.wall.csv"
+for command in "run --to 5s" "gap --to 5s" "uncertainty --samples 2 --to 5s" "report --samples 0 --to 5s" "sweep --vary gap=5cm,6cm --to 5s"; do
+    # shellcheck disable=SC2086 # several words
+    is "thud ${command%% *} of the changed file" gives 3 ${command%% *} "$tmp/read/frame-beside-wall.yaml" ${command#* } --quiet -o "$tmp/f"
+    is "is refused in its folder" says "holds the results of another scene or study: run of frame-beside-wall"
+done
+is "whose result stays" cmp "$tmp/first.json" "$tmp/f/result.json"
+
 # a list that was tampered with reaches nothing outside of the folder
 echo precious >"$tmp/precious"
 sed 's,^file needed-gaps.csv,file ../precious,' "$tmp/g/made-by.txt" >"$tmp/list" && cp "$tmp/list" "$tmp/g/made-by.txt"

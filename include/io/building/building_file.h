@@ -24,8 +24,9 @@ struct thud_building_table {
     double *value; /* (rows x floors), of periods (rows x (1 + floors)); free with thud_building_table_clear */
     char unit[32]; /* as the file has it, or was said */
     double asymmetry;
-    int row, column; /* the elements that differ most, from 0 */
-    bool reversed;   /* the file begins with the roof */
+    int row, column;               /* the elements that differ most, from 0 */
+    bool reversed;                 /* the file begins with the roof */
+    char sha256[THUD_SHA256_TEXT]; /* of the file */
 };
 
 /* Errors: THUD_INPUT with file, line and column; THUD_MEMORY. */

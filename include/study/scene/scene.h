@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/param.h"
+#include "base/sha256.h"
 #include "base/status.h"
 #include "core/laws/law.h"
 
@@ -95,9 +96,12 @@ struct thud_structure {
     double period_factor;     /* multiplies all periods, also of an estimated building */
     int shape_at, shape_rows; /* shape_rows 0: it has not been read */
     /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
-    double system;  /* enum thud_system */
-    double area_m2; /* of a floor */
+    double system;                      /* enum thud_system */
+    double area_m2;                     /* of a floor */
+    char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. The last member. */
 };
+/* The file of matrix or modes that a structure names; "" where it names none. */
+const char *thud_structure_file(const struct thud_structure *structure);
 
 /* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
 double thud_clear_height(const struct thud_structure *structure, int storey);

@@ -59,11 +59,31 @@ static void say_sliding(struct site *site, int s)
                        2 * acos(-1) * sqrt(mass_kg / (own.hardening * own.stiffness_npm)));
 }
 
+/* Of matrices and modes. */
+static void add_building_files(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    bool any = false;
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        const struct thud_structure *p = &site->scene->structure[s];
+        if (!p->file_sha256[0])
+            continue;
+        if (!any) {
+            thud_document_table(d, "Files of matrices and modes");
+            thud_document_head(d, "structure|file|SHA-256");
+        }
+        any = true;
+        thud_document_line(d, "%s\t%s\t%s", thud_site_name(site, s), thud_path_name(thud_structure_file(p)),
+                           p->file_sha256);
+    }
+}
+
 void thud_site_scene(struct site *site)
 {
     struct thud_document *d = &site->document;
     thud_document_heading(d, "Buildings and gap");
     add_structure_rows(site);
+    add_building_files(site);
     for (int s = 0; s < site->scene->nstructures; s++)
         say_sliding(site, s);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {

@@ -171,6 +171,16 @@ static bool is_complex(const char *text)
            strpbrk(text, "0123456789");
 }
 
+/* What programs write where they have no number: no label of a row. */
+static bool is_no_value(const char *text)
+{
+    static const char *const words[] = {"nan", "-nan", "inf", "-inf", "n/a", "#n/a"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (thud_ascii_same(text + strspn(text, " "), words[i]))
+            return true;
+    return false;
+}
+
 static enum thud_status add_row(struct building_cells *cells, const struct csv_lines *lines, struct thud_error *err)
 {
     int columns = (int)lines->fields;
@@ -207,7 +217,7 @@ static enum thud_status add_row(struct building_cells *cells, const struct csv_l
             thud_error_allow(err, "the modes of the undamped building");
             return THUD_INPUT;
         }
-        if (!number && numbers) {
+        if (!number && (numbers || is_no_value(text))) {
             building_cells_refuse(cells, cells->rows - 1, i, err, "\"%.40s\" is not a number", text);
             thud_error_allow(err, "numbers behind the labels of a row");
             return THUD_INPUT;

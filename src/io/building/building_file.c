@@ -330,6 +330,8 @@ enum thud_status thud_building_file_read(const char *path, const struct thud_bui
     }
     if (status == THUD_OK)
         status = put_in_order(&cells, ask, out, err);
+    if (status == THUD_OK)
+        thud_sha256(cells.source.text, cells.source.size, out->sha256);
     building_cells_clear(&cells);
     if (status != THUD_OK)
         thud_building_table_clear(out);
@@ -340,7 +342,7 @@ static enum thud_status read_structure(struct thud_scene *scene, int index, cons
 {
     const struct thud_structure *s = &scene->structure[index];
     const bool periods = s->kind == THUD_MODES, flexibility = !periods && s->flexibility_file[0];
-    const char *file = periods ? s->periods_file : flexibility ? s->flexibility_file : s->stiffness_file;
+    const char *file = thud_structure_file(s);
     const struct thud_building_ask ask = {.content = periods       ? THUD_CONTENT_PERIODS
                                                      : flexibility ? THUD_CONTENT_FLEXIBILITY
                                                                    : THUD_CONTENT_STIFFNESS,
@@ -356,13 +358,17 @@ static enum thud_status read_structure(struct thud_scene *scene, int index, cons
         status = thud_building_file_read(path, &ask, &table, err);
     if (status == THUD_OK)
         status = thud_structure_keep_shape(scene, index, table.rows, table.value, err);
+    if (status == THUD_OK)
+        memcpy(scene->structure[index].file_sha256, table.sha256, sizeof table.sha256);
     thud_building_table_clear(&table);
     if (status != THUD_OK && err) {
-        thud_error_key(err, "structures.%d.%.60s", index + 1,
-                       err->key[0]   ? err->key
-                       : periods     ? "periods"
-                       : flexibility ? "flexibility-matrix"
-                                     : "stiffness-matrix");
+        char key[64];
+        snprintf(key, sizeof key, "%.60s",
+                 err->key[0]   ? err->key
+                 : periods     ? "periods"
+                 : flexibility ? "flexibility-matrix"
+                               : "stiffness-matrix");
+        thud_error_key(err, "structures.%d.%s", index + 1, key);
     }
     return status;
 }

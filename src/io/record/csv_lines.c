@@ -86,7 +86,8 @@ enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, st
         }
         if (!lines->line && line->length == 0)
             continue;
-        if (!lines->line && strchr("#%;", line->at[0])) {
+        const char *comments = csv_get_delim(&lines->parser) == ';' ? "#%" : "#%;"; /* ";;x" has empty cells */
+        if (!lines->line && strchr(comments, line->at[0])) {
             *what = CSV_COMMENT;
             return THUD_OK;
         }

@@ -94,6 +94,8 @@ static void put_items(struct writer *w, enum thud_group group, int n)
     for (int i = 0; i < n; i++) {
         thud_text_append(w->out, "%s\n%*s{", i ? "," : "", w->indent + 2, "");
         put_keys(w, (struct thud_section){group, i});
+        if (group == THUD_GROUP_STRUCTURE && w->si && w->scene->structure[i].file_sha256[0])
+            thud_text_append(w->out, ", \"sha256\": \"%s\"", w->scene->structure[i].file_sha256);
         if (group == THUD_GROUP_INTERFACE) {
             put_nested(w, THUD_GROUP_CONTACT, i);
             if (w->scene->interface[i].has_bumper)

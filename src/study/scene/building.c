@@ -13,6 +13,12 @@ int thud_shape_columns(const struct thud_structure *structure)
     return structure->storeys + (structure->kind == THUD_MODES);
 }
 
+const char *thud_structure_file(const struct thud_structure *s)
+{
+    const char *matrix = s->flexibility_file[0] ? s->flexibility_file : s->stiffness_file;
+    return s->kind == THUD_MODES ? s->periods_file : s->kind == THUD_MATRIX ? matrix : "";
+}
+
 const double *thud_structure_shape(const struct thud_scene *scene, int structure)
 {
     const struct thud_structure *s = &scene->structure[structure];

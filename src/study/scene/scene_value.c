@@ -256,8 +256,10 @@ enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot
     enum thud_status status = thud_value_trimmed(text, &clean, err);
     if (status == THUD_OK && (*clean || !unset(scene, slot)))
         status = set(scene, slot, clean, err);
-    if (status == THUD_OK && slot->place.reads)
+    if (status == THUD_OK && slot->place.reads) {
         scene->structure[slot->structure].shape_rows = 0;
+        memset(scene->structure[slot->structure].file_sha256, 0, THUD_SHA256_TEXT);
+    }
     if (status == THUD_OK && slot->structure >= 0)
         thud_structure_fill_estimate(&scene->structure[slot->structure]);
     free(clean);

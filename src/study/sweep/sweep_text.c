@@ -352,7 +352,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     for (int s = 0; s < scene->nstructures; s++) {
         const struct thud_structure *p = &scene->structure[s];
         const double *shape = thud_structure_shape(scene, s);
-        h = thud_hash(h, p, sizeof *p); /* zeros where nothing is given */
+        /* zeros where nothing is given; what was read of a file follows */
+        h = thud_hash(h, p, offsetof(struct thud_structure, file_sha256));
         if (shape)
             h = thud_hash(h, shape, (size_t)(p->shape_rows * thud_shape_columns(p)) * sizeof *shape);
     }
