@@ -259,9 +259,9 @@ static struct thud_suite *made_up(const double *needed, int n, bool turned)
     for (int r = 0; r < n; r++)
         for (long i = 0; i < suite->settings; i++)
             for (int v = 0; v < plan->ncases * suite->nvalues; v++)
-                *value++ = v % suite->nvalues == THUD_SUITE_IMPACTS ? plan->axis[0].value[i] < needed[r]
-                           : v % suite->nvalues == THUD_SUITE_SHORT ? needed[r] - plan->axis[0].value[i]
-                                                                    : 1;
+                *value++ = v % suite->nvalues == suite->at[THUD_MEASURE_IMPACTS] ? plan->axis[0].value[i] < needed[r]
+                           : v % suite->nvalues == suite->at[THUD_MEASURE_SHORT] ? needed[r] - plan->axis[0].value[i]
+                                                                                 : 1;
     return suite;
 }
 
@@ -386,14 +386,59 @@ END_TEST
 START_TEST(events_by_name)
 {
     struct thud_event e;
-    ck_assert(thud_event_parse("force:5 MN", &e, &error) == THUD_OK && e.kind == THUD_EVENT_FORCE && e.limit == 5e6);
-    ck_assert(thud_event_parse("drift:3 cm", &e, &error) == THUD_OK && e.kind == THUD_EVENT_DRIFT);
-    ck_assert(thud_event_parse("drift:1 %", &e, &error) == THUD_OK && e.kind == THUD_EVENT_DRIFT_ANGLE);
+    ck_assert(thud_event_parse("force:5 MN", &e, &error) == THUD_OK && e.measure == THUD_MEASURE_FORCE &&
+              e.limit == 5e6);
+    ck_assert(thud_event_parse("drift:3 cm", &e, &error) == THUD_OK && e.measure == THUD_MEASURE_DRIFT);
+    ck_assert(thud_event_parse("drift:1 %", &e, &error) == THUD_OK && e.measure == THUD_MEASURE_DRIFT_ANGLE);
     ck_assert_double_eq_tol(e.limit, 0.01, 1e-15);
     const char *const wrong[] = {"",           "poundings",   "pounding:1", "force",
                                  "force:5 kg", "force:-5 MN", "drift:",     "worse:2"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(thud_event_parse(wrong[i], &e, &error) == THUD_USAGE, "%s", wrong[i]);
+}
+END_TEST
+
+/* Of accelerations the largest is not known where one structure's is not; a structure without ductility has none. */
+START_TEST(largest_where_one_is_unknown)
+{
+    const double needed[] = {0.1};
+    struct thud_suite *suite = made_up(needed, 1, false);
+    const enum thud_measure m[] = {THUD_MEASURE_ACCELERATION, THUD_MEASURE_DUCTILITY};
+    for (int i = 0; i < 2; i++) {
+        suite->value[suite->at[m[i]]] = NAN;
+        suite->value[suite->at[m[i]] + 1] = 7;
+    }
+    ck_assert(isnan(thud_suite_value(suite, 0, 0, 0, m[0], -1)) && isnan(thud_suite_value(suite, 0, 0, 0, m[0], 0)));
+    ck_assert(thud_suite_value(suite, 0, 0, 0, m[1], -1) == 7 && thud_suite_value(suite, 0, 0, 0, m[0], 1) == 7);
+    struct thud_fragility f = of(suite, "acceleration:1 g", 0);
+    ck_assert_int_eq(f.stripe[0].n, 0); /* the other settings have one */
+    ck_assert_int_eq(f.stripe[1].n, 1);
+    thud_fragility_clear(&f);
+    thud_suite_free(suite);
+}
+END_TEST
+
+/* Each has a name and words of its own, and a place of its own in every document that tells it. */
+START_TEST(measures_are_told_apart)
+{
+    for (enum thud_measure a = 0; a < THUD_MEASURES; a++) {
+        const struct thud_measure_info *x = thud_measure_info(a);
+        ck_assert(x->column && x->words && (x->read || a == THUD_MEASURE_GAP));
+        for (enum thud_measure b = 0; b < a; b++) {
+            const struct thud_measure_info *y = thud_measure_info(b);
+            ck_assert_str_ne(x->column, y->column);
+            ck_assert_str_ne(x->words, y->words);
+            for (int d = 0; d < THUD_MEASURE_DOCUMENTS; d++)
+                ck_assert_msg(x->place[d] == 0 || x->place[d] != y->place[d], "%s, %s", x->column, y->column);
+            if (x->event.word && y->event.word && strcmp(x->event.word, y->event.word) == 0)
+                ck_assert(x->kind != y->kind); /* the unit of the limit tells them apart */
+        }
+    }
+    for (int d = 0; d < THUD_MEASURE_DOCUMENTS; d++) {
+        enum thud_measure told[THUD_MEASURES];
+        int n = thud_measures_told((enum thud_measure_document)d, ~0u, told);
+        ck_assert(n > 0 && thud_measure_info(told[n - 1])->place[d] == n);
+    }
 }
 END_TEST
 
@@ -407,7 +452,7 @@ START_TEST(a_suite_holds_what_the_rows_say)
     plan->scene.interface[0].gap_m = 0.06;
     ck_assert_int_eq(thud_sweep_cases(plan, "none,bumper", &error), THUD_OK);
     ck_assert_int_eq(thud_suite_create(plan, &suite, &error), THUD_OK);
-    ck_assert(isnan(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_FORCE, -1)));
+    ck_assert(isnan(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_FORCE, -1)));
     ck_assert_int_eq(thud_sweep_group_create(plan, 0, &group, &error), THUD_OK);
     while (!done)
         ck_assert_int_eq(thud_sweep_group_advance(group, 1 << 20, &done, &error), THUD_OK);
@@ -425,11 +470,11 @@ START_TEST(a_suite_holds_what_the_rows_say)
             drift = row[i].floor > 0 ? fmax(drift, row[i].of[THUD_SWEEP_DRIFT]) : drift;
             ratio = row[i].floor == 0 ? row[i].of[THUD_SWEEP_ACCELERATION_RATIO] : ratio;
         }
-    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_ACCELERATION, 1) == most);
-    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_DRIFT, 1) == drift);
-    ck_assert_double_eq_tol(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_DRIFT_ANGLE, 1), drift / 3, 1e-15);
-    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_SUITE_ACCELERATION_RATIO, 1) == ratio);
-    ck_assert_double_gt(thud_suite_value(suite, 0, 0, 0, THUD_SUITE_FORCE, -1), 0);
+    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_ACCELERATION, 1) == most);
+    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_DRIFT, 1) == drift);
+    ck_assert_double_eq_tol(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_DRIFT_ANGLE, 1), drift / 3, 1e-15);
+    ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_ACCELERATION_RATIO, 1) == ratio);
+    ck_assert_double_gt(thud_suite_value(suite, 0, 0, 0, THUD_MEASURE_FORCE, -1), 0);
     free(point);
     thud_sweep_task_free(task);
     thud_sweep_group_free(group);
@@ -556,6 +601,8 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, equal_motions_and_few);
     tcase_add_test(tcase, medians_beyond_and_counts);
     tcase_add_test(tcase, events_by_name);
+    tcase_add_test(tcase, largest_where_one_is_unknown);
+    tcase_add_test(tcase, measures_are_told_apart);
     tcase_add_test(tcase, a_suite_holds_what_the_rows_say);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -36,18 +36,18 @@ static struct thud_result solution(struct thud_scene *scene, double factor)
     return (struct thud_result){.nstructures = 4, .ncontacts = 2, .structure = structure, .contact = contact};
 }
 
-static double value_of(const struct thud_measures *m, enum thud_case which, const char *name)
+static double value_of(const struct thud_checked_values *m, enum thud_case which, const char *name)
 {
-    const struct thud_measure *found = thud_measures_find(m, which, name);
+    const struct thud_checked_value *found = thud_checked_values_find(m, which, name);
     return found ? found->value : NAN;
 }
 
 START_TEST(names_every_number_of_an_answer)
 {
     static struct thud_scene scene;
-    struct thud_measures m = {0};
+    struct thud_checked_values m = {0};
     struct thud_result result = solution(&scene, 1);
-    ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     /* 3 floors of 4, 2 base shears, 3 of the free body, 2 contacts of 4, 3 energies; nothing of the wall */
     ck_assert_uint_eq(m.n, 3 * 4 + 2 + 3 + 2 * 4 + 3);
     ck_assert(value_of(&m, THUD_CASE_NONE, "A.2.acceleration_mps2") == 3);
@@ -57,27 +57,27 @@ START_TEST(names_every_number_of_an_answer)
     ck_assert(value_of(&m, THUD_CASE_NONE, "contact.3.1-wall.impacts") == 1);
     ck_assert(isnan(value_of(&m, THUD_CASE_NONE, "body.1.drift_m")));
     ck_assert(isnan(value_of(&m, THUD_CASE_BUMPER, "A.2.acceleration_mps2")));
-    thud_measures_clear(&m);
+    thud_checked_values_clear(&m);
 }
 END_TEST
 
 START_TEST(ratios_are_over_the_case_without_bumper)
 {
     static struct thud_scene scene;
-    struct thud_measures m = {0};
+    struct thud_checked_values m = {0};
     struct thud_result result = solution(&scene, 1.25); /* the other case first: the order does not matter */
-    ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_BUMPER, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&m, &scene, THUD_CASE_BUMPER, &result, NULL), THUD_OK);
     result = solution(&scene, 1);
-    ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     size_t before = m.n;
-    ck_assert_int_eq(thud_measures_add_ratios(&m, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add_ratios(&m, NULL), THUD_OK);
     ck_assert_uint_eq(m.n, before + 4); /* of what is not 0: three peaks of A, one of B */
     ck_assert(value_of(&m, THUD_CASE_BUMPER, "ratio.A.2.acceleration") == 1.25);
     ck_assert(value_of(&m, THUD_CASE_BUMPER, "ratio.A.2.drift") == 1.25);
     ck_assert(value_of(&m, THUD_CASE_BUMPER, "ratio.B, new.1.displacement") == 1.25);
     ck_assert(isnan(value_of(&m, THUD_CASE_NONE, "ratio.A.2.acceleration")));
     ck_assert(isnan(value_of(&m, THUD_CASE_BUMPER, "ratio.A.1.drift"))); /* 0 / 0 */
-    thud_measures_clear(&m);
+    thud_checked_values_clear(&m);
 }
 END_TEST
 
@@ -104,9 +104,9 @@ END_TEST
 START_TEST(tells_what_holds_what_moved_and_what_is_gone)
 {
     static struct thud_scene scene;
-    struct thud_measures m = {0};
+    struct thud_checked_values m = {0};
     struct thud_result result = solution(&scene, 1);
-    ck_assert_int_eq(thud_measures_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&m, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     struct thud_expectation e = {THUD_CASE_NONE, "A.2.acceleration_mps2", 4, 0.25, NAN};
     struct thud_check check = thud_verify_check(&e, &m);
     ck_assert_int_eq(check.verdict, THUD_HOLDS); /* just */
@@ -120,22 +120,22 @@ START_TEST(tells_what_holds_what_moved_and_what_is_gone)
     m.item[0].value = NAN; /* never holds, however wide the tolerance */
     struct thud_expectation lost = {THUD_CASE_NONE, "A.1.acceleration_mps2", 2, 1e9, NAN};
     ck_assert_int_eq(thud_verify_check(&lost, &m).verdict, THUD_MOVED);
-    thud_measures_clear(&m);
+    thud_checked_values_clear(&m);
 }
 END_TEST
 
 START_TEST(only_what_both_methods_give_is_expected)
 {
     static struct thud_scene scene;
-    struct thud_measures own = {0}, other = {0};
+    struct thud_checked_values own = {0}, other = {0};
     struct thud_expectations agreed = {0}, disputed = {0}, read;
     struct thud_text text = {0};
     struct thud_result result = solution(&scene, 1);
-    ck_assert_int_eq(thud_measures_add(&own, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&own, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     result.contact[0].impacts = 5;
     left_floor[0].acceleration.value = 2.0002;
     left_floor[1].acceleration.value = 3.00001;
-    ck_assert_int_eq(thud_measures_add(&other, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
+    ck_assert_int_eq(thud_checked_values_add(&other, &scene, THUD_CASE_NONE, &result, NULL), THUD_OK);
     other.n--; /* energy.contact_j is not there */
     ck_assert_int_eq(thud_verify_confirm(&own, &other, &agreed, &disputed, NULL), THUD_OK);
     ck_assert_uint_eq(agreed.n + disputed.n, own.n);
@@ -159,8 +159,8 @@ START_TEST(only_what_both_methods_give_is_expected)
     thud_expectations_clear(&read);
     thud_expectations_clear(&agreed);
     thud_expectations_clear(&disputed);
-    thud_measures_clear(&own);
-    thud_measures_clear(&other);
+    thud_checked_values_clear(&own);
+    thud_checked_values_clear(&other);
     thud_text_clear(&text);
 }
 END_TEST

@@ -11,28 +11,29 @@
 
 enum { THUD_MEASURE_NAME_MAX = 160 };
 
-struct thud_measure {
+struct thud_checked_value {
     enum thud_case which;
     char name[THUD_MEASURE_NAME_MAX];
     double value; /* SI */
     bool count;   /* a whole number: holds exactly or not at all */
     int stem;     /* length of the name without its unit where a ratio is of use, else 0 */
 };
-struct thud_measures {
-    struct thud_measure *item; /* (n) */
+struct thud_checked_values {
+    struct thud_checked_value *item; /* (n) */
     size_t n, capacity;
 };
 
 /* Adds what a case's run answered; what is 0 by its nature (storeys of a free body, a wall) is left out.
  * Errors: THUD_MEMORY. */
-enum thud_status thud_measures_add(struct thud_measures *measures, const struct thud_scene *scene, enum thud_case which,
-                                   const struct thud_result *result, struct thud_error *err);
+enum thud_status thud_checked_values_add(struct thud_checked_values *measures, const struct thud_scene *scene,
+                                         enum thud_case which, const struct thud_result *result,
+                                         struct thud_error *err);
 /* Adds the ratios of every other case to case `none`, once all cases are in. Errors: THUD_MEMORY. */
-enum thud_status thud_measures_add_ratios(struct thud_measures *measures, struct thud_error *err);
+enum thud_status thud_checked_values_add_ratios(struct thud_checked_values *measures, struct thud_error *err);
 /* NULL: there is no such number. */
-const struct thud_measure *thud_measures_find(const struct thud_measures *measures, enum thud_case which,
-                                              const char *name);
-void thud_measures_clear(struct thud_measures *measures);
+const struct thud_checked_value *thud_checked_values_find(const struct thud_checked_values *measures,
+                                                          enum thud_case which, const char *name);
+void thud_checked_values_clear(struct thud_checked_values *measures);
 
 struct thud_expectation {
     enum thud_case which;
@@ -56,9 +57,9 @@ double thud_verify_tolerance(double own, double independent, bool count);
 
 /* Expectations from two methods' results: values of the independent one. In *disputed what they do not agree on.
  * Errors: THUD_MEMORY; both lists stay the caller's to clear. */
-enum thud_status thud_verify_confirm(const struct thud_measures *own, const struct thud_measures *independent,
-                                     struct thud_expectations *agreed, struct thud_expectations *disputed,
-                                     struct thud_error *err);
+enum thud_status thud_verify_confirm(const struct thud_checked_values *own,
+                                     const struct thud_checked_values *independent, struct thud_expectations *agreed,
+                                     struct thud_expectations *disputed, struct thud_error *err);
 
 enum thud_check_verdict { THUD_HOLDS, THUD_MOVED, THUD_GONE };
 const char *thud_check_verdict_name(enum thud_check_verdict verdict); /* "holds", "moved", "gone" */
@@ -68,7 +69,8 @@ struct thud_check {
     double change; /* relative with its sign, absolute where 0 was expected */
     enum thud_check_verdict verdict;
 };
-struct thud_check thud_verify_check(const struct thud_expectation *expected, const struct thud_measures *measures);
+struct thud_check thud_verify_check(const struct thud_expectation *expected,
+                                    const struct thud_checked_values *measures);
 
 /* The name of the method that confirms what `method` answered: one that shares no time stepping with it. */
 const char *thud_verify_independent(const char *method);

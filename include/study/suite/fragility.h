@@ -52,28 +52,14 @@ static inline bool thud_is_fitted(const struct thud_lognormal *curve)
 struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n);
 /* NaN where not fitted. */
 double thud_lognormal_at(const struct thud_lognormal *curve, double x);
-/* What is asked of a run. */
-enum thud_event_kind {
-    THUD_EVENT_POUNDING,     /* there is contact */
-    THUD_EVENT_WORSE,        /* the mean acceleration of a structure is larger than without bumper at the same gap */
-    THUD_EVENT_FORCE,        /* a contact's force above the limit, N */
-    THUD_EVENT_ACCELERATION, /* a floor's above the limit, m/s2 */
-    THUD_EVENT_DRIFT,        /* a storey's above the limit, m */
-    THUD_EVENT_DRIFT_ANGLE,  /* the same over its height */
-    THUD_EVENT_DUCTILITY,    /* the same over its yield drift, of storeys that yield */
-    THUD_EVENT_PERMANENT,    /* their permanent drift, m */
-    THUD_EVENT_COLUMN,       /* shear of columns that slabs strike over their capacity */
-    THUD_EVENT_ISOLATOR,     /* displacement of isolators above the limit, m */
-    THUD_EVENT_FALLS         /* with P-Delta: a storey collapses, at a tenth of its height */
-};
 enum { THUD_EVENTS_MAX = 16 }; /* of a study */
+/* What is asked of a run: that a measure is above its limit. */
 struct thud_event {
-    enum thud_event_kind kind;
+    enum thud_measure measure;
     double limit;
     char text[48]; /* as asked for: "drift:1 %" */
 };
-/* "pounding", "worse", "force:5 MN", "acceleration:1 g", "drift:3 cm", "drift:1 %", "ductility:2",
- * "permanent:1 cm", "column:1", "isolator:30 cm", "collapse". Errors: THUD_USAGE. */
+/* "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);

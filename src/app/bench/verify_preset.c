@@ -16,13 +16,13 @@ static const double tight_tolerance = 1e-12;
 struct work {
     struct thud_session session;
     struct thud_scene scene; /* of a case */
-    struct thud_measures own, independent;
+    struct thud_checked_values own, independent;
     const char *method; /* that was picked by default */
     void (*progress)(void *context, const char *what);
 };
 
 static enum thud_status run_case(struct work *work, enum thud_case which, const struct thud_run_options *options,
-                                 struct thud_measures *measures, const char **method, struct thud_error *err)
+                                 struct thud_checked_values *measures, const char **method, struct thud_error *err)
 {
     struct thud_solution solution;
     enum thud_status status = thud_session_run(&work->session, which, options, &work->scene, &solution, err);
@@ -30,14 +30,14 @@ static enum thud_status run_case(struct work *work, enum thud_case which, const 
         const struct thud_result *result = thud_run_result(solution.run);
         const struct thud_method *used = thud_method_find(result->method);
         *method = used ? used->name : "?";
-        status = thud_measures_add(measures, &work->scene, which, result, err);
+        status = thud_checked_values_add(measures, &work->scene, which, result, err);
     }
     thud_solution_clear(&solution);
     return status;
 }
 
 /* Every case, by `method` (NULL: the preset's own). */
-static enum thud_status run_cases(struct work *work, const char *method, struct thud_measures *measures,
+static enum thud_status run_cases(struct work *work, const char *method, struct thud_checked_values *measures,
                                   const char **used, struct thud_error *err)
 {
     const struct thud_study_choice *study = &work->session.scene.study;
@@ -59,7 +59,7 @@ static enum thud_status run_cases(struct work *work, const char *method, struct 
             work->progress(NULL, what);
         status = run_case(work, which, &options, measures, used, err);
     }
-    return status == THUD_OK ? thud_measures_add_ratios(measures, err) : status;
+    return status == THUD_OK ? thud_checked_values_add_ratios(measures, err) : status;
 }
 
 static enum thud_status read_expected(struct thud_verification *v, const char *preset, struct thud_error *err)
@@ -142,8 +142,8 @@ enum thud_status thud_verify_preset(const char *preset, bool update, void (*prog
     if (status == THUD_OK)
         status = verify(out, work, err);
     thud_session_close(&work->session);
-    thud_measures_clear(&work->own);
-    thud_measures_clear(&work->independent);
+    thud_checked_values_clear(&work->own);
+    thud_checked_values_clear(&work->independent);
     free(work);
     if (status != THUD_OK)
         thud_verify_clear(out);

@@ -92,10 +92,10 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
     return status;
 }
 
-static void compare(struct site *site, const struct thud_measures *own, const struct thud_measures *other)
+static void compare(struct site *site, const struct thud_checked_values *own, const struct thud_checked_values *other)
 {
     for (size_t i = 0; i < own->n; i++) {
-        const struct thud_measure *a = &own->item[i], *b = thud_measures_find(other, a->which, a->name);
+        const struct thud_checked_value *a = &own->item[i], *b = thud_checked_values_find(other, a->which, a->name);
         if (!b)
             continue;
         site->second.values++;
@@ -135,7 +135,7 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
 {
     struct thud_run_options options;
     struct thud_solution solution = {0};
-    struct thud_measures own = {0}, other = {0};
+    struct thud_checked_values own = {0}, other = {0};
     const struct site_case *one = site->own;
     site->second.method = thud_verify_independent(one->result->method);
     tell(site, site->second.method);
@@ -147,13 +147,13 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
         status = run_bounded(site, &options, &solution, err);
     if (status != THUD_OK || !solution.run)
         return status;
-    status = thud_measures_add(&own, one->scene, THUD_CASE_AS_WRITTEN, one->result, err);
+    status = thud_checked_values_add(&own, one->scene, THUD_CASE_AS_WRITTEN, one->result, err);
     if (status == THUD_OK)
-        status = thud_measures_add(&other, one->scene, THUD_CASE_AS_WRITTEN, thud_run_result(solution.run), err);
+        status = thud_checked_values_add(&other, one->scene, THUD_CASE_AS_WRITTEN, thud_run_result(solution.run), err);
     if (status == THUD_OK)
         compare(site, &own, &other);
-    thud_measures_clear(&own);
-    thud_measures_clear(&other);
+    thud_checked_values_clear(&own);
+    thud_checked_values_clear(&other);
     thud_solution_clear(&solution);
     return status;
 }

@@ -46,8 +46,8 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
 static enum thud_status make_fragility(struct site_suite *suite, unsigned long long seed, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    suite->pounding = (struct thud_event){.kind = THUD_EVENT_POUNDING, .text = "pounding"};
-    suite->worse = (struct thud_event){.kind = THUD_EVENT_WORSE, .text = "worse"};
+    thud_event_parse("pounding", &suite->pounding, NULL);
+    thud_event_parse("worse", &suite->worse, NULL);
     for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
         struct thud_fragility_ask ask = {.event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed};
         status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
@@ -111,7 +111,7 @@ void thud_site_suite_clear(struct site *site)
 }
 
 /* Of one measure of a case over the motions as they were given. */
-static struct thud_fractiles over(const struct site *site, int k, enum thud_suite_measure measure, int structure,
+static struct thud_fractiles over(const struct site *site, int k, enum thud_measure measure, int structure,
                                   double limit)
 {
     const struct site_suite *suite = &site->suite;
@@ -122,7 +122,7 @@ static struct thud_fractiles over(const struct site *site, int k, enum thud_suit
 
 static void say_pounding(struct site *site, int k)
 {
-    struct thud_fractiles f = over(site, k, THUD_SUITE_IMPACTS, -1, 0);
+    struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
     size_t count = (size_t)lround(f.share * (double)f.n);
     double low, high;
     if (f.n == 0)
@@ -175,7 +175,7 @@ static void say_widths(struct site *site)
 
 /* What the bumper makes of a measure's mean, structure s under motion r. The suite's ratios are to neither bumper nor
  * links, of which the report has the latter in both cases. */
-static double bumper_ratio(const struct site *site, int r, enum thud_suite_measure measure, int s)
+static double bumper_ratio(const struct site *site, int r, enum thud_measure measure, int s)
 {
     const struct site_suite *suite = &site->suite;
     double of[2];
@@ -188,7 +188,7 @@ static double bumper_ratio(const struct site *site, int r, enum thud_suite_measu
 static void say_bumper(struct site *site, int s, bool drift)
 {
     const struct site_suite *suite = &site->suite;
-    enum thud_suite_measure measure = drift ? THUD_SUITE_DRIFT_RATIO : THUD_SUITE_ACCELERATION_RATIO;
+    enum thud_measure measure = drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO;
     int helps = 0;
     for (int r = 0; r < suite->runs->nrecords; r++) {
         suite->room[r] = bumper_ratio(site, r, measure, s);
@@ -253,10 +253,10 @@ static void add_motions(struct site *site)
         for (int k = 0; k < ncases; k++)
             thud_document_cell(
                 d, "%s",
-                thud_site_number(1e-6 * thud_suite_value(suite->runs, r, suite->as_given, k, THUD_SUITE_FORCE, -1), 3)
+                thud_site_number(1e-6 * thud_suite_value(suite->runs, r, suite->as_given, k, THUD_MEASURE_FORCE, -1), 3)
                     .text);
         for (int s = 0; s < site->scene->nstructures && ncases > 1; s++) {
-            double ratio = bumper_ratio(site, r, THUD_SUITE_ACCELERATION_RATIO, s);
+            double ratio = bumper_ratio(site, r, THUD_MEASURE_ACCELERATION_RATIO, s);
             if (site->scene->structure[s].kind != THUD_WALL)
                 thud_document_cell(d, isnan(ratio) ? "-" : "%.3f", ratio);
         }
@@ -264,8 +264,8 @@ static void add_motions(struct site *site)
     }
 }
 
-static void add_fractiles(struct site *site, enum thud_suite_measure measure, int structure, double unit,
-                          const char *what, const char *unit_name)
+static void add_fractiles(struct site *site, enum thud_measure measure, int structure, double unit, const char *what,
+                          const char *unit_name)
 {
     struct thud_document *d = &site->document;
     thud_document_cell(d, "%s%s%s%s", what, structure >= 0 ? " of " : "",
@@ -289,15 +289,15 @@ static void add_statistics(struct site *site)
         for (int q = 0; q < 3; q++)
             thud_document_cell(d, "%s: %s", site->cases[SITE_NONE + k].name, quantile[q]);
     thud_document_row(d);
-    add_fractiles(site, THUD_SUITE_FORCE, -1, 1e6, "force", ", MN");
+    add_fractiles(site, THUD_MEASURE_FORCE, -1, 1e6, "force", ", MN");
     for (int s = 0; s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;
-        add_fractiles(site, THUD_SUITE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
+        add_fractiles(site, THUD_MEASURE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
         if (thud_site_is_building(site, s))
-            add_fractiles(site, THUD_SUITE_DRIFT, s, 1e-3, "drift", ", mm");
-        if (site->suite.runs->yields)
-            add_fractiles(site, THUD_SUITE_DUCTILITY, s, 1, "ductility", "");
+            add_fractiles(site, THUD_MEASURE_DRIFT, s, 1e-3, "drift", ", mm");
+        if (site->suite.runs->features & THUD_HAS_YIELDING)
+            add_fractiles(site, THUD_MEASURE_DUCTILITY, s, 1, "ductility", "");
     }
 }
 

@@ -139,7 +139,7 @@ static bool next_setting(const struct thud_sweep_plan *plan, int axis, int *at)
 /* The event `worse` asks for a bumper. */
 static bool is_asked(const struct thud_fragility_study *study, int event, int k)
 {
-    return study->event[event].kind != THUD_EVENT_WORSE || study->suite->plan->cases[k] != THUD_CASE_NONE;
+    return study->event[event].measure != THUD_MEASURE_ACCELERATION_RATIO || study->suite->plan->cases[k] != THUD_CASE_NONE;
 }
 
 static size_t count_lines(const struct thud_fragility_study *study)

@@ -29,7 +29,7 @@ enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *o
         snprintf(event, sizeof event, "%s", text);
     }
     if (strlen(text) < sizeof out->text && strchr(event, ':') == strrchr(event, ':') &&
-        thud_event_parse(event, &out->event, NULL) == THUD_OK && out->event.kind != THUD_EVENT_WORSE)
+        thud_event_parse(event, &out->event, NULL) == THUD_OK && out->event.measure != THUD_MEASURE_ACCELERATION_RATIO)
         return THUD_OK;
     return thud_error_refuse(err, THUD_USAGE, NULL,
                              "force < 10 MN, acceleration < 1 g, drift < 1 %, drift < 3 cm, ductility < 2, permanent < "

@@ -11,22 +11,6 @@ enum { SHOWN_MAX = 3 };
 static const double equal = 1e-9;         /* ratios nearer to 1 are neither lower nor higher */
 static const double from_nothing = 1e100; /* the ratio to 0: larger than any other, and still a number */
 
-struct response {
-    const char *what;
-    enum thud_suite_measure measure;
-    bool of_structure;
-    bool ratio; /* to case none, nominal */
-};
-
-static const struct response responses[] = {{"mean acceleration", THUD_SUITE_ACCELERATION_RATIO, true, true},
-                                            {"largest acceleration", THUD_SUITE_ACCELERATION, true, false},
-                                            {"mean drift", THUD_SUITE_DRIFT_RATIO, true, true},
-                                            {"largest drift", THUD_SUITE_DRIFT, true, false},
-                                            {"largest ductility", THUD_SUITE_DUCTILITY, true, false},
-                                            {"permanent drift", THUD_SUITE_PERMANENT, true, false},
-                                            {"shear of columns", THUD_SUITE_COLUMNS, true, false},
-                                            {"largest force", THUD_SUITE_FORCE, false, false}};
-
 /* A case other than none at one setting; of a bumper where the links alone are varied at any of them. */
 struct measure {
     int k;
@@ -37,9 +21,10 @@ enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAMED_MAX = 64 };
 
 struct compared {
     const struct thud_suite *suite;
-    int none, nmeasures;
+    int none, nmeasures, nresponses;
     struct measure measure[MEASURES_MAX];
-    double *room; /* (nrecords), behind it */
+    enum thud_measure response[THUD_MEASURES]; /* (nresponses) */
+    double *room;                              /* (nrecords), behind it */
 };
 
 /* Of a response over that of case none, of how many ground motions, and under how many it is lower. */
@@ -48,13 +33,13 @@ struct lowered {
     int lower, n;
 };
 
-static struct lowered ratio_of(const struct compared *c, const struct measure *m, const struct response *of, int s)
+static struct lowered ratio_of(const struct compared *c, const struct measure *m, int q, int s)
 {
     const struct thud_suite *suite = c->suite;
     size_t n = 0, lowered = 0;
     for (int r = 0; r < suite->nrecords; r++) {
-        double with = thud_suite_value(suite, r, m->setting, m->k, of->measure, s),
-               without = of->ratio ? 1 : thud_suite_value(suite, r, m->setting, c->none, of->measure, s);
+        double with = thud_suite_value(suite, r, m->setting, m->k, c->response[q], s),
+               without = thud_suite_value(suite, r, m->setting, c->none, c->response[q], s);
         if (isnan(with) || isnan(without) || !(with > 0 || without > 0))
             continue;
         c->room[n++] = without > 0 ? with / without : from_nothing;
@@ -118,6 +103,7 @@ static struct compared *compare(const struct thud_suite *suite)
         return NULL;
     c->suite = suite;
     c->none = -1;
+    c->nresponses = thud_measures_told(THUD_TOLD_BY_LOWERED, suite->features, c->response);
     c->room = (void *)(c + 1);
     for (int k = 0; k < plan->ncases; k++)
         c->none = plan->cases[k] == THUD_CASE_NONE ? k : c->none;
@@ -130,26 +116,25 @@ static struct compared *compare(const struct thud_suite *suite)
 }
 
 /* The next response of a structure, or of all of them (s -1), behind (q, s); the first: q 0 and s -2. */
-static bool next_response(const struct thud_suite *suite, size_t *q, int *s)
+static bool next_response(const struct compared *c, int *q, int *s)
 {
-    for (; *q < sizeof responses / sizeof *responses; ++*q, *s = -2) {
-        if (!thud_suite_has(suite, responses[*q].measure))
-            continue;
-        if (!responses[*q].of_structure && *s == -2) {
+    for (; *q < c->nresponses; ++*q, *s = -2) {
+        const bool of_structure = thud_measure_info(c->response[*q])->of_structure;
+        if (!of_structure && *s == -2) {
             *s = -1;
             return true;
         }
-        for (*s = *s < 0 ? 0 : *s + 1; responses[*q].of_structure && *s < suite->nstructures; ++*s)
-            if (suite->plan->scene.structure[*s].kind != THUD_WALL)
+        for (*s = *s < 0 ? 0 : *s + 1; of_structure && *s < c->suite->nstructures; ++*s)
+            if (c->suite->plan->scene.structure[*s].kind != THUD_WALL)
                 return true;
     }
     return false;
 }
 
-static void name_response(const struct thud_suite *suite, size_t q, int s, char name[NAMED_MAX])
+static void name_response(const struct compared *c, int q, int s, char name[NAMED_MAX])
 {
-    snprintf(name, NAMED_MAX, "%s%s%.16s", responses[q].what, s < 0 ? "" : " of ",
-             s < 0 ? "" : suite->plan->scene.structure[s].name);
+    snprintf(name, NAMED_MAX, "%s%s%.16s", thud_measure_info(c->response[q])->words, s < 0 ? "" : " of ",
+             s < 0 ? "" : c->suite->plan->scene.structure[s].name);
 }
 
 /* ---- words ---- */
@@ -161,25 +146,25 @@ static void put_cell(const struct lowered *r, struct thud_text *out)
         snprintf(cell, sizeof cell, "%.3f %d of %d", r->ratio.median, r->lower, r->n);
     else if (r->n > 0)
         snprintf(cell, sizeof cell, "from 0 %d of %d", r->lower, r->n);
-    thud_text_append(out, " %17s", cell);
+    thud_text_append(out, " %16s", cell);
 }
 
 static void put_case(const struct compared *c, int k, struct thud_text *out)
 {
     char name[NAMED_MAX];
-    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%25s",
+    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%28s",
                      thud_case_name(c->suite->plan->cases[k]), "");
     for (int i = 0; i < c->nmeasures; i++)
         if (c->measure[i].k == k)
-            thud_text_append(out, " %17.17s", c->measure[i].column);
+            thud_text_append(out, " %16.16s", c->measure[i].column);
     thud_text_append(out, "\n");
-    size_t q = 0;
-    for (int s = -2; next_response(c->suite, &q, &s);) {
-        name_response(c->suite, q, s, name);
-        thud_text_append(out, "%-25.25s", name);
+    int q = 0;
+    for (int s = -2; next_response(c, &q, &s);) {
+        name_response(c, q, s, name);
+        thud_text_append(out, "%-28.28s", name);
         for (int i = 0; i < c->nmeasures; i++)
             if (c->measure[i].k == k) {
-                const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
+                const struct lowered r = ratio_of(c, &c->measure[i], q, s);
                 put_cell(&r, out);
             }
         thud_text_append(out, "\n");
@@ -196,13 +181,13 @@ static bool is_better(const struct lowered *a, const struct lowered *b)
 }
 
 /* "mean drift of A: damper (0 MN/m), 0.789 in the median, lower under 8 of 8 motions" */
-static void put_best(const struct compared *c, size_t q, int s, struct thud_text *out)
+static void put_best(const struct compared *c, int q, int s, struct thud_text *out)
 {
     struct lowered best = {.n = 0};
     char name[NAMED_MAX];
     int which = -1;
     for (int i = 0; i < c->nmeasures; i++) {
-        const struct lowered r = ratio_of(c, &c->measure[i], &responses[q], s);
+        const struct lowered r = ratio_of(c, &c->measure[i], q, s);
         if (!is_better(&r, &best))
             continue;
         best = r;
@@ -210,7 +195,7 @@ static void put_best(const struct compared *c, size_t q, int s, struct thud_text
     }
     if (which < 0)
         return;
-    name_response(c->suite, q, s, name);
+    name_response(c, q, s, name);
     if (best.ratio.median < 1 - equal)
         thud_text_append(out, "  %s: %s, %.3f in the median, lower under %d of %d motions\n", name,
                          c->measure[which].name, best.ratio.median, best.lower, best.n);
@@ -221,17 +206,16 @@ static void put_best(const struct compared *c, size_t q, int s, struct thud_text
 /* Which of bumper and links lowers what most, and how much each lowers at all. */
 static void put_bests(const struct compared *c, struct thud_text *out)
 {
-    size_t q = 0;
-    int of = 0, lowers[MEASURES_MAX] = {0};
-    for (int s = -2; next_response(c->suite, &q, &s); of++)
+    int q = 0, of = 0, lowers[MEASURES_MAX] = {0};
+    for (int s = -2; next_response(c, &q, &s); of++)
         for (int i = 0; i < c->nmeasures; i++)
-            lowers[i] += ratio_of(c, &c->measure[i], &responses[q], s).ratio.median < 1 - equal;
+            lowers[i] += ratio_of(c, &c->measure[i], q, s).ratio.median < 1 - equal;
     thud_text_append(out, "\nIn the median over %d motions, of %d responses\n", c->suite->nrecords, of);
     for (int i = 0; i < c->nmeasures; i++)
         thud_text_append(out, "  %s lowers %d\n", c->measure[i].name, lowers[i]);
     thud_text_append(out, "What lowers each response most:\n");
     q = 0;
-    for (int s = -2; next_response(c->suite, &q, &s);)
+    for (int s = -2; next_response(c, &q, &s);)
         put_best(c, q, s, out);
 }
 
@@ -269,9 +253,10 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     style.kind = THUD_POINTS;
     struct thud_series *median = thud_panel_add(ratios, style, m->name, rows, NULL, NULL);
     struct thud_series *share = thud_panel_add(shares, style, m->name, rows, NULL, NULL);
-    size_t q = 0, row = 0;
-    for (int s = -2; share && next_response(c->suite, &q, &s); row++) {
-        const struct lowered r = ratio_of(c, m, &responses[q], s);
+    size_t row = 0;
+    int q = 0;
+    for (int s = -2; share && next_response(c, &q, &s); row++) {
+        const struct lowered r = ratio_of(c, m, q, s);
         const bool shown = r.n > 0 && r.ratio.median < most_shown, ends = shown && r.ratio.p84 < most_shown;
         const double level = (double)(rows - row) + broad * (0.5 - (i + 0.5) / c->nmeasures);
         spread->x[PIECE * row + FROM] = ends ? r.ratio.p16 : NAN;
@@ -288,13 +273,12 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     }
 }
 
-static void add_rows(const struct thud_suite *suite, int rows, struct thud_panel *panel)
+static void add_rows(const struct compared *c, int rows, struct thud_panel *panel)
 {
     char name[NAMED_MAX];
-    size_t q = 0;
-    int row = 0;
-    for (int s = -2; next_response(suite, &q, &s); row++) {
-        name_response(suite, q, s, name);
+    int q = 0, row = 0;
+    for (int s = -2; next_response(c, &q, &s); row++) {
+        name_response(c, q, s, name);
         thud_panel_tick(panel, THUD_Y, rows - row, name);
     }
     thud_panel_axis(panel, THUD_Y, "", "");
@@ -308,16 +292,15 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
     struct thud_figure *figure = NULL;
     char title[96];
     if (c && c->nmeasures > 0) {
-        size_t q = 0;
-        int rows = 0;
-        for (int s = -2; next_response(suite, &q, &s);)
+        int q = 0, rows = 0;
+        for (int s = -2; next_response(c, &q, &s);)
             rows++;
         snprintf(title, sizeof title, "What lowers which response, over %d ground motions", suite->nrecords);
         figure = thud_figure_create("lowered", title, 1, 2);
         struct thud_panel *ratios = thud_figure_panel(figure, 0, 0, "Ratio to neither bumper nor link"),
                           *shares = thud_figure_panel(figure, 0, 1, "Ground motions under which it is lower");
-        add_rows(suite, rows, ratios);
-        add_rows(suite, rows, shares);
+        add_rows(c, rows, ratios);
+        add_rows(c, rows, shares);
         thud_panel_axis(ratios, THUD_X, "Ratio", "");
         thud_panel_share_axis(shares, THUD_X, "Share");
         thud_panel_mark(ratios, THUD_X, 0, 1, "");

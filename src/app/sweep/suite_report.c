@@ -8,49 +8,54 @@
 
 #include "io/result/sweep_csv.h"
 
-enum { SUITE_FIRST = THUD_SUITE_FORCE, SUITE_COLUMNS = 3 + 3 * (THUD_SUITE_MEASURES - SUITE_FIRST) };
+enum {
+    MOTIONS,
+    POUNDING,
+    AMPLIFIED,
+    COUNTS,
+    ENDS = 3
+}; /* of a row: these, then 16 %, median and 84 % of each measure */
+struct suite_row {
+    double count[COUNTS], of[THUD_MEASURES][ENDS];
+    int n;
+    enum thud_measure told[THUD_MEASURES]; /* (n) */
+};
 
-/* Of storeys that yield and of columns only where there are any. */
-static bool has_column(const struct thud_suite *suite, int column)
+static double happened(struct thud_fractiles f)
 {
-    return column < 3 || thud_suite_has(suite, (enum thud_suite_measure)(SUITE_FIRST + column / 3 - 1));
+    return f.n ? round(f.share * (double)f.n) : 0;
 }
 
 /* One setting, case and structure: how many motions, how many of them pound and are amplified, fractiles of every
  * measure. */
 static void suite_values(const struct thud_suite *suite, long setting, int k, int s, double *room,
-                         double value[SUITE_COLUMNS])
+                         struct suite_row *row)
 {
-    struct thud_fractiles f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_IMPACTS, -1, 0, room);
-    value[0] = (double)f.n;
-    value[1] = f.n ? round(f.share * (double)f.n) : 0;
-    f = thud_suite_fractiles(suite, setting, k, THUD_SUITE_ACCELERATION_RATIO, s, 1 + 1e-9, room);
-    value[2] = f.n ? round(f.share * (double)f.n) : 0;
-    for (int m = SUITE_FIRST; m < THUD_SUITE_MEASURES; m++) {
-        double *to = value + 3 + 3 * (m - SUITE_FIRST);
-        f = thud_suite_fractiles(suite, setting, k, (enum thud_suite_measure)m, s, 0, room);
-        to[0] = f.p16;
-        to[1] = f.median;
-        to[2] = f.p84;
+    struct thud_fractiles f = thud_suite_fractiles(suite, setting, k, THUD_MEASURE_IMPACTS, -1, 0, room);
+    row->count[MOTIONS] = (double)f.n;
+    row->count[POUNDING] = happened(f);
+    row->count[AMPLIFIED] =
+        happened(thud_suite_fractiles(suite, setting, k, THUD_MEASURE_ACCELERATION_RATIO, s, 1 + 1e-9, room));
+    for (int i = 0; i < row->n; i++) {
+        f = thud_suite_fractiles(suite, setting, k, row->told[i], s, 0, room);
+        memcpy(row->of[row->told[i]], (const double[ENDS]){f.p16, f.median, f.p84}, sizeof row->of[0]);
     }
 }
 
 /* A row of statistics: case, varied keys, structure, and what there is of the measures. */
-static void name_suite(const struct thud_suite *suite, struct thud_made_columns *out)
+static void name_suite(const struct thud_suite *suite, const struct suite_row *row, struct thud_made_columns *out)
 {
     static const char *const counts[] = {"motions", "pounding", "amplified"}, *const end[] = {"p16", "median", "p84"};
     thud_column_add(out, true, "case");
     thud_axis_columns(suite->plan, NULL, out);
     thud_column_add(out, true, "structure");
-    for (int c = 0; c < SUITE_COLUMNS; c++)
-        if (c < 3)
-            thud_column_add(out, false, "%s", counts[c]);
-        else if (has_column(suite, c))
-            thud_column_add(out, false, "%s_%s", thud_suite_column((enum thud_suite_measure)(SUITE_FIRST + c / 3 - 1)),
-                            end[c % 3]);
+    for (int c = 0; c < COUNTS; c++)
+        thud_column_add(out, false, "%s", counts[c]);
+    for (int c = 0; c < row->n * ENDS; c++)
+        thud_column_add(out, false, "%s_%s", thud_measure_info(row->told[c / ENDS])->column, end[c % ENDS]);
 }
 
-static void put_data_row(const struct thud_suite *suite, const int *at, int k, int s, const double value[SUITE_COLUMNS],
+static void put_data_row(const struct thud_suite *suite, const int *at, int k, int s, const struct suite_row *row,
                          struct thud_made_columns *columns)
 {
     union thud_column_value *cell = columns->cell;
@@ -58,25 +63,25 @@ static void put_data_row(const struct thud_suite *suite, const int *at, int k, i
     thud_axis_cells(suite->plan, NULL, at, cell);
     cell += suite->plan->naxes;
     cell++->text = suite->plan->scene.structure[s].name;
-    for (int c = 0; c < SUITE_COLUMNS; c++)
-        if (has_column(suite, c))
-            cell++->number = value[c];
+    for (int c = 0; c < COUNTS; c++)
+        cell++->number = row->count[c];
+    for (int c = 0; c < row->n * ENDS; c++)
+        cell++->number = row->of[row->told[c / ENDS]][c % ENDS];
 }
 
-static void put_table_row(const struct thud_suite *suite, const int *at, int k, int s,
-                          const double value[SUITE_COLUMNS], struct thud_text *out)
+static void put_table_row(const struct thud_suite *suite, const int *at, int k, int s, const struct suite_row *row,
+                          struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    const double *ratio = value + 3 + 3 * (THUD_SUITE_ACCELERATION_RATIO - SUITE_FIRST);
-    const double *force = value + 3 + 3 * (THUD_SUITE_FORCE - SUITE_FIRST);
+    const double *ratio = row->of[THUD_MEASURE_ACCELERATION_RATIO], *force = row->of[THUD_MEASURE_FORCE];
     char name[160];
     if (!thud_sweep_is_spread(plan, at, -1))
         return;
     thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,
-                     value[1], value[2]);
-    for (int q = 0; q < 3; q++)
+                     row->count[POUNDING], row->count[AMPLIFIED]);
+    for (int q = 0; q < ENDS; q++)
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
-    for (int q = 1; q < 3; q++)
+    for (int q = 1; q < ENDS; q++)
         thud_text_append(out, isnan(force[q]) ? "       -" : " %7.3g", 1e-6 * force[q]);
     thud_text_append(out, "  %-.17s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
 }
@@ -85,13 +90,15 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
                                    struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    double value[SUITE_COLUMNS], *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
+    double *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
     const char *before = "";
     int at[THUD_VARY_MAX];
     struct thud_made_columns columns = {0};
+    struct suite_row row = {.n = 0};
     if (!room)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    name_suite(suite, &columns);
+    row.n = thud_measures_told(THUD_TOLD_BY_SUITE, suite->features, row.told);
+    name_suite(suite, &row, &columns);
     const struct thud_part part = {&columns.schema, 0, columns.cell};
     if (as == THUD_AS_CSV)
         thud_parts_names(&part, 1, out);
@@ -109,10 +116,10 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
             for (int s = 0; s < suite->nstructures; s++) {
                 if (plan->scene.structure[s].kind == THUD_WALL)
                     continue;
-                suite_values(suite, i, k, s, room, value);
-                put_data_row(suite, at, k, s, value, &columns);
+                suite_values(suite, i, k, s, room, &row);
+                put_data_row(suite, at, k, s, &row, &columns);
                 if (as == THUD_AS_TEXT)
-                    put_table_row(suite, at, k, s, value, out);
+                    put_table_row(suite, at, k, s, &row, out);
                 else if (as == THUD_AS_CSV)
                     thud_parts_csv(&part, 1, out);
                 else {

@@ -179,7 +179,7 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
         for (size_t i = 0; i < n; i++) {
             place[axis] = (int)i;
             x[i] = 100 *
-                   thud_suite_value(suite, r, thud_suite_setting(suite->plan, place), k, THUD_SUITE_DRIFT, structure);
+                   thud_suite_value(suite, r, thud_suite_setting(suite->plan, place), k, THUD_MEASURE_DRIFT, structure);
             y[i] = varied->value[i] * thud_varied_factor(varied);
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = THUD_COLOR_GREY, .thin = true},
@@ -189,7 +189,7 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
     for (size_t i = 0; i < n; i++) {
         place[axis] = (int)i;
         struct thud_fractiles f = thud_suite_fractiles(suite, thud_suite_setting(suite->plan, place), k,
-                                                       THUD_SUITE_DRIFT, structure, 0, room);
+                                                       THUD_MEASURE_DRIFT, structure, 0, room);
         three[i] = 100 * f.p16;
         three[n + i] = 100 * f.median;
         three[2 * n + i] = 100 * f.p84;

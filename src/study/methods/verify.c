@@ -21,9 +21,10 @@ static void *grow(void *item, size_t n, size_t *capacity, size_t size)
     return grown;
 }
 
-static enum thud_status add(struct thud_measures *measures, const struct thud_measure *one, struct thud_error *err)
+static enum thud_status add(struct thud_checked_values *measures, const struct thud_checked_value *one,
+                            struct thud_error *err)
 {
-    struct thud_measure *item = grow(measures->item, measures->n, &measures->capacity, sizeof *item);
+    struct thud_checked_value *item = grow(measures->item, measures->n, &measures->capacity, sizeof *item);
     if (!item)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     measures->item = item;
@@ -38,14 +39,14 @@ struct part {
     bool count, ratio;
 };
 
-static enum thud_status add_parts(struct thud_measures *measures, enum thud_case which, const char *prefix,
+static enum thud_status add_parts(struct thud_checked_values *measures, enum thud_case which, const char *prefix,
                                   const struct part *part, size_t n, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < n && status == THUD_OK; i++) {
         if (isnan(part[i].value)) /* of an impulse */
             continue;
-        struct thud_measure one = {.which = which, .value = part[i].value, .count = part[i].count};
+        struct thud_checked_value one = {.which = which, .value = part[i].value, .count = part[i].count};
         int stem = snprintf(one.name, sizeof one.name, "%.100s.%s", prefix, part[i].word);
         snprintf(one.name + stem, sizeof one.name - (size_t)stem, "%s", part[i].unit);
         one.stem = part[i].ratio ? stem : 0;
@@ -54,7 +55,7 @@ static enum thud_status add_parts(struct thud_measures *measures, enum thud_case
     return status;
 }
 
-static enum thud_status add_storey(struct thud_measures *measures, enum thud_case which, const char *prefix,
+static enum thud_status add_storey(struct thud_checked_values *measures, enum thud_case which, const char *prefix,
                                    const struct thud_storey_result *s, struct thud_error *err)
 {
     const struct part part[] = {{"ductility", "", s->ductility, false, true},
@@ -65,7 +66,7 @@ static enum thud_status add_storey(struct thud_measures *measures, enum thud_cas
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
-static enum thud_status add_structure(struct thud_measures *measures, enum thud_case which, const char *name,
+static enum thud_status add_structure(struct thud_checked_values *measures, enum thud_case which, const char *name,
                                       const struct thud_result *result, int s, struct thud_error *err)
 {
     const struct thud_structure_result *r = &result->structure[s];
@@ -90,7 +91,7 @@ static enum thud_status add_structure(struct thud_measures *measures, enum thud_
                : status;
 }
 
-static enum thud_status add_contact(struct thud_measures *measures, enum thud_case which,
+static enum thud_status add_contact(struct thud_checked_values *measures, enum thud_case which,
                                     const struct thud_contact_result *c, struct thud_error *err)
 {
     const struct part part[] = {{"impacts", "", c->impacts, true, false},
@@ -106,8 +107,9 @@ static enum thud_status add_contact(struct thud_measures *measures, enum thud_ca
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
-static enum thud_status add_column(struct thud_measures *measures, enum thud_case which, const struct thud_scene *scene,
-                                   const struct thud_column_result *c, struct thud_error *err)
+static enum thud_status add_column(struct thud_checked_values *measures, enum thud_case which,
+                                   const struct thud_scene *scene, const struct thud_column_result *c,
+                                   struct thud_error *err)
 {
     const struct part part[] = {{"shear_lower", "_n", c->peak[THUD_COLUMN_SHEAR_LOWER].value, false, false},
                                 {"shear_upper", "_n", c->peak[THUD_COLUMN_SHEAR_UPPER].value, false, false},
@@ -118,7 +120,7 @@ static enum thud_status add_column(struct thud_measures *measures, enum thud_cas
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
-static enum thud_status add_link(struct thud_measures *measures, enum thud_case which, int i,
+static enum thud_status add_link(struct thud_checked_values *measures, enum thud_case which, int i,
                                  const struct thud_link_result *l, struct thud_error *err)
 {
     const struct part part[] = {{"force", "_n", l->force.value, false, false},
@@ -129,8 +131,8 @@ static enum thud_status add_link(struct thud_measures *measures, enum thud_case 
     return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
 }
 
-enum thud_status thud_measures_add(struct thud_measures *measures, const struct thud_scene *scene, enum thud_case which,
-                                   const struct thud_result *result, struct thud_error *err)
+enum thud_status thud_checked_values_add(struct thud_checked_values *measures, const struct thud_scene *scene,
+                                         enum thud_case which, const struct thud_result *result, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (int s = 0; s < result->nstructures && status == THUD_OK; s++)
@@ -147,24 +149,24 @@ enum thud_status thud_measures_add(struct thud_measures *measures, const struct 
     return status == THUD_OK ? add_parts(measures, which, "energy", energy, 3, err) : status;
 }
 
-enum thud_status thud_measures_add_ratios(struct thud_measures *measures, struct thud_error *err)
+enum thud_status thud_checked_values_add_ratios(struct thud_checked_values *measures, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (size_t i = 0, n = measures->n; i < n && status == THUD_OK; i++) {
-        const struct thud_measure *m = &measures->item[i];
-        const struct thud_measure *none =
-            m->stem && m->which != THUD_CASE_NONE ? thud_measures_find(measures, THUD_CASE_NONE, m->name) : NULL;
+        const struct thud_checked_value *m = &measures->item[i];
+        const struct thud_checked_value *none =
+            m->stem && m->which != THUD_CASE_NONE ? thud_checked_values_find(measures, THUD_CASE_NONE, m->name) : NULL;
         if (!none || !(none->value > 0))
             continue;
-        struct thud_measure ratio = {.which = m->which, .value = m->value / none->value};
+        struct thud_checked_value ratio = {.which = m->which, .value = m->value / none->value};
         snprintf(ratio.name, sizeof ratio.name, "ratio.%.*s", m->stem, m->name);
         status = add(measures, &ratio, err);
     }
     return status;
 }
 
-const struct thud_measure *thud_measures_find(const struct thud_measures *measures, enum thud_case which,
-                                              const char *name)
+const struct thud_checked_value *thud_checked_values_find(const struct thud_checked_values *measures,
+                                                          enum thud_case which, const char *name)
 {
     for (size_t i = 0; i < measures->n; i++)
         if (measures->item[i].which == which && strcmp(measures->item[i].name, name) == 0)
@@ -172,10 +174,10 @@ const struct thud_measure *thud_measures_find(const struct thud_measures *measur
     return NULL;
 }
 
-void thud_measures_clear(struct thud_measures *measures)
+void thud_checked_values_clear(struct thud_checked_values *measures)
 {
     free(measures->item);
-    *measures = (struct thud_measures){0};
+    *measures = (struct thud_checked_values){0};
 }
 
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,
@@ -214,13 +216,14 @@ double thud_verify_tolerance(double own, double independent, bool count)
     return ceil(10 * difference / digit) * digit;
 }
 
-enum thud_status thud_verify_confirm(const struct thud_measures *own, const struct thud_measures *independent,
-                                     struct thud_expectations *agreed, struct thud_expectations *disputed,
-                                     struct thud_error *err)
+enum thud_status thud_verify_confirm(const struct thud_checked_values *own,
+                                     const struct thud_checked_values *independent, struct thud_expectations *agreed,
+                                     struct thud_expectations *disputed, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < own->n && status == THUD_OK; i++) {
-        const struct thud_measure *m = &own->item[i], *other = thud_measures_find(independent, m->which, m->name);
+        const struct thud_checked_value *m = &own->item[i],
+                                        *other = thud_checked_values_find(independent, m->which, m->name);
         double value = other ? other->value : NAN, tolerance = thud_verify_tolerance(m->value, value, m->count);
         struct thud_expectation one = {.which = m->which, .value = value, .tolerance = tolerance, .other = NAN};
         memcpy(one.name, m->name, sizeof one.name);
@@ -239,9 +242,9 @@ const char *thud_check_verdict_name(enum thud_check_verdict verdict)
     return name[verdict];
 }
 
-struct thud_check thud_verify_check(const struct thud_expectation *expected, const struct thud_measures *measures)
+struct thud_check thud_verify_check(const struct thud_expectation *expected, const struct thud_checked_values *measures)
 {
-    const struct thud_measure *m = thud_measures_find(measures, expected->which, expected->name);
+    const struct thud_checked_value *m = thud_checked_values_find(measures, expected->which, expected->name);
     if (!m)
         return (struct thud_check){NAN, NAN, THUD_GONE};
     double change = change_of(expected->value, m->value);

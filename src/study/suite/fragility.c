@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "base/random.h"
 #include "base/statistics.h"
+#include "base/text.h"
 
 /* ---- the lognormal curve ---- */
 
@@ -247,44 +248,31 @@ static void median_bounds(const struct thud_stripe *stripe, size_t n, bool falli
 
 static enum thud_status refuse_event(const char *text, struct thud_error *err)
 {
-    return thud_error_refuse(err, THUD_USAGE, "--event",
-                             "pounding, worse, force:5MN, acceleration:1g, drift:3cm, drift:1%, ductility:2, "
-                             "permanent:1cm, column:1, isolator:30cm, collapse",
-                             "\"%.60s\" is no event", text);
+    struct thud_text allowed = {0};
+    for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
+        const struct thud_measure_info *info = thud_measure_info(m);
+        if (info->event.word)
+            thud_text_append(&allowed, "%s%s%s%s", allowed.size ? ", " : "", info->event.word,
+                             info->event.example ? ":" : "", info->event.example ? info->event.example : "");
+    }
+    enum thud_status status = thud_error_refuse(err, THUD_USAGE, "--event", allowed.failed ? "" : allowed.data,
+                                                "\"%.60s\" is no event", text);
+    thud_text_clear(&allowed);
+    return status;
 }
 
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err)
 {
-    static const struct {
-        const char *word;
-        enum thud_event_kind kind;
-        bool limit;
-        enum thud_dimension dimension; /* of the limit */
-    } events[] = {{"pounding", THUD_EVENT_POUNDING, false, THUD_NUMBER},
-                  {"worse", THUD_EVENT_WORSE, false, THUD_NUMBER},
-                  {"force", THUD_EVENT_FORCE, true, THUD_FORCE},
-                  {"acceleration", THUD_EVENT_ACCELERATION, true, THUD_ACCELERATION},
-                  {"drift", THUD_EVENT_DRIFT, true, THUD_LENGTH},
-                  {"drift", THUD_EVENT_DRIFT_ANGLE, true, THUD_RATIO},
-                  {"ductility", THUD_EVENT_DUCTILITY, true, THUD_NUMBER},
-                  {"permanent", THUD_EVENT_PERMANENT, true, THUD_LENGTH},
-                  {"column", THUD_EVENT_COLUMN, true, THUD_NUMBER},
-                  {"isolator", THUD_EVENT_ISOLATOR, true, THUD_LENGTH},
-                  {"collapse", THUD_EVENT_FALLS, false, THUD_NUMBER}};
     size_t word = strcspn(text, ":");
-    for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
-        struct thud_quantity q;
-        if (strlen(events[i].word) != word || strncmp(text, events[i].word, word) != 0)
+    for (enum thud_measure m = 0; m < THUD_MEASURES && strlen(text) < sizeof out->text; m++) {
+        const struct thud_measure_info *info = thud_measure_info(m);
+        struct thud_quantity q = {.value = info->event.limit};
+        const char *own = info->event.word, *limit = info->event.example;
+        if (!own || strlen(own) != word || strncmp(text, own, word) != 0 || (limit != NULL) != (text[word] == ':'))
             continue;
-        bool limit = events[i].limit;
-        if (limit != (text[word] == ':') || strlen(text) >= sizeof out->text)
+        if (limit && (thud_quantity_parse(text + word + 1, info->kind, NULL, &q, NULL) != THUD_OK || !(q.value > 0)))
             continue;
-        if (limit &&
-            (thud_quantity_parse(text + word + 1, events[i].dimension, NULL, &q, NULL) != THUD_OK || !(q.value > 0)))
-            continue;
-        *out = (struct thud_event){.kind = events[i].kind, .limit = limit ? q.value : 0};
-        if (out->kind == THUD_EVENT_FALLS) /* where its run ends, but for rounding */
-            out->limit = THUD_COLLAPSE_DRIFT * (1 - 1e-9);
+        *out = (struct thud_event){.measure = m, .limit = q.value};
         snprintf(out->text, sizeof out->text, "%s", text);
         return THUD_OK;
     }
@@ -314,12 +302,11 @@ enum thud_status thud_events_parse(const char *list, struct thud_event *out, int
 
 /* Whether an intensity makes it more likely, or a gap pounding less. Floor accelerations and permanent drifts go up and
  * down, and so does what a bumper makes of them. */
-static bool is_monotone(enum thud_event_kind kind, const struct thud_sweep_axis *axis)
+static bool is_monotone(enum thud_measure measure, const struct thud_sweep_axis *axis)
 {
     const char *last = strrchr(axis->key, '.');
     bool gap = strcmp(last ? last + 1 : axis->key, "gap") == 0;
-    return kind != THUD_EVENT_WORSE && kind != THUD_EVENT_ACCELERATION && kind != THUD_EVENT_PERMANENT &&
-           (gap || thud_axis_is_intensity(axis));
+    return !thud_measure_info(measure)->event.not_monotone && (gap || thud_axis_is_intensity(axis));
 }
 
 bool thud_axis_is_drawn(const struct thud_sweep_axis *axis)
@@ -338,19 +325,10 @@ bool thud_axis_is_intensity(const struct thud_sweep_axis *axis)
 
 static int happens_in(const struct thud_event *event, const struct thud_suite *suite, int record, long setting, int k)
 {
-    static const double equal = 1e-9; /* relative: a ratio this near 1 is 1 */
-    static const enum thud_suite_measure measure[] = {
-        [THUD_EVENT_POUNDING] = THUD_SUITE_IMPACTS,    [THUD_EVENT_WORSE] = THUD_SUITE_ACCELERATION_RATIO,
-        [THUD_EVENT_FORCE] = THUD_SUITE_FORCE,         [THUD_EVENT_ACCELERATION] = THUD_SUITE_ACCELERATION,
-        [THUD_EVENT_DRIFT] = THUD_SUITE_DRIFT,         [THUD_EVENT_DRIFT_ANGLE] = THUD_SUITE_DRIFT_ANGLE,
-        [THUD_EVENT_DUCTILITY] = THUD_SUITE_DUCTILITY, [THUD_EVENT_PERMANENT] = THUD_SUITE_PERMANENT,
-        [THUD_EVENT_COLUMN] = THUD_SUITE_COLUMNS,      [THUD_EVENT_FALLS] = THUD_SUITE_DRIFT_ANGLE,
-        [THUD_EVENT_ISOLATOR] = THUD_SUITE_ISOLATOR};
-    double value = thud_suite_value(suite, record, setting, k, measure[event->kind], -1);
-    double limit = event->kind == THUD_EVENT_WORSE ? 1 + equal : event->limit;
+    double value = thud_suite_value(suite, record, setting, k, event->measure, -1);
     if (isnan(value)) /* a ratio is missing where there is nothing to compare, a result where a run has none */
         return -1;
-    return value > limit;
+    return value > event->limit;
 }
 
 /* ---- counts over a suite ---- */
@@ -420,12 +398,12 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
 }
 
 /* A fit that may be told, and where the median lies. */
-static void conclude(struct thud_fragility *f, enum thud_event_kind kind, const struct thud_sweep_axis *axis)
+static void conclude(struct thud_fragility *f, enum thud_measure measure, const struct thud_sweep_axis *axis)
 {
     f->curve = thud_lognormal_fit(f->stripe, f->n);
     bool falls = !thud_axis_is_intensity(axis), never = f->curve.fit == THUD_FIT_NEVER;
-    bool same = never || f->curve.fit == THUD_FIT_ALWAYS, monotone = is_monotone(kind, axis);
-    bool directed = monotone && (!falls || kind == THUD_EVENT_POUNDING); /* a force may grow with a gap, too */
+    bool same = never || f->curve.fit == THUD_FIT_ALWAYS, monotone = is_monotone(measure, axis);
+    bool directed = monotone && (!falls || measure == THUD_MEASURE_IMPACTS); /* a force may grow with a gap, too */
     if (f->curve.fit == THUD_FIT_NONE)
         return;
     if (!same && !monotone)
@@ -452,19 +430,19 @@ static double threshold(const struct thud_suite *suite, const struct thud_fragil
     for (int i = 0; i < axis->n; i++) {
         at[ask->axis] = i;
         long setting = thud_suite_setting(suite->plan, at);
-        double used = thud_suite_value(suite, record, setting, k, THUD_SUITE_USED, -1);
+        double used = thud_suite_value(suite, record, setting, k, THUD_MEASURE_USED, -1);
         if (isnan(used) || !(axis->value[i] > 0))
             continue;
         if (thud_axis_is_intensity(axis))
             return used > 0 ? axis->value[i] / used : INFINITY;
-        return axis->value[i] + thud_suite_value(suite, record, setting, k, THUD_SUITE_SHORT, -1);
+        return axis->value[i] + thud_suite_value(suite, record, setting, k, THUD_MEASURE_SHORT, -1);
     }
     return NAN;
 }
 
 static bool is_gap(const struct thud_suite *suite, const struct thud_sweep_axis *axis)
 {
-    return suite->nstructures == 2 && is_monotone(THUD_EVENT_POUNDING, axis) && !thud_axis_is_intensity(axis);
+    return suite->nstructures == 2 && is_monotone(THUD_MEASURE_IMPACTS, axis) && !thud_axis_is_intensity(axis);
 }
 
 static double free_gap(const struct thud_suite *suite, const struct thud_fragility_ask *ask)
@@ -485,7 +463,7 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
     bool intensity = thud_axis_is_intensity(axis);
     size_t n = (size_t)suite->nrecords, count, samples = suite->ndraws >= THUD_DRAWS_LEAST ? (size_t)ask->samples : 0;
     f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
-    if (ask->event->kind != THUD_EVENT_POUNDING || !(intensity ? suite->linear : is_gap(suite, axis)))
+    if (ask->event->measure != THUD_MEASURE_IMPACTS || !(intensity ? suite->linear : is_gap(suite, axis)))
         return THUD_OK;
     double *own = malloc((2 * n + samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n;
     struct thud_random random = {ask->seed};
@@ -564,7 +542,7 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
         out->most = fmax(out->most, s->x);
         thud_suite_share_band(suite, (size_t)s->count, (size_t)s->n, &out->share_low[i], &out->share_high[i]);
     }
-    conclude(out, ask->event->kind, axis);
+    conclude(out, ask->event->measure, axis);
     enum thud_status status = THUD_OK;
     if (thud_is_fitted(&out->curve) && ask->samples > 0 && suite->ndraws >= THUD_DRAWS_LEAST)
         status = bootstrap(happens, suite, ask, out, err);

@@ -31,8 +31,7 @@ static struct thud_sweep_floor mean(const struct thud_sweep_floor *floor, int n)
                                      sum.hysteretic_j / each};
 }
 
-/* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
-static int reference_case(const struct thud_sweep_point *point)
+int thud_sweep_reference(const struct thud_sweep_point *point)
 {
     int written = 0;
     for (int k = 0; k < point->ncases; k++) {
@@ -66,13 +65,13 @@ struct where {
 static struct thud_sweep_floor floor_of(const struct where *w, int variant, int k)
 {
     const struct thud_sweep_point *p = w->point;
-    const struct thud_sweep_floor *x = p->floor + ((ptrdiff_t)variant * (p->ncases + 1) + k) * p->nfloors + w->first;
+    const struct thud_sweep_floor *x = thud_sweep_floors(p, variant, k) + w->first;
     return w->floor > 0 ? x[w->floor - 1] : mean(x, w->n);
 }
 
 static void measure(const struct where *w, int variant, double m[THUD_SWEEP_MEASURES])
 {
-    struct thud_sweep_floor x = floor_of(w, variant, w->k), none = floor_of(w, variant, reference_case(w->point)),
+    struct thud_sweep_floor x = floor_of(w, variant, w->k), none = floor_of(w, variant, thud_sweep_reference(w->point)),
                             free = floor_of(w, variant, w->point->ncases);
     m[THUD_SWEEP_ACCELERATION] = x.acceleration_mps2;
     m[THUD_SWEEP_DRIFT] = x.drift_m;

@@ -1,0 +1,254 @@
+#include "study/sweep/measure.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "base/largest.h"
+#include "study/scene/building.h"
+#include "study/scene/level.h"
+#include "study/sweep/sweep_private.h"
+
+/* ---- readers ---- */
+
+/* The floors of a structure, or of all of them (-1), in the point's case k. */
+static const struct thud_sweep_floor *floors_of(const struct thud_measured_run *run, int k, int structure, int *n)
+{
+    const struct thud_sweep_point *p = run->point;
+    const struct thud_sweep_floor *first = thud_sweep_floors(p, 0, k);
+    *n = structure < 0 ? p->nfloors : p->floors[structure];
+    for (int s = 0; s < structure; s++)
+        first += p->floors[s];
+    return first;
+}
+
+static double field_of(const void *row, const struct thud_measure_info *info)
+{
+    double value;
+    memcpy(&value, (const char *)row + info->field, sizeof value);
+    return value;
+}
+
+double thud_measure_larger(const struct thud_measure_info *info, double a, double b)
+{
+    return info->unknown ? thud_larger(a, b) : fmax(a, b);
+}
+
+static double largest_of_floors(const struct thud_measured_run *run, const struct thud_measure_info *info,
+                                int structure)
+{
+    int n;
+    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
+    double most = n > 0 ? fabs(field_of(floor, info)) : (double)NAN;
+    for (int i = 1; i < n; i++)
+        most = thud_measure_larger(info, most, fabs(field_of(&floor[i], info)));
+    return most;
+}
+
+static double mean_of_case(const struct thud_measured_run *run, const struct thud_measure_info *info, int k,
+                           int structure)
+{
+    int n;
+    const struct thud_sweep_floor *floor = floors_of(run, k, structure, &n);
+    double sum = 0;
+    for (int i = 0; i < n; i++)
+        sum += field_of(&floor[i], info);
+    return n > 0 ? sum / n : (double)NAN;
+}
+
+static double mean_of_floors(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    return mean_of_case(run, info, run->k, structure);
+}
+
+static double ratio_of_means(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    const double none = mean_of_case(run, info, thud_sweep_reference(run->point), structure);
+    return none > 0 ? mean_of_case(run, info, run->k, structure) / none : (double)NAN;
+}
+
+static double isolator(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    int n;
+    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
+    return run->scene->structure[structure].kind == THUD_ISOLATED ? field_of(floor, info) : (double)NAN;
+}
+
+/* The largest drift over its storey's height. Before an isolated building's storeys stands its isolator. */
+static double drift_angle(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    const struct thud_structure *s = &run->scene->structure[structure];
+    const int first = s->kind == THUD_ISOLATED;
+    int n;
+    const struct thud_sweep_floor *floor = floors_of(run, run->k, structure, &n);
+    double most = thud_kind_is_building(s->kind) ? 0 : (double)NAN;
+    for (int i = first; i < n && !isnan(most); i++)
+        most = fmax(most, field_of(&floor[i], info) / s->height_m[i - first]);
+    return most;
+}
+
+static double collapsed(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    const double angle = drift_angle(run, info, structure);
+    return isnan(angle) ? angle : angle > THUD_COLLAPSE_DRIFT * (1 - 1e-9); /* where its run ends, but for rounding */
+}
+
+static double largest_of_contacts(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
+    double most = 0;
+    (void)of_run;
+    for (int c = 0; c < run->point->ncontacts; c++)
+        most = thud_measure_larger(info, most, field_of(&contact[c], info));
+    return most;
+}
+
+static double impacts(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
+    double sum = 0;
+    (void)info, (void)of_run;
+    for (int c = 0; c < run->point->ncontacts; c++)
+        sum += contact[c].impacts;
+    return sum;
+}
+
+static double column_shear(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
+    double most = NAN;
+    (void)info, (void)of_run;
+    for (int c = 0; c < run->point->ncontacts; c++)
+        most = fmax(most, fmax(contact[c].shear_lower_n, contact[c].shear_upper_n));
+    return most;
+}
+
+/* Of a structure's columns that slabs strike. */
+static double over_capacity(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
+{
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
+    double most = NAN;
+    for (int c = 0; c < run->point->ncontacts; c++) {
+        const struct thud_gap_level *level = &run->point->level[c];
+        if (level->struck != 0 && level->interface - (level->struck < 0) == structure)
+            most = fmax(most, field_of(&contact[c], info));
+    }
+    return most;
+}
+
+/* What the motion without pounding asks of the clearances of a case: most over clearance, and most beyond it. */
+static double clearances(const struct thud_measured_run *run, bool beyond)
+{
+    const struct thud_sweep_point *p = run->point;
+    const struct thud_gap_level *level = thud_sweep_levels(p, p->which[run->k]);
+    double most = beyond ? -INFINITY : 0;
+    for (int c = 0; c < p->ncontacts; c++) {
+        const double closing = level[c].relative_displacement_m;
+        struct thud_interface cased = run->scene->interface[level[c].interface - 1];
+        thud_interface_case(&cased, p->which[run->k]);
+        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(level, c));
+        const double clearance = thud_level_clearance(&at);
+        if (beyond)
+            most = fmax(most, closing - clearance);
+        else if (closing > 0)
+            most = fmax(most, clearance > 0 ? closing / clearance : INFINITY);
+    }
+    return most;
+}
+
+static double used_up(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    (void)info, (void)of_run;
+    return clearances(run, false);
+}
+
+static double missing(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    (void)info, (void)of_run;
+    return clearances(run, true);
+}
+
+/* ---- the table ---- */
+
+#define FLOOR(member)   .field = offsetof(struct thud_sweep_floor, member)
+#define CONTACT(member) .field = offsetof(struct thud_sweep_contact, member)
+#define TOLD(suite, lowered, uncertainty)                                                                              \
+    .place = {[THUD_TOLD_BY_SUITE] = suite, [THUD_TOLD_BY_LOWERED] = lowered, [THUD_TOLD_BY_UNCERTAINTY] = uncertainty}
+
+static const struct thud_measure_info infos[THUD_MEASURES] = {
+    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH},
+    [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, .event = {"pounding"}, .read = impacts},
+    [THUD_MEASURE_USED] = {"used_up", "share of the clearance", THUD_RATIO, .read = used_up},
+    [THUD_MEASURE_SHORT] = {"short_m", "missing clearance", THUD_LENGTH, .read = missing},
+    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9),
+                            .event = {"force", "5MN"}, .read = largest_of_contacts, CONTACT(force_n)},
+    [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS, TOLD(0, 0, 10),
+                            .read = column_shear},
+    [THUD_MEASURE_ACCELERATION] = {"acceleration_mps2", "largest acceleration", THUD_ACCELERATION, true, true,
+                                   TOLD(2, 2, 1), .event = {"acceleration", "1g", .not_monotone = true},
+                                   .read = largest_of_floors, FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2), .event = {"drift", "3cm"},
+                            .read = largest_of_floors, FLOOR(drift_m)},
+    [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0),
+                                  .event = {"drift", "1%"}, .read = drift_angle, FLOOR(drift_m)},
+    [THUD_MEASURE_MEAN_ACCELERATION] = {"mean_acceleration_mps2", "mean acceleration", THUD_ACCELERATION, true, true,
+                                        TOLD(0, 1, 3), .read = mean_of_floors, FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4), .read = mean_of_floors,
+                                 FLOOR(drift_m)},
+    [THUD_MEASURE_ACCELERATION_RATIO] = {"acceleration_ratio", "mean acceleration ratio", THUD_RATIO, true,
+                                         .needs = THUD_HAS_REFERENCE, .ratio_of = THUD_MEASURE_MEAN_ACCELERATION,
+                                         TOLD(5, 0, 7), .event = {"worse", NULL, 1 + 1e-9, true},
+                                         .read = ratio_of_means, FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_DRIFT_RATIO] = {"drift_ratio", "mean drift ratio", THUD_RATIO, true, .needs = THUD_HAS_REFERENCE,
+                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8), .read = ratio_of_means,
+                                  FLOOR(drift_m)},
+    [THUD_MEASURE_DUCTILITY] = {"ductility", "largest ductility", THUD_NUMBER, true, .needs = THUD_HAS_YIELDING,
+                                TOLD(7, 5, 5), .event = {"ductility", "2"}, .read = largest_of_floors,
+                                FLOOR(ductility)},
+    [THUD_MEASURE_PERMANENT] = {"permanent_m", "largest permanent drift", THUD_LENGTH, true, .needs = THUD_HAS_YIELDING,
+                                TOLD(8, 6, 6), .event = {"permanent", "1cm", .not_monotone = true},
+                                .read = largest_of_floors, FLOOR(permanent_m)},
+    [THUD_MEASURE_ISOLATOR] = {"isolator_m", "largest isolator displacement", THUD_LENGTH, true,
+                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0), .event = {"isolator", "30cm"},
+                               .read = isolator, FLOOR(drift_m)},
+    [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
+                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0), .event = {"column", "1"},
+                              .read = over_capacity, CONTACT(capacity_ratio)},
+    [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, true, .event = {"collapse"}, .read = collapsed,
+                                FLOOR(drift_m)}};
+
+const struct thud_measure_info *thud_measure_info(enum thud_measure measure)
+{
+    return &infos[measure];
+}
+
+int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES])
+{
+    int n = 0;
+    for (int place = 1; place <= THUD_MEASURES; place++)
+        for (enum thud_measure m = 0; m < THUD_MEASURES; m++)
+            if (infos[m].place[document] == place && !(infos[m].needs & ~features))
+                told[n++] = m;
+    return n;
+}
+
+/* By the scene, or by a varied key. */
+static bool has_capacity(const struct thud_sweep_plan *plan)
+{
+    bool has = false;
+    for (int s = 0; s < plan->scene.nstructures; s++)
+        for (int i = 0; i < plan->scene.structure[s].storeys; i++)
+            has |= plan->scene.structure[s].column_capacity_n[i] > 0;
+    for (int a = 0; a < plan->naxes; a++)
+        has |= strstr(plan->axis[a].key, ".column.capacity") != NULL;
+    return has;
+}
+
+unsigned thud_measure_features(const struct thud_sweep_plan *plan)
+{
+    unsigned features = THUD_HAS_REFERENCE | (thud_sweep_yields(plan) ? THUD_HAS_YIELDING : 0u) |
+                        (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
+    for (int s = 0; s < plan->scene.nstructures; s++)
+        features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;
+    return features;
+}
