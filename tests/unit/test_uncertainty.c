@@ -117,6 +117,18 @@ START_TEST(additivity)
 }
 END_TEST
 
+/* The manual's formulas by hand, m being 102. */
+START_TEST(formulas_by_hand)
+{
+    const double a[] = {100, 104}, b[] = {105, 99}, ab[] = {104, 102};
+    double first, total;
+    ck_assert_int_eq(thud_sobol_indices(a, b, ab, 2, 1, &first, &total, &error), THUD_OK);
+    const double variance = (4 + 4 + 9 + 9) / 4.0;
+    ck_assert_double_eq_tol(first, (3 * 4 + -3 * -2) / 2.0 / variance, 1e-14);
+    ck_assert_double_eq_tol(total, (16 + 4) / 2.0 / (2 * variance), 1e-14);
+}
+END_TEST
+
 START_TEST(nothing_varies_and_missing_rows)
 {
     double a[] = {1, 1, NAN, 1}, b[] = {1, 1, 5, 1}, ab[] = {1, 1, 1, 1}, first, total;
@@ -443,6 +455,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, the_ishigami_function);
     tcase_add_test(tcase, intervals_cover_what_is_known);
     tcase_add_test(tcase, additivity);
+    tcase_add_test(tcase, formulas_by_hand);
     tcase_add_test(tcase, nothing_varies_and_missing_rows);
     tcase_add_test(tcase, every_stratum_once);
     tcase_add_test(tcase, sobol_points_fill_their_intervals);

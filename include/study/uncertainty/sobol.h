@@ -21,10 +21,11 @@ void thud_sobol_sequence(struct thud_random *random, size_t n, size_t d, double 
 
 /* First-order and total Sobol indices of a quantity from n rows of two designs A and B and of A with column i from B:
  *
- *     S_i  = mean(f(B) (f(AB_i) - f(A))) / V          Saltelli et al., Computer Physics Communications 181 (2010) 259
+ *     S_i  = mean((f(B) - m) (f(AB_i) - f(A))) / V    Saltelli et al., Computer Physics Communications 181 (2010) 259
  *     ST_i = mean((f(A) - f(AB_i))^2) / (2 V)         Jansen, Computer Physics Communications 117 (1999) 35
  *
- * `ab` is (d x n). Rows where any value is NaN are left out. Both are NaN where nothing varies. Errors: THUD_MEMORY. */
+ * m and V: mean and variance of all f(A) and f(B); without m, whose factor has the mean 0, the error of S_i would grow
+ * with m. `ab` is (d x n). Rows where any value is NaN are left out. Both are NaN where nothing varies. Errors: THUD_MEMORY. */
 enum thud_status thud_sobol_indices(const double *a, const double *b, const double *ab, size_t n, size_t d,
                                     double *first, double *total, struct thud_error *err);
 
