@@ -147,6 +147,25 @@ START_TEST(the_key_has_no_entry_without_a_curve)
 }
 END_TEST
 
+/* In words: curves of one name are told together, and one of no name does not stand for those that have one. */
+START_TEST(words_tell_all_curves_of_a_name)
+{
+    struct thud_figure *figure = thud_figure_create("f", "", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    const double x[] = {0.0, 1.0}, low[] = {1.0, 2.0}, middle[] = {2.0, 5.0}, high[] = {3.0, 9.0},
+                 other[] = {0.0, 50.0};
+    struct thud_text words = {0};
+    thud_panel_add(panel, line, "", 2, x, other);
+    thud_panel_add(panel, line, "16 and 84 %", 2, x, low);
+    thud_panel_add(panel, line, "median", 2, x, middle);
+    thud_panel_add(panel, line, "16 and 84 %", 2, x, high);
+    thud_figure_words(figure, &words);
+    ck_assert_str_eq(words.data, "values against index: 16 and 84 % 1 to 9, median 2 to 5.");
+    thud_text_clear(&words);
+    thud_figure_free(figure);
+}
+END_TEST
+
 START_TEST(a_figure_that_could_not_be_made_is_harmless)
 {
     struct thud_error err;
@@ -370,6 +389,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, key_follows_the_colours);
     tcase_add_test(tcase, key_names_everything_once_in_order);
     tcase_add_test(tcase, the_key_has_no_entry_without_a_curve);
+    tcase_add_test(tcase, words_tell_all_curves_of_a_name);
     tcase_add_test(tcase, a_figure_that_could_not_be_made_is_harmless);
     tcase_add_test(tcase, a_closer_look_shares_the_series);
     tcase_add_test(tcase, contour_of_a_cone_is_a_circle);

@@ -33,6 +33,15 @@ static bool is_first(const struct thud_panel *panel, int i)
     return true;
 }
 
+/* Whether a curve of no name stands beside named ones, which are told. */
+static bool is_beside_named(const struct thud_panel *panel, int i)
+{
+    bool named = false;
+    for (int k = 0; k < panel->nseries; k++)
+        named = named || *panel->series[k]->name;
+    return named && !*panel->series[i]->name;
+}
+
 static void panel_words(const struct thud_panel *panel, struct thud_text *out)
 {
     const enum thud_side side = panel->axis[THUD_X].results ? THUD_X : THUD_Y;
@@ -52,7 +61,7 @@ static void panel_words(const struct thud_panel *panel, struct thud_text *out)
                      *across->label ? across->label : "index");
     for (int i = 0; i < panel->nseries && curves < CURVES_MOST; i++) {
         double least, most;
-        if (!is_first(panel, i) || (!*panel->series[i]->name && curves > 0))
+        if (!is_first(panel, i) || is_beside_named(panel, i))
             continue;
         reach(panel, panel->series[i]->name, side, &least, &most);
         if (!(least <= most))

@@ -183,9 +183,9 @@ static bool add_ida(struct thud_panel *panel, const struct thud_suite *suite, in
             y[i] = varied->value[i] * thud_varied_factor(varied);
         }
         thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = THUD_COLOR_GREY, .thin = true},
-                       r == 0 ? "each motion" : "", n, x, y);
+                       "each motion", n, x, y);
     }
-    static const char *const name[] = {"16 and 84 %", "median", ""};
+    static const char *const name[] = {"16 and 84 %", "median", "16 and 84 %"};
     for (size_t i = 0; i < n; i++) {
         place[axis] = (int)i;
         struct thud_fractiles f = thud_suite_fractiles(suite, thud_suite_setting(suite->plan, place), k,
