@@ -29,9 +29,9 @@ static bool is_drawn(const struct thud_uncertainty *u, int q)
 {
     const struct thud_quantity_of_run *x = &u->quantity[q];
     for (int i = 0; i < u->nquantities; i++)
-        if (u->quantity[i].ratio)
-            return x->ratio;
-    return x->kind == THUD_OF_ACCELERATION && !x->mean;
+        if (thud_quantity_is_ratio(&u->quantity[i]))
+            return thud_quantity_is_ratio(x);
+    return x->measure == THUD_MEASURE_ACCELERATION;
 }
 
 /* How far an input moves a quantity. */
@@ -118,10 +118,10 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         const struct thud_quantity_of_run *quantity = &u->quantity[drawn[i]];
         char title[128];
         snprintf(title, sizeof title, "%s: %s", u->scene.structure[quantity->structure].name,
-                 quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift");
+                 quantity->measure == THUD_MEASURE_DRIFT_RATIO ? "drift" : "acceleration");
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, title);
-        thud_panel_axis(panel, THUD_X, quantity->ratio ? "Ratio to no bumper" : "Largest acceleration",
-                        quantity->ratio ? "" : "m/s²");
+        thud_panel_axis(panel, THUD_X, thud_quantity_is_ratio(quantity) ? "Ratio to no bumper" : "Largest acceleration",
+                        thud_quantity_is_ratio(quantity) ? "" : "m/s²");
         thud_panel_axis(panel, THUD_Y, "", "");
         thud_panel_results_on_x(panel);
         add_tornado(panel, study, drawn[i]);
@@ -146,7 +146,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
         return NULL;
     }
     for (int q = 0, color = 0; q < u->nquantities; q++) {
-        if (!u->quantity[q].ratio)
+        if (!thud_quantity_is_ratio(&u->quantity[q]))
             continue;
         for (size_t r = 0; r < n; r++) {
             x[r] = thud_uncertainty_value(study, first + r, q);
@@ -162,7 +162,7 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
 static bool has_ratios(const struct thud_uncertainty *u)
 {
     for (int q = 0; q < u->nquantities; q++)
-        if (u->quantity[q].ratio)
+        if (thud_quantity_is_ratio(&u->quantity[q]))
             return true;
     return false;
 }

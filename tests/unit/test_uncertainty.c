@@ -313,7 +313,7 @@ START_TEST(a_motion_of_a_suite)
     place[u->ninputs - 1] = 0.75;
     ck_assert_int_eq(thud_uncertainty_evaluate(u, place, y, &error), THUD_OK);
     for (int q = 0; q < u->nquantities; q++)
-        if (x[q] > 0 && !u->quantity[q].ratio)
+        if (x[q] > 0 && !thud_quantity_is_ratio(&u->quantity[q]))
             ck_assert_double_eq_tol(y[q] / x[q], 2, 1e-9);
     free(x);
     thud_uncertainty_free(u);
@@ -403,6 +403,35 @@ START_TEST(changes_of_a_scene)
 }
 END_TEST
 
+/* Where the elevation that is drawn lets floors meet, no columns are struck, and there is no shear of 0. */
+START_TEST(a_shear_needs_struck_columns)
+{
+    struct thud_inputs inputs = {.size = {0}};
+    struct thud_uncertainty *u;
+    inputs.size[THUD_INPUT_ELEVATION] = 0.5;
+    inputs.size[THUD_INPUT_CONTACT_STIFFNESS] = 1;
+    snprintf(scene->record.file, sizeof scene->record.file, "motion");
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < scene->structure[s].storeys; i++)
+            scene->structure[s].column_ei_nm2[i] = 160e6;
+    scene->structure[1].base_m = 0.5;
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_NONE, &inputs, &u, &error), THUD_OK);
+    ck_assert_int_eq(u->ninputs, 2);
+    ck_assert_str_eq(u->input[1].name, "elevation.B");
+    double place[] = {0.5, 0.5}, *x = malloc((size_t)u->nquantities * sizeof *x);
+    const int last = u->nquantities - 1;
+    ck_assert(u->quantity[last].measure == THUD_MEASURE_SHEAR);
+    for (int met = 0; met < 2; met++) {
+        place[1] = met ? 0 : 0.5;
+        ck_assert_int_eq(thud_uncertainty_evaluate(u, place, x, &error), THUD_OK);
+        ck_assert(met ? isnan(x[last]) : x[last] >= 0);
+        ck_assert(x[last - 1] >= 0);
+    }
+    free(x);
+    thud_uncertainty_free(u);
+}
+END_TEST
+
 /* A sample is a run of the changed scene; without contact the response is linear in the motion. */
 START_TEST(samples_are_runs)
 {
@@ -424,19 +453,22 @@ START_TEST(samples_are_runs)
     ck_assert_int_eq(thud_scene_case(scene, THUD_CASE_NONE, scene + 1, &error), THUD_OK);
     ck_assert_int_eq(thud_scene_solve(scene + 1, motion, NULL, &solution, &error), THUD_OK);
     const struct thud_structure_result *s = &thud_run_result(solution.run)->structure[0];
-    double largest = 0;
-    for (int i = 0; i < s->floors; i++)
+    double largest = 0, sum = 0;
+    for (int i = 0; i < s->floors; i++) {
         largest = fmax(largest, s->floor[i].acceleration.value);
-    ck_assert(u->quantity[1].kind == THUD_OF_ACCELERATION && x[1] == largest);
+        sum += s->floor[i].acceleration.value;
+    }
+    ck_assert(u->quantity[1].measure == THUD_MEASURE_ACCELERATION && x[1] == largest);
+    ck_assert(u->quantity[3].measure == THUD_MEASURE_MEAN_ACCELERATION && x[3] == sum / s->floors);
     thud_solution_clear(&solution);
     struct thud_needed_gap *gap; /* whatever the gap of the scene is */
     ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
-    ck_assert(u->quantity[0].kind == THUD_OF_GAP && x[0] > 0);
+    ck_assert(u->quantity[0].measure == THUD_MEASURE_GAP && x[0] > 0);
     ck_assert_double_eq(x[0], thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL));
     free(gap);
     for (int q = 0; q < u->nquantities; q++)
         if (x[q] > 0)
-            ck_assert_double_eq_tol(y[q] / x[q], u->quantity[q].ratio ? 1 : 1.5, 1e-9);
+            ck_assert_double_eq_tol(y[q] / x[q], thud_quantity_is_ratio(&u->quantity[q]) ? 1 : 1.5, 1e-9);
     free(x);
     thud_uncertainty_free(u);
     inputs.size[THUD_INPUT_MOTION] = 0;
@@ -465,6 +497,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, a_motion_of_a_suite);
     tcase_add_test(tcase, the_nominal_motion_of_a_suite);
     tcase_add_test(tcase, changes_of_a_scene);
+    tcase_add_test(tcase, a_shear_needs_struck_columns);
     tcase_add_test(tcase, samples_are_runs);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -6,6 +6,7 @@
 
 #include "ground/record.h"
 #include "study/scene/scene.h"
+#include "study/sweep/measure.h"
 
 enum thud_input {
     THUD_INPUT_GAP,
@@ -78,17 +79,20 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 
 /* ---- what is asked of every sample ---- */
 
-/* THUD_OF_GAP: the required gap at every level, without what a bumper needs besides. */
-enum thud_quantity_kind { THUD_OF_ACCELERATION, THUD_OF_DRIFT, THUD_OF_FORCE, THUD_OF_NUMBER, THUD_OF_GAP };
+/* A measure of a run; of the required gap that of the scene, the widest of all levels, without what a bumper needs
+ * besides. */
 struct thud_quantity_of_run {
     char name[96];   /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
-    enum thud_quantity_kind kind;
-    bool ratio; /* to the first case */
-    bool mean;  /* over the floors, not the largest */
+    enum thud_measure measure;
     enum thud_case which;
     int structure; /* -1: of all contacts */
 };
+
+static inline bool thud_quantity_is_ratio(const struct thud_quantity_of_run *quantity)
+{
+    return thud_measure_info(quantity->measure)->ratio_of != 0;
+}
 
 struct thud_uncertainty {
     struct thud_scene scene;          /* before its case */

@@ -90,12 +90,10 @@ static void sensitivity(struct site *site)
 /* Shown in g, mm and MN, a gap as everywhere; a ratio without factor. */
 static double unit_of(const struct thud_quantity_of_run *q)
 {
-    static const double unit[] = {[THUD_OF_ACCELERATION] = THUD_GRAVITY,
-                                  [THUD_OF_DRIFT] = 1e-3,
-                                  [THUD_OF_FORCE] = 1e6,
-                                  [THUD_OF_NUMBER] = 1,
-                                  [THUD_OF_GAP] = 1};
-    return q->ratio ? 1 : unit[q->kind];
+    static const double unit[THUD_DIMENSIONS] = {
+        [THUD_ACCELERATION] = THUD_GRAVITY, [THUD_LENGTH] = 1e-3, [THUD_FORCE] = 1e6};
+    const double own = unit[thud_measure_info(q->measure)->kind];
+    return own > 0 && q->measure != THUD_MEASURE_GAP ? own : 1;
 }
 
 /* "stiffness of B" of "stiffness.B", "contact stiffness" of "contact-stiffness", "gap between A and B" of "gap.1". */
@@ -119,10 +117,10 @@ static void add_sampled_row(struct site *site, int q)
     const struct thud_quantity_of_run *quantity = &study->uncertainty->quantity[q];
     const struct thud_uncertainty_told *t = &study->told[q];
     const double value[] = {t->nominal, t->low, t->median, t->high};
-    const bool gap = quantity->kind == THUD_OF_GAP, same = t->low == t->high && t->nominal == t->median;
+    const bool gap = quantity->measure == THUD_MEASURE_GAP, same = t->low == t->high && t->nominal == t->median;
     double unit = unit_of(quantity);
     const char *what = strstr(quantity->name, ": ");
-    const bool isolators = quantity->kind == THUD_OF_DRIFT && !quantity->ratio && quantity->structure >= 0 &&
+    const bool isolators = unit_of(quantity) == 1e-3 && quantity->structure >= 0 &&
                            site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
     thud_document_cell(d, "%s%s%s%s",
                        quantity->which == THUD_CASE_AS_WRITTEN || !what ? "" : thud_case_title(quantity->which),
@@ -178,12 +176,12 @@ void thud_site_samples_summary(struct site *site)
     for (int q = 0; u && q < u->nquantities; q++) {
         const struct thud_uncertainty_told *t = &site->samples.told[q];
         const struct thud_quantity_of_run *quantity = &u->quantity[q];
-        if (!quantity->ratio || isnan(t->median))
+        if (!thud_quantity_is_ratio(quantity) || isnan(t->median))
             continue;
         thud_document_item(&site->document,
-                           "Over samples of the uncertain inputs the bumper lowers the mean %s of %s in %.0f %% of "
+                           "Over samples of the uncertain inputs the bumper lowers the %s of %s in %.0f %% of "
                            "%.0f (median ratio %.2f; %.2f to %.2f from 5 to 95 %%).",
-                           quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift",
+                           thud_measure_info(thud_measure_info(quantity->measure)->ratio_of)->words,
                            thud_site_name(site, quantity->structure), 100 * t->below, t->count, t->median, t->low,
                            t->high);
     }

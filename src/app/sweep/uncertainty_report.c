@@ -7,24 +7,22 @@
 #include "io/result/study_rows.h"
 
 /* Shown units: m/s2, cm, MN, ratios and numbers without factor. */
+static const struct shown {
+    double factor;
+    const char *name;
+} units[THUD_DIMENSIONS] = {
+    [THUD_ACCELERATION] = {1, " m/s2"}, [THUD_LENGTH] = {100, " cm"}, [THUD_FORCE] = {1e-6, " MN"}};
+
 static double shown(const struct thud_quantity_of_run *q, double value)
 {
-    static const double factor[] = {[THUD_OF_ACCELERATION] = 1,
-                                    [THUD_OF_DRIFT] = 100,
-                                    [THUD_OF_FORCE] = 1e-6,
-                                    [THUD_OF_NUMBER] = 1,
-                                    [THUD_OF_GAP] = 100};
-    return q->ratio ? value : factor[q->kind] * value;
+    const double factor = units[thud_measure_info(q->measure)->kind].factor;
+    return factor > 0 ? factor * value : value;
 }
 
 static const char *unit(const struct thud_quantity_of_run *q)
 {
-    static const char *const name[] = {[THUD_OF_ACCELERATION] = " m/s2",
-                                       [THUD_OF_DRIFT] = " cm",
-                                       [THUD_OF_FORCE] = " MN",
-                                       [THUD_OF_NUMBER] = "",
-                                       [THUD_OF_GAP] = " cm"};
-    return q->ratio ? "" : name[q->kind];
+    const char *name = units[thud_measure_info(q->measure)->kind].name;
+    return name ? name : "";
 }
 
 /* One of a list of pieces in lines of no more than 80 columns; *column: where the line is, 0 at its beginning. */
@@ -120,21 +118,21 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
                          struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    const char *what = quantity->kind == THUD_OF_ACCELERATION ? "acceleration" : "drift";
+    const struct thud_measure_info *mean = thud_measure_info(thud_measure_info(quantity->measure)->ratio_of);
     thud_text_append(out,
-                     "The %s the mean %s of %s in %.0f %% of %.0f samples\n"
+                     "The %s the %s of %s in %.0f %% of %.0f samples\n"
                      "  (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
                      quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity lowers"
                      : quantity->which == THUD_CASE_LINK ? "links lower"
                                                          : "bumper lowers",
-                     what, u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median, t->low,
-                     t->high);
+                     mean->words, u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median,
+                     t->low, t->high);
 }
 
 static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                     struct thud_text *out)
 {
-    if (u->quantity[q].kind != THUD_OF_GAP || isnan(t->median))
+    if (u->quantity[q].measure != THUD_MEASURE_GAP || isnan(t->median))
         return;
     thud_text_append(out, "The required gap is %.1f cm in the median, in 90 %% of %.0f samples %.1f to %.1f cm",
                      100 * t->median, t->count, 100 * t->low, 100 * t->high);
@@ -148,7 +146,7 @@ static void put_contact(const struct thud_uncertainty *u, int q, const struct th
                         struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    if (quantity->kind == THUD_OF_FORCE && quantity->structure < 0 && strstr(quantity->column, ".force_n"))
+    if (quantity->measure == THUD_MEASURE_FORCE)
         thud_text_append(out, "%s: there is contact in %.0f %% of %.0f samples.\n", thud_case_name(quantity->which),
                          100 * t->has_contact, t->count);
 }
@@ -166,12 +164,13 @@ static void put_indices(const struct thud_uncertainty *u, int q, const struct th
 /* Of the required gap and the ratios, or where there are none of the largest peaks. */
 static bool has_indices(const struct thud_uncertainty *u, int q)
 {
-    if (u->quantity[q].kind == THUD_OF_GAP)
+    if (u->quantity[q].measure == THUD_MEASURE_GAP)
         return true;
     for (int i = 0; i < u->nquantities; i++)
-        if (u->quantity[i].ratio)
-            return u->quantity[q].ratio;
-    return !u->quantity[q].mean;
+        if (thud_quantity_is_ratio(&u->quantity[i]))
+            return thud_quantity_is_ratio(&u->quantity[q]);
+    return u->quantity[q].measure != THUD_MEASURE_MEAN_ACCELERATION &&
+           u->quantity[q].measure != THUD_MEASURE_MEAN_DRIFT;
 }
 
 static void put_between(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
@@ -214,7 +213,7 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
     for (int q = 0; q < u->nquantities; q++)
         put_gap(u, q, &study->told[q], out);
     for (int q = 0; q < u->nquantities; q++) {
-        if (!u->quantity[q].ratio || isnan(study->told[q].median))
+        if (!thud_quantity_is_ratio(&u->quantity[q]) || isnan(study->told[q].median))
             continue;
         put_sentence(u, q, &study->told[q], out);
     }
@@ -229,21 +228,15 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
 
 /* ---- rows ---- */
 
-/* What a quantity is of: its case, its structure (NULL: none alone) and its measure. */
+/* What a quantity is of: its case and its structure (NULL: none alone). */
 static const char *case_of(const struct thud_quantity_of_run *quantity)
 {
-    return quantity->kind == THUD_OF_GAP ? NULL : thud_case_name(quantity->which);
+    return quantity->measure == THUD_MEASURE_GAP ? NULL : thud_case_name(quantity->which);
 }
 
 static const char *structure_of(const struct thud_uncertainty *u, const struct thud_quantity_of_run *quantity)
 {
     return quantity->structure < 0 ? NULL : u->scene.structure[quantity->structure].name;
-}
-
-static const char *measure_of(const struct thud_quantity_of_run *quantity)
-{
-    const char *dot = strrchr(quantity->column, '.');
-    return dot ? dot + 1 : quantity->column;
 }
 
 static void make_quantity(const void *of, int q, void *row)
@@ -255,12 +248,12 @@ static void make_quantity(const void *of, int q, void *row)
     *(struct thud_quantity_row *)row = (struct thud_quantity_row){quantity->column,
                                                                   case_of(quantity),
                                                                   structure_of(u, quantity),
-                                                                  measure_of(quantity),
+                                                                  thud_measure_info(quantity->measure)->column,
                                                                   t->nominal,
                                                                   t->low,
                                                                   t->median,
                                                                   t->high,
-                                                                  quantity->ratio ? t->below : NAN,
+                                                                  thud_quantity_is_ratio(quantity) ? t->below : NAN,
                                                                   t->between};
 }
 
@@ -370,7 +363,7 @@ static void make_sample(const void *of, int i, void *row)
         .row = (int)(run % study->samples) + 1,
         .which = case_of(quantity),
         .structure = structure_of(u, quantity),
-        .measure = measure_of(quantity),
+        .measure = thud_measure_info(quantity->measure)->column,
         .value = thud_uncertainty_value(study, thud_uncertainty_first_sample(study) + run, i % u->nquantities)};
 }
 

@@ -62,12 +62,12 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_result *r
         }
 }
 
-/* The result of the case at work. */
-static void take(struct thud_sweep_task *task, const struct thud_result *result)
+void thud_sweep_point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_model *model,
+                           const struct thud_result *result)
 {
-    struct thud_sweep_contact *to = thud_sweep_contacts(task->point, task->variant, task->which);
-    take_floors(thud_sweep_floors(task->point, task->variant, task->which), result);
-    for (int c = 0; c < task->point->ncontacts; c++) {
+    struct thud_sweep_contact *to = thud_sweep_contacts(point, variant, k);
+    take_floors(thud_sweep_floors(point, variant, k), result);
+    for (int c = 0; c < point->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
         const struct thud_column_result *column = r->column >= 0 ? &result->column[r->column] : NULL;
         to[c] = (struct thud_sweep_contact){r->impacts,
@@ -76,7 +76,7 @@ static void take(struct thud_sweep_task *task, const struct thud_result *result)
                                             r->impulse_ns,
                                             r->contact_time_s,
                                             r->residual_m,
-                                            task->model->contact[c].clearance_m + r->residual_m,
+                                            model->contact[c].clearance_m + r->residual_m,
                                             column ? column->peak[THUD_COLUMN_SHEAR_LOWER].value : NAN,
                                             column ? column->peak[THUD_COLUMN_SHEAR_UPPER].value : NAN,
                                             column ? column->ratio : NAN,
@@ -233,7 +233,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
         dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
-        take(task, result);
+        thud_sweep_point_fill(task->point, task->variant, task->which, task->model, result);
         effort->end_s = result->end_s;
         count_run(task);
         return THUD_OK;
@@ -264,7 +264,7 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
 static void finish(struct thud_sweep_task *task)
 {
     const struct thud_result *result = thud_run_result(task->run);
-    take(task, result);
+    thud_sweep_point_fill(task->point, task->variant, task->which, task->model, result);
     task->effort.end_s = result->end_s;
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/largest.h"
 #include "base/quantity.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
+#include "study/sweep/sweep_private.h"
 
 static const struct thud_input_info infos[THUD_INPUTS] = {
     [THUD_INPUT_GAP] = {"gap", THUD_INPUT_RELATIVE, THUD_INPUT_EACH_INTERFACE, 0.05},
@@ -432,41 +432,27 @@ const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty 
 
 /* ---- quantities ---- */
 
-enum { ACCELERATION, DRIFT, MEAN_ACCELERATION, MEAN_DRIFT, DUCTILITY, PERMANENT, OF_STRUCTURE };
-
 static bool has_floors(const struct thud_structure *s)
 {
     return s->kind != THUD_WALL;
 }
 
-/* What is asked of a case: name, column, kind, and whether it is a ratio, and a mean. */
-struct asked {
-    const char *what, *column;
-    enum thud_quantity_kind kind;
-    bool ratio, mean;
-};
-
-static void add(struct thud_uncertainty *u, enum thud_case which, int structure, const struct asked *asked, int n)
+/* What the table of measures tells of a case: of a structure, or of all contacts (-1). */
+static void add(struct thud_uncertainty *u, int k, int structure, unsigned features)
 {
-    const char *name = structure >= 0 ? u->scene.structure[structure].name : "";
+    const char *of = structure >= 0 ? u->scene.structure[structure].name : "", *which = thud_case_name(u->which[k]);
+    enum thud_measure told[THUD_MEASURES];
+    const int n = thud_measures_told(THUD_TOLD_BY_UNCERTAINTY, features | (k > 0 ? THUD_HAS_REFERENCE : 0u), told);
     for (int i = 0; i < n; i++) {
-        struct thud_quantity_of_run *q = &u->quantity[u->nquantities++];
-        *q = (struct thud_quantity_of_run){.kind = asked[i].kind,
-                                           .ratio = asked[i].ratio,
-                                           .mean = asked[i].mean,
-                                           .which = which,
-                                           .structure = structure};
-        snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", thud_case_name(which), asked[i].what, *name ? " of " : "",
-                 name);
-        snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", thud_case_name(which), *name ? "." : "", name,
-                 asked[i].column);
+        const struct thud_measure_info *info = thud_measure_info(told[i]);
+        struct thud_quantity_of_run *q = &u->quantity[u->nquantities];
+        if (!info->read || info->of_structure != (structure >= 0))
+            continue;
+        *q = (struct thud_quantity_of_run){.measure = told[i], .which = u->which[k], .structure = structure};
+        snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", which, info->words, *of ? " of " : "", of);
+        snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", which, *of ? "." : "", of, info->column);
+        u->nquantities++;
     }
-}
-
-/* How many of the peaks there are. */
-static int asked_of(const struct thud_structure *structure)
-{
-    return yields(structure) ? OF_STRUCTURE : DUCTILITY;
 }
 
 /* Whether a gap can be asked for: some floors of neighbours stand where they could touch, and none goes on for ever. */
@@ -484,36 +470,24 @@ static bool has_gap(const struct thud_scene *scene)
 
 static bool asks_gap(const struct thud_uncertainty *u)
 {
-    return u->nquantities > 0 && u->quantity[0].kind == THUD_OF_GAP;
+    return u->nquantities > 0 && u->quantity[0].measure == THUD_MEASURE_GAP;
 }
 
 static void add_quantities(struct thud_uncertainty *u)
 {
-    static const struct asked peaks[] = {
-        {"largest acceleration", "acceleration_mps2", THUD_OF_ACCELERATION, false, false},
-        {"largest drift", "drift_m", THUD_OF_DRIFT, false, false},
-        {"mean acceleration", "mean_acceleration_mps2", THUD_OF_ACCELERATION, false, true},
-        {"mean drift", "mean_drift_m", THUD_OF_DRIFT, false, true},
-        {"largest ductility", "ductility", THUD_OF_NUMBER, false, false},
-        {"largest permanent drift", "permanent_m", THUD_OF_DRIFT, false, false}};
-    static const struct asked ratios[] = {
-        {"mean acceleration ratio", "acceleration_ratio", THUD_OF_ACCELERATION, true, true},
-        {"mean drift ratio", "drift_ratio", THUD_OF_DRIFT, true, true}};
-    static const struct asked contacts[] = {{"largest force", "force_n", THUD_OF_FORCE, false, false},
-                                            {"largest column shear", "shear_n", THUD_OF_FORCE, false, false}};
+    const struct thud_measure_info *gap = thud_measure_info(THUD_MEASURE_GAP);
     if (has_gap(&u->scene))
-        u->quantity[u->nquantities++] = (struct thud_quantity_of_run){
-            .name = "required gap", .column = "needed_gap_m", .kind = THUD_OF_GAP, .structure = -1};
+        u->nquantities = 1;
+    if (u->nquantities > 0) {
+        u->quantity[0] = (struct thud_quantity_of_run){.measure = THUD_MEASURE_GAP, .structure = -1};
+        snprintf(u->quantity[0].name, sizeof u->quantity[0].name, "%s", gap->words);
+        snprintf(u->quantity[0].column, sizeof u->quantity[0].column, "%s", gap->column);
+    }
     for (int k = 0; k < u->ncases; k++) {
-        enum thud_case which = u->which[k];
-        for (int s = 0; s < u->scene.nstructures; s++) {
-            if (!has_floors(&u->scene.structure[s]))
-                continue;
-            add(u, which, s, peaks, asked_of(&u->scene.structure[s]));
-            if (k > 0)
-                add(u, which, s, ratios, 2);
-        }
-        add(u, which, -1, contacts, 1 + u->columns);
+        for (int s = 0; s < u->scene.nstructures; s++)
+            if (has_floors(&u->scene.structure[s]))
+                add(u, k, s, yields(&u->scene.structure[s]) ? THUD_HAS_YIELDING : 0);
+        add(u, k, -1, u->columns ? THUD_HAS_COLUMNS : 0);
     }
 }
 
@@ -563,7 +537,7 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     if (!measure || which != THUD_CASE_NONE)
         u->which[u->ncases++] = measure && which == THUD_CASE_AS_WRITTEN ? written : which;
     enum thud_status status = find_inputs(u, inputs, err);
-    u->quantity = calloc(1 + (size_t)u->ncases * ((size_t)scene->nstructures * 8 + 2), sizeof *u->quantity);
+    u->quantity = calloc(1 + (size_t)u->ncases * ((size_t)scene->nstructures + 1) * THUD_MEASURES, sizeof *u->quantity);
     if (!u->quantity)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status != THUD_OK) {
@@ -588,67 +562,44 @@ void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
     free(uncertainty);
 }
 
-/* Largest and mean peaks of a structure. */
-static void summarize(const struct thud_result *result, int structure, double x[OF_STRUCTURE])
+/* A point for the cases of a sample, whose results are filled in one after the other; NULL: out of memory. */
+static struct thud_sweep_point *point_of(const struct thud_uncertainty *u, const struct thud_needed_gap *gap,
+                                         const struct thud_result *result)
 {
-    const struct thud_structure_result *s = &result->structure[structure];
-    memset(x, 0, OF_STRUCTURE * sizeof *x);
-    for (int i = 0; s->storey && i < s->floors; i++) {
-        x[DUCTILITY] = s->storey[i].yields ? fmax(x[DUCTILITY], s->storey[i].ductility) : x[DUCTILITY];
-        x[PERMANENT] = s->storey[i].yields ? fmax(x[PERMANENT], fabs(s->storey[i].permanent_m)) : x[PERMANENT];
-    }
-    for (int i = 0; i < s->floors; i++) {
-        double acceleration = thud_floor_acceleration(result, structure, i);
-        x[ACCELERATION] = thud_larger(x[ACCELERATION], acceleration);
-        x[DRIFT] = fmax(x[DRIFT], s->floor[i].drift.value);
-        x[MEAN_ACCELERATION] += acceleration / s->floors;
-        x[MEAN_DRIFT] += s->floor[i].drift.value / s->floors;
-    }
+    int nfloors = 0;
+    for (int s = 0; s < result->nstructures; s++)
+        nfloors += result->structure[s].floors;
+    struct thud_sweep_point *point = thud_sweep_point_create(u->ncases, nfloors, result->ncontacts, 1, 1);
+    if (!point)
+        return NULL;
+    point->nstructures = result->nstructures;
+    for (int s = 0; s < result->nstructures; s++)
+        point->floors[s] = result->structure[s].floors;
+    memcpy(point->which, u->which, (size_t)u->ncases * sizeof *u->which);
+    if (gap && gap->nlevels == result->ncontacts)
+        memcpy(point->level, gap->level, (size_t)gap->nlevels * sizeof *gap->level);
+    return point;
 }
 
-/* One case's quantities from *value on; `first` (nstructures x OF_STRUCTURE): those of the first case, filled by it. */
-static double *put_case(const struct thud_uncertainty *u, int k, const struct thud_result *result, double *first,
-                        double *value)
+/* The quantities of case k, whose result is in the point. */
+static void put_case(const struct thud_uncertainty *u, const struct thud_measured_run *run, double *value)
 {
-    double force = 0;
-    for (int s = 0; s < result->nstructures; s++, first += OF_STRUCTURE) {
-        double x[OF_STRUCTURE];
-        if (!has_floors(&u->scene.structure[s]))
-            continue;
-        summarize(result, s, x);
-        for (int q = 0; q < asked_of(&u->scene.structure[s]); q++)
-            *value++ = x[q];
-        if (k == 0) {
-            memcpy(first, x, sizeof x);
-            continue;
-        }
-        *value++ = first[MEAN_ACCELERATION] > 0 ? x[MEAN_ACCELERATION] / first[MEAN_ACCELERATION] : NAN;
-        *value++ = first[MEAN_DRIFT] > 0 ? x[MEAN_DRIFT] / first[MEAN_DRIFT] : NAN;
-    }
-    for (int c = 0; c < result->ncontacts; c++)
-        force = thud_larger(force, thud_peak_force(&result->contact[c]));
-    *value++ = force;
-    double shear = 0;
-    for (int c = 0; c < result->ncolumns; c++)
-        shear = fmax(shear, fmax(result->column[c].peak[THUD_COLUMN_SHEAR_LOWER].value,
-                                 result->column[c].peak[THUD_COLUMN_SHEAR_UPPER].value));
-    if (u->columns)
-        *value++ = shear;
-    return value;
+    for (int q = asks_gap(u); q < u->nquantities; q++)
+        if (u->quantity[q].which == u->which[run->k])
+            value[q] = thud_measure_read(run, u->quantity[q].measure, u->quantity[q].structure);
 }
 
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, const double *place, double *value,
                                            struct thud_error *err)
 {
     struct thud_scene *scene = malloc(2 * sizeof *scene);
-    double first[THUD_STRUCTURES_MAX * OF_STRUCTURE], motion = 1;
+    double motion = 1;
     struct thud_record *scaled = NULL;
-    double *to = value;
+    struct thud_needed_gap *gap = NULL;
+    struct thud_sweep_point *point = NULL;
     enum thud_status status = THUD_OK;
     if (!scene)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int i = 0; i < THUD_STRUCTURES_MAX * OF_STRUCTURE; i++)
-        first[i] = NAN;
     for (int q = 0; q < u->nquantities; q++)
         value[q] = NAN;
     *scene = u->scene;
@@ -661,12 +612,9 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
             thud_record_scale(scaled, motion);
     }
     if (asks_gap(u) && status == THUD_OK) {
-        struct thud_needed_gap *gap = NULL;
         status = thud_needed_gap_run(scene, scaled ? scaled : record, &gap, err);
         if (status == THUD_OK && gap->nlevels > 0)
-            *to = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
-        to++;
-        free(gap);
+            value[0] = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
     }
     for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
         struct thud_solution solution = {0};
@@ -675,13 +623,19 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
             status = thud_scene_check(scene + 1, err);
         if (status == THUD_OK)
             status = thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
-        if (status == THUD_OK)
-            to = put_case(u, k, thud_run_result(solution.run), first, to);
+        if (status == THUD_OK && !point && !(point = point_of(u, gap, thud_run_result(solution.run))))
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+        if (status == THUD_OK) {
+            thud_sweep_point_fill(point, 0, k, solution.model, thud_run_result(solution.run));
+            put_case(u, &(struct thud_measured_run){scene, point, k}, value);
+        }
         thud_solution_clear(&solution);
     }
     if (status == THUD_DIVERGED) /* a sample without a result from there on */
         status = THUD_OK;
     thud_record_free(scaled);
+    free(gap);
+    free(point);
     free(scene);
     return status;
 }
