@@ -214,6 +214,7 @@ is "a report where slabs strike columns" report 0 slab-against-columns --to 9s -
 shear=$("$THUD" run slab-against-columns --to 9s --json 2>/dev/null | grep -o '"shear_upper_n": [0-9.e+]*' | awk '$2 > m { m = $2 } END { printf "%.1f", m / 1000000 }')
 is "has their largest shear" in_text "the largest shear of those below floor 5 of B is .* MN without bumper, $shear MN with the bumper; their capacity is 1.60 MN"
 is "and a table of them" in_text 'Columns that slabs strike: largest shear and moment at their ends'
+is "beside what the drift alone asks of them" in_text 'no pounding: shear / capacity'
 sed 's/gap: 8 cm/gap: 9 cm/' "$tmp/own.yaml" >"$tmp/wider.yaml"
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0 --beside "$tmp/wider.yaml"
 is "a variant is run as its preset is written" in_text "| own | 8.00 | 5.00 | $(count) | $(force) | .* | wider | 9.00 | 5.00 | $(count --set gap=9cm) | $(force --set gap=9cm) |"

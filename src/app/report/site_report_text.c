@@ -371,7 +371,7 @@ static void add_column_table(struct site *site)
         return;
     thud_document_table(d, "Columns that slabs strike: largest shear and moment at their ends");
     thud_document_cell(d, "columns below");
-    for (int i = SITE_NONE; i < site->ncases; i++) {
+    for (int i = SITE_FREE; i < site->ncases; i++) {
         thud_document_cells(d, "%s: shear MN\t%s: moment MN m", site->cases[i].name, site->cases[i].name);
         if (limited)
             thud_document_cell(d, "%s: shear / capacity", site->cases[i].name);
@@ -379,7 +379,7 @@ static void add_column_table(struct site *site)
     thud_document_row(d);
     for (int k = own->ncolumns - 1; k >= 0; k--) {
         thud_document_cell(d, "%s", thud_site_columns(site, &own->column[k], name, sizeof name));
-        for (int i = SITE_NONE; i < site->ncases; i++) {
+        for (int i = SITE_FREE; i < site->ncases; i++) {
             const struct thud_column_result *r = &site->cases[i].result->column[k];
             thud_document_cells(d, "%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
                                 thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text);
