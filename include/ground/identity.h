@@ -26,3 +26,9 @@ bool thud_record_same_station(const struct thud_record *a, const struct thud_rec
 /* The same motion but for a factor, where it begins, and how it was processed: at the best lag of up to 5 s the
  * correlation coefficient of the two is above 0.9. */
 bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b);
+/* Whether a ground motion is `other` reversed, by their names as a suite of both signs has them. */
+bool thud_motion_is_turned(const char *own, const char *other);
+/* How many recordings n motions are of: one event at one station is one, and so is one file, whatever the components,
+ * factors, signs, windows and processings of it; without a station a motion is one of its own unless it is the same
+ * motion as another, or none at all (NULL). `of` (n): whose, from 0 in the order of the motions; or NULL. */
+int thud_motions_recordings(const struct thud_record *const *record, int n, int *of);

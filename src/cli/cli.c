@@ -192,6 +192,15 @@ void thud_cli_warn(const struct thud_error *what)
     fprintf(stderr, "thud: warning: %s\n", thud_error_text(what, line, sizeof line));
 }
 
+void thud_cli_remarks(const struct thud_args *args, const struct thud_remark_scope *scope, unsigned about)
+{
+    struct thud_remarks found =
+        thud_remarks_find(scope, thud_args_has(args, "quiet") ? about & THUD_REMARK_LEDGER : about);
+    for (int i = 0; i < found.n; i++)
+        thud_cli_warn(&found.item[i].said);
+    thud_remarks_clear(&found);
+}
+
 int thud_cli_main(int argc, char **argv, thud_screen_function *screen)
 {
     struct thud_error err = {0};

@@ -80,54 +80,46 @@ static enum thud_status draw(const struct thud_args *args, struct thud_picture_c
 }
 
 /* Numbers that are no results are not shown without a word. */
-static void warn(const struct thud_result *result)
-{
-    static const double balanced = 1e-2;
-    if (result->energy.error_ratio > balanced)
-        fprintf(stderr, "thud: warning: %.2g %% of the energy is unaccounted for; at this step %s gives no results\n",
-                100 * result->energy.error_ratio, result->method);
-    else if (-result->energy.contact_j > balanced * (result->energy.initial_j + result->energy.input_j))
-        fprintf(stderr, "thud: warning: the contacts made %.3g kJ out of nothing; at this step %s gives no results\n",
-                -1e-3 * result->energy.contact_j, result->method);
-}
-
-/* Whether the preset itself has this unusual value, and no option. */
-static bool of_preset(const struct thud_session *session, const struct thud_error *unusual)
-{
-    struct thud_error own;
-    for (int i = 0; thud_scene_warning(thud_preset_scene(session->preset), i, &own); i++)
-        if (strcmp(own.key, unusual->key) == 0 && strcmp(own.what, unusual->what) == 0)
-            return true;
-    return false;
-}
-
-/* What is allowed but unusual, or without effect, one line each; and what the result shows that no building bears. */
+/* What is allowed but unusual, with its place: the preset, unless an option changed it. */
 static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
-                         const struct thud_scene *scene, const struct thud_run *run)
+                         const struct thud_scene *scene)
 {
-    const char *used = thud_run_result(run)->method;
-    const struct thud_method *method = thud_method_find(used);
-    struct thud_error unusual;
-    int nimpacts;
-    const struct thud_impact *impact = thud_run_impacts(run, &nimpacts);
+    const struct thud_remark_scope scope = {.scene = scene}, preset = {.scene = thud_preset_scene(session->preset)};
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_SCENE),
+                        written = thud_remarks_find(&preset, THUD_REMARK_SCENE);
+    for (int i = 0; i < found.n; i++) {
+        struct thud_error *said = &found.item[i].said;
+        const struct thud_remark *own = thud_remarks_like(&written, &found.item[i]);
+        if (own && strcmp(own->said.what, said->what) == 0)
+            thud_error_place(said, session->preset_path, 0, 0);
+        else
+            thud_scene_options_name(args, THUD_OK, said);
+        thud_cli_warn(said);
+    }
+    thud_remarks_clear(&found);
+    thud_remarks_clear(&written);
+}
+
+/* All that is to be said of a run; but a collapse, which ends it, is said at the end. */
+static void warn(const struct thud_args *args, const struct thud_session *session, const struct thud_scene *scene,
+                 const struct thud_run *run)
+{
+    struct thud_remark_scope scope = {
+        .scene = scene, .before = thud_preset_scene(session->preset), .result = thud_run_result(run)};
+    const struct thud_method *method = thud_method_find(scope.result->method);
+    struct thud_error fall = {0};
     if (thud_args_has(args, "quiet"))
         return;
-    for (int i = 0; thud_scene_warning(scene, i, &unusual); i++) {
-        if (of_preset(session, &unusual))
-            thud_error_place(&unusual, session->preset_path, 0, 0);
-        else
-            thud_scene_options_name(args, THUD_OK, &unusual);
-        thud_cli_warn(&unusual);
-    }
-    for (int i = 0; thud_scene_change_remark(thud_preset_scene(session->preset), scene, i, &unusual); i++)
-        thud_cli_warn(&unusual);
-    struct thud_error fall = {0}; /* which ends the run, and is said at the end */
-    thud_collapse_remark(scene, thud_run_result(run), &fall);
-    for (int i = 0; thud_result_remark(scene, thud_run_result(run), impact, nimpacts, i, &unusual); i++)
-        if (strcmp(unusual.what, fall.what) != 0)
-            thud_cli_warn(&unusual);
+    warn_unusual(args, session, scene);
+    scope.impact = thud_run_impacts(run, &scope.nimpacts);
+    thud_collapse_remark(scene, scope.result, &fall);
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_CHANGE | THUD_REMARK_RESULT);
+    for (int i = 0; i < found.n; i++)
+        if (strcmp(found.item[i].said.what, fall.what) != 0)
+            thud_cli_warn(&found.item[i].said);
+    thud_remarks_clear(&found);
     if (thud_args_has(args, "step") && method && !(method->flags & THUD_METHOD_FIXED_STEP))
-        fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", used);
+        fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", scope.result->method);
 }
 
 /* What more runs tell of the result: the error of modes left out, its sensitivity; then the result. */
@@ -141,7 +133,6 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
     struct thud_needed_gap *gap = NULL;
     double change = thud_scene_options_change(args, scene);
     enum thud_status status = THUD_OK;
-    warn(report.result);
     if (solution->model->left_out > 0) {
         status = thud_truncation_measure(scene, session->record, solution, &truncation, err);
         report.truncation = &truncation;
@@ -162,10 +153,11 @@ static enum thud_status report_run(const struct thud_args *args, const struct th
 /* Before a run that takes long, about how long. What is wrong with the ground motion the run says. */
 static void say_effort(const struct thud_args *args, struct thud_session *session)
 {
-    struct thud_error effort;
-    if (!thud_args_has(args, "quiet") && thud_session_read_record(session, NULL) == THUD_OK &&
-        thud_scene_effort_remark(&session->scene, session->record, &effort))
-        thud_cli_warn(&effort);
+    if (thud_session_read_record(session, NULL) != THUD_OK)
+        return;
+    const struct thud_record *record = session->record;
+    const struct thud_remark_scope scope = {.scene = &session->scene, .record = &record, .nrecords = record != NULL};
+    thud_cli_remarks(args, &scope, THUD_REMARK_EFFORT);
 }
 
 /* A run that failed shows no peaks: as JSON its status, when and why, else the message alone. */
@@ -281,12 +273,15 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     if (status != THUD_OK)
         return status;
     for (int i = 1; i < cases->n; i++)
-        warn(thud_run_result(cases->item[i].solution.run));
+        thud_cli_remarks(args,
+                         &(struct thud_remark_scope){.scene = &cases->item[i].scene,
+                                                     .result = thud_run_result(cases->item[i].solution.run)},
+                         THUD_REMARK_LEDGER);
     const struct thud_run_case *shown = &cases->item[cases->n - 1]; /* whose bumper stands out most */
     for (int i = 1; i < cases->n; i++)
         if (cases->item[i].which == THUD_CASE_BUMPER)
             shown = &cases->item[i];
-    warn_unusual(args, session, &shown->scene, shown->solution.run);
+    warn(args, session, &shown->scene, shown->solution.run);
     put_cases(args, session, cases, &text);
     status = thud_cli_print_as(args, &text, THUD_OK, err);
     if (status == THUD_OK && options.keep_history)
@@ -316,7 +311,9 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         return status;
     status = thud_session_run(session, which, &options, scene, &solution, err);
     if (status == THUD_OK) {
-        warn_unusual(args, session, scene, solution.run);
+        thud_cli_remarks(args, &(struct thud_remark_scope){.scene = scene, .result = thud_run_result(solution.run)},
+                         THUD_REMARK_LEDGER);
+        warn(args, session, scene, solution.run);
         if (options.keep_history)
             status = thud_made_by_begin(&by, err);
         if (status == THUD_OK)

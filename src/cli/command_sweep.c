@@ -197,13 +197,17 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
     return status;
 }
 
-/* What the runs show that no building bears. */
-static void warn_watched(const struct sweep *s)
+/* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
+ * show that no building bears (after them). */
+static void remark(const struct sweep *s, unsigned about)
 {
-    struct thud_error what;
-    for (int i = 0; !thud_args_has(s->args, "quiet") && thud_sweep_watch_remark(&s->outcome.watch, &s->plan, i, &what);
-         i++)
-        thud_cli_warn(&what);
+    const struct thud_remark_scope scope = {.scene = &s->plan.scene,
+                                            .before = thud_preset_scene(s->session.preset),
+                                            .record = s->plan.record,
+                                            .nrecords = s->plan.nrecords,
+                                            .plan = &s->plan,
+                                            .watch = &s->outcome.watch};
+    thud_cli_remarks(s->args, &scope, about);
 }
 
 /* What is said at the end: the table on standard output, or only the work on standard error where rows are there. */
@@ -213,7 +217,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     struct thud_text text = {0};
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
     enum thud_status status = thud_sweep_output_end(&s->output, err);
-    warn_watched(s);
+    remark(s, THUD_REMARK_STUDY);
     if (table && status == THUD_OK && s->suite) { /* the result of a suite, before those of its motions */
         status = thud_suite_report(s->suite, THUD_AS_TEXT, &text, err);
         if (status == THUD_OK)
@@ -254,7 +258,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
     enum thud_status status = s->study.folder ? THUD_OK : tell_fragility(s, err);
     if (status == THUD_OK)
         status = thud_cli_print(&s->told, err);
-    warn_watched(s);
+    remark(s, THUD_REMARK_STUDY);
     if (!thud_args_has(s->args, "quiet"))
         thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
     if (work.data)
@@ -297,20 +301,6 @@ static enum thud_status journal_preset(struct sweep *s, struct thud_error *err)
     return status;
 }
 
-/* What the study does not change although a reader may think so. */
-static void remark(const struct sweep *s)
-{
-    struct thud_error what;
-    if (thud_args_has(s->args, "quiet"))
-        return;
-    if (thud_scene_effort_remark(&s->plan.scene, s->plan.nrecords > 0 ? s->plan.record[0] : NULL, &what))
-        thud_cli_warn(&what);
-    for (int i = 0; thud_sweep_remark(&s->plan, i, &what); i++)
-        thud_cli_warn(&what);
-    for (int i = 0; thud_scene_change_remark(thud_preset_scene(s->session.preset), &s->plan.scene, i, &what); i++)
-        thud_cli_warn(&what);
-}
-
 static enum thud_status make(struct sweep *s, struct thud_error *err)
 {
     enum thud_status status = thud_scene_options_open(s->args, &s->session, err);
@@ -326,7 +316,7 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK)
         status = fill_study(s, err);
     if (status == THUD_OK)
-        remark(s);
+        remark(s, THUD_REMARK_EFFORT | THUD_REMARK_CHANGE);
     if (status == THUD_OK)
         status = finish(s, thud_sweep_study_run(&s->study, &s->outcome, err), err);
     thud_sweep_outcome_clear(&s->outcome);

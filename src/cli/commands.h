@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "cli/args.h"
 #include "io/file/schema.h"
+#include "study/sweep/remark.h"
 
 #define THUD_COMMAND(ID, name)                                                                                         \
     enum thud_status thud_command_##name(const struct thud_args *args, struct thud_error *err);
@@ -38,6 +39,8 @@ enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_
 /* Write the message to standard error; the second as a warning. */
 void thud_cli_complain(const struct thud_error *err);
 void thud_cli_warn(const struct thud_error *what);
+/* The remarks of a set of enum thud_remark_about, a warning each; with --quiet only of the ledger. */
+void thud_cli_remarks(const struct thud_args *args, const struct thud_remark_scope *scope, unsigned about);
 
 /* The works that a law or method is from, parted by "; ": a line each. */
 void thud_cli_references(const char *reference, struct thud_text *out);

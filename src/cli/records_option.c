@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "study/suite/scaling.h"
 
 enum thud_status thud_records_named(const struct thud_args *args, const struct thud_session *session, const char *text,
                                     bool both, struct thud_record_list *out, struct thud_error *err)
@@ -20,10 +19,7 @@ enum thud_status thud_records_named(const struct thud_args *args, const struct t
 
 void thud_records_warn(const struct thud_args *args, const struct thud_record *const *record, int n)
 {
-    struct thud_error what;
-    int from = 0;
-    while (!thud_args_has(args, "quiet") && thud_suite_remark(record, NULL, n, &from, &what))
-        thud_cli_warn(&what);
+    thud_cli_remarks(args, &(struct thud_remark_scope){.record = record, .nrecords = n}, THUD_REMARK_MOTIONS);
 }
 
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,

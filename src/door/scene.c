@@ -8,6 +8,7 @@
 #include "app/run/threads.h"
 #include "base/version.h"
 #include "door/door.h"
+#include "study/sweep/remark.h"
 
 /* Stands for the file of a ground motion that came as an array. */
 static const char array[] = "array";
@@ -162,7 +163,12 @@ enum thud_status thud_get_number(const struct thud *scene, const char *key, doub
 int thud_unusual(const struct thud *scene, int n, struct thud_error *out)
 {
     locale_t before = thud_threads_numbers();
-    bool is = thud_scene_warning(&scene->session.scene, n, out);
+    const struct thud_remark_scope scope = {.scene = &scene->session.scene};
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_SCENE);
+    const bool is = n >= 0 && n < found.n;
+    if (is && out)
+        *out = found.item[n].said;
+    thud_remarks_clear(&found);
     thud_threads_numbers_back(before);
     return is;
 }

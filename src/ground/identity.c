@@ -167,3 +167,44 @@ bool thud_record_same_motion(const struct thud_record *a, const struct thud_reco
     free(x);
     return found;
 }
+
+bool thud_motion_is_turned(const char *own, const char *other)
+{
+    static const char turned[] = ":sign=-";
+    size_t n = strlen(own), cut = sizeof turned - 1;
+    return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
+}
+
+/* The length of a file's name without its settings (FILE:KEY=VALUE...). A table's columns and channels are no settings:
+ * they may be of different recordings. */
+static size_t name_length(const char *file)
+{
+    const char *end = file + strlen(file);
+    for (const char *colon = strchr(file, ':'); colon; colon = strchr(colon + 1, ':')) {
+        const char *rest = colon + 1 + strspn(colon + 1, "abcdefghijklmnopqrstuvwxyz-");
+        if (*rest == '=' && strncmp(colon, ":column", 7) != 0 && strncmp(colon, ":channel", 8) != 0)
+            return (size_t)(colon - file);
+    }
+    return (size_t)(end - file);
+}
+
+static bool same_recording(const struct thud_record *a, const struct thud_record *b)
+{
+    const size_t n = name_length(a->file);
+    return (n == name_length(b->file) && strncmp(a->file, b->file, n) == 0) || thud_record_same_station(a, b) ||
+           thud_record_same_motion(a, b);
+}
+
+int thud_motions_recordings(const struct thud_record *const *record, int n, int *of)
+{
+    int recordings = 0;
+    for (int i = 0; i < n; i++) {
+        int k = 0;
+        while (k < i && !(record && record[i] && record[k] && same_recording(record[i], record[k])))
+            k++;
+        if (of)
+            of[i] = k < i ? of[k] : recordings;
+        recordings += k == i;
+    }
+    return recordings;
+}

@@ -12,7 +12,7 @@ is "and over them" shows "^largest  *19.73"
 is "in a sentence" shows "^A gap of 14.3 cm is enough for 2 of the 3 ground motions,$"
 is "of two motions the narrower gap is enough for one" gives 0 gap towers --records records/kobe-surrogate.csv,records/northridge-surrogate.csv
 is "and the wider one for both" shows "^A gap of 14.3 cm is enough for 1 of the 2 ground motions,$"
-is "two are few" says "^thud: warning: 2 motions are fewer than codes accept (7 or more"
+is "two are few" says "^thud: warning: 2 files, 2 recordings: fewer than codes accept (7 or more"
 is "that is what 84 % of them need" shows "^for 2 of 2 (84 %)  *19.73"
 is "at the gap that is said" gives 0 run towers --case none --record records/northridge-surrogate.csv --set gap=14.3cm
 is "there is no contact" shows "^summary  *NO CONTACT at 14.3 cm   needs 14.3 cm"
@@ -156,7 +156,14 @@ again --json
 is "--json is the file" cmp "$tmp/out" "$tmp/fragility/fragility.json"
 again --csv --samples 7 --seed 2
 is "three motions have no bands for a seed to change" cmp "$tmp/out" "$tmp/fragility/fragility.csv"
-for n in 1 2 3 4 5 6 7; do echo "$PWD/records/$(echo kobe northridge san-fernando | cut -d' ' -f$((n % 3 + 1)))-surrogate.csv:peak=0.$((n + 2)) g"; done >"$tmp/seven.list"
+for n in 1 2 3 4 5 6 7; do
+    "$THUD" record synthesize --set seed="$n" >"$tmp/seed-$n.csv"
+    echo "$tmp/seed-$n.csv:peak=0.$((n + 2)) g" >>"$tmp/seven.list"
+    echo "$PWD/records/$(echo kobe northridge san-fernando | cut -d' ' -f$((n % 3 + 1)))-surrogate.csv:peak=0.$((n + 2)) g" >>"$tmp/three.list"
+done
+is "seven files of three recordings" gives 0 gap towers --records "$tmp/three.list"
+is "are three, whose largest displacements count" says "7 files, 3 recordings: few, so that codes ask for the largest"
+is "and not the mean" shows "^uL and uR: largest of the 7 ground motions"
 seven() { "$THUD" fragility towers --records "$tmp/seven.list" --vary gap=5cm:21cm:1cm --cases none --event pounding --event force:8MN --csv --quiet "$@" 2>"$tmp/err"; }
 seven --samples 40 >"$tmp/c8"
 seven --samples 40 --seed 2 >"$tmp/out"
@@ -370,7 +377,7 @@ mkdir "$tmp/motions"
 for name in kobe northridge san-fernando; do cp records/$name-surrogate.csv "$tmp/motions"; done
 is "thud suite: a table" gives 0 suite "$tmp/motions"
 is "of every motion" shows "^san-fernando-surrogate.csv  *0.01 "
-is "three are few" shows "! 3 motions are few"
+is "three are few" shows "! 3 files, 3 recordings: few"
 is "scaled to EN 1998-1" gives 0 suite "$tmp/motions" --preset towers --target en1998:0.3g,B -o "$tmp/suite"
 is "the mean is nowhere below 90 %" sh -c "sed -n 's/^mean *at least \([0-9.]*\) of the target.*/\1/p' '$tmp/out' | awk '{ exit !(\$1 >= 0.8999) }'"
 is "the figure is a picture" is_png "$tmp/suite/suite.png"
@@ -406,8 +413,8 @@ round "peaks, factors and signs" "kobe-surrogate.csv:peak=0.3g:to=9s,kobe-surrog
 round "in a folder with such a name" "$tmp/odd/a b#c:to=9s"
 is "a name has its settings whole" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2:unit=cm/s2,two.csv:column=3:unit=cm/s2 --quiet | grep -q '^two.csv:column=3:unit=cm/s2 '"
 is "two motions that say nothing of themselves" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2,plain --quiet >'$tmp/out'"
-is "count as independent, which is said" shows "! 2 motions do not say of which event and station they are (each counts as independent, also"
-is "not of one that says it" sh -c "cd '$tmp/odd' && ! \"\$THUD\" suite kobe-surrogate.csv,plain --quiet | grep 'do not say'"
+is "count as independent, which is said" shows "! 2 files, 2 recordings, 2 of unknown station: fewer than codes accept"
+is "not of one that says it" sh -c "cd '$tmp/odd' && ! \"\$THUD\" suite kobe-surrogate.csv,plain --quiet | grep 'of unknown'"
 rm "$tmp/odd/two.csv"
 round "every awkward name of a folder" "$tmp/odd:to=9s"
 printf 'a\nb' >"$tmp/two-lines" && mkdir "$tmp/lines" && cp "$tmp/odd/plain" "$tmp/lines/$(cat "$tmp/two-lines")"
@@ -440,7 +447,7 @@ like northridge S1 S62W b.csv
 like san-fernando S2 Up c.csv
 cp "$tmp/wrong/a.csv" "$tmp/wrong/d.csv"
 printf 'a.csv\nb.csv\nc.csv:factor=5\nd.csv\n' >"$tmp/wrong/all.list"
-tells_each_once() { for words in "all motions are of one event, E " "4 motions are few" "c.csv is scaled by 5 " "c.csv is a vertical component" \
+tells_each_once() { for words in "all motions are of one event, E " "4 files, 2 recordings: fewer than codes accept" "c.csv is scaled by 5 " "c.csv is a vertical component" \
     "a.csv and b.csv are two components of one station" "a.csv and d.csv are one motion"; do
     [ "$(grep -c -F "thud: warning: $words" "$tmp/err")" -eq 1 ] || return 1
 done; }

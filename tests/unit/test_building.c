@@ -14,6 +14,7 @@
 #include "io/file/file.h"
 #include "io/preset/preset.h"
 #include "plane_frame.h"
+#include "remarks.h"
 #include "study/scene/building.h"
 #include "study/scene/solution.h"
 #include "study/suite/gap_suite.h"
@@ -142,7 +143,7 @@ START_TEST(fewer_modes_than_floors)
     for (int j = 0; j < N; j++)
         ck_assert_double_eq_tol(period_s[j], j < 3 ? exact_s[j] : exact_s[2] / 10, 1e-9 * exact_s[j < 3 ? j : 2]);
     struct thud_error warning;
-    ck_assert(thud_scene_warning(&other, 0, &warning));
+    ck_assert(nth_unusual(&other, 0, &warning));
     ck_assert_str_eq(warning.key, "structures.2.periods");
     ck_assert_ptr_nonnull(strstr(warning.what, "3 of 6 modes"));
     other.structure[1].period_factor = 1.4;

@@ -1,9 +1,11 @@
 /* The codes' rules by hand, the displacements of a suite that they are asked of, and what happens at their gaps. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/identity.h"
 #include "study/scene/solution.h"
 #include "study/suite/gap_suite.h"
 #include "study/sweep/sweep_table.h"
@@ -155,16 +157,30 @@ START_TEST(means_of_seven_and_largest_of_fewer)
         gap[r]->nlevels = 1;
         gap[r]->level[0] = level_of(0.01 * (r + 1), 0.02 * (r + 1), 12, true);
     }
-    struct thud_gap_suite suite = {6, apart, gap};
+    struct thud_gap_suite suite = {6, apart, gap, 6};
     thud_gap_suite_rule(&suite, THUD_GAP_ABS, 1, &ruled);
     ck_assert_double_eq_tol(ruled.gap_m, 0.18, 1e-15); /* 0.06 + 0.12 */
-    suite.nrecords = 7;
+    suite.nrecords = suite.recordings = 7;
     thud_gap_suite_rule(&suite, THUD_GAP_ABS, 1, &ruled);
     ck_assert_double_eq_tol(ruled.gap_m, 0.12, 1e-15); /* 0.04 + 0.08 */
     thud_gap_suite_rule(&suite, THUD_GAP_EXACT, 1, &ruled);
     ck_assert_double_eq_tol(ruled.gap_m, 0.07, 1e-15);
-    suite = (struct thud_gap_suite){MOST, pairs, gap};
-    ck_assert_int_eq(thud_motion_draws(suite.record, suite.nrecords), 4);
+    struct thud_record drawn[MOST] = {{.samples = 0}};
+    const struct thud_record *motions[MOST];
+    for (int r = 0; r < MOST; r++) {
+        snprintf(drawn[r].file, sizeof drawn[r].file, "%s", pairs[r]);
+        motions[r] = &drawn[r];
+    }
+    suite = (struct thud_gap_suite){MOST, pairs, gap, thud_motions_recordings(motions, MOST, NULL)};
+    ck_assert_int_eq(suite.recordings, 4);
+    static const char *const thrice[MOST] = {"a", "a:factor=2", "b", "c", "a:from=1 s:sign=-", "d", "e", "f"};
+    int of[MOST]; /* six recordings, one of them three times, are six */
+    for (int r = 0; r < MOST; r++)
+        snprintf(drawn[r].file, sizeof drawn[r].file, "%s", thrice[r]);
+    ck_assert_int_eq(thud_motions_recordings(motions, MOST, of), 6);
+    ck_assert(of[1] == 0 && of[4] == 0 && of[2] == 1 && of[7] == 5);
+    snprintf(drawn[1].file, sizeof drawn[1].file, "a:column=3"); /* another of the same table */
+    ck_assert_int_eq(thud_motions_recordings(motions, MOST, NULL), 7);
     thud_gap_suite_rule(&suite, THUD_GAP_ABS, 1, &ruled);
     ck_assert_double_eq_tol(ruled.gap_m, 0.24, 1e-15);
     gap[2]->level[0].correlation = NAN; /* a storey yielded in one motion */
@@ -184,7 +200,7 @@ START_TEST(what_happens_at_the_gap)
     scene->interface[0].gap_m = 0.5;
     thud_interface_add_bumper(&scene->interface[0]); /* which is left out */
     ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
-    struct thud_gap_suite suite = {1, names, &gap};
+    struct thud_gap_suite suite = {1, names, &gap, 1};
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
         struct thud_gap_ruled ruled;
         struct thud_solution solution;

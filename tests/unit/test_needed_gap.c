@@ -157,7 +157,7 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
 {
     struct thud_needed_gap *gap = gap_of(motion), *all[3] = {gap, gap, gap};
     const char *const names[3] = {"a", "b", "c"};
-    struct thud_gap_suite suite = {3, names, all};
+    struct thud_gap_suite suite = {3, names, all, 1};
     struct thud_fractiles f;
     for (int level = -1; level < gap->nlevels; level++)
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {

@@ -6,6 +6,7 @@
 
 #include "base/quantity.h"
 #include "march.h"
+#include "remarks.h"
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 #include "suite.h"
@@ -218,7 +219,8 @@ START_TEST(theta_is_remarked_without)
         ck_assert_int_eq(thud_scene_solve(&scene, record, NULL, &solution, NULL), THUD_OK);
         const struct thud_result *r = thud_run_result(solution.run);
         ck_assert_double_eq_tol(thud_stability_coefficient(&scene.structure[0], &r->structure[0], 0), 8.0 / 60, 1e-12);
-        for (int i = 0; thud_storey_remark(&scene, r, i, &remark); i++)
+        const struct thud_remark_scope scope = {.scene = &scene, .result = r};
+        for (int i = 0; nth_remark(&scope, THUD_REMARK_RESULT, i, &remark); i++)
             found = found || strstr(remark.what, "stability coefficient");
         ck_assert(found == (with == 0));
         ck_assert_double_eq(r->energy.gravity_j > 0, with);

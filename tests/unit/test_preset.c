@@ -7,6 +7,7 @@
 
 #include "io/preset/preset.h"
 #include "preset_text.h"
+#include "remarks.h"
 
 static struct thud_preset *parse(const char *text, size_t size)
 {
@@ -32,7 +33,7 @@ START_TEST(contact_without_a_law)
     ck_assert_double_eq(scene->interface[1].contact.value[0], 2.5e9);
     ck_assert_double_eq(scene->interface[1].contact.value[1], 0.6);
     int said = 0;
-    for (int i = 0; thud_scene_warning(scene, i, &remark); i++)
+    for (int i = 0; nth_unusual(scene, i, &remark); i++)
         said += strcmp(remark.key, "interfaces.2.contact.law") == 0 && strstr(remark.what, "no impact law is given");
     ck_assert_int_eq(said, 1);
     ck_assert_int_eq(thud_scene_set(scene, "interfaces.2.contact.law", "hertz", NULL), THUD_OK);

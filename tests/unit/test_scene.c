@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "remarks.h"
 #include "study/scene/scene.h"
 
 static struct thud_scene scene; /* large */
@@ -387,18 +388,18 @@ START_TEST(unusual_values_are_told)
 {
     struct thud_error err;
     towers();
-    ck_assert(!thud_scene_warning(&scene, 0, &err));
+    ck_assert(!nth_unusual(&scene, 0, &err));
     set("structures.1.damping", "30 %");
     set("structures.2.mass.3", "1 t");
     set("bumper.restitution", "0.99");
-    ck_assert(thud_scene_warning(&scene, 0, &err));
+    ck_assert(nth_unusual(&scene, 0, &err));
     ck_assert_str_eq(err.key, "structures.1.damping");
     ck_assert_str_eq(err.allowed, "usually 1 % to 20 %");
-    ck_assert(thud_scene_warning(&scene, 1, &err));
+    ck_assert(nth_unusual(&scene, 1, &err));
     ck_assert_str_eq(err.key, "structures.2.mass.3");
-    ck_assert(thud_scene_warning(&scene, 2, &err));
+    ck_assert(nth_unusual(&scene, 2, &err));
     ck_assert_str_eq(err.key, "interfaces.1.bumper.restitution");
-    ck_assert(!thud_scene_warning(&scene, 3, &err));
+    ck_assert(!nth_unusual(&scene, 3, &err));
     holds();
 }
 END_TEST
@@ -416,17 +417,17 @@ START_TEST(unusual_combinations_are_told)
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
         towers();
         set(odd[i].path, odd[i].value);
-        ck_assert_msg(thud_scene_warning(&scene, 0, &err), "%s", odd[i].path);
+        ck_assert_msg(nth_unusual(&scene, 0, &err), "%s", odd[i].path);
         ck_assert_str_eq(err.key, odd[i].key);
         ck_assert_msg(strstr(err.what, odd[i].said) && strstr(err.allowed, odd[i].usual), "%s (%s)", err.what,
                       err.allowed);
-        ck_assert(!thud_scene_warning(&scene, 1, &err));
+        ck_assert(!nth_unusual(&scene, 1, &err));
         holds();
     }
     towers();
     set("bumper.post-yield", "420 kN/mm");
     set("bumper.cavity", "1 cm");
-    ck_assert(!thud_scene_warning(&scene, 0, &err));
+    ck_assert(!nth_unusual(&scene, 0, &err));
 }
 END_TEST
 
@@ -437,12 +438,12 @@ START_TEST(a_step_too_long_for_a_contact_is_told)
     towers();
     ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_NONE, &scene, &err), THUD_OK);
     set("analysis.step", "2.36 ms");
-    ck_assert(!thud_scene_warning(&scene, 0, &err)); /* nobody takes it */
+    ck_assert(!nth_unusual(&scene, 0, &err)); /* nobody takes it */
     set("analysis.method", "rk4");
-    ck_assert(thud_scene_warning(&scene, 0, &err) && strcmp(err.key, "analysis.step") == 0);
+    ck_assert(nth_unusual(&scene, 0, &err) && strcmp(err.key, "analysis.step") == 0);
     ck_assert_msg(strstr(err.what, "47.08 ms") && strstr(err.allowed, "2.354 ms"), "%s (%s)", err.what, err.allowed);
     set("analysis.step", "2.35 ms");
-    ck_assert(!thud_scene_warning(&scene, 0, &err));
+    ck_assert(!nth_unusual(&scene, 0, &err));
 }
 END_TEST
 

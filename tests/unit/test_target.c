@@ -9,6 +9,7 @@
 #include "ground/identity.h"
 #include "ground/spectrum.h"
 #include "ground/target.h"
+#include "remarks.h"
 #include "study/suite/scaling.h"
 #include "suite.h"
 
@@ -243,11 +244,7 @@ END_TEST
 /* The n-th remark on two motions. */
 static bool remark(const struct thud_record *const *record, int n)
 {
-    int from = 0;
-    while (thud_suite_remark(record, NULL, 2, &from, &error))
-        if (n-- == 0)
-            return true;
-    return false;
+    return nth_remark(&(struct thud_remark_scope){.record = record, .nrecords = 2}, THUD_REMARK_MOTIONS, n, &error);
 }
 
 START_TEST(remarks)
@@ -257,7 +254,7 @@ START_TEST(remarks)
     const struct thud_record *one[] = {a, b};
     ck_assert(thud_record_same_motion(a, same) && !thud_record_same_motion(a, b));
     ck_assert(remark(one, 0) && strstr(error.what, "one event"));
-    ck_assert(remark(one, 1) && strstr(error.what, "2 motions are fewer"));
+    ck_assert(remark(one, 1) && strstr(error.what, "2 files, 1 recording: fewer"));
     ck_assert(remark(one, 2) && strstr(error.what, "two components of one station"));
     ck_assert(!remark(one, 3));
     b->scale = 2700;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "ground/spectrum.h"
+#include "remarks.h"
 #include "study/sweep/remark.h"
 #include "tui/screens/beside.h"
 #include "tui/screens/sweep_screen.h"
@@ -577,10 +578,15 @@ END_TEST
 START_TEST(remarks_are_counted_and_lead_to_their_fields)
 {
     struct thud_error remark;
-    int count, n = 0;
-    const struct thud_impact *impact = thud_run_impacts(f.tui->run.live.which[THUD_LIVE_BUMPER].run, &count);
-    while (thud_result_remark(&f.tui->doc.scene, thud_live_result(&f.tui->run.live, THUD_LIVE_BUMPER), impact, count, n,
-                              &remark))
+    struct thud_remark_scope scope = {.scene = &f.tui->doc.scene,
+                                      .result = thud_live_result(&f.tui->run.live, THUD_LIVE_BUMPER)};
+    const struct thud_record *record = f.tui->doc.record;
+    int n = 0;
+    scope.impact = thud_run_impacts(f.tui->run.live.which[THUD_LIVE_BUMPER].run, &scope.nimpacts);
+    scope.record = &record;
+    scope.nrecords = 1;
+    while (nth_remark(&scope, THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED | THUD_REMARK_RESULT, n,
+                      &remark))
         n++;
     char text[32];
     ck_assert_int_ge(n, 2);

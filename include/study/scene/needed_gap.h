@@ -42,6 +42,7 @@ struct thud_gap_suite {
     int nrecords;
     const char *const *record;          /* (nrecords) names */
     struct thud_needed_gap *const *gap; /* (nrecords) with the same levels */
+    int recordings;                     /* that these motions are of (thud_motions_recordings) */
 };
 /* Over the ground motions at a level (from 0; -1: the widest over all levels): 16, 50 and 84 % are the narrowest gaps
  * that are enough for at least so many of them, order statistics. `share`: of the ground motions for which

@@ -366,8 +366,6 @@ void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, uns
 
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
-/* The n-th (from 0) value that is unusual, as a message with key; false when there are no more. */
-bool thud_scene_warning(const struct thud_scene *scene, int n, struct thud_error *out);
 
 /* ---- cases ---- */
 

@@ -45,9 +45,3 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
                                   const struct thud_scaling *scaling, struct thud_scaled_suite *out,
                                   struct thud_error *err);
 void thud_scaled_suite_clear(struct thud_scaled_suite *suite);
-
-/* The next remark on the motions of a suite and their factors (NULL: those that the records were read with): all of one
- * event, fewer than 7 or than 3, a factor above 4 or below 1/4, a vertical component, two components of one station, one
- * motion twice. `*from` is 0 for the first and is moved past the one that is told. False when there are no more. */
-bool thud_suite_remark(const struct thud_record *const *record, const double *factor, int count, int *from,
-                       struct thud_error *out);

@@ -18,8 +18,9 @@ struct thud_suite {
     unsigned features;                  /* THUD_HAS_...: measures that its runs may have */
     bool linear;                        /* without pounding, displacements are linear in the ground motion */
     long settings;
-    int ndraws;    /* independent motions: one and the same reversed is one */
-    int *first;    /* (ndraws + 1) its first record; those of a motion stand one after the other */
+    int ndraws;    /* independent motions: those of one recording are one (thud_motions_recordings) */
+    int *motion;   /* (nrecords) the records by recording */
+    int *first;    /* (ndraws + 1, and room) where those of a recording begin in `motion` */
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no result */
 };
 /* Errors: THUD_MEMORY. The plan must outlive it. */

@@ -1,9 +1,11 @@
-/* What a reader of results is told that no single value shows. */
+/* What a reader is told that no single value shows: one list of remarks, each a row of remark_list.c with its place, its
+ * condition, its sentence and its weight.  Command line, reports and terminal find the remarks of what they have. */
 #pragma once
 
 #include "core/model/result.h"
 #include "ground/record.h"
 #include "study/scene/scene.h"
+#include "study/sweep/sensitivity.h"
 #include "study/sweep/sweep.h"
 
 /* theta = W d/(V h) of a storey (from 0) by a run's own peaks: weight of all above it, peak drift, peak shear, height.
@@ -20,23 +22,6 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
 /* The same as the status of what ends there: THUD_COLLAPSED with that message, else THUD_OK. */
 enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
                                       struct thud_error *err);
-/* The n-th (from 0) remark on what storeys bear: a collapse, those that yield beyond a ductility of 6 or a drift of 2 %, and
- * stability coefficients above 0.1 and 0.3. False when there are no more. */
-bool thud_storey_remark(const struct thud_scene *scene, const struct thud_result *result, int n,
-                        struct thud_error *out);
-/* The n-th (from 0) remark on a finished run: those of thud_storey_remark, a bumper pressed past its largest strain or beyond its thickness, and in
- * how many of its impacts; storeys whose drift no building bears elastically. False when there are no more. */
-bool thud_result_remark(const struct thud_scene *scene, const struct thud_result *result,
-                        const struct thud_impact *impact, int nimpacts, int n, struct thud_error *out);
-/* Whether one run of the scene takes long, by its floors and contacts and its fastest mode, and about how much memory and
- * time, as measured without contact on one processor. `record`: NULL for none. */
-bool thud_scene_effort_remark(const struct thud_scene *scene, const struct thud_record *record, struct thud_error *out);
-/* The n-th bumper of `scene` whose thickness or exponent is not that of `before` while its stiffness is: eq. (6) would
- * change it. False when there are no more. */
-bool thud_scene_change_remark(const struct thud_scene *before, const struct thud_scene *scene, int n,
-                              struct thud_error *out);
-/* The same of a study's varied keys. */
-bool thud_sweep_remark(const struct thud_sweep_plan *plan, int n, struct thud_error *out);
 
 /* Over the runs of a study: how many collapse, how many drift by more than buildings bear elastically, and how many press a bumper past its
  * largest strain, or by more than there is of it; and where that is worst. Zeros at first. */
@@ -56,6 +41,53 @@ struct thud_sweep_watch {
 /* Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
                                       const struct thud_sweep_point *point, struct thud_error *err);
-/* The n-th remark (from 0); false when there are no more. */
-bool thud_sweep_watch_remark(const struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan, int n,
-                             struct thud_error *out);
+
+/* ---- the list ---- */
+
+/* What a remark is about; a set of them says which rows are looked at. */
+enum thud_remark_about {
+    THUD_REMARK_SCENE = 1,     /* values that are allowed but unusual */
+    THUD_REMARK_EFFORT = 2,    /* a run that takes long */
+    THUD_REMARK_MOTIONS = 4,   /* the ground motions, each and together */
+    THUD_REMARK_CHANGE = 8,    /* what a change of the scene, or a varied key, does not change */
+    THUD_REMARK_RESULT = 16,   /* what the peaks of a run show */
+    THUD_REMARK_STUDY = 32,    /* what the runs of a study show */
+    THUD_REMARK_COMPUTED = 64, /* motions that no earthquake was like */
+    THUD_REMARK_LEDGER = 128   /* energy of a run that is not balanced */
+};
+/* What weighs most stands first where few are shown. */
+enum thud_remark_weight {
+    THUD_WEIGHT_FAILURE, /* from there on the numbers have no meaning */
+    THUD_WEIGHT_MOTION,  /* the ground motion is not one to design by */
+    THUD_WEIGHT_MODEL,   /* the model does not reach so far */
+    THUD_WEIGHT_DIGITS,  /* fewer digits mean anything than are shown */
+    THUD_WEIGHT_UNUSUAL, /* a value to look at */
+    THUD_WEIGHTS
+};
+struct thud_remark {
+    int row; /* of the list: of two cases the same remark has the same row and key */
+    enum thud_remark_weight weight;
+    struct thud_error said; /* place (its key), sentence (what) and condition (what is allowed) */
+};
+struct thud_remarks {
+    int n;
+    struct thud_remark *item; /* (n) in the order of the rows */
+};
+
+/* What is looked at; NULL or 0 where there is none of it, and then its rows say nothing. */
+struct thud_remark_scope {
+    const struct thud_scene *scene, *before; /* before: as it was written, ahead of its changes */
+    const struct thud_result *result;
+    const struct thud_impact *impact; /* (nimpacts) */
+    int nimpacts, nrecords;
+    const struct thud_record *const *record; /* (nrecords) */
+    const double *factor;                    /* (nrecords) NULL: those that the records were read with */
+    const struct thud_sensitivity *sensitivity;
+    const struct thud_sweep_plan *plan;
+    const struct thud_sweep_watch *watch;
+};
+/* The remarks of a set of enum thud_remark_about, to be cleared. What no memory is left for is not told. */
+struct thud_remarks thud_remarks_find(const struct thud_remark_scope *scope, unsigned about);
+void thud_remarks_clear(struct thud_remarks *remarks);
+/* The one of the same row and key; NULL: there is none. */
+const struct thud_remark *thud_remarks_like(const struct thud_remarks *remarks, const struct thud_remark *as);

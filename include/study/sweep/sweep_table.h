@@ -26,11 +26,6 @@ struct thud_sweep_storeys {
     double ductility, permanent_m;
 };
 
-/* Whether a ground motion is `other` reversed, by their names as a suite of both signs has them. */
-bool thud_motion_is_turned(const char *own, const char *other);
-/* How many of n motions are independent: one behind the same one reversed is not another. */
-int thud_motion_draws(const char *const *name, int n);
-
 /* Fewer independent motions have no band of a share. */
 enum { THUD_SHARES_LEAST = 3 };
 /* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the

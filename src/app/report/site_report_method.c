@@ -299,8 +299,10 @@ void thud_site_checks(struct site *site)
                        "energy balance of every case: input, kinetic, strain, damping, contact\tat most %.1e of the "
                        "energy is unaccounted for",
                        worst);
-    thud_document_line(d, "inputs within their usual ranges\t%s",
-                       thud_scene_warning(site->scene, 0, NULL) ? "see the cautions" : "yes");
+    struct thud_remarks unusual =
+        thud_remarks_find(&(struct thud_remark_scope){.scene = site->scene}, THUD_REMARK_SCENE);
+    thud_document_line(d, "inputs within their usual ranges\t%s", unusual.n > 0 ? "see the cautions" : "yes");
+    thud_remarks_clear(&unusual);
     thud_document_paragraph(
         d, "These checks show that the equations are solved right, not that they are the right equations. "
            "Which published examples the program gives again, and what it has not been held against, stands in its "

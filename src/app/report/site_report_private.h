@@ -92,6 +92,8 @@ void thud_site_verdicts(struct site *site);
 /* The three cautions that matter most; the others. */
 void thud_site_foremost(struct site *site);
 void thud_site_cautions(struct site *site);
+/* The remarks of a set of enum thud_remark_about, an item each. */
+void thud_site_tell(struct site *site, const struct thud_remark_scope *scope, unsigned about);
 /* The drawing and the structures; every number that the runs use, by its key in a preset; the ground motions. */
 void thud_site_scene(struct site *site);
 void thud_site_inputs(struct site *site);

@@ -341,11 +341,10 @@ void thud_site_suite_section(struct site *site)
     thud_document_paragraph(d,
                             "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
                             "The motions are taken as independent and as equally likely%s.",
-                            runs->ndraws < runs->nrecords ? ", but the two signs of one are one draw" : "");
-    struct thud_error remark;
-    int from = 0;
-    while (thud_suite_remark(site->suite.plan.record, NULL, site->suite.plan.nrecords, &from, &remark))
-        thud_document_item(d, "%s (%s).", remark.what, remark.allowed);
+                            runs->ndraws < runs->nrecords ? ", but those of one recording are one draw" : "");
+    thud_site_tell(
+        site, &(struct thud_remark_scope){.record = site->suite.plan.record, .nrecords = site->suite.plan.nrecords},
+        THUD_REMARK_MOTIONS);
     if (runs->ndraws < THUD_DRAWS_LEAST)
         thud_document_paragraph(d, "There is no band of %s from so few.",
                                 runs->ndraws < THUD_SHARES_LEAST ? "anything" : "a curve");

@@ -230,7 +230,7 @@ static void put_rule(const struct thud_gap_study *study, int rule, int interface
 static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
 {
     const char *before = "";
-    int n = study->suite.nrecords, independent = thud_motion_draws(study->suite.record, n);
+    const int n = study->suite.nrecords;
     for (int i = 0; i < study->interfaces; i++) {
         char head[64] = "by rule";
         if (study->ruled[i].gap_m < 0)
@@ -243,7 +243,7 @@ static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
     }
     if (n > 1)
         thud_text_append(out, "\nuL and uR: %s of the %d ground motions.\n",
-                         independent >= THUD_DRAWS_LEAST ? "means" : "largest", n);
+                         study->suite.recordings >= THUD_DRAWS_LEAST ? "means" : "largest", n);
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
     thud_text_append(out, "Pounds in, MN: motions with contact at that gap without bumper, largest force.\n");

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "ground/identity.h"
 #include "study/suite/suite.h"
 
 /* Whether an earlier rule asks for the same gaps: then its runs are taken. */
@@ -99,6 +100,8 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
     }
     out->suite.record = out->name;
     out->suite.gap = out->gap;
+    out->suite.recordings =
+        thud_motions_recordings((const struct thud_record *const *)records->record, records->n, NULL);
     if (status == THUD_OK && out->gap[0]->nlevels == 0)
         status = thud_error_set(err, THUD_INPUT, "no floors of neighbours stand where they could touch");
     if (status == THUD_OK)

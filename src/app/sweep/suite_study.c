@@ -9,6 +9,7 @@
 #include "ground/spectrum.h"
 #include "io/file/json.h"
 #include "io/result/study_rows.h"
+#include "study/sweep/remark.h"
 
 enum thud_status thud_suite_study_run(struct thud_suite_study *study, struct thud_error *err)
 {
@@ -81,15 +82,18 @@ static void put_remarks(const struct thud_suite_study *study, struct thud_text *
 {
     const struct thud_record **chosen = calloc((size_t)study->records->n, sizeof(struct thud_record *));
     double *factor = calloc((size_t)study->records->n, sizeof *factor);
-    struct thud_error remark = {0};
-    int n = 0, from = 0;
+    int n = 0;
     for (int i = 0; chosen && factor && i < study->records->n; i++)
         if (study->scaled.motion[i].chosen) {
             chosen[n] = study->records->record[i];
             factor[n++] = fabs(study->factor[i]);
         }
-    for (bool first = true; chosen && factor && thud_suite_remark(chosen, factor, n, &from, &remark); first = false)
-        thud_text_append(out, "%s  ! %s (%s)\n", first ? "\n" : "", remark.what, remark.allowed);
+    const struct thud_remark_scope scope = {.record = chosen, .factor = factor, .nrecords = n};
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_MOTIONS);
+    for (int i = 0; i < found.n; i++)
+        thud_text_append(out, "%s  ! %s (%s)\n", i == 0 ? "\n" : "", found.item[i].said.what,
+                         found.item[i].said.allowed);
+    thud_remarks_clear(&found);
     free(chosen);
     free(factor);
 }

@@ -67,7 +67,7 @@ static void add_band(struct thud_panel *panel, size_t n, double independent, con
 static bool add_shares(struct thud_panel *panel, const struct thud_gap_suite *suite)
 {
     size_t n = (size_t)suite->nrecords;
-    const int draws = thud_motion_draws(suite->record, suite->nrecords);
+    const int draws = suite->recordings;
     double most = 0, *x = malloc(2 * (n + 2) * sizeof *x), *y = x ? x + n + 2 : NULL;
     if (!x)
         return false;

@@ -367,7 +367,7 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
         for (int d = 0; d < suite->ndraws; d++) {
             int drawn = (int)thud_random_below(&random, (size_t)suite->ndraws);
             for (int r = suite->first[drawn]; r < suite->first[drawn + 1]; r++) {
-                const signed char *h = happens + (size_t)r * n;
+                const signed char *h = happens + (size_t)suite->motion[r] * n;
                 for (size_t i = 0; i < n; i++) {
                     stripe[i].n += h[i] >= 0;
                     stripe[i].count += h[i] > 0;
@@ -481,7 +481,7 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
         for (int d = 0; d < suite->ndraws; d++) {
             int g = (int)thud_random_below(&random, (size_t)suite->ndraws);
             for (int r = suite->first[g]; r < suite->first[g + 1] && m < n; r++)
-                drawn[m++] = own[r];
+                drawn[m++] = own[suite->motion[r]];
         }
         thud_sort_numbers(drawn, m);
         median[b] = thud_enough(drawn, m, 0.5, &count);

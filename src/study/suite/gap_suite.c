@@ -30,7 +30,7 @@ static struct thud_gap_level design_level(const struct thud_gap_suite *suite, in
 
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out)
 {
-    bool means = thud_motion_draws(suite->record, suite->nrecords) >= THUD_DRAWS_LEAST;
+    bool means = suite->recordings >= THUD_DRAWS_LEAST;
     for (int i = 0; i < interfaces; i++)
         out[i] = (struct thud_gap_ruled){.gap_m = -1, .worst = -1};
     for (int l = 0; l < suite->gap[0]->nlevels; l++) {

@@ -1,16 +1,25 @@
 #include "study/suite/suite.h"
 #include "base/largest.h"
 #include "base/statistics.h"
+#include "ground/identity.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_turned(const struct thud_sweep_plan *plan, int r)
+/* The ground motions by the recording that each is of: suite->motion, and where those of each begin. */
+static void group_motions(const struct thud_sweep_plan *plan, struct thud_suite *suite)
 {
-    if (r == 0 || !plan->record || !plan->record[r] || !plan->record[r - 1])
-        return false;
-    return thud_motion_is_turned(plan->record[r]->file, plan->record[r - 1]->file);
+    const int n = suite->nrecords;
+    int *own = suite->first + n + 1, k = 0; /* whose each is */
+    suite->ndraws = thud_motions_recordings(plan->nrecords > 0 ? plan->record : NULL, n, own);
+    for (int draw = 0; draw < suite->ndraws; draw++) {
+        suite->first[draw] = k;
+        for (int r = 0; r < n; r++)
+            if (own[r] == draw)
+                suite->motion[k++] = r;
+    }
+    suite->first[suite->ndraws] = k;
 }
 
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err)
@@ -32,15 +41,14 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         }
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);
-        suite->first = malloc(((size_t)suite->nrecords + 1) * sizeof *suite->first);
-        for (int r = 0; suite->first && r <= suite->nrecords; r++)
-            if (r == suite->nrecords || !is_turned(plan, r))
-                suite->first[suite->ndraws++] = r;
-        suite->ndraws--;
+        suite->first = malloc(((size_t)suite->nrecords * 2 + 1) * sizeof *suite->first);
+        suite->motion = malloc((size_t)suite->nrecords * sizeof *suite->motion);
+        if (suite->first && suite->motion)
+            group_motions(plan, suite);
         for (size_t i = 0; suite->value && i < n; i++)
             suite->value[i] = NAN;
     }
-    if (!suite || !suite->value || !suite->first) {
+    if (!suite || !suite->value || !suite->first || !suite->motion) {
         thud_suite_free(suite);
         return thud_error_set(err, THUD_MEMORY, "out of memory for the runs of the study");
     }
@@ -54,6 +62,7 @@ void thud_suite_free(struct thud_suite *suite)
         return;
     free(suite->value);
     free(suite->first);
+    free(suite->motion);
     free(suite);
 }
 

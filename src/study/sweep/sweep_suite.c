@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/statistics.h"
+#include "ground/identity.h"
 #include "study/sweep/sweep_table.h"
 
 /* A ratio this near to 1 is 1: there was no contact. */
@@ -64,21 +65,6 @@ static struct thud_fractiles fractiles(const struct making *m, const struct thud
         m->value[r] = k >= 0 ? number_of(m->table, of[r], k, number) : NAN;
     }
     return thud_fractiles_of(m->value, (size_t)m->table->nrecords, limit);
-}
-
-bool thud_motion_is_turned(const char *own, const char *other)
-{
-    static const char turned[] = ":sign=-";
-    size_t n = strlen(own), cut = sizeof turned - 1;
-    return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
-}
-
-int thud_motion_draws(const char *const *name, int n)
-{
-    int draws = 0;
-    for (int r = 0; r < n; r++)
-        draws += r == 0 || !thud_motion_is_turned(name[r], name[r - 1]);
-    return draws;
 }
 
 /* Of a share of the ground motions. */
@@ -200,7 +186,7 @@ enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, str
                                        struct thud_error *err)
 {
     size_t settings = settings_of(table), records = (size_t)table->nrecords;
-    struct making m = {.table = table, .draws = thud_motion_draws(table->record, table->nrecords)};
+    struct making m = {.table = table, .draws = thud_motions_recordings(table->motion, table->nrecords, NULL)};
     struct thud_sweep_table *suite = malloc(sizeof *suite);
     struct thud_sweep_summary **point = calloc(settings, sizeof *point);
     m.of = calloc(settings * records, sizeof *m.of);

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/suite/scaling.h"
 #include "study/sweep/remark.h"
 #include "tui/loop/loop.h"
 
@@ -18,33 +17,24 @@ static const struct thud_result *own_result(const struct thud_tui *tui)
     return current ? thud_live_result(&tui->run.live, as_written(tui)) : NULL;
 }
 
-/* The n-th (from 0); false when there are no more. */
-static bool remark(const struct thud_tui *tui, int n, struct thud_error *out)
+/* None without a result. */
+static struct thud_remarks find(const struct thud_tui *tui)
 {
-    int count;
-    const struct thud_result *result = own_result(tui);
-    if (!result)
-        return false;
-    const struct thud_impact *impact = thud_run_impacts(tui->run.live.which[as_written(tui)].run, &count);
-    for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, count, i, out); i++)
-        if (n-- == 0)
-            return true;
+    struct thud_remark_scope scope = {.scene = &tui->doc.scene, .result = own_result(tui)};
     const struct thud_record *record = tui->doc.record;
-    int from = 0;
-    while (record && thud_suite_remark(&record, NULL, 1, &from, out))
-        if (n-- == 0) {
-            thud_error_key(out, "record.file");
-            return true;
-        }
-    return false;
+    scope.record = &record;
+    scope.nrecords = record != NULL;
+    if (scope.result)
+        scope.impact = thud_run_impacts(tui->run.live.which[as_written(tui)].run, &scope.nimpacts);
+    return thud_remarks_find(
+        &scope, scope.result ? THUD_REMARK_RESULT | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED | THUD_REMARK_SCENE : 0);
 }
 
 int thud_tui_count_remarks(const struct thud_tui *tui)
 {
-    struct thud_error out;
-    int n = 0;
-    while (remark(tui, n, &out))
-        n++;
+    struct thud_remarks found = find(tui);
+    const int n = found.n;
+    thud_remarks_clear(&found);
     return n;
 }
 
@@ -71,19 +61,21 @@ const char *thud_tui_cannot_list_remarks(const struct thud_tui *tui)
 void thud_tui_list_remarks(struct thud_tui *tui)
 {
     const struct thud_result *result = own_result(tui);
-    struct thud_error out;
     char text[900], title[96];
     if (!result)
         return;
-    int n = thud_tui_count_remarks(tui);
+    struct thud_remarks found = find(tui);
+    const int n = found.n;
     snprintf(title, sizeof title, "%d remark%s, %s; Enter goes to the field", n, n == 1 ? "" : "s",
              thud_live_name(as_written(tui)));
     thud_tui_choose(tui, thud_tui_go_to_field, title);
-    for (int i = 0; remark(tui, i, &out); i++) {
-        snprintf(text, sizeof text, "! %s%s%s%s", out.what, *out.allowed ? " (" : "", out.allowed,
-                 *out.allowed ? ")" : "");
-        add(tui, out.key, text);
+    for (int i = 0; i < n; i++) {
+        const struct thud_error *said = &found.item[i].said;
+        snprintf(text, sizeof text, "! %s%s%s%s", said->what, *said->allowed ? " (" : "", said->allowed,
+                 *said->allowed ? ")" : "");
+        add(tui, *said->key ? said->key : "record.file", text);
     }
+    thud_remarks_clear(&found);
     const struct thud_energy *e = &result->energy;
     char a[24], b[24], c[24];
     snprintf(text, sizeof text, "energy: input %s kJ, viscous %s, contacts %s; unaccounted for %.1e of the largest",
@@ -95,8 +87,6 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     snprintf(text, sizeof text, "tolerance: %s, method %s, %ld steps, %ld events", tolerance,
              result->method ? result->method : "?", result->work.steps, result->work.events);
     add(tui, "analysis.tolerance", text);
-    if (tui->doc.record && tui->doc.record->synthetic)
-        add(tui, "record.file", "synthetic: the ground motion is " THUD_RECORD_COMPUTED);
     if (*tui->doc.scene.record.file)
         add(tui, "record.sign",
             tui->doc.scene.record.sign < 0

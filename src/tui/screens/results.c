@@ -354,12 +354,13 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
         tui->doc.revision) /* the scene has changed since: nothing is said of it from these numbers */
         return y;
     const struct thud_live_case *c = &tui->run.live.which[shown(tui)];
-    struct thud_error remark;
-    int nimpacts;
-    const struct thud_impact *impact = thud_run_impacts(c->run, &nimpacts);
-    for (int i = 0; thud_result_remark(&tui->doc.scene, result, impact, nimpacts, i, &remark); i++)
-        if (shown(tui) == THUD_LIVE_BUMPER || strncmp(remark.key, "structures", 10) == 0) /* others have no bumper */
-            y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, 0), remark.what);
+    struct thud_remark_scope scope = {.scene = &tui->doc.scene, .result = result};
+    scope.impact = thud_run_impacts(c->run, &scope.nimpacts);
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_RESULT);
+    for (int i = 0; i < found.n; i++)
+        if (shown(tui) == THUD_LIVE_BUMPER || strncmp(found.item[i].said.key, "interfaces", 10) != 0) /* no bumper */
+            y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, 0), found.item[i].said.what);
+    thud_remarks_clear(&found);
     return y;
 }
 

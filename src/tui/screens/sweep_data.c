@@ -251,7 +251,10 @@ static struct thud_figure *make_figure(struct thud_sweep_data *data, int index)
     tell(data);
     index -= own;
     if (data->gap && index-- == 0) {
-        struct thud_gap_suite suite = {data->told, data->names, data->gap};
+        const struct thud_gap_suite suite = {
+            data->told, data->names, data->gap,
+            thud_motions_recordings(data->plan.record, data->told < data->records.n ? data->told : data->records.n,
+                                    NULL)};
         const struct thud_scene *scene = &data->plan.scene;
         return thud_figure_of_gaps(&suite, scene->title[0] ? scene->title : scene->name);
     }

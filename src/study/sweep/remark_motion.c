@@ -1,0 +1,128 @@
+/* Remarks on ground motions: each, and all of a suite together. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "ground/identity.h"
+#include "study/sweep/remark_rows.h"
+
+static bool is_turned(const struct thud_remark_scope *scope, int i)
+{
+    return i > 0 && thud_motion_is_turned(scope->record[i]->file, scope->record[i - 1]->file);
+}
+
+void thud_remark_one_event(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    int motions = 1;
+    (void)i;
+    for (int k = 1; k < scope->nrecords; k++) {
+        if (!thud_record_same_event(scope->record[0], scope->record[k]))
+            return;
+        motions += !is_turned(scope, k);
+    }
+    if (motions < 2)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "all motions are of one event, %.90s", scope->record[0]->event);
+    thud_error_allow(said, "motions of several events");
+}
+
+/* Nothing that the two say of themselves tells whether they are components of one station. */
+static bool may_be_of_one_station(const struct thud_record *a, const struct thud_record *b)
+{
+    const bool events = *a->event && *b->event, stations = *a->station && *b->station;
+    return !a->synthetic && !b->synthetic && (!events || (thud_record_same_event(a, b) && !stations));
+}
+
+/* How many motions of another file or channel may be a component of a station that another one is of, too. */
+static int of_unknown_station(const struct thud_remark_scope *scope)
+{
+    int n = 0;
+    for (int i = 0; i < scope->nrecords; i++) {
+        bool may_be = false;
+        for (int k = 0; k < scope->nrecords && !may_be && !is_turned(scope, i); k++)
+            may_be = k != i && !is_turned(scope, k) && may_be_of_one_station(scope->record[i], scope->record[k]);
+        n += may_be;
+    }
+    return n;
+}
+
+/* How many recordings there are, where that is few or uncertain. A motion and its reverse are of one file. */
+void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    char unknown[48] = "";
+    int files = scope->nrecords;
+    (void)i;
+    for (int k = 1; k < scope->nrecords; k++)
+        files -= is_turned(scope, k);
+    if (files < 2)
+        return;
+    const int recordings = thud_motions_recordings(scope->record, scope->nrecords, NULL);
+    const int without = of_unknown_station(scope);
+    if (recordings >= 7 && without == 0)
+        return;
+    if (without > 0)
+        snprintf(unknown, sizeof unknown, ", %d of unknown station", without);
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "%d files, %d recording%s%s%s", files, recordings, recordings == 1 ? "" : "s",
+                   unknown,
+                   recordings < 3   ? ": fewer than codes accept"
+                   : recordings < 7 ? ": few, so that codes ask for the largest result, not the mean"
+                                    : "");
+    thud_error_allow(said, recordings < 7 ? "7 or more (EN 1998-1 4.3.3.4.3(3)); at least 3"
+                                          : "each counts as independent, also where two are components of one station");
+}
+
+void thud_remark_factor(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const double factor = scope->factor ? scope->factor[i] : fabs(scope->record[i]->scale);
+    if (factor <= 4 && factor >= 0.25)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "%.100s is scaled by %.3g", thud_path_name(scope->record[i]->file), factor);
+    thud_error_allow(said, "usually 1/4 to 4: beyond, it is no longer a motion of such a size");
+}
+
+void thud_remark_vertical(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    if (!thud_record_is_vertical(scope->record[i]))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "%.100s is a vertical component", thud_path_name(scope->record[i]->file));
+    thud_error_allow(said, "buildings pound by horizontal motion");
+}
+
+void thud_remark_twice(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_record *const *record = scope->record;
+    if (is_turned(scope, i))
+        return;
+    for (int k = 0; k < i; k++) {
+        const bool same = thud_record_same_motion(record[i], record[k]);
+        if (!same && !thud_record_same_station(record[i], record[k]))
+            continue;
+        struct thud_error *said = thud_remark_add(out);
+        thud_error_set(said, THUD_OK,
+                       same ? "%.100s and %.100s are one motion"
+                            : "%.100s and %.100s are two components of one station",
+                       thud_path_name(record[k]->file), thud_path_name(record[i]->file));
+        thud_error_allow(said, "motions that are independent of each other");
+        return;
+    }
+}
+
+void thud_remark_synthetic(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const int n = thud_records_synthetic(scope->record, scope->nrecords);
+    (void)i;
+    if (n == 0)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    if (scope->nrecords == 1)
+        thud_error_set(said, THUD_OK, "the ground motion %.100s is synthetic: " THUD_RECORD_COMPUTED,
+                       thud_path_name(scope->record[0]->file));
+    else
+        thud_error_set(said, THUD_OK, "%d of the %d ground motions are synthetic: " THUD_RECORD_COMPUTED, n,
+                       scope->nrecords);
+    thud_error_allow(said, "recorded motions for a design: no earthquake was like this");
+}

@@ -1,0 +1,450 @@
+/* Remarks on the peaks of a run, and on those of all runs of a study. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/scene/level.h"
+#include "study/sweep/remark_rows.h"
+
+/* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
+static const double drift_most = 0.01;
+/* Bilinear storeys that keep their strength are not for more: ASCE 7-16 allows drifts of 2 % of ordinary buildings, and
+ * systems of high ductility reduce forces by about 6. */
+static const double ductility_most = 6, yielding_drift_most = 0.02;
+/* EN 1998-1 4.4.2.2(2) and (4) */
+static const double theta_small = 0.1, theta_most = 0.3;
+
+static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
+{
+    const struct thud_contact_result *most = NULL;
+    for (int c = 0; c < result->ncontacts; c++)
+        if (result->contact[c].interface == interface &&
+            (!most || result->contact[c].indentation.value > most->indentation.value))
+            most = &result->contact[c];
+    return most;
+}
+
+void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_result *result = scope->result;
+    const struct thud_interface *at = &scope->scene->interface[i];
+    double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
+    double limit = isnan(strain) ? thickness : strain * thickness;
+    const struct thud_contact_result *most = at->has_bumper ? deepest(result, i + 1) : NULL;
+    int count = 0, past = 0;
+    if (!most || !(most->indentation.value > limit))
+        return;
+    for (int k = 0; k < scope->nimpacts; k++)
+        if (result->contact[scope->impact[k].contact].interface == i + 1) {
+            count++;
+            past += scope->impact[k].indentation_m > limit;
+        }
+    char often[96] = "", where[48] = "";
+    if (count > 0)
+        snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * limit, past, count);
+    if (most->left_floor > 0 || most->right_floor > 0)
+        snprintf(where, sizeof where, " at floor %d",
+                 thud_slab_floor(most->left_floor, most->right_floor, most->struck));
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
+                   1e3 * most->indentation.value, where, most->indentation.time_s,
+                   most->indentation.value > thickness ? "more than there is of it" : "past its ultimate strain",
+                   often);
+    if (!isnan(strain))
+        thud_error_allow(said, "up to %.4g mm it is rubber that acts", 1e3 * limit);
+    thud_error_key(said, "interfaces.%d.bumper", i + 1);
+}
+
+/* The largest drift over the height of its storey (from 1) in *storey; `drift_m` of a structure's floors. */
+static double worst_drift(const struct thud_structure *s, int floors, const double *drift_m, int *storey)
+{
+    double worst = 0;
+    int slab = s->kind == THUD_ISOLATED;
+    *storey = 0;
+    for (int f = slab; f < floors && thud_kind_is_building(s->kind); f++) {
+        double ratio = drift_m[f] / s->height_m[f - slab];
+        if (ratio > worst) {
+            worst = ratio;
+            *storey = f - slab + 1;
+        }
+    }
+    return worst;
+}
+
+double thud_drift_ratio(const struct thud_structure *structure, const struct thud_structure_result *result,
+                        bool elastic, int *storey)
+{
+    double drift_m[THUD_STOREYS_MAX + 1];
+    for (int f = 0; f < result->floors; f++)
+        drift_m[f] = elastic && result->storey && result->storey[f].yields ? 0 : result->floor[f].drift.value;
+    return worst_drift(structure, result->floors, drift_m, storey);
+}
+
+void thud_remark_drift(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    int storey;
+    double worst = thud_drift_ratio(s, &scope->result->structure[i], true, &storey);
+    if (!(worst > drift_most))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "storey %d of %.40s drifts by %.3g mm, %.2g %% of its height, and is taken as elastic", storey,
+                   s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
+    thud_error_allow(said, "buildings yield before %g %%", 100 * drift_most);
+    thud_error_key(said, "structures.%d", i + 1);
+}
+
+double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
+                                  int storey)
+{
+    int floor = storey + (structure->kind == THUD_ISOLATED);
+    if (!thud_kind_is_building(structure->kind) || storey < 0 || storey >= structure->storeys)
+        return NAN;
+    double drift = result->floor[floor].drift.value, shear = result->floor[floor].shear.value;
+    return shear > 0 ? thud_structure_weight(structure, storey) * drift / (shear * structure->height_m[storey]) : NAN;
+}
+
+void thud_remark_theta(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    double worst = 0;
+    int storey = 0, above = 0;
+    for (int k = 0; k < s->storeys && !scope->scene->p_delta; k++) {
+        double theta = thud_stability_coefficient(s, &scope->result->structure[i], k);
+        above += theta > theta_small;
+        if (theta > worst) {
+            worst = theta;
+            storey = k;
+        }
+    }
+    if (!(worst > theta_small))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    char others[48] = "";
+    if (above > 1)
+        snprintf(others, sizeof others, "; %d storeys are above %g", above, theta_small);
+    thud_error_set(said, THUD_OK, "%sthe stability coefficient of storey %d of %.40s is %.3g%s: %s",
+                   worst > theta_most ? "caution: " : "", storey + 1, s->name, worst, others,
+                   worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
+                                      : "the weight on the drift, which the run leaves out, adds to the response");
+    thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
+    thud_error_key(said, "structures.%d", i + 1);
+}
+
+/* The storey that yields furthest beyond what a bilinear one stands for. */
+void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    const struct thud_structure_result *r = &scope->result->structure[i];
+    int slab = s->kind == THUD_ISOLATED, storey = -1;
+    double worst = 0;
+    if (scope->result->collapse.happened && scope->result->collapse.structure == i)
+        return; /* that is told */
+    for (int f = slab; r->storey && f < r->floors; f++) {
+        double drift = r->floor[f].drift.value / s->height_m[f - slab];
+        double beyond = fmax(r->storey[f].ductility / ductility_most, drift / yielding_drift_most);
+        if (r->storey[f].yields && r->storey[f].ductility > 1 && beyond > worst) {
+            worst = beyond;
+            storey = f - slab;
+        }
+    }
+    if (!(worst >= 1))
+        return;
+    double drift_m = r->floor[storey + slab].drift.value;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(
+        said, THUD_OK,
+        "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height: a real "
+        "storey loses strength there, this one does not",
+        storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m, 100 * drift_m / s->height_m[storey]);
+    thud_error_allow(said, "bilinear storeys stand for ductilities up to %g and drifts up to %g %%", ductility_most,
+                     100 * yielding_drift_most);
+    thud_error_key(said, "structures.%d.yield", i + 1);
+}
+
+bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out)
+{
+    const struct thud_collapse *c = &result->collapse;
+    if (!c->happened)
+        return false;
+    const struct thud_structure *s = &scene->structure[c->structure];
+    const int storey = thud_structure_storey(s, c->floor);
+    thud_error_set(out, THUD_OK,
+                   "storey %d of %.40s collapses at %.3f s: its drift comes to %.4g mm, %.3g %% of its height, and the "
+                   "run ends there",
+                   storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
+    thud_error_key(out, "structures.%d", c->structure + 1);
+    return true;
+}
+
+enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
+                                      struct thud_error *err)
+{
+    struct thud_error fall;
+    if (!thud_collapse_remark(scene, result, &fall))
+        return THUD_OK;
+    fall.status = THUD_COLLAPSED;
+    if (err)
+        *err = fall;
+    return THUD_COLLAPSED;
+}
+
+void thud_remark_collapse(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    (void)i;
+    if (scope->result->collapse.happened)
+        thud_collapse_remark(scope->scene, scope->result, thud_remark_add(out));
+}
+
+/* The columns that a slab's force takes furthest above their capacity. */
+void thud_remark_struck(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_column_result *worst = NULL;
+    int above = 0;
+    for (int k = 0; k < scope->result->ncolumns; k++) {
+        const struct thud_column_result *c = &scope->result->column[k];
+        if (c->structure != i || !(c->ratio > 1))
+            continue;
+        above++;
+        worst = worst && worst->ratio > c->ratio ? worst : c;
+    }
+    if (!worst)
+        return;
+    const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
+    const struct thud_peak *shear = low->value > up->value ? low : up;
+    char others[48] = "";
+    if (above > 1)
+        snprintf(others, sizeof others, "; so do those of %d other storey%s", above - 1, above > 2 ? "s" : "");
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "the struck columns below floor %d of %.40s bear a shear of %.4g kN at %.3f s, %.3g times what they "
+                   "can, and are taken as whole%s: results from then on have no meaning",
+                   worst->storey, scope->scene->structure[i].name, 1e-3 * shear->value, shear->time_s, worst->ratio,
+                   others);
+    thud_error_allow(said, "up to %.4g kN", 1e-3 * worst->capacity_n);
+    thud_error_key(said, "structures.%d.column.capacity", i + 1);
+}
+
+/* Isolators bear the building's weight and, about the middle of them, its overturning moment: beyond W b/2 those at an
+ * edge would have to pull. */
+void thud_remark_overturning(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    const struct thud_structure_result *r = &scope->result->structure[i];
+    static const double part = 0.5;
+    if (s->kind != THUD_ISOLATED || isnan(s->width_m))
+        return;
+    const double held = 0.5 * thud_isolated_weight(s) * s->width_m;
+    if (!(r->overturning.value > part * held))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "the overturning moment of %.40s about its isolators comes to %.4g MN m at %.3f s, %.2g times what "
+                   "its weight holds (%.4g MN m): uplift of isolators, and how the load on them changes, are left out",
+                   s->name, 1e-6 * r->overturning.value, r->overturning.time_s, r->overturning.value / held,
+                   1e-6 * held);
+    thud_error_allow(said, "up to half of the weight times half the width, %.4g MN m", 1e-6 * part * held);
+    thud_error_key(said, "structures.%d.width", i + 1);
+}
+
+/* Energy that is not balanced, and contacts that made some. */
+void thud_remark_energy(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    static const double exact = 1e-3, balanced = 1e-2;
+    const struct thud_energy *e = &scope->result->energy;
+    const char *method = scope->result->method;
+    (void)i;
+    if (e->error_ratio > balanced)
+        thud_error_set(thud_remark_add(out), THUD_OK,
+                       "%.2g %% of the energy is unaccounted for; at this step %s gives no results",
+                       100 * e->error_ratio, method);
+    else if (-e->contact_j > balanced * (e->initial_j + e->input_j))
+        thud_error_set(thud_remark_add(out), THUD_OK,
+                       "the contacts made %.3g kJ out of nothing; at this step %s gives no results",
+                       -1e-3 * e->contact_j, method);
+    else if (e->error_ratio > exact)
+        thud_error_set(thud_remark_add(out), THUD_OK, "%.2g %% of the energy is unaccounted for", 100 * e->error_ratio);
+}
+
+/* A force that a small change of an input changes as a whole. */
+void thud_remark_digits(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    static const double whole = 0.5;
+    const struct thud_sensitivity *s = scope->sensitivity;
+    int most = -1;
+    (void)i;
+    for (int c = 0; s && c < scope->result->ncontacts; c++)
+        if (most < 0 || scope->result->contact[c].force.value > scope->result->contact[most].force.value)
+            most = c;
+    if (most < 0 || !(thud_spread_most(&s->contact[most][0]) > whole))
+        return;
+    thud_error_set(thud_remark_add(out), THUD_OK,
+                   "the largest force changes by %.0f %% when an input changes by %.1g %%: read it as an order of "
+                   "magnitude",
+                   100 * thud_spread_most(&s->contact[most][0]), 100 * s->change);
+}
+
+/* ---- the runs of a study ---- */
+
+/* The largest stability coefficient W/(k h) of a building's elastic storeys that drift; a point has no shear of those
+ * that yield. */
+static double worst_theta(const struct thud_structure *s, const double *drift_m, int *storey)
+{
+    const int slab = s->kind == THUD_ISOLATED;
+    double worst = 0;
+    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++) {
+        double theta = thud_structure_weight(s, i) / (s->stiffness_npm[i] * s->height_m[i]);
+        if (drift_m[i + slab] > 0 && theta > worst) {
+            worst = theta;
+            *storey = i + 1;
+        }
+    }
+    return worst;
+}
+
+/* A case of a point of that scene. */
+static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scene, const struct thud_sweep_point *point,
+                       int k)
+{
+    const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
+    const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
+    const bool bumpers = point->which[k] != THUD_CASE_NONE && point->which[k] != THUD_CASE_LINK;
+    bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false, unstable = false;
+    for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
+        double drift_m[THUD_STOREYS_MAX + 1];
+        int storey;
+        const struct thud_structure *structure = &scene->structure[s];
+        int slab = structure->kind == THUD_ISOLATED;
+        for (int f = 0; f < point->floors[s]; f++) { /* those that yield are not taken as elastic */
+            bool yields =
+                f >= slab && f - slab < structure->storeys && isfinite(thud_structure_yield(structure, f - slab));
+            drift_m[f] = yields ? 0 : floor[f].drift_m;
+            falls = falls || (scene->p_delta && f >= slab && thud_kind_is_building(structure->kind) &&
+                              floor[f].drift_m > THUD_COLLAPSE_DRIFT * (1 - 1e-9) * structure->height_m[f - slab]);
+        }
+        double ratio = worst_drift(structure, point->floors[s], drift_m, &storey);
+        drifts = drifts || ratio > drift_most;
+        if (ratio > w->drift.value)
+            w->drift = (struct thud_sweep_worst){ratio, point->index, point->which[k], s, storey};
+        double theta = scene->p_delta ? 0 : worst_theta(structure, drift_m, &storey);
+        unstable = unstable || theta > theta_small;
+        if (theta > w->theta.value)
+            w->theta = (struct thud_sweep_worst){theta, point->index, point->which[k], s, storey};
+    }
+    for (int c = 0; c < point->ncontacts; c++) {
+        int i = point->level[c].interface - 1;
+        const struct thud_interface *at = &scene->interface[i];
+        double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
+        if (!bumpers || !at->has_bumper || !(thickness > 0))
+            continue;
+        bumper = true;
+        pressed = pressed || contact[c].indentation_m > (isnan(strain) ? 1 : strain) * thickness;
+        beyond = beyond || contact[c].indentation_m > thickness;
+        if (contact[c].indentation_m / thickness > w->press.value) {
+            w->press =
+                (struct thud_sweep_worst){contact[c].indentation_m / thickness, point->index, point->which[k], i, 0};
+            w->press_m = contact[c].indentation_m;
+            w->thickness_m = thickness;
+        }
+    }
+    if (falls && w->collapsed++ == 0) {
+        w->fall_point = point->index;
+        w->fall_which = point->which[k];
+    }
+    w->runs++;
+    w->drifting += drifts;
+    w->unstable += unstable;
+    w->with_bumper += bumper;
+    w->pressed += pressed;
+    w->beyond += beyond;
+}
+
+enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
+                                      const struct thud_sweep_point *point, struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(sizeof *scene);
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = thud_sweep_scene(plan, point->index, scene, err);
+    for (int k = 0; k < point->ncases && status == THUD_OK; k++)
+        if (!point->effort[k].reference && point->effort[k].status == THUD_OK)
+            watch_case(watch, scene, point, k);
+    free(scene);
+    return status;
+}
+
+/* "case bumper, gap 5 cm, kobe.csv" */
+static void where_text(const struct thud_sweep_plan *plan, long point, enum thud_case which, char *text, size_t size)
+{
+    int at[THUD_VARY_MAX], record = thud_sweep_place(plan, point, at);
+    int n = snprintf(text, size, "case %s", thud_case_name(which));
+    for (int a = 0; a < plan->naxes && n > 0 && (size_t)n < size; a++)
+        n += snprintf(text + n, size - (size_t)n, ", %s %s", plan->axis[a].key, plan->axis[a].text[at[a]]);
+    if (plan->nrecords > 1 && n > 0 && (size_t)n < size)
+        snprintf(text + n, size - (size_t)n, ", %.100s", plan->record[record]->file);
+}
+
+void thud_remark_collapses(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_sweep_watch *w = scope->watch;
+    char where[400];
+    (void)i;
+    if (w->collapsed == 0)
+        return;
+    where_text(scope->plan, w->fall_point, w->fall_which, where, sizeof where);
+    thud_error_set(thud_remark_add(out), THUD_OK,
+                   "%ld of %ld runs collapse, and have the peaks before that (the first: %s)", w->collapsed, w->runs,
+                   where);
+}
+
+void thud_remark_presses(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_sweep_watch *w = scope->watch;
+    char where[400], beyond[64] = "";
+    (void)i;
+    if (w->pressed == 0)
+        return;
+    where_text(scope->plan, w->press.point, w->press.which, where, sizeof where);
+    if (w->beyond > 0)
+        snprintf(beyond, sizeof beyond, ", in %ld by more than there is of it", w->beyond);
+    thud_error_set(thud_remark_add(out), THUD_OK,
+                   "a bumper is pressed past its ultimate strain in %ld of %ld runs with one%s: one of %.4g mm by "
+                   "%.4g mm (%s)",
+                   w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
+}
+
+void thud_remark_drifts(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_sweep_watch *w = scope->watch;
+    char where[400];
+    (void)i;
+    if (w->drifting == 0)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    where_text(scope->plan, w->drift.point, w->drift.which, where, sizeof where);
+    thud_error_set(said, THUD_OK,
+                   "storeys drift by more than %g %% of their height in %ld of %ld runs, and are taken as elastic: "
+                   "storey %d of %.40s by %.2g %% (%s)",
+                   100 * drift_most, w->drifting, w->runs, w->drift.storey,
+                   scope->plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
+    thud_error_allow(said, "buildings yield before %g %%", 100 * drift_most);
+}
+
+void thud_remark_thetas(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_sweep_watch *w = scope->watch;
+    char where[400];
+    (void)i;
+    if (w->unstable == 0)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    where_text(scope->plan, w->theta.point, w->theta.which, where, sizeof where);
+    thud_error_set(said, THUD_OK,
+                   "%sthe stability coefficient of elastic storeys is above %g in %ld of %ld runs: %.3g at storey "
+                   "%d of %.40s (%s)",
+                   w->theta.value > theta_most ? "caution: " : "", theta_small, w->unstable, w->runs, w->theta.value,
+                   w->theta.storey, scope->plan->scene.structure[w->theta.structure].name, where);
+    thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
+}

@@ -1,0 +1,266 @@
+/* What is allowed but unusual. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/methods/method.h"
+#include "study/scene/building.h"
+#include "study/scene/level.h"
+#include "study/scene/scene_slot.h"
+#include "study/scene/solution.h"
+#include "study/sweep/remark_rows.h"
+
+static void look(struct thud_remarks *out, const struct thud_param *param, double value, const char *key)
+{
+    char usual[160], text[64];
+    if (!thud_param_unusual(param, value, usual, sizeof usual))
+        return;
+    thud_quantity_format(value, strchr(param->unit, '^') ? "" : param->unit, text, sizeof text);
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "%s is unusual", text);
+    thud_error_allow(said, "usually %s", usual);
+    thud_error_key(said, "%s", key);
+}
+
+static void look_group(struct thud_remarks *out, enum thud_group group, const void *base, unsigned kind, int storeys,
+                       const char *prefix)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    const struct thud_place *places = thud_group_places(group);
+    for (int i = 0; i < count; i++) {
+        if (kind && !(places[i].kinds & kind))
+            continue;
+        const double *value = (const double *)(const void *)((const char *)base + places[i].offset);
+        int n = places[i].store == THUD_STORE_FLOORS ? storeys : places[i].store == THUD_STORE_NUMBER ? 1 : 0;
+        for (int floor = 0; floor < n; floor++) {
+            char key[96];
+            snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, params[i].name, floor + 1);
+            if ((floor > 0 && value[floor] == value[floor - 1]) || (places[i].optional && value[floor] == 0))
+                continue; /* said once */
+            look(out, &params[i], value[floor], key);
+        }
+    }
+}
+
+void thud_remark_structure_values(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    const struct {
+        enum thud_group group;
+        const char *part;
+        bool is;
+        int storeys;
+    } each[] = {{THUD_GROUP_STRUCTURE, "", true, s->storeys},
+                {THUD_GROUP_COLUMN, ".column", true, s->storeys},
+                {THUD_GROUP_FOUNDATION, ".foundation", thud_structure_on_soil(s), 0},
+                {THUD_GROUP_ISOLATOR, ".isolator", thud_isolator_slides(s), s->storeys}};
+    for (size_t k = 0; k < sizeof each / sizeof *each; k++) {
+        char key[64];
+        snprintf(key, sizeof key, "structures.%d%s", i + 1, each[k].part);
+        if (each[k].is)
+            look_group(out, each[k].group, s, 1u << s->kind, each[k].storeys, key);
+    }
+}
+
+void thud_remark_setup(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    (void)i;
+    look_group(out, THUD_GROUP_RECORD, scope->scene, 0, 0, "record");
+    look_group(out, THUD_GROUP_ANALYSIS, scope->scene, 0, 0, "analysis");
+}
+
+/* The law that acts first at an interface, and its key. */
+static const struct thud_law_choice *first_law(const struct thud_remark_scope *scope, int i, char key[64])
+{
+    const struct thud_interface *at = &scope->scene->interface[i];
+    snprintf(key, 64, "interfaces.%d.%s", i + 1, at->has_bumper ? "bumper" : "contact");
+    return at->has_bumper ? &at->bumper : &at->contact;
+}
+
+void thud_remark_interface_values(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    char prefix[64], key[128];
+    const struct thud_law_choice *choice = first_law(scope, i, prefix);
+    if (scope->scene->interface[i].has_bumper)
+        look_group(out, THUD_GROUP_BUMPER, &scope->scene->interface[i], 0, 0, prefix);
+    for (int k = 0; choice->law && k < choice->law->nparams; k++) {
+        snprintf(key, sizeof key, "%s.%s", prefix, choice->law->params[k].name);
+        if (choice->law->params[k].kind == THUD_PARAM_QUANTITY)
+            look(out, &choice->law->params[k], choice->value[k], key);
+    }
+}
+
+/* What a bumper's law says of its values together. */
+void thud_remark_whole_law(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    char prefix[64], key[sizeof((struct thud_error *)0)->key + 64];
+    const struct thud_law_choice *choice = first_law(scope, i, prefix);
+    struct thud_law_setup setup = {.mass_kg = 1, .thickness_m = scope->scene->interface[i].bumper_thickness_m};
+    struct thud_error one = {0};
+    if (!scope->scene->interface[i].has_bumper || !choice->law || !choice->law->unusual)
+        return;
+    memcpy(setup.value, choice->value, sizeof setup.value);
+    if (thud_law_prepare(choice->law, &setup, NULL) != THUD_OK)
+        return;
+    for (int k = 0; choice->law->unusual(&setup, k, &one); k++) {
+        snprintf(key, sizeof key, "%s.%s", prefix, one.key);
+        struct thud_error *said = thud_remark_add(out);
+        if (said)
+            *said = one;
+        thud_error_key(said, "%s", key);
+    }
+}
+
+/* Struck columns stiffer than the storey that they are a part of. */
+void thud_remark_columns(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    for (int k = 0; k < s->storeys && thud_structure_has_columns(s); k++) {
+        double length = thud_clear_height(s, k), own = 12 * thud_column_ei(s, k) / (length * length * length);
+        if (!(s->stiffness_npm[k] > 0) || !(own > s->stiffness_npm[k] * (1 + 1e-9)))
+            continue;
+        struct thud_error *said = thud_remark_add(out);
+        thud_error_set(said, THUD_OK, "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g",
+                       k + 1, 1e-6 * own, 1e-6 * s->stiffness_npm[k]);
+        thud_error_allow(said, "usually less than the storey's stiffness");
+        thud_error_key(said, "structures.%d.column.%s", i + 1, s->column_stiffness_npm[k] > 0 ? "stiffness" : "EI");
+    }
+}
+
+/* Modes that are fewer than the floors. */
+void thud_remark_modes(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_structure *s = &scope->scene->structure[i];
+    if (s->kind != THUD_MODES || s->shape_rows == 0 || s->shape_rows >= s->storeys)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "%d of %d modes: what they leave out is taken as ten times faster than the fastest of them, so that "
+                   "the local give at a struck floor is not known",
+                   s->shape_rows, s->storeys);
+    thud_error_allow(said, "as many modes as floors");
+    thud_error_key(said, "structures.%d.periods", i + 1);
+}
+
+/* Both codes fit their formulas to buildings of some storeys. */
+void thud_remark_estimate(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    static const double most_m = 40;
+    const struct thud_structure *s = &scope->scene->structure[i];
+    const double height = s->kind == THUD_ESTIMATED ? thud_structure_estimate(s).height_m : 0;
+    if (!(height > most_m))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "a period is estimated for a building of %.4g m", height);
+    thud_error_allow(said, "EN 1998-1 4.3.3.2.2(3): up to %.4g m", most_m);
+    thud_error_key(said, "structures.%d.height", i + 1);
+}
+
+/* A cavity that leaves less of the bumper outside than it can be compressed by: the walls would touch first. */
+void thud_remark_cavity(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_interface *at = &scope->scene->interface[i];
+    double strain = thud_interface_max_strain(at);
+    if (!at->has_bumper || isnan(strain) || at->bumper_cavity_m <= at->bumper_thickness_m * (1 - strain) * (1 + 1e-9))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "at %.4g cm the walls would touch before the bumper is at its ultimate strain",
+                   100 * at->bumper_cavity_m);
+    thud_error_allow(said, "usually up to thickness (1 - max-strain), %.4g cm",
+                     100 * at->bumper_thickness_m * (1 - strain));
+    thud_error_key(said, "interfaces.%d.bumper.cavity", i + 1);
+}
+
+/* A contact whose law nobody has chosen. */
+void thud_remark_assumed_law(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_law_choice *choice = &scope->scene->interface[i].contact;
+    if (!choice->assumed)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "no impact law is given: %s is taken, with its usual values where none are given",
+                   choice->law->name);
+    thud_error_allow(said, "the law of Polycarpou and Komodromos (2011); others: `thud laws`");
+    thud_error_key(said, "interfaces.%d.contact.law", i + 1);
+}
+
+/* Neighbours none of whose floors can touch. */
+void thud_remark_levels(const struct thud_remark_scope *scope, int at, struct thud_remarks *out)
+{
+    const struct thud_scene *scene = scope->scene;
+    struct thud_model *model;
+    int contacts[THUD_STRUCTURES_MAX + 1] = {0};
+    (void)at;
+    if (thud_scene_assemble(scene, &model, NULL) != THUD_OK)
+        return;
+    for (int c = 0; c < model->npairs; c++)
+        contacts[model->contact[c].interface]++;
+    thud_model_free(model);
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        const struct thud_structure *left = &scene->structure[i], *right = left + 1;
+        if (contacts[i + 1] > 0)
+            continue;
+        struct thud_error *said = thud_remark_add(out);
+        thud_error_set(said, THUD_OK, "%s and %s have nothing at the same level, so they cannot touch", left->name,
+                       right->name);
+        thud_error_allow(said, "floors at or between the other's floors: see heights and base");
+        thud_error_key(said, "interfaces.%d", i + 1);
+    }
+}
+
+/* Faces that overlap so little that what meets is neither two floors nor a slab and columns: the first pair, and how
+ * many there are. */
+void thud_remark_faces(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_scene *scene = scope->scene;
+    const struct thud_structure *left = &scene->structure[i], *right = left + 1;
+    struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
+    bool buildings = thud_kind_is_building(left->kind) && thud_kind_is_building(right->kind);
+    int n = buildings ? thud_interface_contact_pairs(scene, i, meeting) : 0, few = 0, a = 0, b = 0;
+    double overlap = 0, depth = 0;
+    for (int k = n - 1; k >= 0; k--) {
+        int l = meeting[k].left_floor - 1, r = meeting[k].right_floor - 1;
+        double shallow = fmin(thud_structure_depth(left, l), thud_structure_depth(right, r));
+        double common = thud_face_overlap(thud_structure_elevation(left, l), thud_structure_depth(left, l),
+                                          thud_structure_elevation(right, r), thud_structure_depth(right, r));
+        if (meeting[k].struck != 0 || !(common < 0.25 * shallow))
+            continue;
+        few++;
+        a = l + 1;
+        b = r + 1;
+        overlap = common;
+        depth = shallow;
+    }
+    if (few == 0)
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): that is "
+                   "neither a contact of floors nor one of a slab and columns",
+                   a, left->name, b, right->name, 100 * overlap, 100 * depth, few);
+    thud_error_allow(said, "usually a quarter of the shallower slab or more; see height and base");
+    thud_error_key(said, "structures.%d.slab-depth", i + 1);
+}
+
+/* A step in which much of a contact goes by. */
+void thud_remark_step(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_scene *scene = scope->scene;
+    const struct thud_method *method = thud_method_find(scene->analysis.method);
+    double step_s = scene->analysis.step_s, shortest = INFINITY;
+    struct thud_model *model;
+    (void)i;
+    if (!method || !(method->flags & THUD_METHOD_FIXED_STEP) || isnan(step_s) ||
+        thud_scene_assemble(scene, &model, NULL) != THUD_OK)
+        return;
+    for (int c = 0; c < model->npairs; c++)
+        shortest = fmin(shortest, thud_model_contact_period(&model->contact[c]));
+    thud_model_free(model);
+    if (step_s <= shortest / 20 * (1 + 1e-9))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK, "%.4g ms is long for a contact that swings in %.4g ms", 1e3 * step_s, 1e3 * shortest);
+    thud_error_allow(said, "usually up to a twentieth of that, %.4g ms", 50 * shortest);
+    thud_error_key(said, "analysis.step");
+}
