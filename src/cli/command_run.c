@@ -54,14 +54,11 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
 /* The bumper of a scene, for titles. */
 static const char *case_title(const struct thud_scene *scene)
 {
-    bool bumper = false, cavity = false;
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
-        bumper |= scene->interface[i].has_bumper;
+    bool cavity = false;
+    for (int i = 0; i + 1 < scene->nstructures; i++)
         cavity |= scene->interface[i].has_bumper && scene->interface[i].bumper_cavity_m > 0;
-    }
-    if (scene->nlinks > 0)
-        return bumper ? "bumper and links" : thud_case_title(THUD_CASE_LINK);
-    return thud_case_title(cavity ? THUD_CASE_CAVITY : bumper ? THUD_CASE_BUMPER : THUD_CASE_NONE);
+    return thud_case_title(thud_scene_measures(scene),
+                           cavity && scene->nlinks == 0 ? THUD_CASE_CAVITY : THUD_CASE_WHOLE);
 }
 
 /* Their data stand in histories.csv. */
@@ -69,8 +66,7 @@ static enum thud_status draw(const struct thud_args *args, struct thud_picture_c
                              const struct thud_scene *scene, const struct thud_solution *solution,
                              struct thud_error *err)
 {
-    struct thud_figure_source source = thud_run_source(THUD_CASE_AS_WRITTEN, scene, solution->run);
-    source.name = case_title(scene);
+    struct thud_figure_source source = thud_run_source(case_title(scene), THUD_CASE_AS_WRITTEN, scene, solution->run);
     picture->options.no_data = true;
     picture->options.cancel = thud_interrupt_watch();
     thud_progress_start(args);

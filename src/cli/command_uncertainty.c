@@ -103,11 +103,19 @@ static struct thud_figure *begin(const struct thud_uncertainty *u, const char *n
     return thud_figure_create(name, title, rows, columns);
 }
 
+static const char *ratio_label(const struct thud_uncertainty *u, char text[64])
+{
+    snprintf(text, 64, "Ratio to %s", thud_case_title(thud_scene_measures(&u->scene), THUD_CASE_NONE));
+    return text;
+}
+
 static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
 {
     enum { COLUMNS_MAX = 4 };
     const struct thud_uncertainty *u = study->uncertainty;
     int drawn[COLUMNS_MAX], n = 0;
+    char ratio[64];
+    ratio_label(u, ratio);
     for (int q = 0; q < u->nquantities && n < COLUMNS_MAX; q++)
         if (is_drawn(u, q))
             drawn[n++] = q;
@@ -120,7 +128,7 @@ static struct thud_figure *tornado(const struct thud_uncertainty_study *study)
         snprintf(title, sizeof title, "%s: %s", u->scene.structure[quantity->structure].name,
                  quantity->measure == THUD_MEASURE_DRIFT_RATIO ? "drift" : "acceleration");
         struct thud_panel *panel = thud_figure_panel(figure, i / columns, i % columns, title);
-        thud_panel_axis(panel, THUD_X, thud_quantity_is_ratio(quantity) ? "Ratio to no bumper" : "Largest acceleration",
+        thud_panel_axis(panel, THUD_X, thud_quantity_is_ratio(quantity) ? ratio : "Largest acceleration",
                         thud_quantity_is_ratio(quantity) ? "" : "m/s²");
         thud_panel_axis(panel, THUD_Y, "", "");
         thud_panel_results_on_x(panel);
@@ -135,9 +143,10 @@ static struct thud_figure *distribution(const struct thud_uncertainty_study *stu
     const struct thud_uncertainty *u = study->uncertainty;
     size_t n = thud_uncertainty_samples(study), first = thud_uncertainty_first_sample(study);
     double *x = malloc(2 * (n + 1) * sizeof *x), *y = x + n;
+    char ratio[64];
     struct thud_figure *figure = begin(u, "sampled-ratios", "all inputs sampled together", 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    thud_panel_axis(panel, THUD_X, "Ratio to no bumper", "");
+    thud_panel_axis(panel, THUD_X, ratio_label(u, ratio), "");
     thud_panel_results_on_x(panel);
     thud_panel_share_axis(panel, THUD_Y, "Share of the samples below");
     thud_panel_mark(panel, THUD_X, 1, 1, "");

@@ -126,6 +126,9 @@ is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring), in every case: 
     is "and with the other" shows "least $at_4 cm at links.1.damping 4000"
     is "cases with and without the link" gives 0 run $scene $motion --cases none,bumper,link --quiet
     is "need two gaps" [ "$(grep -c 'do not collide from a gap' "$tmp/out")" -eq 2 ]
+    is "the names of the cases say what they leave out" shows "neither bumper nor links  bumper, no links  links, no bumper"
+    is "and so do sentences" [ "$(grep -c '^Without bumper and links \|^With the bumper and without links \|^With the links and without bumper ' "$tmp/out")" -eq 3 ]
+    is "what lowers is named" [ "$(grep -c '^The bumper lowers\|^The links lower' "$tmp/out")" -eq 4 ]
     is "with the link that of gap" shows "^With the links: A and B do not collide from a gap of $(needs "$scene") cm"
     is "without it that of the towers alone" shows "^Without the links: A and B do not collide from a gap of $(needs towers) cm"
 }

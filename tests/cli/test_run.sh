@@ -415,7 +415,7 @@ is "from the gap that is named on there is no contact" [ "$(tr -s ',{}[]' '\n' <
 gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEGIN { print g - 0.01 }') cm"
 is "and just below it something does" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" -gt 0 ]
 is "how often they collide is said" grep -q "^Without bumper they collide [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
-is "and what the bumper does to floors" grep -q "^It lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
+is "and what the bumper does to floors" grep -q "^The bumper lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
 THUD_GNUPLOT=/none "$THUD" run towers --cases none,bumper -o "$tmp/cases.d" --quiet >"$tmp/out" 2>"$tmp/err"
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
 is "each named in its own" grep -q '"case": "no-pounding"' "$tmp/cases.d/no-pounding/result.json"

@@ -362,7 +362,7 @@ START_TEST(several_runs_keep_their_colours)
     struct sample *s = make();
     struct thud_figure_source both[2] = {s->source, s->source};
     both[1].which = THUD_CASE_NONE;
-    both[1].name = thud_case_title(THUD_CASE_NONE);
+    both[1].name = thud_case_title(0, THUD_CASE_NONE);
     for (int w = 0; w < THUD_RUN_FIGURES; w++) {
         if (w == THUD_FIGURE_COLUMNS) /* floors meet floors here */
             continue;
@@ -395,7 +395,7 @@ START_TEST(cases_differ_without_their_colours)
     char style[CASES][80] = {{0}};
     for (int i = 0; i < CASES; i++) {
         const enum thud_case which = (enum thud_case)(i + THUD_CASE_FREE);
-        thud_panel_add(panel, (struct thud_style){.color = thud_case_color(which)}, thud_case_title(which), 2,
+        thud_panel_add(panel, (struct thud_style){.color = thud_case_color(which)}, thud_case_title(0, which), 2,
                        (double[]){0, 1}, (double[]){i, i});
     }
     ck_assert_int_eq(thud_gnuplot_script(figure, &options, NULL, &script, NULL), THUD_OK);
@@ -407,12 +407,31 @@ START_TEST(cases_differ_without_their_colours)
         snprintf(style[i], sizeof style[i], "%.*s", (int)strcspn(at, "#"), at); /* up to its colour */
         for (int k = 0; k < i; k++) {
             ck_assert_str_ne(style[i], style[k]);
-            ck_assert_str_ne(thud_case_title((enum thud_case)(i + THUD_CASE_FREE)),
-                             thud_case_title((enum thud_case)(k + THUD_CASE_FREE)));
+            ck_assert_str_ne(thud_case_title(0, (enum thud_case)(i + THUD_CASE_FREE)),
+                             thud_case_title(0, (enum thud_case)(k + THUD_CASE_FREE)));
         }
     }
     thud_text_clear(&script);
     thud_figure_free(figure);
+}
+END_TEST
+
+/* Where a scene has bumper and links every case has its own name, which says of both whether they are there. */
+START_TEST(cases_say_what_they_leave_out)
+{
+    const int both = THUD_HAS_BUMPER | THUD_HAS_LINKS;
+    for (enum thud_case i = THUD_CASE_NONE; i <= THUD_CASE_WHOLE; i++) {
+        for (enum thud_case k = THUD_CASE_FREE; k < i; k++) {
+            ck_assert_str_ne(thud_case_title(both, i), thud_case_title(both, k));
+            ck_assert_str_ne(thud_case_phrase(both, i), thud_case_phrase(both, k));
+        }
+        const char *words[] = {thud_case_title(both, i), thud_case_phrase(both, i)};
+        for (int w = 0; w < 2; w++)
+            ck_assert_msg(strstr(words[w], "bumper") && strstr(words[w], "links"), "%s", words[w]);
+    }
+    ck_assert_str_eq(thud_case_title(THUD_HAS_LINKS, THUD_CASE_NONE), "no links");
+    ck_assert_str_eq(thud_case_title(THUD_HAS_BUMPER, THUD_CASE_NONE), "no bumper");
+    ck_assert_str_eq(thud_case_title(0, THUD_CASE_WHOLE), "no bumper");
 }
 END_TEST
 
@@ -459,6 +478,7 @@ Suite *thud_suite(void)
 {
     Suite *suite = suite_create("figures_run");
     TCase *tcase = tcase_create("figures_run");
+    tcase_add_test(tcase, cases_say_what_they_leave_out);
     tcase_add_test(tcase, histories_show_floors_in_their_units);
     tcase_add_test(tcase, a_scene_is_drawn_to_scale);
     tcase_add_test(tcase, a_drawing_shows_where_columns_are_struck);

@@ -189,7 +189,8 @@ enum thud_case {
     THUD_CASE_BUMPER,
     THUD_CASE_CAVITY,
     THUD_CASE_LINK,
-    THUD_CASES
+    THUD_CASES,
+    THUD_CASE_WHOLE = THUD_CASES /* with all that the scene has; for words alone */
 };
 /* Whether the scene's links stay in a case. */
 static inline bool thud_case_has_links(enum thud_case which)
@@ -390,8 +391,13 @@ static inline enum thud_case thud_scene_bare(const struct thud_scene *scene)
     return scene->nlinks > 0 ? THUD_CASE_LINK : THUD_CASE_NONE;
 }
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "link", "as-written" */
-/* As readers call it, in every table and figure: "no pounding", "no bumper", "bumper in a cavity", ... */
-const char *thud_case_title(enum thud_case which);
+/* What a case may leave out. */
+enum { THUD_HAS_BUMPER = 1, THUD_HAS_LINKS = 2 };
+int thud_scene_measures(const struct thud_scene *scene);
+/* As readers call a case of a scene that has these measures (THUD_HAS_...), in every table and figure, and in a sentence:
+ * "no bumper", "neither bumper nor links"; "without bumper", "with the links and without bumper". */
+const char *thud_case_title(int measures, enum thud_case which);
+const char *thud_case_phrase(int measures, enum thud_case which);
 /* The cases that stand beside each other where only one bumper is asked about: no pounding, no bumper, bumper. */
 static inline enum thud_case thud_case_compared(int i)
 {

@@ -54,6 +54,7 @@ struct thud_sweep_summary {
 
 struct thud_sweep_table {
     int nrecords, nstructures, naxes;
+    int measures;       /* of the scene, for the names of cases */
     double sensitivity; /* of the spread; 0: there is none */
     int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
     const char *const *record; /* (nrecords) names */

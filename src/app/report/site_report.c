@@ -48,23 +48,23 @@ static enum thud_status run_case(struct site *site, struct site_case *one, struc
 
 static enum thud_status run_cases(struct site *site, struct thud_error *err)
 {
-    static const struct {
-        const char *name, *words;
-    } named[] = {{"no pounding", "without pounding"}, {"no bumper", "without bumper"}, {"bumper", "with the bumper"}};
+    /* links stand in every case: what is compared is the bumper */
+    const enum thud_case which[] = {THUD_CASE_FREE, thud_scene_bare(site->scene), THUD_CASE_WHOLE};
+    const int measures = thud_scene_measures(site->scene);
     enum thud_status status = THUD_OK;
     site->ncases = thud_scene_has_bumper(site->scene) ? SITE_CASES : SITE_BUMPER;
     for (int i = 0; i < site->ncases && status == THUD_OK; i++) {
         struct site_case *one = &site->cases[i];
-        one->name = named[i].name;
-        one->words = named[i].words;
+        one->name = thud_case_title(measures, which[i]);
+        one->words = thud_case_phrase(measures, which[i]);
         one->scene = malloc(sizeof *one->scene);
         if (!one->scene)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         *one->scene = *site->scene;
         if (i == SITE_FREE)
             thud_scene_drop_contacts(one->scene);
-        else if (i == SITE_NONE) /* links stand in every case: what is compared is the bumper */
-            thud_scene_case(one->scene, thud_scene_bare(one->scene), one->scene, NULL);
+        else if (i == SITE_NONE)
+            thud_scene_case(one->scene, which[i], one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];

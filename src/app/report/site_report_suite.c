@@ -134,8 +134,8 @@ static void say_pounding(struct site *site, int k)
                  ": a share of %.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence",
                  100 * f.share, 100 * low, 100 * high);
     thud_document_item(&site->document,
-                       "Of the suite of %zu ground motions, %zu make the buildings %s at the given gap%s.", f.n, count,
-                       k == 0 ? "pound without bumper" : "touch the bumper", band);
+                       "Of the suite of %zu ground motions, %zu make the buildings %s%s at the given gap%s.", f.n,
+                       count, k == 0 ? "pound " : "touch the bumper", k == 0 ? site->cases[SITE_NONE].words : "", band);
 }
 
 /* "They pound from 0.37 times their strength on under 7 of the 14" */
@@ -144,18 +144,19 @@ static void say_strength(struct site *site, int k)
     const double *factor = site->suite.factor[k];
     size_t n = (size_t)site->suite.runs->nrecords, half;
     double median = thud_enough(factor, n, 0.5, &half);
-    char first[80] = "", all[80] = "";
+    char first[80] = "", all[80] = "", pound[80];
+    const char *words = site->cases[SITE_NONE].words;
+    snprintf(pound, sizeof pound, "%c%s they pound", words[0] - 'a' + 'A', words + 1);
     if (isinf(median))
         return;
     if (factor[0] < median)
         snprintf(first, sizeof first, "under the first from %.2f times their strength on, ", factor[0]);
     if (half < n && !isinf(factor[n - 1]))
         snprintf(all, sizeof all, ", under all from %.2f times", factor[n - 1]);
-    thud_document_item(&site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.",
-                       k == 0 ? "Without bumper they pound" : "They touch the bumper", first, half, n, median,
-                       *first ? "" : " their strength on", all,
-                       thud_scene_yields(site->scene) ? ""
-                                                      : " (exact: each motion has a factor from which on it does)");
+    thud_document_item(
+        &site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.", k == 0 ? pound : "They touch the bumper",
+        first, half, n, median, *first ? "" : " their strength on", all,
+        thud_scene_yields(site->scene) ? "" : " (exact: each motion has a factor from which on it does)");
 }
 
 static void say_widths(struct site *site)

@@ -123,7 +123,9 @@ static void add_sampled_row(struct site *site, int q)
     const bool isolators = unit_of(quantity) == 1e-3 && quantity->structure >= 0 &&
                            site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
     thud_document_cell(d, "%s%s%s%s",
-                       quantity->which == THUD_CASE_AS_WRITTEN || !what ? "" : thud_case_title(quantity->which),
+                       quantity->which == THUD_CASE_AS_WRITTEN || !what
+                           ? ""
+                           : thud_case_title(thud_scene_measures(site->scene), quantity->which),
                        !what ? quantity->name : what + (quantity->which == THUD_CASE_AS_WRITTEN ? 2 : 0),
                        isolators ? " or its isolators" : "",
                        gap                    ? ", cm"

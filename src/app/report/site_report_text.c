@@ -231,14 +231,13 @@ static void say_results(struct site *site)
         const double a = largest_of(none, s, FLOOR_ACCELERATION), b = largest_of(free_case, s, FLOOR_ACCELERATION);
         const enum side side = b > 0 && site->scene->structure[s].kind != THUD_WALL ? side_of(a / b) : NOWHERE;
         if (side == SAME)
-            thud_document_item(
-                d, "Pounding without bumper leaves the largest acceleration of %s unchanged, within 2 %%: %s g.",
-                thud_site_name(site, s), thud_site_number(a / THUD_GRAVITY, 3).text);
+            thud_document_item(d, "Pounding %s leaves the largest acceleration of %s unchanged, within 2 %%: %s g.",
+                               none->words, thud_site_name(site, s), thud_site_number(a / THUD_GRAVITY, 3).text);
         else if (side != NOWHERE)
-            thud_document_item(
-                d, "Pounding without bumper %s the largest acceleration of %s from %s g to %s g, by a factor of %s.",
-                does[side], thud_site_name(site, s), thud_site_number(b / THUD_GRAVITY, 3).text,
-                thud_site_number(a / THUD_GRAVITY, 3).text, thud_site_number(a / b, 3).text);
+            thud_document_item(d, "Pounding %s %s the largest acceleration of %s from %s g to %s g, by a factor of %s.",
+                               none->words, does[side], thud_site_name(site, s),
+                               thud_site_number(b / THUD_GRAVITY, 3).text, thud_site_number(a / THUD_GRAVITY, 3).text,
+                               thud_site_number(a / b, 3).text);
     }
     if (site->ncases > SITE_BUMPER) {
         say_effect(site, FLOOR_ACCELERATION);
@@ -392,7 +391,7 @@ static void add_column_table(struct site *site)
 
 static struct thud_figure_source source_of(const struct site *site, const struct site_case *one)
 {
-    return thud_run_source(thud_case_compared((int)(one - site->cases)), one->scene, one->solution.run);
+    return thud_run_source(one->name, thud_case_compared((int)(one - site->cases)), one->scene, one->solution.run);
 }
 
 static void floors(struct site *site)
@@ -407,7 +406,7 @@ static void floors(struct site *site)
                            "oscillators with 5 % damping, g, and its period");
     thud_document_cell(d, "floor");
     for (int i = 0; i < s->ncases; i++)
-        thud_document_cell(d, "%s", thud_case_title(thud_case_compared(i)));
+        thud_document_cell(d, "%s", site->cases[i].name);
     thud_document_row(d);
     for (int f = 0; f < s->nfloors; f++) {
         thud_document_cell(d, "%s",

@@ -20,7 +20,7 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
 /* ---- All figures of one scene's run, or of one study, as files ---- */
 
 /* A finished run with history and impacts as a source of figures; everything stays where it is. */
-struct thud_figure_source thud_run_source(enum thud_case which, const struct thud_scene *scene,
+struct thud_figure_source thud_run_source(const char *name, enum thud_case which, const struct thud_scene *scene,
                                           const struct thud_run *run);
 
 /* Whatever there is to show: force, velocity, acceleration, displacement, drift, loop, envelope, energy. Errors: as

@@ -15,19 +15,17 @@ enum { HISTORY_BYTES = 48 << 20, NEED = THUD_LIVE_CASES };
 static const double wait_s = 0.004, look_s = 1e-3;
 _Static_assert(THUD_LIVE_JOBS == THUD_LIVE_CASES + 1, "the cases, and the gap that is needed");
 
-const char *thud_live_name(enum thud_live_which which)
+const char *thud_live_name(int measures, enum thud_live_which which)
 {
-    return thud_case_title(thud_case_compared((int)which));
+    return thud_case_title(measures, which == THUD_LIVE_BUMPER ? THUD_CASE_WHOLE : thud_case_compared((int)which));
 }
 
 const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_which which)
 {
-    const bool linked = scene->nlinks > 0;
-    if (which == THUD_LIVE_FREE)
-        return "no pounding";
-    if (which == THUD_LIVE_NONE)
-        return linked ? "neither" : "no bumper";
-    return !linked ? "bumper" : thud_scene_has_bumper(scene) ? "both" : "links";
+    const int measures = thud_scene_measures(scene);
+    if (measures != (THUD_HAS_BUMPER | THUD_HAS_LINKS) || which == THUD_LIVE_FREE)
+        return thud_live_name(measures, which);
+    return which == THUD_LIVE_NONE ? "neither" : "both";
 }
 
 int thud_live_color(enum thud_live_which which)
@@ -214,6 +212,7 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
 {
     thud_live_stop(live);
     live->running = false;
+    live->measures = thud_scene_measures(scene);
     live->history = history;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         struct thud_live_case *c = &live->which[i];

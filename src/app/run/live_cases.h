@@ -8,8 +8,8 @@
 #include "study/scene/scene.h"
 
 enum thud_live_which { THUD_LIVE_FREE, THUD_LIVE_NONE, THUD_LIVE_BUMPER, THUD_LIVE_CASES };
-const char *thud_live_name(enum thud_live_which which); /* "no pounding", ... */
-/* "no bumper" and "bumper"; of a scene with links "neither", and "links" or "both". */
+const char *thud_live_name(int measures, enum thud_live_which which); /* "no pounding", ... */
+/* Shorter where it has bumper and links: "neither" and "both". */
 const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_which which);
 /* As in the figures: no pounding grey, no bumper the first colour, bumper the second. */
 int thud_live_color(enum thud_live_which which);
@@ -54,6 +54,7 @@ struct thud_live {
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;
+    int measures; /* of the scene, for the names of its cases */
     enum thud_live_history history;
     int threads;                  /* that compute: 0 one a processor; negative: none, thud_live_advance does */
     struct thud_live_work *work;  /* while running; its runs are not to be touched. NULL: none */

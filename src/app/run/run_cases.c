@@ -7,6 +7,7 @@
 
 #include "app/run/figure_files.h"
 #include "app/run/summary_line.h"
+#include "base/ascii.h"
 #include "ground/identity.h"
 #include "io/file/schema.h"
 #include "study/scene/level.h"
@@ -91,6 +92,7 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
     *out = NULL;
     if (!cases)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    cases->measures = thud_scene_measures(&session->scene);
     enum thud_status status = parse(&session->scene, text, cases, err);
     if (status == THUD_OK)
         status = run_free(session, cases, options, &cases->item[0], err);
@@ -117,10 +119,16 @@ void thud_run_cases_free(struct thud_run_cases *cases)
     free(cases);
 }
 
+static const char *title_of(const struct thud_run_cases *cases, int i)
+{
+    return thud_case_title(cases->measures, cases->item[i].which);
+}
+
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source)
 {
     for (int i = 0; i < cases->n; i++)
-        source[i] = thud_run_source(cases->item[i].which, &cases->item[i].scene, cases->item[i].solution.run);
+        source[i] = thud_run_source(title_of(cases, i), cases->item[i].which, &cases->item[i].scene,
+                                    cases->item[i].solution.run);
     return cases->n;
 }
 
@@ -198,8 +206,8 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     if (floors == 0 || (drift && p->kind == THUD_RIGID))
         return;
     for (int i = 0; i < cases->n; i++) {
-        const char *title = thud_case_title(cases->item[i].which);
-        const int width = 1 + (int)strlen(title);
+        const char *title = title_of(cases, i);
+        const int width = (cases->measures & THUD_HAS_LINKS ? 2 : 1) + (int)strlen(title);
         column[n++] = (struct thud_column){THUD_COLUMN(struct peak_row, value[i], "", ""),
                                            .shown = {title, NULL, 1, width < 10 ? 10 : width, 4, THUD_DIGITS_FREE}};
     }
@@ -251,10 +259,9 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     int impacts, before;
     char level[24];
     const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), &impacts);
-    const char *how = cases->item[i].which == THUD_CASE_NONE     ? "Without bumper"
-                      : cases->item[i].which == THUD_CASE_BUMPER ? "With the bumper"
-                      : cases->item[i].which == THUD_CASE_LINK   ? "With the links"
-                                                                 : "With the bumper in a cavity";
+    char how[64];
+    snprintf(how, sizeof how, "%s", thud_case_phrase(cases->measures, cases->item[i].which));
+    how[0] = thud_ascii_upper(how[0]);
     struct thud_error fall;
     if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
         thud_text_append(out, "%s %s.\n", how, fall.what);
@@ -297,14 +304,16 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
                                  100 * change);
         }
     const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
-    const char *verb = cases->item[i].which == THUD_CASE_LINK ? (more ? "They raise" : "They lower")
-                       : cases->item[i].which == THUD_CASE_CAVITY
-                           ? (more ? "In a cavity it raises" : "In a cavity it lowers")
-                           : (more ? "It raises" : "It lowers");
+    const enum thud_case which = cases->item[i].which;
+    const char *subject = which == THUD_CASE_LINK     ? "The links"
+                          : which == THUD_CASE_CAVITY ? "The bumper in a cavity"
+                          : which == THUD_CASE_BUMPER ? "The bumper"
+                                                      : "The scene as written",
+               *verb = more ? "raise" : "lower", *singular = which == THUD_CASE_LINK ? "" : "s";
     if (n > 0 && !list.failed)
-        thud_text_append(out, "%s the %s of %s %s.\n", verb, what, of, list.data);
+        thud_text_append(out, "%s %s%s the %s of %s %s.\n", subject, verb, singular, what, of, list.data);
     else
-        thud_text_append(out, "%s no %s by more than 1 %%.\n", verb, what);
+        thud_text_append(out, "%s %s%s no %s by more than 1 %%.\n", subject, verb, singular, what);
     out->failed |= list.failed;
     thud_text_clear(&list);
 }

@@ -16,6 +16,7 @@ struct thud_run_case {
 /* Freed by thud_run_cases_free. */
 struct thud_run_cases {
     const struct thud_record *record; /* the session's; NULL: there is none */
+    int measures;                     /* of the session's scene, for the names of cases */
     int n;                            /* no pounding, then the cases asked for */
     struct thud_run_case item[THUD_RUN_CASES_MAX];
     /* The required gap of the scene as written, and of that without its links where a case leaves them out; NULL: none

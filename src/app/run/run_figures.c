@@ -1,14 +1,11 @@
 #include "app/run/figure_files.h"
 #include "plot/figures/figures_sweep.h"
 
-struct thud_figure_source thud_run_source(enum thud_case which, const struct thud_scene *scene,
+struct thud_figure_source thud_run_source(const char *name, enum thud_case which, const struct thud_scene *scene,
                                           const struct thud_run *run)
 {
-    struct thud_figure_source source = {.name = thud_case_title(which),
-                                        .which = which,
-                                        .scene = scene,
-                                        .result = thud_run_result(run),
-                                        .history = thud_run_history(run)};
+    struct thud_figure_source source = {
+        .name = name, .which = which, .scene = scene, .result = thud_run_result(run), .history = thud_run_history(run)};
     source.impact = thud_run_impacts(run, &source.nimpacts);
     return source;
 }

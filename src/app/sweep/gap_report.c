@@ -227,7 +227,7 @@ static void put_rule(const struct thud_gap_study *study, int rule, int interface
     thud_text_clear(&numbers);
 }
 
-static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
+static void put_rules(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
 {
     const char *before = "";
     const int n = study->suite.nrecords;
@@ -246,7 +246,8 @@ static void put_rules(const struct thud_gap_study *study, struct thud_text *out)
                          study->suite.recordings >= THUD_DRAWS_LEAST ? "means" : "largest", n);
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
-    thud_text_append(out, "Pounds in, MN: motions with contact at that gap without bumper, largest force.\n");
+    thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force.\n",
+                     thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)));
     for (int rule = 0; rule < THUD_GAP_RULES; rule++)
         if (*thud_gap_rule_at(rule)->source) {
             thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);
@@ -281,7 +282,7 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
         if (status == THUD_OK)
             put_levels(suite, f, l, out);
     }
-    put_rules(study, out);
+    put_rules(study, scene, out);
     return status;
 }
 

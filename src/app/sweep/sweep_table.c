@@ -13,6 +13,7 @@ void thud_sweep_collector_init(struct thud_sweep_collector *collector, const str
     collector->table = (struct thud_sweep_table){.nrecords = plan->nrecords > 0 ? plan->nrecords : 1,
                                                  .nstructures = plan->scene.nstructures,
                                                  .naxes = plan->naxes,
+                                                 .measures = thud_scene_measures(&plan->scene),
                                                  .sensitivity = plan->sensitivity,
                                                  .record = record,
                                                  .motion = plan->record,

@@ -61,7 +61,8 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
                  thud_structure_level_name(&scene->structure[at.structure], at.floor, false, name));
         struct thud_panel *panel = panel_of(figure, f, 0, title, s);
         for (int i = 0; i < s->ncases; i++)
-            curve(panel, s, i, f, thud_case_color(thud_case_compared(i)), thud_case_title(thud_case_compared(i)));
+            curve(panel, s, i, f, thud_case_color(thud_case_compared(i)),
+                  thud_case_title(thud_scene_measures(scene), thud_case_compared(i)));
     }
     for (int i = 0; !apart && i < s->ncases; i++) {
         struct thud_panel *panel = NULL;
@@ -69,7 +70,7 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
             const struct thud_floor_place at = s->floor[f];
             if (f == 0 || at.structure != s->floor[f - 1].structure) {
                 snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name,
-                         thud_case_title(thud_case_compared(i)));
+                         thud_case_title(thud_scene_measures(scene), thud_case_compared(i)));
                 panel = panel_of(figure, row[at.structure], i, title, s);
             }
             char name[24];

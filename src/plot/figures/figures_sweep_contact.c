@@ -51,9 +51,11 @@ struct thud_figure *thud_figure_of_contacts(const struct thud_sweep_table *table
     }
     if (suite) {
         thud_sweep_note_shades(figure, table, true);
-        thud_figure_note(figure,
-                         "Worse: a structure's mean acceleration is larger than without bumper. Bars: 90 % bands "
-                         "of the shares (Wilson).");
+        char worse[160];
+        snprintf(worse, sizeof worse,
+                 "Worse: a structure's mean acceleration is larger than %s. Bars: 90 %% bands of the shares (Wilson).",
+                 thud_case_phrase(table->measures, THUD_CASE_NONE));
+        thud_figure_note(figure, worse);
     }
     thud_sweep_note_rest(figure, table);
     return figure;

@@ -155,7 +155,7 @@ void thud_sweep_curves(struct thud_panel *panel, const struct thud_sweep_table *
             (shade && table->motions == 0))
             continue;
         char name[64];
-        snprintf(name, sizeof name, "%s%s", thud_case_title(wanted.which), worse ? ": worse" : "");
+        snprintf(name, sizeof name, "%s%s", thud_case_title(table->measures, wanted.which), worse ? ": worse" : "");
         (shade ? thud_sweep_shade : thud_sweep_curve)(panel, table, &wanted, name,
                                                       thud_case_color(wanted.which) + (worse ? 4 : 0));
     }

@@ -51,7 +51,9 @@ const char *thud_sweep_record_name(const struct thud_sweep_table *table, int rec
 /* "4-storey building A" where A is a letter or two, else "Annex, 4 storeys". */
 const char *thud_sweep_structure_title(const struct thud_sweep_table *table, int structure, char text[160]);
 /* What a figure of ratios shows, for its title. */
-const char *thud_sweep_amplification(enum thud_case which);
+enum { THUD_SWEEP_TITLE = 80 };
+const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum thud_case which,
+                                     char text[THUD_SWEEP_TITLE]);
 
 bool thud_sweep_has_case(const struct thud_sweep_table *table, enum thud_case which);
 int thud_sweep_floors(const struct thud_sweep_table *table, int structure);

@@ -4,22 +4,28 @@
 
 #include "plot/figures/figures_sweep_internal.h"
 
-static const char *helps(enum thud_case which)
+static void note_ratio(struct thud_figure *figure, const struct thud_sweep_table *table, enum thud_case which)
 {
-    return which == THUD_CASE_LINK ? "Ratio to no link at the same gap; below 1 the links help."
-                                   : "Ratio to no bumper at the same gap; below 1 the bumper helps.";
+    char text[96];
+    snprintf(text, sizeof text, "Ratio to %s at the same gap; below 1 the %s.",
+             thud_case_title(table->measures, THUD_CASE_NONE), which == THUD_CASE_LINK ? "links help" : "bumper helps");
+    thud_figure_note(figure, text);
 }
 
 static const char pounds[] = "Ratio to no pounding at all; above 1 pounding harms.";
 
 /* What a figure of ratios shows, for its title. */
-const char *thud_sweep_amplification(enum thud_case which)
+const char *thud_sweep_amplification(const struct thud_sweep_table *table, enum thud_case which,
+                                     char text[THUD_SWEEP_TITLE])
 {
-    return which == THUD_CASE_NONE     ? "amplification by pounding without bumper"
-           : which == THUD_CASE_BUMPER ? "amplification by the bumper"
-           : which == THUD_CASE_CAVITY ? "amplification by the bumper in a cavity"
-           : which == THUD_CASE_LINK   ? "amplification by the links"
-                                       : "amplification against no bumper, scene as written";
+    if (which == THUD_CASE_NONE)
+        snprintf(text, THUD_SWEEP_TITLE, "amplification by pounding %s", thud_case_phrase(table->measures, which));
+    else if (which == THUD_CASE_AS_WRITTEN)
+        snprintf(text, THUD_SWEEP_TITLE, "amplification against %s, scene as written",
+                 thud_case_title(table->measures, THUD_CASE_NONE));
+    else
+        snprintf(text, THUD_SWEEP_TITLE, "amplification by the %s", thud_case_title(0, which));
+    return text;
 }
 
 /* Panel p, by quantity and structure; of case none: to no pounding. */
@@ -43,9 +49,9 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
 {
     int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
     bool free = which == THUD_CASE_NONE;
-    char text[512], head[160];
+    char text[512], head[160], amplified[THUD_SWEEP_TITLE];
     snprintf(text, sizeof text, "%s: %s, floor by floor", thud_sweep_record_name(table, record, head),
-             thud_sweep_amplification(which));
+             thud_sweep_amplification(table, which, amplified));
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int p = 0; p < 2 * columns; p++) {
         const int of = structure[p % columns], floors = thud_sweep_floors(table, of),
@@ -73,7 +79,10 @@ struct thud_figure *thud_figure_by_floor(const struct thud_sweep_table *table, i
             thud_panel_note(panel, text);
     }
     thud_sweep_same_scale(figure, NULL);
-    thud_figure_note(figure, free ? pounds : helps(which));
+    if (free)
+        thud_figure_note(figure, pounds);
+    else
+        note_ratio(figure, table, which);
     thud_sweep_note_shades(figure, table, table->motions == 0);
     thud_sweep_note_rest(figure, table);
     return figure;
@@ -83,13 +92,14 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
                                  const char *title)
 {
     int structure[THUD_SWEEP_COLUMNS_MAX], columns = thud_sweep_columns(table, structure);
-    char text[384], head[160];
+    char text[384], head[160], amplified[THUD_SWEEP_TITLE];
     const bool one = table->nrecords == 1;
     if (one && table->motions == 0)
         snprintf(text, sizeof text, "%s: %s, means over the floors", thud_sweep_record_name(table, 0, head),
-                 thud_sweep_amplification(which));
+                 thud_sweep_amplification(table, which, amplified));
     else
-        snprintf(text, sizeof text, "A%s, means over the floors", thud_sweep_amplification(which) + 1);
+        snprintf(text, sizeof text, "A%s, means over the floors",
+                 thud_sweep_amplification(table, which, amplified) + 1);
     struct thud_figure *figure = thud_figure_create(name, title ? title : text, 2, columns > 0 ? columns : 1);
     for (int p = 0; p < 2 * columns; p++) {
         struct thud_panel *panel = ratio_panel(figure, table, p, structure[p % columns], which);
@@ -102,7 +112,7 @@ static struct thud_figure *means(const struct thud_sweep_table *table, enum thud
                 one ? thud_case_color(which) : wanted.record);
         }
     }
-    thud_figure_note(figure, helps(which));
+    note_ratio(figure, table, which);
     thud_sweep_note_shades(figure, table, true);
     thud_sweep_note_rest(figure, table);
     return figure;

@@ -6,19 +6,62 @@
 #include "study/scene/scene.h"
 #include "study/scene/scene_words.h"
 
+/* Words of a case by what the scene has: a bumper or nothing, links alone, both. */
+struct words {
+    const char *title, *phrase;
+};
+enum { OF_BUMPER, OF_LINKS, OF_BOTH, MEASURES };
 static const struct {
-    const char *name, *title;
-} cases[THUD_CASES + 2] = {{"no-pounding", "no pounding"}, {"as-written", "as written"},     {"none", "no bumper"},
-                           {"bumper", "bumper"},           {"cavity", "bumper in a cavity"}, {"link", "links"}};
+    const char *name;
+    struct words words[MEASURES];
+} cases[THUD_CASES + 3] = {
+    {"no-pounding",
+     {{"no pounding", "without pounding"}, {"no pounding", "without pounding"}, {"no pounding", "without pounding"}}},
+    {"as-written", {{"as written", "as written"}, {"as written", "as written"}, {"as written", "as written"}}},
+    {"none",
+     {{"no bumper", "without bumper"},
+      {"no links", "without the links"},
+      {"neither bumper nor links", "without bumper and links"}}},
+    {"bumper",
+     {{"bumper", "with the bumper"},
+      {"bumper", "with the bumper"},
+      {"bumper, no links", "with the bumper and without links"}}},
+    {"cavity",
+     {{"bumper in a cavity", "with the bumper in a cavity"},
+      {"bumper in a cavity", "with the bumper in a cavity"},
+      {"bumper in a cavity, no links", "with the bumper in a cavity and without links"}}},
+    {"link",
+     {{"links", "with the links"},
+      {"links", "with the links"},
+      {"links, no bumper", "with the links and without bumper"}}},
+    {"", {{"bumper", "with the bumper"}, {"links", "with the links"}, {"bumper and links", "with bumper and links"}}}};
+
+int thud_scene_measures(const struct thud_scene *scene)
+{
+    return (thud_scene_has_bumper(scene) ? THUD_HAS_BUMPER : 0) | (scene->nlinks > 0 ? THUD_HAS_LINKS : 0);
+}
+
+static const struct words *words_of(int measures, enum thud_case which)
+{
+    if (which == THUD_CASE_WHOLE && measures == 0)
+        which = THUD_CASE_NONE;
+    const bool links = measures & THUD_HAS_LINKS, bumper = measures & THUD_HAS_BUMPER;
+    return &cases[which - THUD_CASE_FREE].words[!links ? OF_BUMPER : bumper ? OF_BOTH : OF_LINKS];
+}
+
+const char *thud_case_title(int measures, enum thud_case which)
+{
+    return words_of(measures, which)->title;
+}
+
+const char *thud_case_phrase(int measures, enum thud_case which)
+{
+    return words_of(measures, which)->phrase;
+}
 
 const char *thud_case_name(enum thud_case which)
 {
     return cases[which - THUD_CASE_FREE].name;
-}
-
-const char *thud_case_title(enum thud_case which)
-{
-    return cases[which - THUD_CASE_FREE].title;
 }
 
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)

@@ -25,7 +25,8 @@ static int collect_run(const struct thud_tui *tui, struct thud_shelved *item, in
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES && tui->run.live.history == THUD_LIVE_WHOLE; i++) {
         const struct thud_live_case *c = &tui->run.live.which[i];
         if (c->state == THUD_LIVE_DONE)
-            source[n++] = thud_run_source(thud_case_compared(i), &tui->doc.scene, c->run);
+            source[n++] = thud_run_source(thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i),
+                                          thud_case_compared(i), &tui->doc.scene, c->run);
     }
     for (int i = 0; n > 0 && i < THUD_RUN_FIGURES && count < room; i++)
         if (thud_run_figure_has((enum thud_run_figure)i, source, n))

@@ -298,9 +298,11 @@ static void ran(struct thud_tui *tui)
         thud_error_text(&c->error, text, sizeof text);
         if (c->run)
             thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s) at t = %.4g s: %s",
-                         thud_live_name((enum thud_live_which)i), c->failed_s, text);
+                         thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i), c->failed_s,
+                         text);
         else
-            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s): %s", thud_live_name((enum thud_live_which)i), text);
+            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s): %s",
+                         thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i), text);
         return;
     }
 }

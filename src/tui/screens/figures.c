@@ -65,8 +65,8 @@ struct shown {
 
 static const char *shown_name(const struct shown *of, int which, char text[48])
 {
-    snprintf(text, 48, "%s%s%s", thud_live_name((enum thud_live_which)which), of->pinned ? ", " : "",
-             of->pinned ? of->pinned : "");
+    snprintf(text, 48, "%s%s%s", thud_live_name(of->live->measures, (enum thud_live_which)which),
+             of->pinned ? ", " : "", of->pinned ? of->pinned : "");
     return text;
 }
 
@@ -268,7 +268,7 @@ static struct thud_figure *energies(const struct thud_live *live, const struct t
         return NULL;
     }
     char title[96];
-    snprintf(title, sizeof title, "Energies, %s", thud_live_name(sight->which));
+    snprintf(title, sizeof title, "Energies, %s", thud_live_name(live->measures, sight->which));
     struct thud_figure *figure = thud_figure_create(file_name(THUD_PLOT_ENERGY), title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, "Time", "s");

@@ -126,7 +126,8 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     if (pane->w < 18)
         thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), what);
     else
-        thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "%s, %s", what, thud_live_name(which));
+        thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "%s, %s", what,
+                        thud_live_name(thud_scene_measures(&tui->doc.scene), which));
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     struct thud_dots dots;
     if (count == 0)

@@ -81,9 +81,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  filter, thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
                  thud_live_short_name(&tui->doc.scene, THUD_LIVE_BUMPER));
     else if (index == IMPACTS)
-        snprintf(text, size, "Impacts, %s, %s%s%s", thud_live_name(shown(tui)), sort[state(tui)->sort], with, filter);
+        snprintf(text, size, "Impacts, %s, %s%s%s", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)),
+                 sort[state(tui)->sort], with, filter);
     else
-        snprintf(text, size, "How, and energy (%s)", thud_live_name(shown(tui)));
+        snprintf(text, size, "How, and energy (%s)", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)));
 }
 
 /* Four numbers of one quantity in 24 columns. */
@@ -426,8 +427,10 @@ static void export_csv(struct thud_tui *tui)
     thud_result_csv(&report, 1, &peaks);
     thud_impacts_csv(&report, &impacts);
     char peaks_name[200], impacts_name[200], file[2][210];
-    thud_tui_file_name(tui, "peaks", thud_live_name(shown(tui)), peaks_name, sizeof peaks_name);
-    thud_tui_file_name(tui, "impacts", thud_live_name(shown(tui)), impacts_name, sizeof impacts_name);
+    thud_tui_file_name(tui, "peaks", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)), peaks_name,
+                       sizeof peaks_name);
+    thud_tui_file_name(tui, "impacts", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)), impacts_name,
+                       sizeof impacts_name);
     snprintf(file[0], sizeof file[0], "%s.csv", peaks_name);
     snprintf(file[1], sizeof file[1], "%s.csv", impacts_name);
     if (thud_tui_write(tui, &peaks, file[0]) && thud_tui_write(tui, &impacts, file[1]))
