@@ -636,13 +636,11 @@ static void act(struct scene *s, int c, int which, const double *y)
     } else { /* a turn: where both branches call for the other, it sticks */
         enum mode from = k->mode;
         k->mode = from == APPROACH ? RESTITUTION : APPROACH;
-        derivative(s, y, 0, out, f); /* the ground moves both sides alike but for its modes: small here */
         k->past = d > k->knee;
-        if (d > k->knee && from == APPROACH) {
-            double rise = dot(s->g[c], out + s->n, s->n);
-            if (rise > 0)
-                k->mode = STICKING;
-        }
+        derivative(s, y, 0, out, f); /* the ground moves both sides alike */
+        double rise = dot(s->g[c], out + s->n, s->n);
+        if (d > k->knee && (from == APPROACH ? rise > 0 : rise < 0))
+            k->mode = STICKING;
     }
 }
 
