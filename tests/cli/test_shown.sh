@@ -67,7 +67,7 @@ is "says how many runs press the bumper past its strain" says "warning: a bumper
 is "and drift by more than 1 %" says "warning: storeys drift by more than 1 % of their height in [1-4] of 4 runs, .*storey 1 of [AB] by [12]"
 is "a study of a soft building" gives 0 sweep towers --vary gap=6cm,30cm --cases none --set structures.1.stiffness=30MN/m
 theta=$("$THUD" run towers --case none --set gap=6cm --set structures.1.stiffness=30MN/m 2>&1 >/dev/null | sed -n 's/.*stability coefficient of storey 1 of A is \([0-9.]*\).*/\1/p')
-is "counts the runs above the stability coefficient, which is that of a run" says "warning: the stability coefficient of elastic storeys is above 0.1 in 2 of 2 runs: ${theta:-no} at storey 1 of A"
+is "counts the runs above the stability coefficient, which is that of a run" says "warning: the stability coefficient of storeys is above 0.1 in 2 of 2 runs: ${theta:-no} at storey 1 of A"
 is "none with --quiet" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper --quiet
 is "not a word" test ! -s "$tmp/err"
 is "nothing to say of a gap that is enough and a weak motion" gives 0 sweep towers --vary gap=30cm --cases none,bumper --peak 0.21g

@@ -8,9 +8,11 @@
 
 #include "base/quantity.h"
 #include "march.h"
+#include "remarks.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
+#include "study/sweep/remark.h"
 #include "suite.h"
 #include "towers.h"
 
@@ -363,6 +365,93 @@ START_TEST(struck_columns_turn_with_the_building)
 }
 END_TEST
 
+/* theta = W d/(V h) with the drift on which the weight acts, out of histories in steps of half a millisecond. */
+START_TEST(stability_coefficient_of_histories)
+{
+    struct thud_record *record = thud_test_motion(0.6);
+    thud_test_towers(&scene);
+    give_soil();
+    set("structures.1.foundation.rocking-stiffness", "0.4 GN m/rad");
+    set("structures.1.foundation.rocking-damping", "5 MN m s/rad");
+    set("structures.1.gravity", "16 MN");
+    set("gap", "50 cm");
+    struct thud_model *m = assembled();
+    const struct thud_model_structure *p = &m->structure[0];
+    struct thud_run_options options;
+    struct thud_run *run;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.method = thud_method_find(_i == 0 ? "exact" : "dormand-prince");
+    options.keep_history = true;
+    options.history_step_s = 5e-4;
+    ck_assert_int_eq(thud_run_create(m, record, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+    const struct thud_result *result = thud_run_result(run);
+    const struct thud_history *h = thud_run_history(run);
+    double worst = 0, without = 0;
+    for (int i = 0; i < p->n; i++) {
+        double lean = 0, drift = 0;
+        for (size_t row = 0; row < h->rows; row++) {
+            const double *value = h->value + row * (size_t)h->columns, u = value[thud_history_displacement(h, i)],
+                         below = value[thud_history_displacement(h, i > 0 ? i - 1 : p->n)],
+                         turn = value[thud_history_displacement(h, p->n + 1)] / p->arm_m;
+            lean = fmax(lean, fabs(u - below));
+            drift = fmax(drift, fabs(u - below - turn * scene.structure[0].height_m[i]));
+        }
+        const double shear = drift * scene.structure[0].stiffness_npm[i],
+                     by_hand = 16e6 * (p->n - i) * lean / (shear * scene.structure[0].height_m[i]),
+                     theta = thud_stability_coefficient(&scene.structure[0], &result->structure[0], i);
+        ck_assert_double_eq_tol(theta / by_hand, 1, 2e-5);
+        worst = fmax(worst, theta);
+        without = fmax(without, theta * drift / lean);
+    }
+    ck_assert(without < 0.1 && worst > 0.1);
+    struct thud_error remark;
+    bool found = false;
+    const struct thud_remark_scope scope = {.scene = &scene, .result = result};
+    for (int i = 0; nth_remark(&scope, THUD_REMARK_RESULT, i, &remark); i++)
+        found = found || strstr(remark.what, "stability coefficient");
+    ck_assert(found);
+    thud_run_free(run);
+    thud_model_free(m);
+    thud_record_free(record);
+}
+END_TEST
+
+/* A stiff building that rocks collapses where a storey leans by a tenth of its height, rotation and all. */
+START_TEST(collapses_by_its_rotation)
+{
+    struct thud_record *record = thud_test_motion(50);
+    thud_test_towers(&scene);
+    give_soil();
+    set("p-delta", "yes");
+    set("structures.1.foundation.rocking-stiffness", "0.1 GN m/rad");
+    set("structures.1.foundation.rocking-damping", "1 MN m s/rad");
+    set("structures.2.stiffness", "9000 MN/m");
+    set("gap", "90 cm");
+    struct thud_model *m = assembled();
+    static const char *const method[] = {"exact", "dormand-prince", "newmark"};
+    double time_s = 0;
+    for (int by = 0; by < 3; by++) {
+        struct march a = march_run(m, record, method[by], by == 2 ? 1e-4 : 0, 1e-10, by < 2, 5);
+        ck_assert_int_eq(a.status, THUD_OK);
+        const struct thud_collapse *c = &a.result->collapse;
+        ck_assert(c->happened && c->structure == 0);
+        const double lean =
+            march_displacement(&a, c->floor) - march_displacement(&a, c->floor > 0 ? c->floor - 1 : m->structure[0].n);
+        ck_assert_double_eq_tol(fabs(lean), 0.1 * scene.structure[0].height_m[c->floor], by < 2 ? 1e-11 : 1e-3);
+        ck_assert_double_lt(a.result->structure[0].floor[c->floor].drift.value, 0.7 * fabs(lean));
+        if (by > 0)
+            ck_assert_double_eq_tol(c->time_s, time_s, by == 1 ? 1e-7 : 1e-2);
+        time_s = c->time_s;
+        march_free(&a);
+    }
+    thud_model_free(m);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("soil");
@@ -376,6 +465,8 @@ Suite *thud_suite(void)
     tcase_add_loop_test(tcase, refusals, 0, 5);
     tcase_add_test(tcase, falls_on_soft_ground);
     tcase_add_test(tcase, soil_stores_the_rest);
+    tcase_add_loop_test(tcase, stability_coefficient_of_histories, 0, 2);
+    tcase_add_test(tcase, collapses_by_its_rotation);
     tcase_add_loop_test(tcase, struck_columns_turn_with_the_building, 0, 3);
     tcase_set_timeout(tcase, 60);
     suite_add_tcase(suite, tcase);

@@ -147,10 +147,10 @@ START_TEST(ratios_by_hand)
     static const double peak[6][3] = {{2, 0.1, 1}, {8, 0, 1}, {3, 0.2, 2}, {4, 0, 1}, {1, 0.05, 4}, {16, 0, 1}};
     struct thud_sweep_floor floor[6];
     for (int i = 0; i < 6; i++)
-        floor[i] = (struct thud_sweep_floor){peak[i][0], peak[i][1], peak[i][2], NAN, NAN, NAN, NAN};
-    floor[0] = (struct thud_sweep_floor){2, 0.1, 1, 3, -0.02, 4, 500};
-    floor[1] = (struct thud_sweep_floor){8, 0, 1, 5, 0.04, 6, 700};
-    floor[2] = (struct thud_sweep_floor){3, 0.2, 2, 7, -0.03, 8, 900}; /* of this case one storey yields */
+        floor[i] = (struct thud_sweep_floor){peak[i][0], peak[i][1], peak[i][2], NAN, NAN, NAN, NAN, NAN};
+    floor[0] = (struct thud_sweep_floor){2, 0.1, 1, 3, -0.02, 4, 500, NAN};
+    floor[1] = (struct thud_sweep_floor){8, 0, 1, 5, 0.04, 6, 700, NAN};
+    floor[2] = (struct thud_sweep_floor){3, 0.2, 2, 7, -0.03, 8, 900, NAN}; /* of this case one storey yields */
     struct thud_sweep_point point = {.ncases = 2,
                                      .which = {THUD_CASE_NONE, THUD_CASE_BUMPER},
                                      .nstructures = 1,

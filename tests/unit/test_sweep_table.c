@@ -40,7 +40,7 @@ static void set_up(void)
     ck_assert_int_eq(thud_sweep_cases(plan, "bumper,none,cavity", NULL), THUD_OK);
     for (size_t i = 0; i < sizeof floor_numbers / sizeof *floor_numbers; i++)
         floor_numbers[i] = (struct thud_sweep_floor){
-            number(), number(), number(), i % 3 ? number() : (double)NAN, i % 2 ? number() : -number(), 1, 1};
+            number(), number(), number(), i % 3 ? number() : (double)NAN, i % 2 ? number() : -number(), 1, 1, number()};
     for (size_t i = 0; i < sizeof contact_numbers / sizeof *contact_numbers; i++)
         contact_numbers[i] = (struct thud_sweep_contact){(int)(10 * number()), .force_n = number(),
                                                          .shear_lower_n = i % 3 ? number() : (double)NAN,

@@ -62,6 +62,8 @@ struct thud_model_structure {
     int first, n, dofs;          /* its slice of dofs, one per floor, and on soil the foundation's two behind them */
     const double *rise;          /* (n) h/H of each storey on soil; else NULL */
     double arm_m;                /* H */
+    const double *lean;          /* (n x modes) by modal values, on soil and with P-Delta: the drifts x_i - x_(i-1) on
+                                    which the weight acts, the foundation's rotation in them; else NULL */
     int first_mode, modes;       /* its slice of modes */
     const double *phi;           /* (n x modes), floor-major: phi[i * modes + j] floor i, mode j */
     const double *damping;       /* (modes x modes) modal damping matrix where it couples modes, else NULL */
@@ -264,6 +266,20 @@ static inline double thud_model_drift(const struct thud_model_structure *p, cons
     if (!p->rise)
         return floor > 0 ? at[0] - at[-apart] : at[0];
     return floor >= p->n ? 0 : at[0] - (floor > 0 ? at[-apart] : base[0]) - p->rise[floor] * base[apart];
+}
+
+/* The drift on which the weight acts: the same with the rotation. */
+static inline double thud_model_lean(const struct thud_model_structure *p, const double *value, int apart, int floor)
+{
+    const double *at = value + floor * apart;
+    return at[0] - (floor > 0 ? at[-apart] : p->rise ? value[p->n * apart] : 0);
+}
+
+/* The most that a mode has of it: what the rotation adds to a drift is less than what it moves the top. */
+static inline double thud_model_most_lean(const struct thud_model *model, const struct thud_model_structure *p,
+                                          int mode)
+{
+    return model->mode_max[model->nmodes + mode] + (p->rise ? model->mode_max[mode] : 0);
 }
 
 /* A floor's value from modal values (nmodes). */

@@ -15,6 +15,7 @@ struct thud_floor_result {
     struct thud_peak displacement; /* relative to the ground, m */
     struct thud_peak velocity;     /* relative to the ground, m/s */
     struct thud_peak drift;        /* interstorey drift, m; 0 for a rigid body */
+    struct thud_peak lean;         /* the drift on which the weight acts: on soil with the foundation's rotation, m */
     struct thud_peak shear;        /* of the storey below, N; 0 for a rigid body */
     struct thud_peak
         moment; /* of the lowest floor: overturning moment about the base, N m; 0 where it is not asked for */

@@ -103,6 +103,7 @@ struct thud_sweep_effort {
 struct thud_sweep_floor {
     double acceleration_mps2, drift_m, displacement_m;
     double ductility, permanent_m, excursions, hysteretic_j; /* NaN: the storey below is elastic */
+    double stability; /* coefficient W d/(V h) of that storey; NaN: there is none, or it does not drift */
 };
 
 /* What the changed runs of a point cost. */

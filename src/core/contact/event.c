@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "core/numerics/poly.h"
+#include "core/numerics/vec.h"
 
 /* Glossary, for contact c and a segment of length h with s = (t - t0)/h.
  *
@@ -314,14 +315,7 @@ static double storey_collapses(const struct thud_model *m, const struct thud_seg
 {
     const struct thud_model_structure *of = &m->structure[structure];
     double p[THUD_SEGMENT_TERMS], first = INFINITY;
-    for (int k = 0; k < seg->terms; k++) {
-        const double *q = seg->q + k * m->nmodes;
-        p[k] =
-            thud_model_floor(m, of->first + floor, q) - (floor > 0 ? thud_model_floor(m, of->first + floor - 1, q) : 0);
-        if (of->rise)
-            p[k] -= of->rise[floor] * thud_model_floor(m, of->first + of->n + 1, q) +
-                    (floor > 0 ? 0 : thud_model_floor(m, of->first + of->n, q));
-    }
+    thud_dots(of->modes, of->lean + floor * of->modes, seg->q + of->first_mode, m->nmodes, seg->terms, p);
     const double start = p[0];
     for (int side = -1; side <= 1; side += 2) {
         p[0] = start - side * of->collapse_m[floor];
@@ -336,10 +330,9 @@ static double collapses(const struct thud_model *m, const struct thud_segment *s
     double first = INFINITY;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *of = &m->structure[s];
-        const double *drift = m->mode_max + m->nmodes;
         double most = 0;
         for (int j = of->first_mode; of->collapse_m && j < of->first_mode + of->modes; j++)
-            most += drift[j] * (fabs(seg->q[j]) + seg->notes->bound[j]);
+            most += thud_model_most_lean(m, of, j) * (fabs(seg->q[j]) + seg->notes->bound[j]);
         for (int i = 0; most > of->collapse_least_m && i < of->n; i++) {
             const double at = storey_collapses(m, seg, s, i, fmin(s_end, first));
             if (at < first) {

@@ -98,6 +98,8 @@ static size_t model_bytes(const struct thud_model_input *in, size_t ndof, size_t
         if (in->structure[s].foundation)
             bytes += thud_arena_room(n, sizeof(double)) +
                      n * thud_arena_room((size_t)modes_of(in, s), sizeof(double)); /* rows of storeys that yield */
+        if (in->structure[s].foundation || in->structure[s].collapse_m)
+            bytes += thud_arena_room(n * (size_t)modes_of(in, s), sizeof(double));
         if (in->structure[s].matrix_npm)
             bytes += thud_arena_room(n * n, sizeof(double)) +
                      thud_arena_room(n * (n + (size_t)modes_of(in, s)), sizeof(double));
@@ -143,6 +145,16 @@ static void fill_weight(struct thud_arena *arena, struct thud_model_structure *t
         to->collapse_least_m = fmin(to->collapse_least_m, collapse[i]);
     to->geometric_npm = geometric;
     to->collapse_m = collapse;
+}
+
+static void fill_leans(struct thud_model *m, struct thud_arena *arena, struct thud_model_structure *to)
+{
+    double *lean = thud_arena_take(arena, (size_t)to->n * (size_t)to->modes, sizeof *lean);
+    for (int i = 0; i < to->n; i++)
+        for (int j = 0; j < to->modes; j++)
+            lean[i * to->modes + j] = thud_model_lean(to, to->phi + j, to->modes, i);
+    to->lean = lean;
+    m->sums = m->sums || to->rise;
 }
 
 /* Rows of the storey shears of a building by its matrix, by the modes that it has in the end. */
@@ -766,9 +778,13 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
         status = tie_structures(m, arena, input, tied, err);
     if (status == THUD_OK)
         fill_mode_bounds(m);
-    for (int s = 0; s < input->nstructures && status == THUD_OK; s++)
-        if (m->structure[s].matrix_npm)
-            fill_shears(m, arena, &m->structure[s]);
+    for (int s = 0; s < input->nstructures && status == THUD_OK; s++) {
+        struct thud_model_structure *to = &m->structure[s];
+        if (to->rise || to->collapse_m)
+            fill_leans(m, arena, to);
+        if (to->matrix_npm)
+            fill_shears(m, arena, to);
+    }
     for (int c = 0; c < input->ncontacts && status == THUD_OK; c++)
         status = fill_contact(m, arena, c, &input->contact[c], err);
     if (status == THUD_OK)

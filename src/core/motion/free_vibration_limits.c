@@ -341,19 +341,20 @@ int thud_free_vibration_until_collapse(struct thud_free_vibration *f, const stru
     const struct thud_model *m = state->model;
     for (int s = 0; s < m->nstructures && m->collapses; s++) {
         const struct thud_model_structure *p = &m->structure[s];
-        const double *most = m->mode_max + m->nmodes, margin = f->margin[THUD_FLOOR_DRIFT * m->nstructures + s];
+        const double margin = f->margin[THUD_FLOOR_DRIFT * m->nstructures + s] +
+                              (p->rise ? f->margin[THUD_FLOOR_DISPLACEMENT * m->nstructures + s] : 0);
         double sum = margin;
         for (int j = p->first_mode; p->collapse_m && j < p->first_mode + p->modes; j++)
-            sum += most[j] * (f->speed[j] / m->omega[j] + fabs(f->shift[j]));
+            sum += thud_model_most_lean(m, p, j) * (f->speed[j] / m->omega[j] + fabs(f->shift[j]));
         if (!p->collapse_m || sum <= p->collapse_least_m)
             continue;
-        thud_free_vibration_values(f, m, s, THUD_FLOOR_DRIFT);
-        for (int i = 0; i < p->n; i++) {
-            const double *drift = f->value[THUD_FLOOR_DRIFT] + (size_t)(p->first + i) * ENDS;
+        thud_free_vibration_values(f, m, s, THUD_FLOOR_DISPLACEMENT);
+        const double *u = f->value[THUD_FLOOR_DISPLACEMENT] + (size_t)p->first * ENDS;
+        for (int i = 0; i < p->n; i++)
             for (int t = 0; t < intervals; t++)
-                if (thud_larger(fabs(drift[t]), fabs(drift[t + 1])) > p->collapse_m[i] - margin)
+                if (thud_larger(fabs(thud_model_lean(p, u + t, ENDS, i)),
+                                fabs(thud_model_lean(p, u + t + 1, ENDS, i))) > p->collapse_m[i] - margin)
                     intervals = t;
-        }
     }
     return intervals;
 }

@@ -12,21 +12,24 @@ enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 /* A sum over the floors of a structure: by its modal values, of a moment also by their rates and by the forces of storeys
  * that yield. */
 struct sum {
-    int structure;
-    const double *row, *rate; /* (modes); rate NULL: of a shear */
+    enum { SHEAR, LEAN, MOMENT } kind;
+    int structure, floor;
+    const double *row, *rate; /* (modes); rate of a moment alone */
     struct thud_peak *peak;
 };
 
-/* The sums of a structure: shears from below, then the moment. */
+/* The sums of a structure: shears from below, on soil the drifts on which the weight acts, then the moment. */
 static bool get_sum(const struct thud_model *m, const struct thud_result *result, int structure, int i, struct sum *out)
 {
     const struct thud_model_structure *p = &m->structure[structure];
     struct thud_floor_result *floor = result->structure[structure].floor;
-    const int shears = p->shear ? p->n : 0;
+    const int shears = p->shear ? p->n : 0, leans = p->rise ? p->n : 0, k = i - shears;
     if (i < shears)
-        *out = (struct sum){structure, p->shear + i * p->modes, NULL, &floor[i].shear};
-    else if (i == shears && p->moment)
-        *out = (struct sum){structure, p->moment, p->moment + p->modes, &floor[0].moment};
+        *out = (struct sum){SHEAR, structure, i, p->shear + i * p->modes, NULL, &floor[i].shear};
+    else if (k < leans)
+        *out = (struct sum){LEAN, structure, k, p->lean + k * p->modes, NULL, &floor[k].lean};
+    else if (k == leans && p->moment)
+        *out = (struct sum){MOMENT, structure, 0, p->moment, p->moment + p->modes, &floor[0].moment};
     else
         return false;
     return true;
@@ -134,12 +137,19 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
+static double most_of_rest(const struct thud_rest *rest, const struct sum *sum)
+{
+    return sum->kind == SHEAR  ? thud_rest_shear(rest, sum->structure, sum->floor)
+           : sum->kind == LEAN ? thud_rest_lean(rest, sum->structure, sum->floor)
+                               : thud_rest_moment(rest, sum->structure);
+}
+
 static bool may_jump(const void *own, const struct thud_rest *rest)
 {
     struct sum sum;
     for (int s = 0; s < rest->model->nstructures; s++)
         for (int i = 0; get_sum(rest->model, own, s, i, &sum); i++)
-            if (!((sum.rate ? thud_rest_moment(rest, s) : thud_rest_shear(rest, s, i)) <= sum.peak->value))
+            if (!(most_of_rest(rest, &sum) <= sum.peak->value))
                 return false;
     return true;
 }

@@ -35,6 +35,15 @@ double thud_rest_shear(const struct thud_rest *rest, int structure, int storey)
     return sum;
 }
 
+double thud_rest_lean(const struct thud_rest *rest, int structure, int floor)
+{
+    const struct thud_model_structure *p = &rest->model->structure[structure];
+    double own[THUD_FLOOR_QUANTITIES], turn[THUD_FLOOR_QUANTITIES];
+    thud_rest_floor(rest, structure, floor, own);
+    thud_rest_floor(rest, structure, p->n + 1, turn);
+    return own[THUD_FLOOR_DRIFT] + p->rise[floor] * turn[THUD_FLOOR_DISPLACEMENT];
+}
+
 double thud_rest_moment(const struct thud_rest *rest, int structure)
 {
     const struct thud_model_structure *p = &rest->model->structure[structure];

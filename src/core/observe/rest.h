@@ -15,6 +15,8 @@ struct thud_rest {
 void thud_rest_floor(const struct thud_rest *rest, int structure, int floor, double most[THUD_FLOOR_QUANTITIES]);
 /* Largest size that the shear of a storey of a building by its matrix comes to. */
 double thud_rest_shear(const struct thud_rest *rest, int structure, int storey);
+/* Largest drift on which the weight acts, on soil. */
+double thud_rest_lean(const struct thud_rest *rest, int structure, int floor);
 /* Largest overturning moment of a building that has no links. */
 double thud_rest_moment(const struct thud_rest *rest, int structure);
 /* Largest drift of a column's storey. */

@@ -19,7 +19,8 @@ void thud_run_watch_collapse(struct thud_run *run)
     for (int s = 0; s < m->nstructures && m->collapses; s++) {
         const double *limit = m->structure[s].collapse_m;
         for (int i = 0; limit && i < m->structure[s].n && !run->result.collapse.happened; i++) {
-            const struct thud_peak drift = run->result.structure[s].floor[i].drift;
+            const struct thud_floor_result *floor = &run->result.structure[s].floor[i];
+            const struct thud_peak drift = m->structure[s].rise ? floor->lean : floor->drift;
             if (drift.value > limit[i])
                 note(run, s, i, drift);
         }

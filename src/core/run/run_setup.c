@@ -374,6 +374,8 @@ void thud_run_finish(struct thud_run *run)
             to->floor[i].shear =
                 yields ? to->storey[i].shear : (struct thud_peak){drift.value * p->stiffness_npm[i], drift.time_s};
         }
+        for (int i = 0; i < p->n && !p->rise; i++)
+            to->floor[i].lean = to->floor[i].drift;
         if (p->drifts)
             to->base_shear = to->floor[0].shear;
         if (p->moment)

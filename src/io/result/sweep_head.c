@@ -9,7 +9,7 @@
 #include "base/version.h"
 #include "io/result/sweep_journal_private.h"
 
-enum { FORMAT = 3 };
+enum { FORMAT = 4 };
 
 /* A file may have ends of lines in its name. */
 static void put_record(const char *name, struct thud_text *out)

@@ -102,8 +102,8 @@ double thud_stability_coefficient(const struct thud_structure *structure, const 
     int floor = storey + (structure->kind == THUD_ISOLATED);
     if (!thud_kind_is_building(structure->kind) || storey < 0 || storey >= structure->storeys)
         return NAN;
-    double drift = result->floor[floor].drift.value, shear = result->floor[floor].shear.value;
-    return shear > 0 ? thud_structure_weight(structure, storey) * drift / (shear * structure->height_m[storey]) : NAN;
+    double lean = result->floor[floor].lean.value, shear = result->floor[floor].shear.value;
+    return shear > 0 ? thud_structure_weight(structure, storey) * lean / (shear * structure->height_m[storey]) : NAN;
 }
 
 void thud_remark_theta(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
@@ -288,22 +288,6 @@ void thud_remark_digits(const struct thud_remark_scope *scope, int i, struct thu
 
 /* ---- the runs of a study ---- */
 
-/* The largest stability coefficient W/(k h) of a building's elastic storeys that drift; a point has no shear of those
- * that yield. */
-static double worst_theta(const struct thud_structure *s, const double *drift_m, int *storey)
-{
-    const int slab = s->kind == THUD_ISOLATED;
-    double worst = 0;
-    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++) {
-        double theta = thud_structure_weight(s, i) / (s->stiffness_npm[i] * s->height_m[i]);
-        if (drift_m[i + slab] > 0 && theta > worst) {
-            worst = theta;
-            *storey = i + 1;
-        }
-    }
-    return worst;
-}
-
 /* A case of a point of that scene. */
 static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scene, const struct thud_sweep_point *point,
                        int k)
@@ -328,10 +312,12 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         drifts = drifts || ratio > drift_most;
         if (ratio > w->drift.value)
             w->drift = (struct thud_sweep_worst){ratio, point->index, point->which[k], s, storey};
-        double theta = scene->p_delta ? 0 : worst_theta(structure, drift_m, &storey);
-        unstable = unstable || theta > theta_small;
-        if (theta > w->theta.value)
-            w->theta = (struct thud_sweep_worst){theta, point->index, point->which[k], s, storey};
+        for (int f = 0; f < point->floors[s] && !scene->p_delta; f++) {
+            unstable = unstable || floor[f].stability > theta_small;
+            if (floor[f].stability > w->theta.value)
+                w->theta = (struct thud_sweep_worst){floor[f].stability, point->index, point->which[k], s,
+                                                     thud_structure_storey(structure, f)};
+        }
     }
     for (int c = 0; c < point->ncontacts; c++) {
         int i = point->level[c].interface - 1;
@@ -442,7 +428,7 @@ void thud_remark_thetas(const struct thud_remark_scope *scope, int i, struct thu
     struct thud_error *said = thud_remark_add(out);
     where_text(scope->plan, w->theta.point, w->theta.which, where, sizeof where);
     thud_error_set(said, THUD_OK,
-                   "%sthe stability coefficient of elastic storeys is above %g in %ld of %ld runs: %.3g at storey "
+                   "%sthe stability coefficient of storeys is above %g in %ld of %ld runs: %.3g at storey "
                    "%d of %.40s (%s)",
                    w->theta.value > theta_most ? "caution: " : "", theta_small, w->unstable, w->runs, w->theta.value,
                    w->theta.storey, scope->plan->scene.structure[w->theta.structure].name, where);

@@ -26,9 +26,9 @@ static struct thud_sweep_floor mean(const struct thud_sweep_floor *floor, int n)
         sum.hysteretic_j += floor[i].hysteretic_j;
     }
     double each = yielding > 0 ? (double)yielding : (double)NAN;
-    return (struct thud_sweep_floor){sum.acceleration_mps2 / n, sum.drift_m / n,        sum.displacement_m / n,
-                                     sum.ductility / each,      sum.permanent_m / each, sum.excursions / each,
-                                     sum.hysteretic_j / each};
+    return (struct thud_sweep_floor){
+        sum.acceleration_mps2 / n, sum.drift_m / n,       sum.displacement_m / n,  sum.ductility / each,
+        sum.permanent_m / each,    sum.excursions / each, sum.hysteretic_j / each, NAN};
 }
 
 int thud_sweep_reference(const struct thud_sweep_point *point)

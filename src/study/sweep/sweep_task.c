@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/scene/level.h"
 #include "study/scene/solution.h"
+#include "study/sweep/remark.h"
 #include "study/sweep/sweep_private.h"
 
 struct thud_sweep_task {
@@ -44,29 +46,32 @@ const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *po
     return point->level + (thud_case_has_links(which) ? 0 : point->nlinkages - 1) * point->ncontacts;
 }
 
-/* Floors' peaks of a result. */
-static void take_floors(struct thud_sweep_floor *to, const struct thud_result *result)
+/* Floors' peaks of a result of the scene. */
+static void take_floors(struct thud_sweep_floor *to, const struct thud_scene *scene, const struct thud_result *result)
 {
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
             const struct thud_storey_result *storey = result->structure[s].storey;
+            const struct thud_structure *of = &scene->structure[s];
             bool yields = storey && storey[i].yields;
-            *to++ = (struct thud_sweep_floor){thud_floor_acceleration(result, s, i),
-                                              f->drift.value,
-                                              f->displacement.value,
-                                              yields ? storey[i].ductility : NAN,
-                                              yields ? storey[i].permanent_m : NAN,
-                                              yields ? (double)storey[i].excursions : (double)NAN,
-                                              yields ? storey[i].hysteretic_j : NAN};
+            *to++ = (struct thud_sweep_floor){
+                thud_floor_acceleration(result, s, i),
+                f->drift.value,
+                f->displacement.value,
+                yields ? storey[i].ductility : NAN,
+                yields ? storey[i].permanent_m : NAN,
+                yields ? (double)storey[i].excursions : (double)NAN,
+                yields ? storey[i].hysteretic_j : NAN,
+                thud_stability_coefficient(of, &result->structure[s], thud_structure_storey(of, i) - 1)};
         }
 }
 
-void thud_sweep_point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_model *model,
-                           const struct thud_result *result)
+void thud_sweep_point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_scene *scene,
+                           const struct thud_model *model, const struct thud_result *result)
 {
     struct thud_sweep_contact *to = thud_sweep_contacts(point, variant, k);
-    take_floors(thud_sweep_floors(point, variant, k), result);
+    take_floors(thud_sweep_floors(point, variant, k), scene, result);
     for (int c = 0; c < point->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
         const struct thud_column_result *column = r->column >= 0 ? &result->column[r->column] : NULL;
@@ -125,7 +130,7 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     for (int s = 0; s < point->nstructures; s++)
         point->floors[s] = model->structure[s].n;
     for (int v = 0; v < point->nvariants; v++)
-        take_floors(thud_sweep_floors(point, v, point->ncases),
+        take_floors(thud_sweep_floors(point, v, point->ncases), task->scene,
                     thud_baseline_result(thud_sweep_baseline(group, v, thud_sweep_free_case(plan))->baseline));
     memcpy(point->level, group->level, (size_t)(point->nlinkages * point->ncontacts) * sizeof *point->level);
     *out = task;
@@ -215,7 +220,7 @@ static void no_numbers(const struct thud_sweep_task *task)
     const struct thud_sweep_point *point = task->point;
     for (int i = 0; i < point->nfloors; i++)
         thud_sweep_floors(point, task->variant, task->which)[i] =
-            (struct thud_sweep_floor){NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+            (struct thud_sweep_floor){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     for (int c = 0; c < point->ncontacts && task->variant > 0; c++)
         thud_sweep_contacts(point, task->variant, task->which)[c] =
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
@@ -233,7 +238,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
         dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
-        thud_sweep_point_fill(task->point, task->variant, task->which, task->model, result);
+        thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
         effort->end_s = result->end_s;
         count_run(task);
         return THUD_OK;
@@ -264,7 +269,7 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
 static void finish(struct thud_sweep_task *task)
 {
     const struct thud_result *result = thud_run_result(task->run);
-    thud_sweep_point_fill(task->point, task->variant, task->which, task->model, result);
+    thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
     task->effort.end_s = result->end_s;
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;

@@ -142,7 +142,7 @@ static void floors(struct line *l, struct thud_sweep_floor *floor, int n)
 {
     for (struct thud_sweep_floor *f = floor; f < floor + n; f++) {
         double *const x[] = {&f->acceleration_mps2, &f->drift_m,    &f->displacement_m, &f->ductility,
-                             &f->permanent_m,       &f->excursions, &f->hysteretic_j};
+                             &f->permanent_m,       &f->excursions, &f->hysteretic_j,   &f->stability};
         for (size_t j = 0; j < sizeof x / sizeof *x; j++)
             number(l, x[j]);
     }

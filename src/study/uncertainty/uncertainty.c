@@ -626,7 +626,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         if (status == THUD_OK && !point && !(point = point_of(u, gap, thud_run_result(solution.run))))
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         if (status == THUD_OK) {
-            thud_sweep_point_fill(point, 0, k, solution.model, thud_run_result(solution.run));
+            thud_sweep_point_fill(point, 0, k, scene, solution.model, thud_run_result(solution.run));
             put_case(u, &(struct thud_measured_run){scene, point, k}, value);
         }
         thud_solution_clear(&solution);
