@@ -1,4 +1,4 @@
-/* Rules for the gap between neighbours: one table, in which a code's clause is a row. */
+/* Rules for the gap between neighbours: one table, in which a code's clause is a row (gap_rule_list.h). */
 #pragma once
 
 #include <stdbool.h>
@@ -35,20 +35,14 @@ struct thud_gap_level {
 };
 
 enum thud_gap_rule_id {
-    THUD_GAP_ABS,
-    THUD_GAP_SRSS,
-    THUD_GAP_DDC,
-    THUD_GAP_EN1998,                         /* 4.4.2.7(3), and (2)(b) where that does not reduce it */
-    THUD_GAP_ASCE7,                          /* between buildings */
-    THUD_GAP_SHORT,                          /* those before are the columns of narrow tables */
-    THUD_GAP_EN1998_OWNERS = THUD_GAP_SHORT, /* 4.4.2.7(2)(a) */
-    THUD_GAP_EN1998_UNITS,                   /* 4.4.2.7(2)(b) */
-    THUD_GAP_ASCE7_LINE,                     /* each from the property line */
-    THUD_GAP_TBDY,
-    THUD_GAP_GB50011,
-    THUD_GAP_E030,
-    THUD_GAP_RULES,
-    THUD_GAP_EXACT = -1 /* relative_displacement_m */
+    THUD_GAP_EXACT = -1, /* relative_displacement_m */
+#define THUD_RULE(id, ...) id,
+#include "study/scene/gap_rule_list.h"
+    THUD_GAP_SHORT, /* those before are the columns of narrow tables */
+    THUD_GAP_SHORT_LAST = THUD_GAP_SHORT - 1,
+#define THUD_RULE_CODE(id, ...) id,
+#include "study/scene/gap_rule_list.h"
+    THUD_GAP_RULES
 };
 
 struct thud_gap_rule {

@@ -165,25 +165,17 @@ static const struct thud_column needs[] = {
     {NEED(level.left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
     {NEED(level.right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
     {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Required gap: how far the two close, m.")},
-    {RULE(THUD_GAP_ABS, "abs_m", "Sum of both peaks, m.")},
-    {RULE(THUD_GAP_SRSS, "srss_m", "Root of the sum of their squares, m.")},
-    {RULE(THUD_GAP_DDC, "ddc_m", "Double difference combination, m; no value where storeys yield.")},
-    {RULE(THUD_GAP_EN1998, "en1998_m", "What EN 1998-1 4.4.2.7 asks for, m.")},
-    {RULE(THUD_GAP_ASCE7, "asce7_m", "What ASCE 7-16 12.12.3 asks for, m.")},
+#define THUD_RULE(id, name, column, clause, edition, title, source, formula, numbers, lacks, text, value)              \
+    {RULE(id, column, text)},
+#include "study/scene/gap_rule_list.h"
     {NEED(level.correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
     {NEED(struck, "struck_columns",
           "left or right where a slab faces that structure's columns, whose place between the floors counts; otherwise "
           "empty.")},
-    {RULE(THUD_GAP_EN1998_OWNERS, "en1998_2a_m", "EN 1998-1 4.4.2.7(2)(a): of two owners, m; by thud gap alone."),
-     .only = THUD_NEED_CODES},
-    {RULE(THUD_GAP_EN1998_UNITS, "en1998_2b_m", "EN 1998-1 4.4.2.7(2)(b): of one owner, m; likewise."),
-     .only = THUD_NEED_CODES},
-    {RULE(THUD_GAP_ASCE7_LINE, "asce7_line_m", "ASCE 7 12.12.3: each from the property line, together, m; likewise."),
-     .only = THUD_NEED_CODES},
-    {RULE(THUD_GAP_TBDY, "tbdy2018_m", "TBDY 2018 4.9.3, m; likewise."), .only = THUD_NEED_CODES},
-    {RULE(THUD_GAP_GB50011, "gb50011_m", "GB 50011 6.1.4, m; likewise; no value without its intensity."),
-     .only = THUD_NEED_CODES},
-    {RULE(THUD_GAP_E030, "e030_m", "E.030, m; likewise."), .only = THUD_NEED_CODES}};
+#define THUD_RULE_CODE(id, name, column, clause, edition, title, source, formula, numbers, lacks, text, value)         \
+    {RULE(id, column, text), .only = THUD_NEED_CODES},
+#include "study/scene/gap_rule_list.h"
+};
 const struct thud_schema thud_need_schema =
     THUD_SCHEMA("needed-gaps.csv",
                 "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe gap at which "
