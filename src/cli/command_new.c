@@ -7,6 +7,7 @@
 #include "app/run/new_preset.h"
 #include "app/run/session.h"
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "io/file/file.h"
 
 /* The file's name without its folder and ending, which the title begins with. */
@@ -84,7 +85,6 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
                                struct thud_error *err)
 {
     struct thud_session *session = calloc(1, sizeof *session);
-    const char *assignment;
     char *out = NULL;
     unsigned long size = 0;
     if (!session)
@@ -93,8 +93,8 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
     if (status != THUD_OK && err)
         err->file[0] = '\0', err->line = err->column = 0; /* of a text that nobody sees */
     const double gap_m = session->scene.interface[0].gap_m;
-    for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
-        status = thud_session_assign(session, assignment, err);
+    if (status == THUD_OK)
+        status = thud_scene_options_set(args, session, err);
     if (status == THUD_OK && thud_args_has(args, "set")) {
         entitle(preset, &session->scene);
         vary_about(gap_m, &session->scene);

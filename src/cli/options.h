@@ -23,6 +23,9 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
 typedef enum thud_status thud_scene_work(const struct thud_args *args, struct thud_session *session,
                                          struct thud_scene *scene, struct thud_error *err);
 enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scene_work *work, struct thud_error *err);
+/* What --set says, all of it together. Errors: as thud_session_assign. */
+enum thud_status thud_scene_options_set(const struct thud_args *args, struct thud_session *session,
+                                        struct thud_error *err);
 
 /* A message about a key of the scene whose value came from an option is about the option, by the name that was typed.
  * Gives `status`, or THUD_USAGE where the option's value is what is wrong. */

@@ -110,6 +110,20 @@ static enum thud_status refuse_exponent(const struct thud_args *args, const stru
     return THUD_OK;
 }
 
+enum thud_status thud_scene_options_set(const struct thud_args *args, struct thud_session *session,
+                                        struct thud_error *err)
+{
+    const char **assignment = calloc((size_t)args->ngiven + 1, sizeof *assignment), *next;
+    int n = 0;
+    if (!assignment)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    while ((next = thud_args_repeated(args, "set", n)) != NULL)
+        assignment[n++] = next;
+    enum thud_status status = thud_session_assign_all(session, assignment, n, err);
+    free(assignment);
+    return status;
+}
+
 static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
@@ -127,9 +141,8 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
         session->scene.record.peak_mps2 = NAN; /* the preset's own */
     if (status == THUD_OK && thud_args_value(args, "peak") && !thud_args_value(args, "sa"))
         session->scene.record.sa_mps2 = NAN;
-    const char *assignment;
-    for (int i = 0; status == THUD_OK && (assignment = thud_args_repeated(args, "set", i)); i++)
-        status = thud_session_assign(session, assignment, err);
+    if (status == THUD_OK)
+        status = thud_scene_options_set(args, session, err);
     if (status == THUD_OK)
         status = thud_building_files_read(&session->scene, session->preset_path, err);
     if (status == THUD_OK)

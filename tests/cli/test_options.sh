@@ -114,3 +114,19 @@ json "what costs" bench towers --cost duration --patience 0.02s
 json "the paper's figures" figures fig4 -o "$tmp/figures"
 is "a bench as CSV" gives 0 bench rigid-concrete --methods exact --patience 0.3s --csv --quiet
 is "has its header" shows '^method,located,setting,state,seconds'
+
+# what is set is taken together: in any order the same
+order() { # PRESET SETTING...: in both orders the same result
+    preset=$1 forward="" backward=""
+    shift
+    for setting in "$@"; do forward="$forward --set '$setting'" backward="--set '$setting' $backward"; done
+    eval "\"$THUD\" run $preset --to 5s --quiet --json $forward" >"$tmp/out" 2>"$tmp/err"
+    is "$*: are taken" [ $? -eq 0 ]
+    eval "\"$THUD\" run $preset --to 5s --quiet --json $backward" >"$tmp/other" 2>>"$tmp/err"
+    is "and mean the same from the last to the first" cmp "$tmp/out" "$tmp/other"
+}
+order towers contact.exponent=1.6 contact.law=hertz-damp
+order towers "structures.1.mass=[300 t, 300 t, 250 t]" structures.1.storeys=3
+order towers "structures.1.base-mass=320 t" "structures.1.isolation-stiffness=20 MN/m" structures.1.kind=isolated
+order towers "links.1.damping=2 MN s/m" links.1.from=A.3 links.1.to=B.3 links.1.law=dashpot
+order towers-linked study.vary= "links.1.damping=2 MN s/m" links.1.law=

@@ -2,10 +2,12 @@
  * series and another method. */
 #include <check.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/run/run_private.h"
 #include "march.h"
+#include "study/scene/scene.h"
 
 enum { STOREYS = 4 };
 static const double tower_mass[] = {320e3, 320e3, 320e3, 250e3, 320e3, 320e3},
@@ -187,6 +189,31 @@ START_TEST(a_very_stiff_link_makes_two_floors_one)
         thud_model_free(model);
     }
     ck_assert_double_lt(before, 1e-6);
+}
+END_TEST
+
+/* The ends of a link have the name of a building, and no other text of it: not that of a unit or a file. */
+START_TEST(ends_follow_the_name_alone)
+{
+    struct thud_scene *scene = calloc(1, sizeof *scene);
+    ck_assert_ptr_nonnull(scene);
+    thud_scene_init(scene);
+    scene->nstructures = 2;
+    thud_structure_init(&scene->structure[0], THUD_SHEAR);
+    thud_structure_init(&scene->structure[1], THUD_MODES);
+    static const char *const set[][2] = {
+        {"structures.1.name", "A"},    {"structures.2.name", "s"},  {"structures.2.unit", "s"},
+        {"structures.2.periods", "s"}, {"links.1.law", "dashpot"},  {"links.1.from", "A.1"},
+        {"links.1.to", "s.1"},         {"structures.2.unit", "ms"}, {"structures.2.periods", "modes.csv"}};
+    char text[THUD_NAME_MAX + 8];
+    for (size_t i = 0; i < sizeof set / sizeof *set; i++)
+        ck_assert_int_eq(thud_scene_set(scene, set[i][0], set[i][1], NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_get(scene, "links.1.to", text, sizeof text, NULL), THUD_OK);
+    ck_assert_str_eq(text, "s.1");
+    ck_assert_int_eq(thud_scene_set(scene, "structures.2.name", "B", NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_get(scene, "links.1.to", text, sizeof text, NULL), THUD_OK);
+    ck_assert_str_eq(text, "B.1");
+    free(scene);
 }
 END_TEST
 
@@ -387,6 +414,7 @@ Suite *thud_suite(void)
     TCase *tcase = tcase_create("links");
     tcase_set_timeout(tcase, 60);
     tcase_add_loop_test(tcase, a_dashpot_between_equal_oscillators, 0, 3);
+    tcase_add_test(tcase, ends_follow_the_name_alone);
     tcase_add_test(tcase, a_spring_between_equal_oscillators);
     tcase_add_test(tcase, an_elastic_strut_stores);
     tcase_add_loop_test(tcase, friction_stops_a_body, 0, 2);

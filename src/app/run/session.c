@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/scan.h"
 #include "io/record/record_file.h"
 
 static enum thud_status open_session(struct thud_session *session, const char *preset, bool unfinished,
@@ -60,6 +61,39 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
                                  assignment);
     snprintf(key, sizeof key, "%.*s", (int)(sign - assignment), assignment);
     return thud_scene_set(&session->scene, key, sign + 1, err);
+}
+
+/* What decides which other keys there are, or what their values mean, goes before them; links are counted as they were
+ * before one is taken away. */
+enum { KEYS_FIRST = 4, RANKS = KEYS_FIRST + 1 + THUD_LINKS_MAX };
+static int rank_of(const char *assignment)
+{
+    static const char *const first[KEYS_FIRST] = {"kind", "law", "storeys", "exponent"};
+    const char *sign = strchr(assignment, '='), *key = sign;
+    while (key && key > assignment && key[-1] != '.')
+        key--;
+    for (int i = 0; key && i < KEYS_FIRST; i++) {
+        if (strlen(first[i]) != (size_t)(sign - key) || strncmp(key, first[i], (size_t)(sign - key)) != 0)
+            continue;
+        int link = 0;
+        const char *number = assignment;
+        if (sign[1] == '\0' && thud_scan_word(&number, "links.") && thud_scan_count(&number, &link) &&
+            link <= THUD_LINKS_MAX)
+            return RANKS - link;
+        return i;
+    }
+    return KEYS_FIRST;
+}
+
+enum thud_status thud_session_assign_all(struct thud_session *session, const char *const *assignment, int n,
+                                         struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    for (int rank = 0; rank <= RANKS; rank++)
+        for (int i = 0; i < n && status == THUD_OK; i++)
+            if (rank_of(assignment[i]) == rank)
+                status = thud_session_assign(session, assignment[i], err);
+    return status;
 }
 
 void thud_session_choose_record(struct thud_session *session, const char *file)

@@ -202,7 +202,7 @@ static enum thud_status set(struct thud_scene *scene, const struct thud_slot *sl
         return status;
     case THUD_STORE_TEXT:
         status = slot->place.offset == offsetof(struct thud_scene, analysis.method) ? check_method(text, err) : THUD_OK;
-        if (status == THUD_OK && slot->structure >= 0) { /* a name */
+        if (status == THUD_OK && slot->structure >= 0 && at == scene->structure[slot->structure].name) {
             char before[THUD_NAME_MAX];
             memcpy(before, at, sizeof before);
             status = read_text(slot, text, at, err);
