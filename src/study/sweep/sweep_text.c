@@ -163,13 +163,17 @@ static void contacts(struct line *l, struct thud_sweep_contact *contact, int n)
 static void level(struct line *l, struct thud_gap_level *level)
 {
     double *const x[] = {&level->left_m, &level->right_m, &level->relative_displacement_m, &level->correlation};
-    int struck = level->struck + 1;
+    int kind = level->struck + 1 + 3 * level->aligned; /* both in one number: -1 to 1, and whether floors are level */
     count(l, &level->interface, 1, THUD_STRUCTURES_MAX);
     count(l, &level->left_floor, 0, THUD_STOREYS_MAX + 1);
     count(l, &level->right_floor, 0, THUD_STOREYS_MAX + 1);
-    count(l, &struck, 0, 2);
-    if (!l->out)
-        level->struck = struck - 1;
+    count(l, &kind, 0, 5);
+    if (!l->out) {
+        level->struck = kind % 3 - 1;
+        level->aligned = kind > 2;
+        level->height_m = level->lower_m = NAN;
+        thud_gap_code_init(&level->code);
+    }
     for (size_t j = 0; j < sizeof x / sizeof *x; j++)
         number(l, x[j]);
 }
