@@ -87,13 +87,15 @@ static void write_axis(const char *key, const char *unit, double from, double to
                        struct thud_text *out)
 {
     char value[48];
+    const double most = fmax(fabs(from), fabs(to)), step = (to - from) / parts;
+    const int digits = (int)fmin(17, fmax(6, ceil(log10(most / step)) + 1)); /* so many that no two are alike */
     thud_text_append(out, "%s=", key);
     for (int i = inner; i <= parts - inner; i++) {
         const char *rest = value;
         double number = 0;
         thud_quantity_format(from + (to - from) * i / parts, unit, value, sizeof value);
         thud_number_parse(value, &rest, &number);
-        thud_text_append(out, "%s%.6g%s", i > inner ? "," : "", number, rest);
+        thud_text_append(out, "%s%.*g%s", i > inner ? "," : "", digits, number, rest);
     }
 }
 
