@@ -210,6 +210,13 @@ static void remark(const struct sweep *s, unsigned about)
     thud_cli_remarks(s->args, &scope, about);
 }
 
+static enum thud_status check_possible(const struct thud_sweep_total *total, struct thud_error *err)
+{
+    return total->impossible > 0 && total->impossible == total->asked
+               ? thud_error_set(err, THUD_INPUT, "none of the runs is possible")
+               : THUD_OK;
+}
+
 /* What is said at the end: the table on standard output, or only the work on standard error where rows are there. */
 static enum thud_status conclude(struct sweep *s, struct thud_error *err)
 {
@@ -246,9 +253,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     }
     if (status == THUD_OK && total->diverged > 0)
         status = thud_error_set(err, THUD_DIVERGED, "%ld of %ld runs have no result", total->diverged, total->asked);
-    if (status == THUD_OK && total->impossible > 0 && total->impossible == total->asked)
-        status = thud_error_set(err, THUD_INPUT, "none of the runs is possible");
-    return status;
+    return status == THUD_OK ? check_possible(total, err) : status;
 }
 
 /* What was told; then what the runs were. */
@@ -259,7 +264,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
     if (status == THUD_OK)
         status = thud_cli_print(&s->told, err);
     remark(s, THUD_REMARK_STUDY);
-    if (!thud_args_has(s->args, "quiet"))
+    if (!thud_args_has(s->args, "quiet") || s->outcome.total.impossible > 0)
         thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
     if (work.data)
         fputs(work.data, stderr);
@@ -268,7 +273,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
         *err = s->picture_error;
         status = s->pictured;
     }
-    return status;
+    return status == THUD_OK ? check_possible(&s->outcome.total, err) : status;
 }
 
 static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
