@@ -30,6 +30,7 @@ log=$build/soak.log
         echo "not ok - exact and dormand-prince, where inputs do not explain it (see $build/pairs.log)"
     "$build/pairs" 1001 "${SOAK_MIXED:-300}" 9000000000 >"$build/pairs_mixed.log" && echo "ok - the same of all of it together" ||
         echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
+    PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh
