@@ -270,7 +270,7 @@ static struct thud_fragility of(const struct thud_suite *suite, const char *name
     static struct thud_event event;
     struct thud_fragility f;
     ck_assert_int_eq(thud_event_parse(name, &event, &error), THUD_OK);
-    struct thud_fragility_ask ask = {.event = &event, .samples = samples, .seed = 1};
+    struct thud_fragility_ask ask = {.event = &event, .samples = samples, .seed = 1, .first_contact = true};
     ck_assert_int_eq(thud_fragility_make(suite, &ask, &f, &error), THUD_OK);
     return f;
 }

@@ -158,6 +158,7 @@ struct thud_model {
     bool collapses;                         /* a structure may: P-Delta */
     bool sums;                              /* a structure has `shear` or `moment` */
     bool couples;                           /* the damping of a structure couples its modes */
+    unsigned traits;                        /* of its elements but for contacts: core/model/element.h */
     int *dof_structure;                     /* (ndof) */
     double *mass_kg;                        /* (ndof); of a rotation, I/H^2 */
     double *omega, *zeta, *gamma;           /* (nmodes); gamma = Phi^T M 1 */
@@ -214,6 +215,7 @@ struct thud_model_input {
             double capacity_n; /* against shear; NaN: not known */
         } struck;
     } * contact;
+    unsigned traits; /* of elements beside those that it shows itself */
     int modes; /* each structure's lowest ones, the others are left out; 0: all */
     int nlinks;
     const struct thud_link_input {

@@ -4,9 +4,10 @@
 #include "io/file/schema.h"
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
-    thud_curve_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema, thud_spring_schema, thud_mode_schema,
-    thud_quantity_schema, thud_effect_schema, thud_sample_schema, thud_index_schema, thud_suite_row_schema,
-    thud_median_schema, thud_drawn_schema, thud_gap_fractile_schema, thud_gap_range_schema, thud_used_motion_schema;
+    thud_curve_schema, thud_first_contact_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema,
+    thud_spring_schema, thud_mode_schema, thud_quantity_schema, thud_effect_schema, thud_sample_schema,
+    thud_index_schema, thud_suite_row_schema, thud_median_schema, thud_drawn_schema, thud_gap_fractile_schema,
+    thud_gap_range_schema, thud_used_motion_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -38,6 +39,12 @@ struct thud_curve_row {
     double beta, beta_low, beta_high;
     int falling; /* 0, 1 */
     double deviance_p, rate[THUD_RATES];
+};
+
+/* At which factor on a ground motion contact begins. */
+struct thud_first_contact_row {
+    const char *record;
+    double first, clear_again;
 };
 
 /* The best value of a key; the other keys stand behind the case, its own as texts or numbers. */

@@ -30,13 +30,6 @@ int thud_needed_gap_level(const struct thud_gap_level *level, int i);
  * one. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
 
-/* The factor on a ground motion from which on there is contact at the clearances of `scene` (that of a case); INFINITY:
- * it never does. `gap`: of the motion given. Where nothing yields and nothing moves without the motion, displacements
- * are linear in it, and the factor is the smallest clearance over closing; else it is the root next to 1, found by runs
- * without contact to a part in 1e6. Errors: those of thud_needed_gap_run. */
-enum thud_status thud_pounding_factor(const struct thud_scene *scene, const struct thud_record *record,
-                                      const struct thud_needed_gap *gap, double *factor, struct thud_error *err);
-
 /* Several ground motions on one scene. */
 struct thud_gap_suite {
     int nrecords;

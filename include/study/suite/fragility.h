@@ -17,6 +17,7 @@
 #include <stddef.h>
 
 #include "base/status.h"
+#include "study/scene/first_contact.h"
 #include "study/suite/suite.h"
 
 /* A stripe: of n motions at x, count made it happen. */
@@ -74,6 +75,8 @@ struct thud_fragility_ask {
     int at[THUD_VARY_MAX]; /* places on the other axes */
     int samples;           /* of the bootstrap; 0: no band */
     unsigned long long seed;
+    bool
+        first_contact; /* of pounding: the factor at which each motion begins to cause contact, by runs where need be */
 };
 struct thud_fragility {
     size_t n;
@@ -87,11 +90,14 @@ struct thud_fragility {
      * 0 and INFINITY where there are none, both NaN where the counts do not say. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
-    /* Of pounding, which needs no fit: the value from which on each motion causes contact (along a gap: no longer
-     * does), sorted; NULL: not known. From which on at least 16, 50 and 84 % of them do, and 5 and 95 % of the bootstrap of
-     * the middle one. */
+    /* Of pounding, which needs no fit: the least value at which each motion causes contact (along a gap: the least at
+     * which it does not), sorted; NULL: not asked for, or not known. At which at least 16, 50 and 84 % of them do, and 5
+     * and 95 % of the bootstrap of the middle one. */
     int nexact;
     double *exact; /* (nexact) */
+    /* The same along an intensity, as factors on the motions of the study in their order. */
+    struct thud_first_contact *contact; /* (nexact); NULL: along a gap */
+    int clearing;                       /* motions under which a larger factor than the first clears again */
     double exact16, exact50, exact84, exact_low, exact_high;
     /* Along a gap: the one from which no motion causes contact without bumper; NaN: not known. */
     double free_gap;

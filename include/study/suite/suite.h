@@ -16,7 +16,6 @@ struct thud_suite {
     int nrecords, nstructures, nvalues; /* nvalues: of a run */
     int at[THUD_MEASURES];              /* where a measure stands among them, of structures its first one */
     unsigned features;                  /* THUD_HAS_...: measures that its runs may have */
-    bool linear;                        /* without pounding, displacements are linear in the ground motion */
     long settings;
     int ndraws;    /* independent motions: those of one recording are one (thud_motions_recordings) */
     int *motion;   /* (nrecords) the records by recording */

@@ -75,6 +75,10 @@ bool thud_is_spread(int n, int i);
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err);
 
+/* What the varied keys of the record ask for at a point of this scene, over a record of the plan. Errors: THUD_INPUT. */
+enum thud_status thud_sweep_motion_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                          const struct thud_record *record, double *out, struct thud_error *err);
+
 /* The motion without pounding under a set of points, and what each level needs by it. Plan and records must outlive it.
  * Errors: THUD_INPUT (a scene of its points is not possible), THUD_MEMORY. */
 struct thud_sweep_group;

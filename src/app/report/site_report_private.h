@@ -34,10 +34,8 @@ struct site_suite {
     struct thud_gap_study gaps;
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
-    double
-        *factor[SITE_CASES - SITE_NONE]; /* (nrecords) of each case, from which on each motion causes contact, sorted */
-    double *room;                        /* (nrecords) scratch */
-    bool drawing;                        /* figures are of the suite, not of one motion */
+    double *room;                                                  /* (nrecords) scratch */
+    bool drawing;                                                  /* figures are of the suite, not of one motion */
 };
 
 /* A preset beside the scene, which is the first of them. */

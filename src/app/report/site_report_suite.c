@@ -11,6 +11,7 @@
 #include "ground/identity.h"
 #include "plot/figures/figures_fragility.h"
 #include "plot/figures/figures_gap.h"
+#include "study/scene/scene_elements.h"
 #include "study/suite/scaling.h"
 
 /* The motions are run at these multiples of what was given, so that a fragility curve has points on both sides. */
@@ -49,30 +50,12 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
     thud_event_parse("pounding", &suite->pounding, NULL);
     thud_event_parse("worse", &suite->worse, NULL);
     for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
-        struct thud_fragility_ask ask = {.event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed};
+        struct thud_fragility_ask ask = {
+            .event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed, .first_contact = true};
         status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
         ask.event = &suite->worse;
         if (status == THUD_OK && k > 0 && suite->plan.cases[0] == THUD_CASE_NONE)
             status = thud_fragility_make(suite->runs, &ask, &suite->worsens, err);
-    }
-    return status;
-}
-
-/* The factor of every motion from which on there is contact, sorted. */
-static enum thud_status find_factors(struct site *site, struct thud_error *err)
-{
-    struct site_suite *suite = &site->suite;
-    size_t n = (size_t)suite->runs->nrecords;
-    enum thud_status status = THUD_OK;
-    for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
-        suite->factor[k] = malloc((n + 1) * sizeof *suite->factor[k]);
-        if (!suite->factor[k])
-            return thud_error_set(err, THUD_MEMORY, "out of memory");
-        for (size_t r = 0; r < n && status == THUD_OK; r++)
-            status = thud_pounding_factor(site->cases[SITE_NONE + k].scene, suite->plan.record[r], suite->gaps.gap[r],
-                                          &suite->factor[k][r], err);
-        if (status == THUD_OK)
-            thud_sort_numbers(suite->factor[k], n);
     }
     return status;
 }
@@ -91,18 +74,14 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
     suite->as_given = thud_suite_setting(&suite->plan, (const int[THUD_VARY_MAX]){AS_GIVEN});
     if (status == THUD_OK)
         status = thud_gap_study_run(site->scene, site->options->records, NULL, cancel, &suite->gaps, err);
-    if (status == THUD_OK)
-        status = find_factors(site, err);
     return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;
 }
 
 void thud_site_suite_clear(struct site *site)
 {
     struct site_suite *suite = &site->suite;
-    for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++) {
+    for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++)
         thud_fragility_clear(&suite->pounds[k]);
-        free(suite->factor[k]);
-    }
     thud_fragility_clear(&suite->worsens);
     thud_gap_study_clear(&suite->gaps);
     thud_suite_free(suite->runs);
@@ -141,22 +120,30 @@ static void say_pounding(struct site *site, int k)
 /* "They pound from 0.37 times their strength on under 7 of the 14" */
 static void say_strength(struct site *site, int k)
 {
-    const double *factor = site->suite.factor[k];
-    size_t n = (size_t)site->suite.runs->nrecords, half;
-    double median = thud_enough(factor, n, 0.5, &half);
-    char first[80] = "", all[80] = "", pound[80];
+    const struct thud_fragility *f = &site->suite.pounds[k];
+    const double *factor = f->exact;
+    size_t n = (size_t)f->nexact, half;
+    double median = thud_enough(factor, n, 0.5, &half), clear = INFINITY;
+    char first[80] = "", all[80] = "", how[160] = " (exact: each motion has a factor from which on it does)", pound[80];
     const char *words = site->cases[SITE_NONE].words;
     snprintf(pound, sizeof pound, "%c%s they pound", words[0] - 'a' + 'A', words + 1);
-    if (isinf(median))
+    if (n == 0 || isinf(median))
         return;
+    for (int r = 0; r < f->nexact; r++)
+        clear = fmin(clear, f->contact[r].clear_again);
+    if (f->clearing > 0)
+        snprintf(how, sizeof how,
+                 " (first contact; under %d of them the buildings clear each other again, from %.2f times on)",
+                 f->clearing, clear);
+    else if (!thud_scene_scales(site->scene))
+        snprintf(how, sizeof how, " (first contact, by runs)");
     if (factor[0] < median)
         snprintf(first, sizeof first, "under the first from %.2f times their strength on, ", factor[0]);
     if (half < n && !isinf(factor[n - 1]))
         snprintf(all, sizeof all, ", under all from %.2f times", factor[n - 1]);
-    thud_document_item(
-        &site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.", k == 0 ? pound : "They touch the bumper",
-        first, half, n, median, *first ? "" : " their strength on", all,
-        thud_scene_yields(site->scene) ? "" : " (exact: each motion has a factor from which on it does)");
+    thud_document_item(&site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.",
+                       k == 0 ? pound : "They touch the bumper", first, half, n, median,
+                       *first ? "" : " their strength on", all, how);
 }
 
 static void say_widths(struct site *site)

@@ -125,6 +125,21 @@ static void put_few(const struct thud_suite *suite, struct thud_text *out)
             THUD_DRAWS_LEAST);
 }
 
+/* Contact that is not monotone in the intensity: the median is that of the first contact. */
+static void put_clearing(const struct thud_fragility_study *study, const struct thud_fragility_line *line,
+                         struct thud_text *out)
+{
+    const struct thud_fragility *f = &line->fragility;
+    double clear = INFINITY;
+    for (int r = 0; r < f->nexact && f->clearing > 0; r++)
+        clear = fmin(clear, f->contact[r].clear_again);
+    if (isfinite(clear))
+        thud_text_append(out,
+                         "\nCase %s: contact is not monotone in the motion. The median is that of the first contact;\n"
+                         "under %d of %d motions a larger factor clears again, from %.4g on.\n",
+                         thud_case_name(study->suite->plan->cases[line->k]), f->clearing, f->nexact, clear);
+}
+
 void thud_fragility_table(const struct thud_fragility_study *study, struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
@@ -154,6 +169,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             out->data[--out->size] = '\0';
         thud_text_append(out, "\n");
     }
+    for (size_t i = 0; i < study->n; i++)
+        put_clearing(study, &study->line[i], out);
     put_few(study->suite, out);
 }
 
@@ -298,6 +315,19 @@ void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct 
     }
 }
 
+struct contacts {
+    const struct thud_sweep_plan *plan;
+    const struct thud_first_contact *contact;
+};
+
+static void make_contact(const void *of, int i, void *row)
+{
+    const struct contacts *c = of;
+    const struct thud_record *motion = c->plan->nrecords > 0 ? c->plan->record[i] : NULL;
+    *(struct thud_first_contact_row *)row = (struct thud_first_contact_row){
+        motion ? thud_path_name(motion->file) : "", c->contact[i].first, c->contact[i].clear_again};
+}
+
 static void put_json_line(const struct thud_fragility_study *study, const struct thud_fragility_line *line,
                           struct thud_text *out)
 {
@@ -333,7 +363,13 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
         thud_json_number(out, f->stripe[j].x);
         thud_text_append(out, ", %d, %d]", f->stripe[j].n, f->stripe[j].count);
     }
-    thud_text_append(out, "]}");
+    thud_text_append(out, "]");
+    if (f->nexact > 0 && f->contact) {
+        const struct contacts of = {plan, f->contact};
+        thud_json_list("first_contact",
+                       &(struct thud_rows){&thud_first_contact_schema, 0, f->nexact, make_contact, &of}, out);
+    }
+    thud_text_append(out, "}");
 }
 
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out)

@@ -160,7 +160,7 @@ static enum thud_status add_lines(struct thud_fragility_study *study, int event,
     int at[THUD_VARY_MAX] = {0};
     do {
         struct thud_fragility_line *line = &study->line[study->n];
-        struct thud_fragility_ask ask = {&study->event[event], k, axis, {0}, study->samples, study->seed};
+        struct thud_fragility_ask ask = {&study->event[event], k, axis, {0}, study->samples, study->seed, true};
         memcpy(ask.at, at, sizeof at);
         *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN}};
         memcpy(line->at, at, sizeof at);

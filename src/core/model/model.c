@@ -22,6 +22,7 @@
 
 #include "base/arena.h"
 #include "base/quantity.h"
+#include "core/model/element.h"
 #include "core/model/foundation.h"
 #include "core/model/modes.h"
 #include "core/model/tie.h"
@@ -768,6 +769,17 @@ static void fill_moment(struct thud_model *m, struct thud_arena *arena, struct t
     }
 }
 
+/* Those that a caller gives, and those of what is in the model. */
+static unsigned traits_of(const struct thud_model *m, const struct thud_model_input *input)
+{
+    struct thud_element_sum sum = {.traits = input->traits};
+    thud_element_add(&sum, THUD_ELEMENT_YIELDING_STOREY, m->nstoreys - m->nslips);
+    thud_element_add(&sum, THUD_ELEMENT_FRICTION, m->nslips);
+    thud_element_add(&sum, THUD_ELEMENT_STRUT, m->ncontacts - m->npairs);
+    thud_element_add(&sum, THUD_ELEMENT_P_DELTA, m->collapses);
+    return sum.traits;
+}
+
 static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, const struct thud_model_input *input,
                              const bool *tied, struct thud_error *err)
 {
@@ -796,6 +808,7 @@ static enum thud_status fill(struct thud_model *m, struct thud_arena *arena, con
             fill_moment(m, arena, &m->structure[s], &input->structure[s]);
     fill_storeys(m, arena, input);
     fill_delassus(m);
+    m->traits = traits_of(m, input);
     return THUD_OK;
 }
 

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/contact/storey.h"
+#include "core/model/element.h"
 #include "core/observe/observe_relative.h"
 #include "core/run/run_private.h"
 
@@ -169,9 +170,8 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     }
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
-        baseline->shares = baseline->run->method == thud_method_find("exact");
-        /* a difference from the baseline is no free vibration where storeys yield */
-        baseline->early_end = baseline->shares && model->nstoreys == 0 ? thud_early_end_create(&baseline->model) : NULL;
+        baseline->shares = baseline->run->method == thud_method_find("exact") && !(model->traits & THUD_UNKEPT);
+        baseline->early_end = baseline->shares ? thud_early_end_create(&baseline->model) : NULL;
         if (baseline->early_end)
             thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);
     }

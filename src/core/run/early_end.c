@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/largest.h"
+#include "core/model/element.h"
 #include "core/motion/free_vibration.h"
 
 enum { STRIDE = THUD_FREE_VIBRATION_BLOCK, ENDS = THUD_FREE_VIBRATION_ENDS };
@@ -28,6 +29,8 @@ struct thud_early_end {
 
 struct thud_early_end *thud_early_end_create(const struct thud_model *model)
 {
+    if (model->traits & (THUD_SLIPS | THUD_UNKEPT))
+        return NULL;
     struct thud_early_end *h = calloc(1, sizeof *h);
     if (!h)
         return NULL;

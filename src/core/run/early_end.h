@@ -11,7 +11,7 @@
 
 struct thud_early_end;
 
-/* For a run without contact, whose observer it is. NULL when out of memory. */
+/* For a run without contact, whose observer it is. NULL where the traits of its elements forbid it, and when out of memory. */
 struct thud_early_end *thud_early_end_create(const struct thud_model *model);
 void thud_early_end_free(struct thud_early_end *early_end);
 extern const struct thud_observer thud_observe_early_end;

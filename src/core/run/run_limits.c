@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/model/element.h"
 #include "core/numerics/vec.h"
 #include "core/run/run_private.h"
 
@@ -114,8 +115,8 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
 {
     const struct thud_model *m = run->state.model;
     /* a storey that yields may drift as far as it likes without strain */
-    if (thud_run_is_bounded(run, m->nstoreys > 0 ? thud_dot(m->nmodes, qd, qd)
-                                                 : thud_energy_sum(m->nmodes, m->spring, q, qd)))
+    if (thud_run_is_bounded(run, m->traits & THUD_SLIPS ? thud_dot(m->nmodes, qd, qd)
+                                                        : thud_energy_sum(m->nmodes, m->spring, q, qd)))
         return THUD_OK;
     int i = worst_floor(m, qd), s = m->dof_structure[i];
     thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",

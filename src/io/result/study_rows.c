@@ -101,6 +101,20 @@ const struct thud_schema thud_curve_schema =
     THUD_SCHEMA("fragility-curves.csv of each curve",
                 "Behind the medians in\n.Pa fragility-curves.csv ,\nand in\n.Pa fragility.json .\n", curves);
 
+#define FIRST(member, key, text) THUD_FIELD(struct thud_first_contact_row, member, key, text)
+static const struct thud_column first_contacts[] = {
+    FIRST(record, "record", "Ground motion, as it was given."),
+    FIRST(first, "first_contact_factor",
+          "Smallest factor on it at which there is contact, to a part in 1e6; no value: none up to 1000."),
+    FIRST(clear_again, "clear_again_factor",
+          "A larger factor at which there is none again; no value: none up to twice the first, or 1.")};
+const struct thud_schema thud_first_contact_schema =
+    THUD_SCHEMA("first contact",
+                "The list\n.Va first_contact\nof a curve of pounding along an intensity in\n.Pa fragility.json :\n"
+                "one for each ground motion.\nWhere nothing yields, slips or acts on one side the factor follows from "
+                "one\nrun, else from runs without contact at rising factors.\n",
+                first_contacts);
+
 #define TRIED(member, text) THUD_FIELD(struct thud_tried_row, member, #member, text)
 static const struct thud_column tried[] = {
     TRIED(value, "Value that was tried, with its unit."), TRIED(x, "The same in SI units."),
@@ -260,10 +274,10 @@ static const struct thud_column medians[] = {
     THUD_STANDS_FOR("theta_highUNIT", "Its upper end."),
     THUD_STANDS_FOR("median_aboveUNIT", "Without theta: the median lies above this; empty: not known."),
     THUD_STANDS_FOR("median_belowUNIT", "And below this."),
-    THUD_STANDS_FOR("exact_p16UNIT",
-                    "Of pounding, exact and without a fit: from which intensity on at least 16 % of the motions cause "
-                    "contact, or which gap is enough for as many; empty: other events, storeys that yield against an "
-                    "intensity, or never."),
+    THUD_STANDS_FOR(
+        "exact_p16UNIT",
+        "Of pounding, without a fit: the intensity of the first contact of at least 16 % of the motions, or "
+        "which gap is enough for as many; empty: other events, or never."),
     THUD_STANDS_FOR("exact_medianUNIT", "The same of at least half of them."),
     THUD_STANDS_FOR("exact_p84UNIT", "And of at least 84 %."),
     THUD_STANDS_FOR("exact_median_lowUNIT", "Lower end of the bootstrapped 90 % band of exact_median."),

@@ -5,6 +5,7 @@
 
 #include "study/scene/building.h"
 #include "study/scene/level.h"
+#include "study/scene/scene_elements.h"
 #include "study/scene/solution.h"
 
 /* Input of the model with the arrays it points to: stiffness and mass of an isolated building begin with its base. */
@@ -247,6 +248,7 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
                                          .structure = a->structure,
                                          .ncontacts = a->ncontacts,
                                          .contact = a->contact,
+                                         .traits = thud_scene_elements(scene).traits,
                                          .modes = scene->analysis.modes,
                                          .nlinks = a->nlinks,
                                          .link = a->link};

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "base/statistics.h"
 #include "base/text.h"
+#include "study/scene/scene_elements.h"
 
 /* ---- the lognormal curve ---- */
 
@@ -420,24 +421,90 @@ static void conclude(struct thud_fragility *f, enum thud_measure measure, const 
     }
 }
 
-/* The value from which on each motion causes contact: displacements without pounding are linear in an intensity,
- * and a gap does not change them. */
-static double threshold(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int k, int record)
+/* The first value above 0 along the axis at which the run of a case has a result, its setting and what it uses up of the
+ * clearances; -1: none has. */
+static int first_result(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int k, int record,
+                        long *setting, double *used)
 {
     const struct thud_sweep_axis *axis = &suite->plan->axis[ask->axis];
     int at[THUD_VARY_MAX];
     memcpy(at, ask->at, sizeof at);
     for (int i = 0; i < axis->n; i++) {
         at[ask->axis] = i;
-        long setting = thud_suite_setting(suite->plan, at);
-        double used = thud_suite_value(suite, record, setting, k, THUD_MEASURE_USED, -1);
-        if (isnan(used) || !(axis->value[i] > 0))
-            continue;
-        if (thud_axis_is_intensity(axis))
-            return used > 0 ? axis->value[i] / used : INFINITY;
-        return axis->value[i] + thud_suite_value(suite, record, setting, k, THUD_MEASURE_SHORT, -1);
+        *setting = thud_suite_setting(suite->plan, at);
+        *used = thud_suite_value(suite, record, *setting, k, THUD_MEASURE_USED, -1);
+        if (!isnan(*used) && axis->value[i] > 0)
+            return i;
     }
-    return NAN;
+    return -1;
+}
+
+/* The gap at which a motion no longer causes contact, which changes no motion without pounding; NaN: not known. */
+static double enough_gap(const struct thud_suite *suite, const struct thud_fragility_ask *ask, int k, int record)
+{
+    long setting;
+    double used;
+    const int i = first_result(suite, ask, k, record, &setting, &used);
+    return i < 0 ? NAN
+                 : suite->plan->axis[ask->axis].value[i] +
+                       thud_suite_value(suite, record, setting, k, THUD_MEASURE_SHORT, -1);
+}
+
+/* The least intensity at which a motion causes contact, NaN: not known; and as a factor on the motion. From one run
+ * where the motion without pounding scales with it, else by runs. */
+static enum thud_status begin_of_contact(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
+                                         int record, struct thud_scene *scene, double *x,
+                                         struct thud_first_contact *out, struct thud_error *err)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    const struct thud_record *motion = plan->nrecords > 0 ? plan->record[record] : NULL;
+    struct thud_needed_gap *gap = NULL;
+    long setting;
+    double used, factor = 1;
+    const int i = first_result(suite, ask, ask->k, record, &setting, &used);
+    *x = out->first = out->clear_again = NAN;
+    if (i < 0)
+        return THUD_OK;
+    const double value = plan->axis[ask->axis].value[i];
+    enum thud_status status = thud_sweep_scene(plan, record * suite->settings + setting, scene, err);
+    if (status == THUD_OK && motion)
+        status = thud_sweep_motion_factor(plan, scene, motion, &factor, err);
+    if (status == THUD_OK)
+        status = thud_scene_case(scene, plan->cases[ask->k], scene, err);
+    if (status == THUD_OK && (!motion || thud_scene_scales(scene))) {
+        *x = used > 0 ? value / used : INFINITY;
+        out->first = used > 0 ? factor / used : INFINITY;
+        return THUD_OK;
+    }
+    if (status == THUD_OK)
+        status = thud_needed_gap_run(scene, motion, &gap, err);
+    if (status == THUD_OK)
+        status = thud_first_contact_find(scene, motion, gap, out, err);
+    if (status == THUD_OK)
+        *x = value * out->first / factor;
+    free(gap);
+    return status == THUD_DIVERGED ? THUD_OK : status; /* it is not known */
+}
+
+/* Of each motion: (nrecords). */
+static enum thud_status thresholds(const struct thud_suite *suite, const struct thud_fragility_ask *ask, double *own,
+                                   struct thud_fragility *f, struct thud_error *err)
+{
+    const bool intensity = thud_axis_is_intensity(&suite->plan->axis[ask->axis]);
+    struct thud_scene *scene = intensity ? malloc(sizeof *scene) : NULL;
+    enum thud_status status = THUD_OK;
+    f->contact = intensity ? malloc((size_t)suite->nrecords * sizeof *f->contact) : NULL;
+    if (intensity && (!scene || !f->contact))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < suite->nrecords && status == THUD_OK; r++)
+        if (intensity) {
+            status = begin_of_contact(suite, ask, r, scene, &own[r], &f->contact[r], err);
+            f->clearing += !isnan(f->contact[r].clear_again);
+        } else {
+            own[r] = enough_gap(suite, ask, ask->k, r);
+        }
+    free(scene);
+    return status;
 }
 
 static bool is_gap(const struct thud_suite *suite, const struct thud_sweep_axis *axis)
@@ -450,7 +517,7 @@ static double free_gap(const struct thud_suite *suite, const struct thud_fragili
     double widest = -INFINITY;
     for (int k = 0; k < suite->plan->ncases && is_gap(suite, &suite->plan->axis[ask->axis]); k++)
         for (int r = 0; suite->plan->cases[k] == THUD_CASE_NONE && r < suite->nrecords; r++) {
-            const double own = threshold(suite, ask, k, r);
+            const double own = enough_gap(suite, ask, k, r);
             widest = isnan(own) ? (double)INFINITY : fmax(widest, own);
         }
     return isfinite(widest) ? widest : (double)NAN;
@@ -463,18 +530,21 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
     bool intensity = thud_axis_is_intensity(axis);
     size_t n = (size_t)suite->nrecords, count, samples = suite->ndraws >= THUD_DRAWS_LEAST ? (size_t)ask->samples : 0;
     f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
-    if (ask->event->measure != THUD_MEASURE_IMPACTS || !(intensity ? suite->linear : is_gap(suite, axis)))
+    if (ask->event->measure != THUD_MEASURE_IMPACTS || !(intensity ? ask->first_contact : is_gap(suite, axis)))
         return THUD_OK;
     double *own = malloc((2 * n + samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n;
     struct thud_random random = {ask->seed};
     if (!own)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (size_t r = 0; r < n; r++) {
-        own[r] = threshold(suite, ask, ask->k, (int)r);
+    enum thud_status status = thresholds(suite, ask, own, f, err);
+    for (size_t r = 0; r < n && status == THUD_OK; r++)
         if (isnan(own[r])) {
             free(own);
             return THUD_OK;
         }
+    if (status != THUD_OK) {
+        free(own);
+        return status;
     }
     for (size_t b = 0; b < samples; b++) {
         size_t m = 0;
@@ -560,6 +630,7 @@ void thud_fragility_clear(struct thud_fragility *fragility)
     free(fragility->stripe);
     free(fragility->low);
     free(fragility->exact);
+    free(fragility->contact);
     *fragility = (struct thud_fragility){0};
 }
 
@@ -640,7 +711,7 @@ struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct
     static const struct thud_rate unknown = {NAN, NAN, NAN};
     if (hazard->n < 2)
         return unknown;
-    if (f->nexact > 0)
+    if (f->nexact > 0 && f->clearing == 0)
         return rate_of_exact(hazard, f);
     if (thud_is_fitted(&f->curve))
         return isnan(f->theta) || f->curve.falling ? unknown : rate_of_curve(hazard, &f->curve);

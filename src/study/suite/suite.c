@@ -32,9 +32,6 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->settings = thud_sweep_points(plan) / suite->nrecords;
         suite->nstructures = plan->scene.nstructures;
         suite->features = thud_measure_features(plan);
-        suite->linear = !(suite->features & THUD_HAS_YIELDING);
-        for (int i = 0; i < plan->scene.nstructures; i++)
-            suite->linear &= plan->scene.structure[i].velocity_mps == 0;
         for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
             suite->at[m] = suite->nvalues;
             suite->nvalues += thud_measure_info(m)->of_structure ? suite->nstructures : 1;

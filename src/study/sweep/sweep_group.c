@@ -5,9 +5,8 @@
 #include "ground/spectrum.h"
 #include "study/sweep/sweep_private.h"
 
-/* What the varied keys of the record ask for, over what was loaded. */
-static enum thud_status record_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
-                                      const struct thud_record *record, double *out, struct thud_error *err)
+enum thud_status thud_sweep_motion_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
+                                          const struct thud_record *record, double *out, struct thud_error *err)
 {
     const struct thud_record_choice *now = &scene->record, *loaded = &plan->scene.record;
     double factor = 1;
@@ -41,7 +40,7 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     if (!record)
         return THUD_OK;
     double factor;
-    enum thud_status status = record_factor(plan, scene, record, &factor, err);
+    enum thud_status status = thud_sweep_motion_factor(plan, scene, record, &factor, err);
     factor *= scale;
     if (status != THUD_OK || factor == 1)
         return status;

@@ -1,0 +1,10 @@
+/* What the elements of a scene are together, without the contacts of its floors: the motion without pounding. */
+#pragma once
+
+#include "core/model/element.h"
+#include "study/scene/scene.h"
+
+struct thud_element_sum thud_scene_elements(const struct thud_scene *scene);
+/* Whether the motion without pounding may be scaled with the ground motion: factors of first contact follow from one
+ * run. */
+bool thud_scene_scales(const struct thud_scene *scene);
