@@ -279,7 +279,7 @@ key Down "goes to the next field" 'gap by level *▸'
 key Up "back to the field before" 'gap *▸'
 key End "to the last one" '▸law  *none'
 key Home "to the first one" 'gap *▸'
-key NPage "a page down" 'restitution *▸0.5'
+key NPage "a page down" 'post-yield *▸2500'
 key PPage "a page up" 'gap *▸'
 keys BTab
 key Tab "and Shift-Tab undo each other" 'gap *▸'

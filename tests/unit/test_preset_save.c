@@ -290,7 +290,15 @@ START_TEST(bumpers_and_structures_come_and_go)
     struct thud_preset *read = parse(text, size);
     ck_assert(!thud_preset_scene(read)->interface[0].has_bumper);
     ck_assert(thud_preset_scene(read)->interface[1].has_bumper);
-    ck_assert_int_eq(count(text, "#"), count(preset_text, "#") - 3);
+    ck_assert_int_eq(count(text, "#"), count(preset_text, "#"));
+    ck_assert_ptr_nonnull(strstr(text, "      fitted: off\n")); /* it keeps its values */
+    ck_assert_mem_eq(&thud_preset_scene(read)->interface[0].bumper, &scene.interface[0].bumper,
+                     sizeof scene.interface[0].bumper);
+    ck_assert_double_eq(thud_preset_scene(read)->interface[0].bumper_thickness_m, scene.interface[0].bumper_thickness_m);
+    scene.interface[0].has_bumper = true; /* and is put in again by taking the line out */
+    free(text);
+    text = text_of(read, &scene, &size);
+    ck_assert_ptr_null(strstr(text, "fitted: off"));
     thud_preset_free(read);
     free(text);
     /* the first structure goes: what is left keeps its bytes */
@@ -413,11 +421,11 @@ static void random_shape(struct thud_scene *s)
         s->interface[draw((unsigned)n - 1)].has_bumper = false;
 }
 
-/* Bumpers that are off are not written. */
+/* A thickness without a bumper is not written. */
 static void strip(struct thud_scene *s)
 {
     for (int i = 0; i + 1 < s->nstructures; i++)
-        if (!s->interface[i].has_bumper) {
+        if (!s->interface[i].has_bumper && !s->interface[i].bumper.law) {
             memset(&s->interface[i].bumper, 0, sizeof s->interface[i].bumper);
             s->interface[i].bumper_thickness_m = s->interface[i].bumper_cavity_m = 0;
         }

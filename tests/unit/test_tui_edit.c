@@ -59,10 +59,10 @@ START_TEST(a_building_is_typed_cell_by_cell)
     fixture_keys(&f, "/structures.1.mass<Enter><Up><Enter>261<Down>262<Down>");
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[1], 261e3, 1e-6);
     ck_assert_double_eq_tol(scene()->structure[0].mass_kg[0], 262e3, 1e-6);
-    ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_NORMAL); /* there is none below */
-    fixture_keys(&f, "<Enter>3 kN<Tab>");                        /* refused: it stays there */
+    ck_assert_str_eq(f.tui->dialog.target, "structures.1.base"); /* below the floors */
+    fixture_keys(&f, "<Esc><Up><Enter>3 kN<Tab>");               /* refused: it stays there */
     ck_assert_int_eq((int)f.tui->dialog.mode, THUD_MODE_TYPING);
-    ck_assert_str_eq(f.tui->dialog.target, "structures.1.mass.1");
+    ck_assert_str_eq(f.tui->dialog.target, "structures.1.height.1");
 }
 END_TEST
 

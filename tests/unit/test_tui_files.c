@@ -503,8 +503,8 @@ static int count_keys(const char *keys)
 START_TEST(the_walk_of_an_engineer)
 {
     static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500<Tab>550<Down><Down><Down>8<Down>pul<Enter>",
-                                       "<Down><Down><Down><Enter>250<Enter>", /* the roof of the left one */
-                                       "<Tab><Down><Down><Down><Enter>260<Enter>",
+                                       "<Down><Down><Enter>250<Enter>", /* the roof of the left one */
+                                       "<Tab><Down><Down><Enter>260<Enter>",
                                        "P",
                                        "w",
                                        "obuil<Enter>"};
@@ -530,7 +530,7 @@ START_TEST(the_walk_of_an_engineer)
     ck_assert_mem_eq(&now->structure, &made.structure, sizeof made.structure);
     ck_assert_mem_eq(&now->interface, &made.interface, sizeof made.interface);
     ck_assert_str_eq(now->record.file, "pulse.csv");
-    ck_assert_ptr_nonnull(strstr(f.tui->files.wrote, "\nbuildings-")); /* figures, by the scene's name */
+    ck_assert_ptr_nonnull(strstr(f.tui->files.wrote[0].stem, "/buildings-")); /* figures, by the scene's name */
     printf("# the walk takes %d keys\n", keys);
     ck_assert_int_le(keys, 178 / 2);
 }
@@ -729,6 +729,128 @@ START_TEST(settings_come_from_a_file)
 }
 END_TEST
 
+/* The state on the screen is the one that is named, whether it was run or not. */
+START_TEST(the_state_on_the_screen_is_named)
+{
+    char path[160];
+    struct thud_preset *preset;
+    fixture_keys(&f, ":live off<Enter>:set gap 7 cm<Enter>U<F2>v7<Enter>");
+    fixture_expect(&f, "This state is v7 now");
+    snprintf(path, sizeof path, "%s/v7.yaml", f.folder);
+    ck_assert_int_eq(thud_preset_read(path, &preset, NULL), THUD_OK);
+    ck_assert_double_eq_tol(thud_preset_scene(preset)->interface[0].gap_m, 0.07, 1e-15);
+    thud_preset_free(preset);
+}
+END_TEST
+
+/* A bumper that is out is saved so, with its values and their comments, and there is nothing left to save. */
+START_TEST(a_bumper_that_is_out_is_saved)
+{
+    fixture_keys(&f, "2Bw");
+    fixture_expect(&f, "Saved");
+    fixture_expect_not(&f, "[+]");
+    fixture_keys(&f, "R");
+    ck_assert_int_eq((int)f.tui->dialog.mode, (int)THUD_MODE_OVER); /* the report's form */
+    fixture_keys(&f, "<Esc>");
+    char *text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_nonnull(strstr(text, "stiffness: 0.36 kN/mm^2.65"));
+    ck_assert_ptr_nonnull(strstr(text, "fitted: off"));
+    free(text);
+    fixture_keys(&f, "Bw");
+    text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_null(strstr(text, "fitted"));
+    ck_assert(scene()->interface[0].has_bumper);
+    free(text);
+    fixture_keys(&f, "Bq");
+    fixture_expect(&f, "has unsaved changes");
+    fixture_keys(&f, "n");
+}
+END_TEST
+
+START_TEST(a_deleted_preset_is_said_to_be_deleted)
+{
+    char path[160];
+    snprintf(path, sizeof path, "%s/towers.yaml", f.folder);
+    fixture_keys(&f, ":set gap 4 cm<Enter>");
+    ck_assert_int_eq(remove(path), 0);
+    fixture_keys(&f, "w");
+    fixture_expect(&f, "was deleted since");
+    fixture_keys(&f, "y");
+    char *text = fixture_file(&f, "towers.yaml");
+    ck_assert_ptr_nonnull(strstr(text, "gap: 4 cm"));
+    free(text);
+}
+END_TEST
+
+/* A file name that is proposed is selected: what is typed replaces it. */
+START_TEST(what_a_prompt_proposes_is_selected)
+{
+    char keys[160];
+    ck_assert_int_eq(chdir(f.folder), 0);
+    snprintf(keys, sizeof keys, ":name bare<Enter>U<F2>bumper5<Enter>");
+    fixture_keys(&f, keys);
+    char *text = fixture_file(&f, "bumper5.yaml");
+    ck_assert_ptr_nonnull(text);
+    free(text);
+    ck_assert_ptr_null(fixture_file(&f, "barebumper5.yaml"));
+}
+END_TEST
+
+/* Own ground motions are found by letters where they are kept: in records/ beside the work. */
+START_TEST(own_records_are_found)
+{
+    char path[160];
+    snprintf(path, sizeof path, "%s/records", f.folder);
+    ck_assert_int_eq(mkdir(path, 0777), 0);
+    fixture_write(&f, "records/mine.csv", "time_s,acceleration_g\n0,0\n0.01,0.1\n0.02,0\n");
+    ck_assert_int_eq(chdir(f.folder), 0);
+    fixture_keys(&f, "3");
+    fixture_expect(&f, "records/mine");
+    fixture_keys(&f, "/mine<Enter>");
+    ck_assert_str_eq(scene()->record.file, "records/mine.csv");
+}
+END_TEST
+
+/* Reasons stay in sight, in the terminal's own words. */
+START_TEST(what_is_wrong_is_said)
+{
+    char digits[401], keys[500], program[160];
+    memset(digits, '7', 400);
+    digits[400] = '\0';
+    snprintf(keys, sizeof keys, ":set gap %s<Enter>", digits);
+    fixture_keys(&f, keys);
+    fixture_expect(&f, "is not a number; give a length");
+    fixture_keys(&f, ":storey add 9 9<Enter>");
+    fixture_expect(&f, "add|delete STRUCTURE FLOOR");
+    fixture_keys(&f, "3<Home><Enter>");
+    fixture_expect(&f, "Record: Enter on a ground motion");
+    fixture_expect_not(&f, "--record");
+    fixture_keys(&f, "u");
+    fixture_program(&f, program, sizeof program, "echo 'thud: no such thing' >&2; exit 2");
+    fixture_keys(&f, "1w:report rep<Enter>");
+    fixture_expect(&f, "thud report: no such thing");
+    fixture_expect_not(&f, "thud: no such");
+}
+END_TEST
+
+/* Kinds are chosen from a list; a building that was a body for a while has its storeys again. */
+START_TEST(storeys_survive_another_kind)
+{
+    thud_tui_go_to_field(f.tui, "structures.2.kind");
+    thud_tui_draw(f.tui);
+    fixture_keys(&f, " ");
+    ck_assert_int_eq((int)f.tui->dialog.mode, (int)THUD_MODE_CHOOSING);
+    fixture_keys(&f, "rigid<Enter>");
+    ck_assert_int_eq((int)scene()->structure[1].kind, (int)THUD_RIGID);
+    fixture_keys(&f, " shear<Enter>");
+    ck_assert_int_eq(scene()->structure[1].storeys, 3);
+    ck_assert_double_eq(scene()->structure[1].mass_kg[2], 250e3);
+    ck_assert_double_eq(scene()->structure[1].stiffness_npm[0], 400e6);
+    fixture_keys(&f, "uu");
+    ck_assert_int_eq(scene()->structure[1].storeys, 3);
+}
+END_TEST
+
 /* Every state that was run is there with its result; one is named, which saves it, compared with and forgotten. */
 START_TEST(states_are_gone_to_named_and_compared)
 {
@@ -778,6 +900,13 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(files, setup, teardown);
     tcase_add_test(files, saving_keeps_comments);
     tcase_add_test(files, a_scene_from_nothing);
+    tcase_add_test(files, the_state_on_the_screen_is_named);
+    tcase_add_test(files, a_bumper_that_is_out_is_saved);
+    tcase_add_test(files, a_deleted_preset_is_said_to_be_deleted);
+    tcase_add_test(files, what_a_prompt_proposes_is_selected);
+    tcase_add_test(files, own_records_are_found);
+    tcase_add_test(files, what_is_wrong_is_said);
+    tcase_add_test(files, storeys_survive_another_kind);
     tcase_add_test(files, states_are_gone_to_named_and_compared);
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, other_kinds_from_nothing);

@@ -94,6 +94,41 @@ START_TEST(a_changed_picture_stays)
 }
 END_TEST
 
+/* Also at once after it was written: by what it holds, not by its age. */
+START_TEST(a_picture_changed_at_once_stays)
+{
+    char name[120];
+    fixture_keys(&f, "<A-2>p");
+    snprintf(name, sizeof name, "%s", strrchr(f.tui->files.wrote[0].stem, '/') + 1);
+    strcat(name, ".png");
+    fixture_write(&f, name, "mine");
+    fixture_keys(&f, "p");
+    ck_assert_int_eq(count_files(".png"), 2);
+    char *text = fixture_file(&f, name);
+    ck_assert_str_eq(text, "mine");
+    free(text);
+}
+END_TEST
+
+/* What is seen is what is drawn: a chart that shows a part of the time is written so. */
+START_TEST(the_part_shown_is_written)
+{
+    char line[400];
+    int found = 0;
+    fixture_keys(&f, "5");
+    f.tui->window[THUD_SCREEN_PLOTS] = (struct thud_chart_window){0.5, 1.25};
+    thud_tui_draw(f.tui);
+    fixture_keys(&f, "p");
+    snprintf(line, sizeof line, "%.380s.gp", f.tui->files.wrote[0].stem);
+    FILE *script = fopen(line, "r");
+    ck_assert_ptr_nonnull(script);
+    while (fgets(line, sizeof line, script))
+        found += strncmp(line, "set xrange [0.5:1.25]", 21) == 0;
+    fclose(script);
+    ck_assert_int_eq(found, 1);
+}
+END_TEST
+
 /* What Plots keeps for a look is too little for a file: its run is made again. */
 START_TEST(whole_histories_for_files)
 {
@@ -282,6 +317,8 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(pictures, setup, teardown);
     tcase_add_test(pictures, the_figure_shown);
     tcase_add_test(pictures, a_changed_picture_stays);
+    tcase_add_test(pictures, a_picture_changed_at_once_stays);
+    tcase_add_test(pictures, the_part_shown_is_written);
     tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, motions_that_are_seen);
     tcase_add_test(pictures, all_figures);

@@ -189,8 +189,8 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
         thud_text_append(out, "no value of %s from %s to %s is possible", solve->key, solve->tried[0].text,
                          solve->tried[solve->n - 1].text);
     else if (solve->changes == 0)
-        thud_text_append(out, "%s %s at every value of %s tried from %s to %s", text,
-                         holds(solve, last) ? "holds" : "does not hold", solve->key, first->text, last->text);
+        thud_text_append(out, "%s holds at %s value of %s tried from %s to %s", text,
+                         holds(solve, last) ? "every" : "no", solve->key, first->text, last->text);
     else if (answer) {
         bool below = answer == &solve->tried[solve->change[0]];
         thud_text_append(out, "%s holds %s %s = %s (not at %s)", text, below ? "up to" : "from", solve->key,

@@ -254,7 +254,9 @@ static int save_present(struct saving *s, struct thud_section section, int node,
                       (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
         if (nested) {
             stay++;
-        } else if (!texts(s, path) || !*s->after) {
+        } else if (!texts(s, path) || !*s->after ||
+                   (section.group == THUD_GROUP_BUMPER && s->now->interface[section.index].has_bumper &&
+                    strcmp(name, "fitted") == 0)) { /* said of a bumper that is out alone */
             *out = true;
             if (!dry)
                 delete_key(s, key);
@@ -407,7 +409,7 @@ static void save_interface(struct saving *s, int i, int node)
     struct thud_section section = {THUD_GROUP_INTERFACE, i};
     int key = -1, contact = thud_yaml_find(&s->preset->tree, node, "contact", NULL);
     int bumper = thud_yaml_find(&s->preset->tree, node, "bumper", &key);
-    bool now = s->now->interface[i].has_bumper;
+    bool now = thud_interface_says_bumper(&s->now->interface[i]);
     const struct thud_law_choice *is = &s->now->interface[i].contact;
     struct thud_law_choice was = s->preset->scene.interface[i].contact;
     was.assumed = is->assumed;

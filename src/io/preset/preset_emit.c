@@ -38,6 +38,8 @@ int thud_section_keys(const struct thud_scene *scene, struct thud_section sectio
     const struct thud_law *law = section.group == THUD_GROUP_CONTACT  ? scene->interface[section.index].contact.law
                                  : section.group == THUD_GROUP_BUMPER ? scene->interface[section.index].bumper.law
                                                                       : NULL;
+    if (section.group == THUD_GROUP_BUMPER && scene->interface[section.index].has_bumper)
+        count--; /* `fitted`, the last one, is said of a bumper that is out */
     for (int i = 0; i < count; i++)
         if ((section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
             (section.group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[section.index].law, i)))
@@ -183,7 +185,7 @@ void thud_emit_item(struct thud_emit *emit, const struct thud_scene *scene, stru
     thud_emit_section(emit, scene, section, indent, true);
     if (section.group == THUD_GROUP_INTERFACE) {
         emit_nested(emit, scene, THUD_GROUP_CONTACT, section.index, indent);
-        if (scene->interface[section.index].has_bumper)
+        if (thud_interface_says_bumper(&scene->interface[section.index]))
             emit_nested(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
     }
     for (int i = 0; i < THUD_NESTED_GROUPS && section.group == THUD_GROUP_STRUCTURE; i++)

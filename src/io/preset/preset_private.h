@@ -36,6 +36,12 @@ struct thud_section {
     int index; /* of the structure or interface, from 0 */
 };
 
+/* Whether it has a bumper, or the values of one that is out. */
+static inline bool thud_interface_says_bumper(const struct thud_interface *interface)
+{
+    return interface->has_bumper || interface->bumper.law;
+}
+
 /* "structures.1", "structures.1.column", "interfaces.1.bumper", "record"; empty for the scene's own. */
 void thud_section_path(struct thud_section section, char *path, size_t size);
 /* Names of the keys that the scene has in a section, in the order of presets; count. */

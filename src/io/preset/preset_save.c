@@ -5,7 +5,7 @@
 
 #include "io/preset/preset_private.h"
 
-/* Without what no preset says: bumpers that are off, and what lies past the last structure. */
+/* Without what no preset says: what is left of bumpers that have no law, and what lies past the last structure. */
 static void strip(const struct thud_scene *scene, struct thud_scene *out)
 {
     memcpy(out, scene, sizeof *out);
@@ -17,7 +17,7 @@ static void strip(const struct thud_scene *scene, struct thud_scene *out)
         interface->contact.assumed = false; /* a law that is the paper's because none is named, and one that is named */
         if (i + 1 >= out->nstructures)
             memset(interface, 0, sizeof *interface);
-        else if (!interface->has_bumper) {
+        else if (!thud_interface_says_bumper(interface)) {
             memset(&interface->bumper, 0, sizeof interface->bumper);
             interface->bumper_thickness_m = interface->bumper_cavity_m = 0;
         }

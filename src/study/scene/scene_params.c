@@ -258,12 +258,14 @@ static const struct thud_param bumper_params[] = {
     {NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
     {NUMBER("thickness-by-level", "thickness by level", "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity goes with it.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
     {NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
+    CHOICE("fitted", "fitted", "off: the bumper is out, and its values are kept.", switches, 1),
 };
 static const struct thud_place bumper_places[] = {
     {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, bumper)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_thickness_m)},
     {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, thickness)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_cavity_m)},
+    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_interface, has_bumper)},
 };
 
 static const struct thud_param link_params[] = {

@@ -18,10 +18,37 @@ void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ..
     tui->redraw.wanted = true;
 }
 
+/* Shortens what stands in quotes, so that the reason behind it has room on the lowest lines. */
+static void shorten_quoted(char *text)
+{
+    enum { MOST = 40, KEPT = 32 };
+    for (char *from = strchr(text, '"'), *end; from && (end = strchr(from + 1, '"')) != NULL;) {
+        if (end - from > MOST) {
+            char *cut = from + KEPT;
+            while (((unsigned char)*cut & 0xc0) == 0x80) /* whole code points */
+                cut--;
+            memcpy(cut, "...", 3);
+            memmove(cut + 3, end, strlen(end) + 1);
+            end = cut + 3;
+        }
+        from = strchr(end + 1, '"');
+    }
+}
+
+const char *thud_tui_error_text(const struct thud_error *err, char *text, size_t size)
+{
+    struct thud_error here = *err;
+    if (strcmp(err->key, "record.file") == 0 && strncmp(err->allowed, "--", 2) == 0)
+        snprintf(here.allowed, sizeof here.allowed, "3 Record: Enter on a ground motion takes it");
+    thud_error_text(&here, text, size);
+    shorten_quoted(text);
+    return text;
+}
+
 void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err)
 {
     char text[600];
-    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_error_text(err, text, sizeof text));
+    thud_tui_say(tui, THUD_ROLE_ERROR, "! %s", thud_tui_error_text(err, text, sizeof text));
 }
 
 void thud_tui_hush(struct thud_tui *tui)
@@ -53,7 +80,10 @@ void thud_tui_prompt(struct thud_tui *tui, const struct thud_prompt *prompt, con
     tui->dialog.mode = THUD_MODE_TYPING;
     tui->dialog.prompt = prompt;
     tui->dialog.at = tui->dialog.ncommands;
-    thud_line_set(&tui->dialog.line, text);
+    if (prompt && !prompt->commands) /* what is typed replaces a proposal; a command is typed on */
+        thud_line_select(&tui->dialog.line, text);
+    else
+        thud_line_set(&tui->dialog.line, text);
 }
 
 void thud_tui_type(struct thud_tui *tui, const char *key, const char *text, bool select)
@@ -151,11 +181,13 @@ static int screen_of(const struct thud_tui *tui, const char *key)
     int best = -1;
     size_t most = 0;
     for (int i = 0; i < tui->screens; i++) {
-        const char *begin = tui->view[i]->keys;
-        size_t n = begin ? strlen(begin) : 0;
-        if (begin && strncmp(key, begin, n) == 0 && (best < 0 || n > most)) {
-            best = i;
-            most = n;
+        for (const char *begin = tui->view[i]->keys; begin; begin = strchr(begin, ' ')) {
+            begin += *begin == ' ';
+            size_t n = strcspn(begin, " ");
+            if (strncmp(key, begin, n) == 0 && (best < 0 || n > most)) {
+                best = i;
+                most = n;
+            }
         }
     }
     return best;

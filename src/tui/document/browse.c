@@ -125,7 +125,9 @@ void thud_browse_list(struct thud_browse *browse, enum thud_browse_kind kind, co
             item->folder = true;
         snprintf(own, sizeof own, "%.*s", slash ? (int)(slash - preset_path) : 0, preset_path);
         add_folder(browse, ".", "", false);
-        if (*own && kind == THUD_BROWSE_RECORDS) /* as the preset finds them */
+        if (kind == THUD_BROWSE_RECORDS) /* where own ones are kept, and as the preset finds them */
+            add_folder(browse, "records", "records/", true);
+        if (*own && kind == THUD_BROWSE_RECORDS)
             add_folder(browse, own, "", true);
         add_folder(browse, kind == THUD_BROWSE_RECORDS ? paths->records : paths->presets, "", true);
     }

@@ -115,6 +115,11 @@ bool thud_doc_disk_changed(const struct thud_doc *doc)
     return !same_stamp(doc->stamp, stamp_of(doc->path));
 }
 
+bool thud_doc_disk_gone(const struct thud_doc *doc)
+{
+    return doc->stamp.number != 0 && stamp_of(doc->path).number == 0;
+}
+
 enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err)
 {
     char to[512];
@@ -236,6 +241,26 @@ static void set_wall(struct thud_scene *next, int s, const char *name, const cha
         set_each(next, s, "backfill.", thud_usual_backfill);
 }
 
+/* Bearings of another law get usual values: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there. */
+static void set_isolators(struct thud_scene *next, int s, const char *text)
+{
+    const struct thud_structure *structure = &next->structure[s - 1];
+    double all_kg = structure->base_mass_kg, omega = 2 * THUD_PI / 2.5;
+    char strength[64], stiffness[64];
+    for (int i = 0; i < structure->storeys; i++)
+        all_kg += structure->mass_kg[i];
+    snprintf(strength, sizeof strength, "%.4g kN", 1e-3 * 0.05 * all_kg * THUD_GRAVITY);
+    snprintf(stiffness, sizeof stiffness, "%.4g MN/m", 1e-6 * all_kg * omega * omega);
+    clear_group(next, s, THUD_GROUP_ISOLATOR, "isolator.");
+    if (strcmp(text, "lead-rubber") == 0)
+        set_each(next, s, "isolator.",
+                 (const char *const[][2]){
+                     {"law", text}, {"strength", strength}, {"post-yield", stiffness}, {"yield", "10 mm"}, {NULL}});
+    else if (strcmp(text, "pendulum") == 0)
+        set_each(next, s, "isolator.",
+                 (const char *const[][2]){{"law", text}, {"radius", "1.55 m"}, {"friction", "5 %"}, {NULL}});
+}
+
 static void set_together(struct thud_scene *next, const char *key, const char *text)
 {
     int s = 0;
@@ -245,8 +270,31 @@ static void set_together(struct thud_scene *next, const char *key, const char *t
         return;
     if (next->structure[s - 1].kind == THUD_WALL)
         set_wall(next, s, name, text);
+    else if (next->structure[s - 1].kind == THUD_ISOLATED && strcmp(name, "isolator.law") == 0)
+        set_isolators(next, s, text);
     else if (thud_kind_is_building(next->structure[s - 1].kind) && thud_scan_word(&name, "foundation."))
         set_foundation(next, s, name, text);
+}
+
+/* A body or a wall that becomes a building is the one it was before, if it was one in this session. */
+static void bring_back_building(const struct thud_doc *doc, struct thud_scene *next, const char *key, const char *text)
+{
+    const bool building = strcmp(text, thud_kind_name(THUD_RIGID)) != 0 && strcmp(text, thud_kind_name(THUD_WALL)) != 0;
+    int s = 0;
+    const char *at = key;
+    struct thud_undo undo = doc->undo; /* to look back in, not to step back */
+    struct thud_scene *past = NULL;
+    if (!thud_scan_word(&at, "structures.") || !thud_scan_count(&at, &s) || strcmp(at, ".kind") != 0 || s < 1 ||
+        s > next->nstructures || !building || thud_kind_is_building(next->structure[s - 1].kind) ||
+        (past = malloc(sizeof *past)) == NULL)
+        return;
+    *past = *next;
+    while (!thud_kind_is_building(past->structure[s - 1].kind) && thud_undo_back(&undo, past))
+        ;
+    if (s <= past->nstructures && thud_kind_is_building(past->structure[s - 1].kind) &&
+        strcmp(past->structure[s - 1].name, next->structure[s - 1].name) == 0)
+        next->structure[s - 1] = past->structure[s - 1];
+    free(past);
 }
 
 /* A kind that is read from a file may have its name behind it: "matrix k.csv". */
@@ -269,6 +317,7 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
     struct thud_scene next = doc->scene;
     char before[96] = "", after[96] = "", what[300];
     thud_scene_get(&doc->scene, key, before, sizeof before, NULL);
+    bring_back_building(doc, &next, key, text);
     enum thud_status status = set_value(&next, key, text, err);
     if (status == THUD_OK)
         status = thud_building_files_read(&next, doc->path, err);

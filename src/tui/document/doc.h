@@ -41,8 +41,9 @@ void thud_doc_free(struct thud_doc *doc);
 bool thud_doc_unsaved(const struct thud_doc *doc);
 /* Whether a path lies in the folder of the presets that come with thud, which are not written to. */
 bool thud_doc_is_shipped(const struct thud_doc *doc, const char *path);
-/* How many words of the file a save would change is not known before; this says whether the file is another one now. */
+/* Whether the file is another one than was read, or is not there any more. */
 bool thud_doc_disk_changed(const struct thud_doc *doc);
+bool thud_doc_disk_gone(const struct thud_doc *doc);
 /* Writes to `path` (NULL: where it came from), comments kept, and reads the result as the new base. Errors:
  * THUD_OUTPUT, THUD_INPUT. */
 enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct thud_error *err);

@@ -50,6 +50,20 @@ int thud_field_rows(struct thud_tui *tui, int index, const struct thud_pane *pan
     return y;
 }
 
+int thud_field_group(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, enum thud_group group,
+                     const char *prefix)
+{
+    int count;
+    const struct thud_param *param = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "%s%s", prefix, param[i].name);
+        if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
+            thud_field_row(tui, index, pane, y++, param[i].name, path);
+    }
+    return y;
+}
+
 void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int number, const char *path,
                      const char *text)
 {

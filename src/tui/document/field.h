@@ -16,6 +16,9 @@ struct thud_labelled {
 };
 int thud_field_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int y,
                     const struct thud_labelled *row, size_t n);
+/* All keys of a group behind a prefix ("" or "analysis."), a row each; returns the row after them. */
+int thud_field_group(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, enum thud_group group,
+                     const char *prefix);
 /* A line that Enter chooses. */
 void thud_field_line(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int number, const char *path,
                      const char *text);

@@ -145,6 +145,7 @@ THUD_KEY_AGAIN(SHELF, MARK, ' ', 0, "Space", "mark", "mark the figure, or take i
 THUD_KEY_AGAIN(SHELF, PICTURES, 'P', 'p', "P", "write", "write the marked figures, where none is marked all")
 THUD_KEY_AGAIN(SHELF, REPORT, 'R', 0, "R", "report",
                "draw the marked figures for the report, and open its form with them")
+THUD_KEY_AGAIN(SHELF, SAVE, 'w', 0, "w", "", "save the preset, of which the report is")
 THUD_KEY_AGAIN(SHELF, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen; what is marked stays so")
 THUD_KEY_AGAIN(SHELF, NEXT_CONTACT, ']', 0, "]", "~[ ] panel", "the next panel of the figure alone, after the last all")
 THUD_KEY_AGAIN(SHELF, PREVIOUS_CONTACT, '[', 0, "[", "", "the panel before")

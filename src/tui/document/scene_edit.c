@@ -142,29 +142,43 @@ bool thud_tui_choose_record(struct thud_tui *tui, const char *file)
     return true;
 }
 
-/* The files of kinds that are read, asked for before the kind is set. */
-static void take_file(struct thud_tui *tui, const char *kind, const char *text)
+/* The files of kinds that are read, asked for before the kind is set: "structures.1.kind matrix" is the target. */
+static void take_file(struct thud_tui *tui, const char *file)
 {
-    char value[THUD_LINE_MAX + 16], key[sizeof tui->dialog.target];
-    snprintf(value, sizeof value, "%s %s", kind, text);
+    char key[sizeof tui->dialog.target], value[THUD_LINE_MAX + 16];
     snprintf(key, sizeof key, "%s", tui->dialog.target);
+    char *kind = strchr(key, ' ');
+    *kind++ = '\0';
+    snprintf(value, sizeof value, "%s %s", kind, file);
     thud_tui_set(tui, key, value);
 }
 
-static void take_matrix(struct thud_tui *tui, const char *text)
+static void chosen_file(struct thud_tui *tui, const char *file)
 {
-    take_file(tui, "matrix", text);
+    static const struct thud_prompt prompt = {.words = "file: ", .files = true, .done = take_file};
+    if (*file)
+        take_file(tui, file);
+    else
+        thud_tui_prompt(tui, &prompt, "");
 }
 
-static void take_modes(struct thud_tui *tui, const char *text)
+static void choose_file(struct thud_tui *tui, const char *key, const char *kind)
 {
-    take_file(tui, "modes", text);
+    struct thud_browse files = {0};
+    char target[sizeof tui->dialog.target]; /* the key may be the dialog's own */
+    snprintf(target, sizeof target, "%s %s", key, kind);
+    memcpy(tui->dialog.target, target, sizeof target);
+    thud_browse_list(&files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
+    thud_tui_choose(tui, chosen_file,
+                    strcmp(kind, "modes") == 0 ? "CSV of periods and shapes, a row a mode"
+                                               : "CSV of the lateral stiffness, a row a floor");
+    for (int i = 0; i < files.n; i++)
+        if (thud_ascii_ends(files.item[i].name, ".csv") &&
+            strlen(files.item[i].name) < sizeof(struct thud_choice){0}.value)
+            thud_chooser_add(&tui->dialog.chooser, files.item[i].name, "%s", files.item[i].name);
+    thud_chooser_add(&tui->dialog.chooser, "", "another file: its path is typed");
+    thud_browse_clear(&files);
 }
-
-static const struct thud_prompt matrix_file = {
-    .words = "CSV of the lateral stiffness, a row a floor: ", .files = true, .done = take_matrix};
-static const struct thud_prompt modes_file = {
-    .words = "CSV of periods and shapes, a row a mode: ", .files = true, .done = take_modes};
 
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
 {
@@ -175,9 +189,7 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     }
     char full[THUD_LINE_MAX + 64];
     if (thud_ascii_ends(key, ".kind") && (strcmp(text, "matrix") == 0 || strcmp(text, "modes") == 0)) {
-        if (key != tui->dialog.target) /* the list's own */
-            snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", key);
-        thud_tui_prompt(tui, text[1] == 'o' ? &modes_file : &matrix_file, "");
+        choose_file(tui, key, text);
         return true;
     }
     thud_tui_with_unit(tui, key, text, full, sizeof full);

@@ -42,7 +42,7 @@ struct thud_view {
     bool verdict;     /* the result in one line stands above its panes */
     bool moved;       /* its figures are of the scene's ground motion */
     bool many;        /* and of many gaps */
-    const char *keys; /* its fields are those of the scene that begin so; the longest that fits holds */
+    const char *keys; /* its fields are those of the scene that begin with one of these; the longest that fits holds */
     /* How many panes there are in `area`, and where. Called again whenever the size changed. */
     int (*layout)(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane);
     /* Draws pane `index` (its frame's inside) and registers its fields; returns the rows it would need. */
@@ -161,10 +161,18 @@ struct thud_running {
     unsigned long model_of;   /* what it belongs to */
 };
 
+/* A name that files were written under. */
+enum { THUD_WROTE_MAX = 64 };
+struct thud_wrote {
+    char stem[420];
+    unsigned long long digest; /* of times, sizes and contents as they were written; 0: not written yet */
+};
+
 /* Figures and tables that are written. */
 struct thud_files {
     char folder[512];                  /* empty: as given at the start */
-    char wrote[8192];                  /* names of the files written so far, one a line */
+    struct thud_wrote wrote[THUD_WROTE_MAX]; /* (nwrote) the last ones; the oldest gives way */
+    int nwrote;
     char marked[1024];                 /* screen and name of figures, likewise */
     struct thud_picture_work *work;    /* figures being written; NULL: none */
     struct thud_command_work *command; /* a command that runs; NULL: none */
@@ -242,6 +250,8 @@ static inline const struct thud_view *thud_tui_view(const struct thud_tui *tui)
 /* ask.c: the only place that changes what is said, what is asked, and whether the screen is drawn. */
 void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
+/* An error in the terminal's words, what is quoted of a long text shortened. */
+const char *thud_tui_error_text(const struct thud_error *err, char *text, size_t size);
 void thud_tui_hush(struct thud_tui *tui);
 void thud_tui_redraw(struct thud_tui *tui, bool now);
 void thud_tui_drawn(struct thud_tui *tui);

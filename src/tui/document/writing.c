@@ -35,8 +35,9 @@ static const char *const suffixes[] = {".png",       ".gp",           ".csv", "-
                                        "-suite.csv", "-fragility.csv"};
 enum { SUFFIXES = sizeof suffixes / sizeof *suffixes };
 
-/* Whether something else changed a file since thud wrote it: it is much younger than the script beside it. */
-static bool is_changed(const char *stem)
+/* Whether something else changed a file since an earlier session wrote it: it is much younger than the script beside it.
+ */
+static bool is_younger(const char *stem)
 {
     const time_t drawn_s = 60; /* gnuplot takes less */
     struct stat script, info;
@@ -50,6 +51,55 @@ static bool is_changed(const char *stem)
             return true;
     }
     return false;
+}
+
+/* Of the files of a name: when they were written, their sizes and what is in them. Never 0. */
+static unsigned long long digest_of(const char *stem)
+{
+    unsigned long long h = THUD_HASH_START;
+    for (int i = 0; i < SUFFIXES; i++) {
+        char path[700], part[4096];
+        struct stat info;
+        snprintf(path, sizeof path, "%s%s", stem, suffixes[i]);
+        FILE *file = fopen(path, "r");
+        if (!file)
+            continue;
+        if (fstat(fileno(file), &info) == 0) {
+            const long long about[] = {i, info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
+            h = thud_hash(h, about, sizeof about);
+        }
+        for (size_t n; (n = fread(part, 1, sizeof part, file)) > 0;)
+            h = thud_hash(h, part, n);
+        fclose(file);
+    }
+    return h ? h : 1;
+}
+
+static struct thud_wrote *find_wrote(struct thud_tui *tui, const char *stem)
+{
+    for (int i = 0; i < tui->files.nwrote; i++)
+        if (strcmp(tui->files.wrote[i].stem, stem) == 0)
+            return &tui->files.wrote[i];
+    return NULL;
+}
+
+static bool is_file_of(const char *path, const char *stem)
+{
+    const size_t n = strlen(stem);
+    for (int i = 0; i < SUFFIXES && strncmp(path, stem, n) == 0; i++)
+        if (strcmp(path + n, suffixes[i]) == 0)
+            return true;
+    return false;
+}
+
+/* The names handed out (`path`: that of a file just written) have what stands there now. */
+static void remember_written(struct thud_tui *tui, const char *path)
+{
+    for (int i = 0; i < tui->files.nwrote; i++) {
+        struct thud_wrote *w = &tui->files.wrote[i];
+        if (path ? is_file_of(path, w->stem) : w->digest == 0)
+            w->digest = digest_of(w->stem);
+    }
 }
 
 /* A script that thud wrote says so at its beginning: the files beside it may be written again. */
@@ -77,19 +127,12 @@ static bool is_taken(const char *stem)
     return false;
 }
 
-/* Whether this name was given before. */
-static bool wrote(const struct thud_tui *tui, const char *name)
-{
-    char line[240];
-    snprintf(line, sizeof line, "\n%s\n", name);
-    return strstr(tui->files.wrote, line) != NULL;
-}
-
 /* "towers-impact-force-gap-80mm", with the case where it is of one; a number behind it where another has those files. */
 static void file_name(struct thud_tui *tui, bool many, const char *what, const char *of_case, char *name, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     char gap[40] = "", stem[640], base[200];
+    struct thud_wrote *w = NULL;
     if (tui->interface + 1 < scene->nstructures && !many) /* a study has many */
         snprintf(gap, sizeof gap, " gap %.6gmm", 1e3 * scene->interface[tui->interface].gap_m);
     snprintf(base, sizeof base, "%.60s %.60s %.20s%s", scene->name, what, of_case, gap);
@@ -97,13 +140,18 @@ static void file_name(struct thud_tui *tui, bool many, const char *what, const c
     snprintf(name, size, "%s", base);
     for (int i = 2; i < 10000; i++) {
         snprintf(stem, sizeof stem, "%.400s/%.200s", thud_tui_folder(tui), name);
-        if (!is_taken(stem) || (!is_changed(stem) && (is_ours(stem) || wrote(tui, name))))
+        w = find_wrote(tui, stem);
+        if (!is_taken(stem) ||
+            (w ? w->digest == 0 || w->digest == digest_of(stem) : is_ours(stem) && !is_younger(stem)))
             break;
         snprintf(name, size, "%.180s-%d", base, i);
     }
-    size_t n = strlen(tui->files.wrote);
-    if (!wrote(tui, name))
-        snprintf(tui->files.wrote + n, sizeof tui->files.wrote - n, "\n%s\n", name);
+    if (!w && tui->files.nwrote == THUD_WROTE_MAX)
+        memmove(tui->files.wrote, tui->files.wrote + 1, (size_t)--tui->files.nwrote * sizeof *w);
+    if (!w)
+        w = &tui->files.wrote[tui->files.nwrote++];
+    *w = (struct thud_wrote){.digest = 0};
+    snprintf(w->stem, sizeof w->stem, "%.419s", stem);
 }
 
 void thud_tui_file_name(struct thud_tui *tui, const char *what, const char *of_case, char *name, size_t size)
@@ -168,7 +216,11 @@ void thud_tui_figures_of_report(struct thud_tui *tui, const struct thud_shelved 
 
 void thud_tui_picture_of(struct thud_tui *tui, const struct thud_figure *figure)
 {
+    const struct thud_chart_window *window = &tui->window[tui->screen];
     struct thud_figure *copy = thud_figure_copy(figure);
+    const bool part = tui->chart.plot.w > 1 && window->to > window->from;
+    for (int i = 0; copy && part && i < copy->rows * copy->columns; i++) /* what is seen is what is drawn */
+        thud_panel_limits(&copy->panel[i], THUD_X, window->from, window->to);
     if (copy)
         thud_tui_figures(tui, &(struct thud_shelved){copy, tui->screen}, 1);
     else
@@ -189,6 +241,7 @@ void thud_tui_writing_look(struct thud_tui *tui)
     enum thud_status status = thud_picture_work_finish(tui->files.work, &done, &picture, &err);
     tui->files.work = NULL;
     tui->backend->also = -1;
+    remember_written(tui, NULL);
     tui->files.report_wanted = tui->files.report_wanted && status == THUD_OK;
     if (status == THUD_OK && picture.size > 0 && tui->dialog.mode == THUD_MODE_NORMAL &&
         tui->files.screen == tui->screen)
@@ -225,6 +278,7 @@ bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *na
         status = thud_text_write(text, path, &err);
     else
         thud_text_clear(text);
+    remember_written(tui, path);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else

@@ -64,8 +64,6 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
         return tui->chart.plot.w > 1 ? own : "There is no chart to be read here";
     case THUD_DO_SAVE:
         return thud_doc_unsaved(&tui->doc) ? NULL : "Nothing to save: the file has all of this";
-    case THUD_DO_STATES:
-        return thud_tui_cannot_list_states(tui);
     case THUD_DO_REMARKS:
         return thud_tui_cannot_list_remarks(tui);
     case THUD_DO_PICTURE:

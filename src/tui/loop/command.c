@@ -130,6 +130,26 @@ static void run_log(struct thud_tui *tui, char *rest)
         thud_tui_show_log(tui);
 }
 
+/* What a command takes, as the list of commands has it. */
+static const char *usage_of(const char *word)
+{
+    static const struct {
+        const char *word, *usage;
+    } by[] = {
+#define THUD_RUN(own, alias, usage, name)
+#define THUD_BY(own, usage, function) {own, usage},
+#define THUD_SET(own, usage, of)
+#define THUD_ACT(own, alias, done)
+#define THUD_OF(own, usage, of)
+#define THUD_CLI(own, id)
+#include "tui/document/command_list.h"
+    };
+    size_t i = 0;
+    while (i + 1 < sizeof by / sizeof *by && strcmp(by[i].word, word) != 0)
+        i++;
+    return by[i].usage;
+}
+
 /* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1", "link add 1", "link remove 2": structures, floors,
  * interfaces and links from 1. */
 static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
@@ -163,7 +183,8 @@ static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
     else if (strcmp(word, "link") == 0 && other && number[0] >= 1 && number[0] <= scene->nlinks)
         thud_tui_delete_link(tui, number[0] - 1);
     else
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: there is no such thing to do here", word, rest);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: %s; numbers from 1 that the scene has", word, rest,
+                     usage_of(word));
 }
 
 static void run_solve(struct thud_tui *tui, char *rest)

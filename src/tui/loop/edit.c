@@ -122,6 +122,10 @@ static void step_choice(struct thud_tui *tui, const char *key, const struct thud
 {
     char now[128] = "";
     int n = 0, at = 0;
+    if (thud_ascii_ends(key, ".kind")) { /* on the way to the one that is meant lie others that a building is lost in */
+        choose_value(tui, key, param);
+        return;
+    }
     thud_scene_get(&tui->doc.scene, key, now, sizeof now, NULL);
     for (; param->choices[n]; n++)
         if (strcmp(param->choices[n], now) == 0)

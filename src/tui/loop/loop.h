@@ -58,7 +58,6 @@ void thud_tui_fill_fields(struct thud_tui *tui); /* into the list */
 
 /* states.c: what was run so far */
 void thud_tui_list_states(struct thud_tui *tui);
-const char *thud_tui_cannot_list_states(const struct thud_tui *tui); /* NULL: it can be shown */
 void thud_tui_go_to_state(struct thud_tui *tui, const char *name);   /* or "#3" */
 void thud_tui_name_state(struct thud_tui *tui, const char *name);    /* the present one, and saves it so */
 

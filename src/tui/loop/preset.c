@@ -36,7 +36,6 @@ void thud_tui_save_as(struct thud_tui *tui)
     char name[THUD_NAME_MAX + 16];
     snprintf(name, sizeof name, "my-%s.yaml", tui->doc.scene.name);
     thud_tui_prompt(tui, &save_as, thud_doc_is_shipped(&tui->doc, tui->doc.path) ? name : tui->doc.path);
-    tui->dialog.line.selected = true;
 }
 
 static void overwrite(struct thud_tui *tui, const char *path)
@@ -75,7 +74,10 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
         return;
     }
     if (!sure && !other && thud_doc_disk_changed(&tui->doc)) {
-        thud_tui_ask(tui, &over, "", "%s was changed by someone else since it was read. Write over it?", before);
+        thud_tui_ask(tui, &over, "",
+                     thud_doc_disk_gone(&tui->doc) ? "%s was deleted since it was read. Write it again?"
+                                                   : "%s was changed by someone else since it was read. Write over it?",
+                     before);
         return;
     }
     struct thud_error err;

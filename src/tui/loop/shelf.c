@@ -150,9 +150,23 @@ static const char *label(const struct thud_tui *tui, const struct thud_figure *f
     return *rest ? rest : title;
 }
 
+/* With the name of its file where another figure has the same title. */
+static const char *line_of(const struct thud_tui *tui, const struct shelf *shelf, int i, char *text, size_t size)
+{
+    const char *own = label(tui, shelf->item[i].figure);
+    bool alike = false;
+    for (int k = 0; k < shelf->n && !alike; k++)
+        alike = k != i && strcmp(own, label(tui, shelf->item[k].figure)) == 0;
+    if (alike)
+        snprintf(text, size, "%s: %s, %s", tui->view[shelf->item[i].screen]->title, shelf->item[i].figure->name, own);
+    else
+        snprintf(text, size, "%s", own);
+    return text;
+}
+
 static void draw_list(struct thud_tui *tui, struct shelf *shelf, const struct thud_pane *pane)
 {
-    char title[40], fitted[200];
+    char title[40], fitted[200], line[300];
     int any = 0;
     for (int i = 0; i < shelf->n; i++)
         any += marked(tui, &shelf->item[i]) != NULL;
@@ -167,9 +181,10 @@ static void draw_list(struct thud_tui *tui, struct shelf *shelf, const struct th
         shelf->top = shelf->at - in.h + 1;
     for (int row = 0; row < in.h && shelf->top + row < shelf->n; row++) {
         const struct thud_shelved *item = &shelf->item[shelf->top + row];
+        line_of(tui, shelf, shelf->top + row, line, sizeof line);
         struct thud_look look = thud_look(THUD_ROLE_PLAIN, shelf->top + row == shelf->at ? THUD_REVERSE : 0);
         thud_pane_print(&in, 0, row, look, "%s %s", marked(tui, item) ? "*" : " ",
-                        thud_utf8_fit(label(tui, item->figure), in.w - 3, fitted, sizeof fitted));
+                        thud_utf8_fit(line, in.w - 3, fitted, sizeof fitted));
     }
     if (tui->run.live.running)
         thud_pane_put(&in, 1, in.h - 1, thud_look(THUD_ROLE_MUTED, 0), "running, for the others");
@@ -232,6 +247,9 @@ static void take_key(struct thud_tui *tui, int key)
     case THUD_DO_PICTURES:
     case THUD_DO_REPORT:
         deliver_all(tui, shelf, action);
+        return;
+    case THUD_DO_SAVE:
+        thud_tui_act(tui, action);
         return;
     case THUD_DO_MARK:
         if (shelf->at < shelf->n)

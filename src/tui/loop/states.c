@@ -113,17 +113,20 @@ static bool list_key(struct thud_tui *tui, int key, const char *value)
     return true;
 }
 
-const char *thud_tui_cannot_list_states(const struct thud_tui *tui)
-{
-    return tui->doc.variants.n > 0 ? NULL : "Nothing has been run yet: r runs";
-}
-
+/* The state on the screen stands first, also while it is being run or where live is off. */
 void thud_tui_list_states(struct thud_tui *tui)
 {
+    const char *what = thud_undo_what(&tui->doc.undo, 0);
+    if (!thud_variants_find(&tui->doc.variants, &tui->doc.scene))
+        thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened",
+                           tui->run.live.running ? "running" : "not run yet: r runs");
     const struct thud_variant *now = thud_variants_find(&tui->doc.variants, &tui->doc.scene);
     thud_tui_choose(tui, thud_tui_go_to_state, "States: Enter goes there, Tab compares, F2 names, Del forgets");
     tui->dialog.list_key = list_key;
-    for (int i = tui->doc.variants.n - 1; i >= 0; i--) {
+    for (int k = -1; k < tui->doc.variants.n; k++) {
+        const int i = k < 0 ? (now ? (int)(now - tui->doc.variants.item) : -1) : tui->doc.variants.n - 1 - k;
+        if (i < 0 || (k >= 0 && &tui->doc.variants.item[i] == now))
+            continue;
         const struct thud_variant *v = &tui->doc.variants.item[i];
         char text[48], number[16];
         snprintf(number, sizeof number, "#%d", i + 1);

@@ -288,6 +288,8 @@ static void ran(struct thud_tui *tui)
     tui->files.whole_wanted = THUD_DO_NOTHING;
     if (tui->files.pictures_wanted)
         thud_tui_pictures(tui);
+    if (action != THUD_DO_NOTHING)
+        thud_tui_draw(tui); /* what is seen is what is written */
     if (action != THUD_DO_NOTHING && !thud_tui_cannot(tui, action))
         thud_tui_act(tui, action);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
@@ -295,7 +297,7 @@ static void ran(struct thud_tui *tui)
         if (c->state != THUD_LIVE_FAILED)
             continue;
         char text[600];
-        thud_error_text(&c->error, text, sizeof text);
+        thud_tui_error_text(&c->error, text, sizeof text);
         if (c->run)
             thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s) at t = %.4g s: %s",
                          thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i), c->failed_s,

@@ -109,7 +109,8 @@ void thud_tui_verb_look(struct thud_tui *tui)
     else if (status == 128 + 2)
         thud_tui_say(tui, THUD_ROLE_WARN, "%s was stopped; nothing is half written", tui->files.written);
     else
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s: %s", tui->files.written, *line ? line : "it failed without a word");
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s: %s", tui->files.written,
+                     *line ? line + (strncmp(line, "thud: ", 6) == 0 ? 6 : 0) : "it failed without a word");
     thud_text_clear(&printed);
     thud_text_clear(&said);
 }

@@ -122,13 +122,18 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
                                                   {"by level", "bumper.thickness-by-level"},
                                                   {"cavity", "bumper.cavity"}};
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
-    char number[24];
+    char number[24], key[THUD_PATH_MAX];
     int y = thud_field_rows(tui, FORM, pane, 0, gap, 3);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
                     thud_tui_number(100.0 * thud_interface_clearance(at), number));
     heading(pane, y++, "Bare contact");
     y = law_rows(tui, pane, y, "contact", at->contact.law);
-    heading(pane, y++, at->has_bumper ? "Bumper [x] on (B)" : "Bumper [ ] off (B)");
+    heading(pane, y, "Bumper (B)");
+    if (at->bumper.law || at->has_bumper) {
+        snprintf(key, sizeof key, "interfaces.%d.bumper.fitted", tui->interface + 1);
+        thud_field_value(tui, FORM, pane, 20, y, 4, key, true);
+    }
+    y++;
     if (at->has_bumper)
         y = law_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, bumper, 3), "bumper", at->bumper.law);
     return beside_rows(tui, pane, link_rows(tui, pane, y));
@@ -294,6 +299,6 @@ static void release(struct thud_tui *tui)
     thud_figure_free(state(tui)->figure);
 }
 
-THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces.", .size = sizeof(struct thud_contact_state),
+THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces. links.", .size = sizeof(struct thud_contact_state),
           .free = release, .act = act, .cannot = cannot, .command = command, .row = row, .figure = figure,
           .read = read_panel);

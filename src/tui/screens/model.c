@@ -14,12 +14,39 @@
 #include "tui/screens/peaks_strip.h"
 #include "tui/widgets/dots.h"
 
-enum { PEAKS = 2, PEAK_ROWS = 7 };
+enum { PEAKS = 2, PEAK_ROWS = 7, PEAK_LEAST = 4, SOIL_ROWS = 5 };
+
+/* Rows of values of a building that its kind has. */
+static int rows_of_kind(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_SHEAR       ? 2
+           : structure->kind == THUD_MODES     ? 5
+           : structure->kind == THUD_ESTIMATED ? 5
+           : structure->kind == THUD_MATRIX    ? 6
+           : thud_isolator_slides(structure)   ? 8
+                                               : 6;
+}
+
+/* Rows of the pair's panes, with their frames, in which the floors of the taller one and a row of periods are seen. */
+static int rows_wanted(const struct thud_tui *tui)
+{
+    int most = 0;
+    for (int s = tui->interface; s < tui->interface + 2 && s < tui->doc.scene.nstructures; s++) {
+        const struct thud_structure *structure = &tui->doc.scene.structure[s];
+        const int rows = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 0) + 1 +
+                         structure->storeys + 1 + 2;
+        if (thud_kind_is_building(structure->kind) && rows > most)
+            most = rows;
+    }
+    return most;
+}
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
-    (void)tui;
-    int strip = area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3, half = area.w / 2;
+    const int rows = rows_wanted(tui), half = area.w / 2; /* the peaks give way to floors and periods */
+    int strip = area.h >= 17 ? PEAK_ROWS + 1 : area.h / 3;
+    if (strip > area.h - rows)
+        strip = area.h - rows > PEAK_LEAST ? area.h - rows : strip < PEAK_LEAST ? strip : PEAK_LEAST;
     pane[0] = (struct thud_rect){area.x, area.y, half, area.h - strip};
     pane[1] = (struct thud_rect){area.x + half, area.y, area.w - half, area.h - strip};
     pane[PEAKS] = (struct thud_rect){area.x, area.y + area.h - strip, area.w, strip};
@@ -113,11 +140,11 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
 static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
-} column[] = {{"mass", "mass t", 6, 7},           {"stiffness", "k MN/m", 13, 7},
-              {"height", "h m", 21, 7},           {"yield", "yield mm", 29, 8},
-              {"yield-shear", "yield MN", 40, 8}, {"hardening", "hardening %", 49, 11},
-              {"column.EI", "col. EI", 61, 8},    {"column.capacity", "cap. kN", 70, 8},
-              {"slab-depth", "slab cm", 79, 8},   {"gravity", "weight kN", 88, 9}};
+} column[] = {
+    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 7},          {"height", "h m", 21, 7},
+    {"yield", "yield mm", 29, 8},    {"yield-shear", "yield MN", 40, 8},      {"hardening", "hardening %", 49, 11},
+    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8},   {"slab-depth", "slab cm", 79, 8},
+    {"gravity", "weight kN", 88, 9}, {"column.stiffness", "col. MN/m", 98, 9}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 /* The first column shown: as far to the left as lets the one with the cursor be seen. */
@@ -171,19 +198,6 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
     return y;
 }
 
-enum { SOIL_ROWS = 5 };
-
-/* Rows of values of a building that its kind has. */
-static int rows_of_kind(const struct thud_structure *structure)
-{
-    return structure->kind == THUD_SHEAR       ? 3
-           : structure->kind == THUD_MODES     ? 6
-           : structure->kind == THUD_ESTIMATED ? 6
-           : structure->kind == THUD_MATRIX    ? 7
-           : thud_isolator_slides(structure)   ? 9
-                                               : 7;
-}
-
 /* The values that are not by floor, two in a row where they are short. */
 static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
@@ -223,23 +237,21 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"name", "name", BUILDINGS | RIGID | WALL, 0, RIGHT},
         {"storeys", "storeys", BUILDINGS, 1, LEFT},
         {"damping", "damping", BUILDINGS, 1, RIGHT},
-        {"base", "base", BUILDINGS, 2, LEFT},
-        {"p-delta", "P-Delta", BUILDINGS, 2, RIGHT}, /* of the scene */
-        {"period-factor", "T times", READ | ESTIMATED, 3, LEFT},
-        {"area", "area", ESTIMATED, 3, RIGHT},
-        {"system", "system", ESTIMATED, 4, 1, 13},
-        {"stiffness-matrix", "stiffness", MATRIX, 4, 1, 13},
-        {"flexibility-matrix", "flexibility", MATRIX, 5, 1, 13},
-        {"unit", "unit", MATRIX, 6, LEFT},
-        {"order", "order", MATRIX, 6, RIGHT},
+        {"period-factor", "T times", READ | ESTIMATED, 2, LEFT},
+        {"area", "area", ESTIMATED, 2, RIGHT},
+        {"system", "system", ESTIMATED, 3, 1, 13},
+        {"stiffness-matrix", "stiffness", MATRIX, 3, 1, 13},
+        {"flexibility-matrix", "flexibility", MATRIX, 4, 1, 13},
+        {"unit", "unit", MATRIX, 5, LEFT},
+        {"order", "order", MATRIX, 5, RIGHT},
         {"mass", "mass", RIGID, 1, WIDE},
-        {"periods", "modes file", MODES, 4, 1, 13},
-        {"unit", "unit", MODES, 5, LEFT},
-        {"order", "order", MODES, 5, RIGHT},
-        {"base-mass", "slab", ISOLATED, 3, LEFT},
-        {"width", "width", ISOLATED, 3, RIGHT},
-        {"isolator.law", "isolators", ISOLATED, 4, WIDE},
-        {"isolation-damping", "isolator damping", ISOLATED, 5, WIDE},
+        {"periods", "modes file", MODES, 3, 1, 13},
+        {"unit", "unit", MODES, 4, LEFT},
+        {"order", "order", MODES, 4, RIGHT},
+        {"base-mass", "slab", ISOLATED, 2, LEFT},
+        {"width", "width", ISOLATED, 2, RIGHT},
+        {"isolator.law", "isolators", ISOLATED, 3, WIDE},
+        {"isolation-damping", "isolator damping", ISOLATED, 4, WIDE},
         OF_WALL("mass", "mass", 1),
         {"height", "height", RIGID | WALL, 2, WIDE},
         OF_WALL("stiffness", "stiffness", 3),
@@ -249,13 +261,13 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         OF_WALL("backfill.ratio", "failure ratio", 7),
         OF_WALL("backfill.gap", "gap to soil", 8),
         {"velocity", "velocity at 0", RIGID, 3, WIDE},
-        {"isolation-stiffness", "isolator k", LINEAR, 6, WIDE},
-        {"isolator.strength", "strength", LEAD_RUBBER, 6, WIDE},
-        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 7, WIDE},
-        {"isolator.yield", "yields at", LEAD_RUBBER, 8, WIDE},
-        {"isolator.radius", "radius", PENDULUM, 6, WIDE},
-        {"isolator.friction", "friction", PENDULUM, 7, WIDE},
-        {"isolator.yield", "elastic give", PENDULUM, 8, WIDE},
+        {"isolation-stiffness", "isolator k", LINEAR, 5, WIDE},
+        {"isolator.strength", "strength", LEAD_RUBBER, 5, WIDE},
+        {"isolator.post-yield", "k beyond yield", LEAD_RUBBER, 6, WIDE},
+        {"isolator.yield", "yields at", LEAD_RUBBER, 7, WIDE},
+        {"isolator.radius", "radius", PENDULUM, 5, WIDE},
+        {"isolator.friction", "friction", PENDULUM, 6, WIDE},
+        {"isolator.yield", "elastic give", PENDULUM, 7, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),
@@ -276,7 +288,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     int rows = 0;
     if (structure->kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(structure);
-        thud_pane_print(pane, 1, 5, thud_look(THUD_ROLE_MUTED, 0), "EN 1998 %.3g s (used), ASCE 7 %.3g s", e.en1998_s,
+        thud_pane_print(pane, 1, 4, thud_look(THUD_ROLE_MUTED, 0), "EN 1998 %.3g s (used), ASCE 7 %.3g s", e.en1998_s,
                         e.asce7_s);
         rows = rows_of_kind(structure);
     }
@@ -287,8 +299,6 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         char key[THUD_PATH_MAX];
         int room = field[i].x == 1 && field[i].value == 9 ? 9 : pane->w - field[i].value - 1;
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, field[i].key);
-        if (strcmp(field[i].key, "p-delta") == 0)
-            snprintf(key, sizeof key, "%s", field[i].key);
         thud_pane_put(pane, field[i].x, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
         thud_field_value(tui, index, pane, field[i].value, y, room > 4 ? room : 4, key, true);
         rows = y + 1 > rows ? y + 1 : rows;
@@ -296,7 +306,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     return rows;
 }
 
-enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6 };
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 3 };
 
 /* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
  * to the higher roof, so that floors at one level stand in one row. */
@@ -313,7 +323,7 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         if (!thud_kind_is_building(structure->kind))
             continue;
         int table = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 0) + 1 +
-                    structure->storeys + 2,
+                    structure->storeys + 2 + BELOW_ROWS,
             rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
         e.low_m = fmin(e.low_m, structure->base_m);
@@ -408,12 +418,29 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
         thud_pane_print(pane, 1, pane->h - 1, faint, "%.4g m", top);
 }
 
+/* What few buildings have otherwise: below their periods, so that the floors have the rows above. */
+static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
+{
+    static const struct thud_labelled row[] = {
+        {"base at", "base"}, {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}};
+    const bool soil = thud_structure_on_soil(&tui->doc.scene.structure[s]); /* its values have rows of their own */
+    for (size_t i = 0; i < BELOW_ROWS; i++) {
+        char key[THUD_PATH_MAX];
+        snprintf(key, sizeof key, "structures.%d.%s", s + 1, row[i].key);
+        if (!(soil && i == 1) && thud_scene_param(&tui->doc.scene, key, &(int){0}))
+            thud_field_row(tui, index, pane, y++, row[i].label, key);
+    }
+    return y;
+}
+
 static int draw_structure(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
     enum thud_structure_kind kind = tui->doc.scene.structure[s].kind;
     int y = head_rows(tui, index, pane, s);
-    if (thud_kind_is_building(kind))
+    if (thud_kind_is_building(kind)) {
         y = modes(tui, pane, floors(tui, index, pane, y, s), s);
+        y = below(tui, index, pane, y, s);
+    }
     draw_shapes(tui, pane, s);
     return y;
 }

@@ -327,19 +327,9 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
     return y;
 }
 
-static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
+/* How the run went, its energies, and the remarks on its result. */
+static int draw_work(struct thud_tui *tui, const struct thud_result *result, const struct thud_pane *pane, int y)
 {
-    int y = 0, count;
-    thud_field_row(tui, HOW, pane, y++, "title", "title");
-    const struct thud_param *param = thud_group_params(THUD_GROUP_ANALYSIS, &count);
-    for (int i = 0; i < count; i++) {
-        char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "analysis.%s", param[i].name);
-        thud_field_row(tui, HOW, pane, y++, param[i].name, path);
-    }
-    const struct thud_result *result = thud_live_result(&tui->run.live, shown(tui));
-    if (!result)
-        return y;
     if (tui->doc.scene.analysis.modes > 0)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
                             "! lowest modes alone: thud run tells what that changes");
@@ -363,6 +353,16 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
             y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, 0), found.item[i].said.what);
     thud_remarks_clear(&found);
     return y;
+}
+
+static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    int y = thud_field_group(tui, HOW, pane, 0, THUD_GROUP_SCENE, "");
+    y = thud_field_group(tui, HOW, pane, y, THUD_GROUP_ANALYSIS, "analysis.");
+    thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "Title block of reports");
+    y = thud_field_group(tui, HOW, pane, y, THUD_GROUP_DOCUMENT, "document.");
+    const struct thud_result *result = thud_live_result(&tui->run.live, shown(tui));
+    return result ? draw_work(tui, result, pane, y) : y;
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)

@@ -17,9 +17,10 @@ static unsigned rgb(int role)
     return (unsigned)(8 + 10 * (c - 216)) * 0x010101u;
 }
 
+/* Glyphs beyond ASCII may come from another font, so they do not stand in one run with letters. */
 static bool is_same(const struct thud_cell *a, const struct thud_cell *b)
 {
-    return a->style.role == b->style.role && a->style.attr == b->style.attr;
+    return a->style.role == b->style.role && a->style.attr == b->style.attr && (a->glyph < 0x80) == (b->glyph < 0x80);
 }
 
 static void put_glyph(uint32_t glyph, struct thud_text *out)
@@ -45,8 +46,11 @@ static int put_run(const struct thud_cell *row, int x, int y, int width, struct 
                          EDGE + CELL_H * y, CELL_W * (end - x), CELL_H, color);
     if (last == x)
         return end;
-    thud_text_append(out, "<text x=\"%d\" y=\"%d\" textLength=\"%d\" fill=\"#%06x\"%s%s>", left, base,
-                     CELL_W * (last - x), reversed ? 0x101418u : color,
+    thud_text_append(out, "<text x=\"");
+    for (int i = x; i < last; i++) /* each cell has its place, whatever the width of the font's letters */
+        if (row[i].glyph != THUD_CELL_TAIL)
+            thud_text_append(out, "%s%d", i > x ? " " : "", EDGE + CELL_W * i);
+    thud_text_append(out, "\" y=\"%d\" fill=\"#%06x\"%s%s>", base, reversed ? 0x101418u : color,
                      row[x].style.attr & THUD_BOLD ? " font-weight=\"bold\"" : "",
                      row[x].style.attr & THUD_UNDERLINE ? " text-decoration=\"underline\"" : "");
     for (int i = x; i < last; i++)

@@ -1,0 +1,140 @@
+/* Whatever a preset can hold is reached from a screen: every key of the schema has a field, or a line of the study. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tui_fixture.h"
+
+static struct fixture f;
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 200, 60, true);
+    f.tui->run.on = false; /* nothing here is of a result */
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+static bool on_a_screen(const char *path)
+{
+    for (int i = 0; i < f.tui->form.n; i++)
+        if (f.tui->form.field[i].kind == THUD_FIELD_VALUE && strcmp(f.tui->form.field[i].path, path) == 0)
+            return true;
+    return false;
+}
+
+/* Goes to the field as `/` does, and finds the cursor on it. */
+static bool has_field(const char *path)
+{
+    thud_tui_go_to_field(f.tui, path);
+    thud_tui_draw(f.tui);
+    return on_a_screen(path) && strcmp(thud_form_focus(&f.tui->form)->path, path) == 0;
+}
+
+/* Of one group: which keys have had a field so far, in some kind of structure or law. */
+struct found {
+    bool key[40];
+};
+
+static void look_for(enum thud_group group, const char *prefix, struct found *found)
+{
+    int count;
+    const struct thud_param *param = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++) {
+        char path[THUD_PATH_MAX];
+        snprintf(path, sizeof path, "%s%s", prefix, param[i].name);
+        if (!thud_scene_param(&f.tui->doc.scene, path, &(int){0}))
+            continue; /* this kind has it not */
+        if (thud_scene_by_floor(&f.tui->doc.scene, path))
+            snprintf(path, sizeof path, "%s%s.1", prefix, param[i].name);
+        found->key[i] |= has_field(path);
+    }
+}
+
+static void expect_all(enum thud_group group, const struct found *found)
+{
+    int count;
+    const struct thud_param *param = thud_group_params(group, &count);
+    for (int i = 0; i < count; i++)
+        ck_assert_msg(found->key[i], "%s of %s has no field", param[i].name, thud_group_key(group));
+}
+
+static void has_fields(enum thud_group group, const char *prefix)
+{
+    struct found found = {0};
+    look_for(group, prefix, &found);
+    expect_all(group, &found);
+}
+
+START_TEST(every_key_of_the_schema)
+{
+    static const struct {
+        const char *kind, *then[4];
+    } kinds[] = {{"shear", {"foundation.vs=250 m/s", "column.EI=1e3 MN m2", "yield=10 mm"}},
+                 {"isolated", {"isolator.law=lead-rubber"}},
+                 {"isolated", {"isolator.law=pendulum"}},
+                 {"isolated", {"isolator.law=linear"}},
+                 {"estimated", {"base=1 m"}},
+                 {"matrix k.csv", {NULL}},
+                 {"modes modes.csv", {NULL}},
+                 {"rigid", {NULL}},
+                 {"wall", {"stiffness=100 MN/m", "backfill.stiffness=100 MN/m"}}};
+    struct found structure = {0}, nested[THUD_NESTED_GROUPS] = {0};
+    fixture_write(&f, "k.csv", "1 (MN/m),2 (MN/m)\n1200,-600\n-600,600\n");
+    fixture_write(&f, "modes.csv", "period (s),1,2\n0.4,0.5,1\n0.15,1,-0.5\n");
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        char line[128];
+        snprintf(line, sizeof line, ":set structures.1.kind %s<Enter>", kinds[k].kind);
+        fixture_keys(&f, line);
+        for (int i = 0; kinds[k].then[i]; i++) {
+            snprintf(line, sizeof line, ":set structures.1.%s<Enter>", kinds[k].then[i]);
+            fixture_keys(&f, line);
+        }
+        ck_assert_msg(f.tui->said.role != THUD_ROLE_ERROR, "%s: %s", kinds[k].kind, f.tui->said.text);
+        look_for(THUD_GROUP_STRUCTURE, "structures.1.", &structure);
+        for (int i = 0; i < THUD_NESTED_GROUPS; i++) {
+            snprintf(line, sizeof line, "structures.1.%s.", thud_group_key(thud_nested_group(i)));
+            look_for(thud_nested_group(i), line, &nested[i]);
+        }
+    }
+    expect_all(THUD_GROUP_STRUCTURE, &structure);
+    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
+        expect_all(thud_nested_group(i), &nested[i]);
+    fixture_keys(&f, ":set links.1.law dashpot<Enter>:set links.1.from A<Enter>:set links.1.to B.1<Enter>");
+    has_fields(THUD_GROUP_SCENE, "");
+    has_fields(THUD_GROUP_RECORD, "record.");
+    has_fields(THUD_GROUP_INTERFACE, "interfaces.1.");
+    has_fields(THUD_GROUP_CONTACT, "interfaces.1.contact.");
+    has_fields(THUD_GROUP_BUMPER, "interfaces.1.bumper.");
+    has_fields(THUD_GROUP_ANALYSIS, "analysis.");
+    has_fields(THUD_GROUP_DOCUMENT, "document.");
+}
+END_TEST
+
+/* Soil under a building that stood on rock: one value brings the others. */
+START_TEST(soil_on_an_existing_building)
+{
+    fixture_keys(&f, "/structures.1.foundation.vs<Enter>");
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "structures.1.foundation.vs");
+    fixture_keys(&f, "<Enter>200<Enter>");
+    ck_assert(thud_structure_on_soil(&f.tui->doc.scene.structure[0]));
+    ck_assert_double_eq(f.tui->doc.scene.structure[0].soil_vs_mps, 200);
+    fixture_expect(&f, "density");
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui schema");
+    TCase *schema = tcase_create("schema");
+    tcase_add_checked_fixture(schema, setup, teardown);
+    tcase_add_test(schema, every_key_of_the_schema);
+    tcase_add_test(schema, soil_on_an_existing_building);
+    suite_add_tcase(suite, schema);
+    return suite;
+}
