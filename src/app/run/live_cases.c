@@ -24,7 +24,7 @@ const char *thud_live_short_name(const struct thud_scene *scene, enum thud_live_
 {
     const int measures = thud_scene_measures(scene);
     if (measures != (THUD_HAS_BUMPER | THUD_HAS_LINKS) || which == THUD_LIVE_FREE)
-        return thud_live_name(measures, which);
+        return thud_live_name(measures ? measures : THUD_HAS_BUMPER, which); /* a column that is empty has its name */
     return which == THUD_LIVE_NONE ? "neither" : "both";
 }
 
