@@ -12,15 +12,18 @@ size_t thud_sort_numbers(double *value, size_t n);
  * be positive. NaN for n = 0. */
 double thud_quantile(const double *sorted, size_t n, double p, bool logarithms);
 
+/* Fewer independent motions have no fractiles but the median, and no band of a share. */
+enum { THUD_SHARES_LEAST = 3 };
+
 /* What is told of a quantity over a suite of ground motions. */
 struct thud_fractiles {
     size_t n;                  /* numbers among the values; NaN is left out */
-    double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0 */
+    double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0, and of few motions */
     double least, most, share; /* share: of the n values that are above `limit` */
     size_t half, most84;       /* of gaps: for how many motions the median and p84 are enough */
 };
-/* Sorts the values in place (NaN last). */
-struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit);
+/* Sorts the values in place (NaN last). `draws`: how many of them are of independent motions. */
+struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit);
 
 /* Where the share that `count` of n trials stand for lies with 90 % confidence: the score interval of Wilson, Journal of
  * the American Statistical Association 22 (1927) 209. `independent`: how much of a trial each one is (1; 1/2 where they

@@ -35,14 +35,15 @@ double thud_quantile(const double *sorted, size_t n, double p, bool logarithms)
     return logarithms ? low * pow(high / low, part) : low + part * (high - low);
 }
 
-struct thud_fractiles thud_fractiles_of(double *value, size_t n, double limit)
+struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit)
 {
     struct thud_fractiles f = {.n = thud_sort_numbers(value, n), .least = NAN, .most = NAN, .share = NAN};
     size_t above = 0;
     bool logarithms = f.n > 0 && value[0] > 0 && isfinite(value[f.n - 1]);
-    f.p16 = thud_quantile(value, f.n, 0.16, logarithms);
+    const size_t enough = draws >= THUD_SHARES_LEAST ? f.n : 0;
+    f.p16 = thud_quantile(value, enough, 0.16, logarithms);
     f.median = thud_quantile(value, f.n, 0.5, logarithms);
-    f.p84 = thud_quantile(value, f.n, 0.84, logarithms);
+    f.p84 = thud_quantile(value, enough, 0.84, logarithms);
     if (f.n == 0)
         return f;
     f.least = value[0];

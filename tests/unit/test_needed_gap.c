@@ -157,7 +157,7 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
 {
     struct thud_needed_gap *gap = gap_of(motion), *all[3] = {gap, gap, gap};
     const char *const names[3] = {"a", "b", "c"};
-    struct thud_gap_suite suite = {3, names, all, 1};
+    struct thud_gap_suite suite = {3, names, all, 3};
     struct thud_fractiles f;
     for (int level = -1; level < gap->nlevels; level++)
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
@@ -173,6 +173,9 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
         }
     ck_assert_int_eq(thud_gap_suite_fractiles(&suite, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
     ck_assert(f.share == 0); /* the sum is never too little */
+    suite.recordings = 2;    /* of which there are no fractiles */
+    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
+    ck_assert(isnan(f.p16) && f.median > 0 && isnan(f.p84));
     free(gap);
 }
 END_TEST

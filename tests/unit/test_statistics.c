@@ -13,18 +13,20 @@ START_TEST(quantiles_by_hand)
     ck_assert(thud_quantile(x, 5, 1, true) == 16);
     ck_assert(thud_quantile(x, 1, 0.3, false) == 1);
     ck_assert(isnan(thud_quantile(x, 0, 0.5, false)));
-    struct thud_fractiles f = thud_fractiles_of(x, 5, 3);
+    struct thud_fractiles f = thud_fractiles_of(x, 5, 5, 3);
     ck_assert_double_eq_tol(f.p84 * f.p16, 16, 1e-14); /* symmetric about the median in logarithms */
     ck_assert_double_eq_tol(f.share, 0.6, 1e-15);
-    f = thud_fractiles_of(y, 4, 0); /* not all positive: of the values; what has no result is left out */
+    f = thud_fractiles_of(y, 4, 4, 0); /* not all positive: of the values; what has no result is left out */
     ck_assert_uint_eq(f.n, 3);
     ck_assert(f.median == 2);
     ck_assert_double_eq_tol(f.p16, -1 + 0.32 * 3, 1e-15);
     ck_assert(f.least == -1);
     ck_assert(f.most == 3);
     double same[] = {7, 7, 7};
-    f = thud_fractiles_of(same, 3, 7);
+    f = thud_fractiles_of(same, 3, 3, 7);
     ck_assert(f.p16 == 7 && f.median == 7 && f.p84 == 7 && f.share == 0);
+    f = thud_fractiles_of(same, 3, 2, 7); /* two of them are of one motion */
+    ck_assert(isnan(f.p16) && f.median == 7 && isnan(f.p84));
 }
 END_TEST
 

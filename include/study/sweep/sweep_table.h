@@ -26,8 +26,6 @@ struct thud_sweep_storeys {
     double ductility, permanent_m;
 };
 
-/* Fewer independent motions have no band of a share. */
-enum { THUD_SHARES_LEAST = 3 };
 /* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
  * motions under which there is contact, and under which the mean acceleration of a structure is larger than in case
  * `none`. */
@@ -57,6 +55,7 @@ struct thud_sweep_table {
     int measures;       /* of the scene, for the names of cases */
     double sensitivity; /* of the spread; 0: there is none */
     int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
+    int draws;   /* of those the independent ones: fewer than THUD_SHARES_LEAST have medians alone */
     const char *const *record; /* (nrecords) names */
     const struct thud_record *const
         *motion; /* (nrecords) whose own words figures show where the name is the file's; NULL: names alone */

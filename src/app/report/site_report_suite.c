@@ -154,11 +154,13 @@ static void say_widths(struct site *site)
         d->failed = true;
         return;
     }
-    thud_document_item(
-        d,
-        "So that there is no contact, %zu of them need a gap of up to %.1f cm, %zu of them up to %.1f cm, "
-        "and all of them %.1f cm, between the bare faces.",
-        f.half, thud_summary_gap_cm(f.median), f.most84, thud_summary_gap_cm(f.p84), thud_summary_gap_cm(f.most));
+    char most84[64] = "";
+    if (!isnan(f.p84))
+        snprintf(most84, sizeof most84, "%zu of them up to %.1f cm, ", f.most84, thud_summary_gap_cm(f.p84));
+    thud_document_item(d,
+                       "So that there is no contact, %zu of them need a gap of up to %.1f cm, %sand all of them "
+                       "%.1f cm, between the bare faces.",
+                       f.half, thud_summary_gap_cm(f.median), most84, thud_summary_gap_cm(f.most));
 }
 
 /* What the bumper makes of a measure's mean, structure s under motion r. The suite's ratios are to neither bumper nor
@@ -182,9 +184,8 @@ static void say_bumper(struct site *site, int s, bool drift)
         suite->room[r] = bumper_ratio(site, r, measure, s);
         helps += suite->room[r] < 1 - equal;
     }
-    struct thud_fractiles f = thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, 1 + equal);
-    if (suite->runs->ndraws < THUD_SHARES_LEAST)
-        f.p16 = f.p84 = NAN;
+    struct thud_fractiles f =
+        thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, suite->runs->ndraws, 1 + equal);
     char spread[64] = "";
     if (!isnan(f.p16))
         snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);

@@ -45,7 +45,7 @@ static struct lowered ratio_of(const struct compared *c, const struct measure *m
         c->room[n++] = without > 0 ? with / without : from_nothing;
         lowered += c->room[n - 1] < 1 - equal;
     }
-    return (struct lowered){thud_fractiles_of(c->room, n, 1), (int)lowered, (int)n};
+    return (struct lowered){thud_fractiles_of(c->room, n, suite->ndraws, 1), (int)lowered, (int)n};
 }
 
 /* ---- what is compared ---- */
@@ -307,9 +307,10 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
         thud_panel_mark(ratios, THUD_X, 1, 1, "");
         for (int i = 0; i < c->nmeasures; i++)
             draw_measure(c, i, (size_t)rows, ratios, shares);
-        thud_figure_note(figure,
-                         "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. Lines of the "
-                         "shares: 90 % bands (Wilson).");
+        thud_figure_note(figure, suite->ndraws < THUD_SHARES_LEAST
+                                     ? "Medians over the ground motions as points; shaded: lower."
+                                     : "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. "
+                                       "Lines of the shares: 90 % bands (Wilson).");
     }
     free(c);
     return figure;

@@ -298,7 +298,8 @@ const struct thud_schema thud_drawn_schema =
 
 #define FRACTILE(member, key, text) THUD_FIELD(struct thud_fractiles, member, key, text)
 static const struct thud_column of_rules[] = {
-    FRACTILE(p16, "p16", "Narrowest that is enough for at least 16 % of the motions, m."),
+    FRACTILE(p16, "p16",
+             "Narrowest that is enough for at least 16 % of the motions, m; empty: fewer than three independent ones."),
     FRACTILE(median, "median", "For at least half of them, m."), FRACTILE(p84, "p84", "For at least 84 %, m."),
     FRACTILE(most, "largest", "Largest, m."),
     FRACTILE(share, "falls_short_share", "Share of the motions for which a rule asks for less than is needed.")};

@@ -43,7 +43,7 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
         }
         if (isnan(y[0])) /* the rule has no value here */
             continue;
-        if (rule == THUD_GAP_EXACT && suite->nrecords >= THUD_SHARES_LEAST)
+        if (rule == THUD_GAP_EXACT && !isnan(low[0])) /* there are fractiles */
             thud_panel_fill(panel, (struct thud_style){.color = 0, .thin = true}, "needed", m, x, low, high);
         thud_panel_add(panel, style, thud_gap_rule_at(rule)->name, m, x, y);
     }
@@ -115,7 +115,7 @@ struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, cons
         "%d ground motion%s. needed: exact, from the motion without pounding%s. ASCE 7-16 12.12.3 is SRSS; EN 1998-1 "
         "4.4.2.7(3) takes 0.7 of it where all floor elevations are the same.",
         suite->nrecords, several ? "s" : "",
-        suite->nrecords >= THUD_SHARES_LEAST ? " (shaded: enough for 16 to 84 %; of the share 90 %, Wilson)" : "");
+        suite->recordings >= THUD_SHARES_LEAST ? " (shaded: enough for 16 to 84 %; of the share 90 %, Wilson)" : "");
     thud_figure_note(figure, note);
     return figure;
 }

@@ -194,7 +194,8 @@ void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_
     char text[128];
     if (table->motions > 0)
         snprintf(text, sizeof text,
-                 shaded ? "Medians of %d ground motions, 16 to 84 %% shaded." : "Medians of %d ground motions.",
+                 shaded && table->draws >= THUD_SHARES_LEAST ? "Medians of %d ground motions, 16 to 84 %% shaded."
+                                                             : "Medians of %d ground motions.",
                  table->motions);
     else
         snprintf(text, sizeof text,

@@ -218,10 +218,11 @@ enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, in
         shorter += falls_short(gap, level, rule);
     }
     size_t count;
-    *out = thud_fractiles_of(value, (size_t)suite->nrecords, INFINITY);
-    out->p16 = thud_enough(value, out->n, 0.16, &count);
+    *out = thud_fractiles_of(value, (size_t)suite->nrecords, suite->recordings, INFINITY);
+    const size_t enough = isnan(out->p84) ? 0 : out->n;
+    out->p16 = thud_enough(value, enough, 0.16, &count);
     out->median = thud_enough(value, out->n, 0.5, &out->half);
-    out->p84 = thud_enough(value, out->n, 0.84, &out->most84);
+    out->p84 = thud_enough(value, enough, 0.84, &out->most84);
     out->share = out->n > 0 ? (double)shorter / (double)out->n : NAN;
     free(value);
     return THUD_OK;

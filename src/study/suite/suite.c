@@ -111,10 +111,7 @@ struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long 
 {
     for (int r = 0; r < suite->nrecords; r++)
         scratch[r] = thud_suite_value(suite, r, setting, k, measure, structure);
-    struct thud_fractiles f = thud_fractiles_of(scratch, (size_t)suite->nrecords, limit);
-    if (suite->nrecords > 1 && suite->ndraws < THUD_SHARES_LEAST)
-        f.p16 = f.p84 = NAN;
-    return f;
+    return thud_fractiles_of(scratch, (size_t)suite->nrecords, suite->ndraws, limit);
 }
 
 void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high)

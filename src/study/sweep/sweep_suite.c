@@ -64,7 +64,7 @@ static struct thud_fractiles fractiles(const struct making *m, const struct thud
         int k = of[r] ? thud_sweep_summary_find(of[r], which) : -1;
         m->value[r] = k >= 0 ? number_of(m->table, of[r], k, number) : NAN;
     }
-    return thud_fractiles_of(m->value, (size_t)m->table->nrecords, limit);
+    return thud_fractiles_of(m->value, (size_t)m->table->nrecords, m->draws, limit);
 }
 
 /* Of a share of the ground motions. */
@@ -121,7 +121,7 @@ static void put_numbers(const struct making *m, const struct thud_sweep_summary 
             const double *x = from >= 0 ? numbers_of(m, of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
             m->value[r] = x ? x[q] : NAN;
         }
-        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, 1);
+        struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, m->draws, 1);
         numbers_of(m, out, k, structure, floor, THUD_SWEEP_VALUE)[q] = f.median;
         numbers_of(m, out, k, structure, floor, THUD_SWEEP_LOW)[q] = f.p16;
         numbers_of(m, out, k, structure, floor, THUD_SWEEP_HIGH)[q] = f.p84;
@@ -198,6 +198,7 @@ enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, str
         suite->nrecords = 1;
         suite->record = no_name;
         suite->motions = table->nrecords;
+        suite->draws = m.draws;
         suite->sensitivity = 0;
         suite->nrows = suite->npoints = 0;
         suite->point = point;
