@@ -340,7 +340,7 @@ START_TEST(a_bumper_at_the_top_alone)
     set(&scene, "bumper.cavity", "1 cm");
     set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, none, 8 cm]");
     ck_assert_int_eq(thud_scene_assemble(&scene, &model, NULL), THUD_OK);
-    static const double clearance_m[] = {0.1, 0.1, 0.06, 0.1 - 0.08 + 0.016}; /* the cavity goes with the thickness */
+    static const double clearance_m[] = {0.1, 0.1, 0.06, 0.1 - 0.08 + 0.01}; /* the cavity is that of the wall */
     for (int c = 0; c < 4; c++) {
         ck_assert_double_eq_tol(model->contact[c].clearance_m, clearance_m[c], 1e-12);
         ck_assert_str_eq(model->contact[c].law->name, c < 2 ? scene.interface[0].contact.law->name : "rubber");
@@ -349,7 +349,20 @@ START_TEST(a_bumper_at_the_top_alone)
     struct thud_error err = {0};
     ck_assert_int_eq(thud_scene_set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, 0 cm, 14 cm]", &err), THUD_OK);
     ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.what, "the bumper at 4-4 sticks out by 11.2 cm into a gap of 10 cm"));
+    ck_assert_ptr_nonnull(strstr(err.what, "the bumper at 4-4 sticks out by 13 cm into a gap of 10 cm"));
+    char text[128];
+    set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, none, 8 cm]");
+    thud_interface_clearance_text(&scene, 0, text, sizeof text);
+    ck_assert_str_eq(text, "10 cm at 1-1 to 2-2, 6 cm at 3-3, 3 cm at 4-4");
+    thud_interface_clearance_text(&scene, 0, text, 12); /* cut, not beyond */
+    ck_assert_str_eq(text, "10 cm at 1-");
+    ck_assert_int_eq(thud_scene_set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, 0.9 cm, 8 cm]", &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_INPUT);
+    ck_assert_str_eq(err.key, "interfaces.1.bumper.thickness-by-level");
+    ck_assert_str_eq(err.what, "the bumper at 3-3 is 0.9 cm thick, and its cavity 1 cm deep");
+    set(&scene, "bumper.thickness-by-level", "");
+    thud_interface_clearance_text(&scene, 0, text, sizeof text);
+    ck_assert_str_eq(text, "6 cm");
 }
 END_TEST
 

@@ -406,8 +406,8 @@ static inline enum thud_case thud_case_compared(int i)
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
 
-/* What holds at a level of an interface (from 0), or for those that have nothing of their own (-1). The cavity goes with
- * the thickness. */
+/* What holds at a level of an interface (from 0), or for those that have nothing of their own (-1). The cavity
+ * is that of the interface at all of them. */
 struct thud_level_values {
     double gap_m;
     bool has_bumper;
@@ -423,5 +423,7 @@ void thud_interface_gap_text(const struct thud_interface *interface, char *text,
 void thud_interface_scale_gap(struct thud_interface *interface, double factor);
 /* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
+/* "6 cm"; by level "10 cm at 1-1 to 2-2, 6 cm at 3-3". */
+void thud_interface_clearance_text(const struct thud_scene *scene, int interface, char *text, size_t size);
 /* Of the bumper; NaN where there is none, or its law has no max-strain. */
 double thud_interface_max_strain(const struct thud_interface *interface);

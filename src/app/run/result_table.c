@@ -26,16 +26,16 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
         thud_text_append(out, "ground motion  none\n");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *f = &scene->interface[i];
-        char gap[64];
+        char gap[64], clearance[2048];
         thud_interface_gap_text(f, gap, sizeof gap);
+        thud_interface_clearance_text(scene, i, clearance, sizeof clearance);
         thud_text_append(out, "interface %d    gap %s", i + 1, gap);
         if (f->has_bumper)
             thud_text_append(out, ", %s bumper of %.4g cm in a cavity of %.4g cm", f->bumper.law->name,
                              100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
         else
             thud_text_append(out, ", %s", f->contact.law->name);
-        thud_text_append(out, ": clearance %.4g cm%s\n", 100 * thud_interface_clearance(f),
-                         f->gap.n > 0 || (f->has_bumper && f->thickness.n > 0) ? ", other levels have their own" : "");
+        thud_text_append(out, ": clearance %s\n", clearance);
     }
 }
 

@@ -23,7 +23,6 @@ struct thud_level_values thud_interface_level(const struct thud_interface *at, i
     out.cavity_m = at->bumper_cavity_m;
     if (level >= 0 && level < at->thickness.n && !isnan(at->thickness.value_m[level])) {
         out.thickness_m = at->thickness.value_m[level];
-        out.cavity_m *= out.thickness_m / at->bumper_thickness_m;
         out.has_bumper = out.thickness_m > 0;
     }
     return out;
@@ -136,6 +135,31 @@ static void add_pairs(const struct thud_contact_pair *pair, int n, char *text, s
     }
 }
 
+void thud_interface_clearance_text(const struct thud_scene *scene, int interface, char *text, size_t size)
+{
+    const struct thud_interface *at = &scene->interface[interface];
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    const bool by_level = at->gap.n > 0 || (at->has_bumper && at->thickness.n > 0);
+    const int n = by_level ? thud_interface_contact_pairs(scene, interface, pair) : 0;
+    size_t used = (size_t)snprintf(text, size, "%.4g cm", 100 * thud_interface_clearance(at));
+    for (int l = 0, next; l < n; l = next) {
+        const struct thud_level_values here = thud_interface_level(at, l);
+        const double clearance = thud_level_clearance(&here);
+        char first[24], last[24];
+        for (next = l + 1; next < n; next++) {
+            const struct thud_level_values above = thud_interface_level(at, next);
+            if (thud_level_clearance(&above) != clearance)
+                break;
+        }
+        thud_contact_pair_name(pair[l].left_floor, pair[l].right_floor, pair[l].struck, first, sizeof first);
+        thud_contact_pair_name(pair[next - 1].left_floor, pair[next - 1].right_floor, pair[next - 1].struck, last,
+                               sizeof last);
+        used = l == 0 ? 0 : used < size ? used : size;
+        used += (size_t)snprintf(text + used, size - used, "%s%.4g cm at %s%s%s", l > 0 ? ", " : "", 100 * clearance,
+                                 first, next - l > 1 ? " to " : "", next - l > 1 ? last : "");
+    }
+}
+
 enum thud_status thud_levels_check(const struct thud_scene *scene, int interface, struct thud_error *err)
 {
     const struct thud_interface *at = &scene->interface[interface];
@@ -157,10 +181,18 @@ enum thud_status thud_levels_check(const struct thud_scene *scene, int interface
     }
     for (int l = 0; l < n && at->has_bumper; l++) {
         const struct thud_level_values v = thud_interface_level(at, l);
+        const bool inside = v.thickness_m <= v.cavity_m;
         char out[48], gap[48], name[160];
-        if (!v.has_bumper || v.thickness_m - v.cavity_m <= v.gap_m + rounding_m)
+        if (!v.has_bumper || (!inside && v.thickness_m - v.cavity_m <= v.gap_m + rounding_m))
             continue;
         add_pairs(&pair[l], 1, name, sizeof name);
+        if (inside) {
+            thud_quantity_format(v.thickness_m, "cm", out, sizeof out);
+            thud_quantity_format(v.cavity_m, "cm", gap, sizeof gap);
+            thud_error_set(err, THUD_INPUT, "the bumper at %s is %s thick, and its cavity %s deep", name, out, gap);
+            thud_error_allow(err, "thicker than the cavity; 0 cm: no bumper there");
+            return refuse(interface, key[at->thickness.n > 0], err);
+        }
         thud_quantity_format(rint((v.thickness_m - v.cavity_m) * 1e9) / 1e9, "cm", out, sizeof out);
         thud_quantity_format(v.gap_m, "cm", gap, sizeof gap);
         thud_error_set(err, THUD_INPUT, "the bumper at %s sticks out by %s into a gap of %s", name, out, gap);

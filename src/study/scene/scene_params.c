@@ -256,7 +256,7 @@ static const struct thud_place contact_places[] = {
 static const struct thud_param bumper_params[] = {
     WORD("law", "impact law of the bumper", "One of `thud laws`; the keys after it are the law's own."),
     {NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
-    {NUMBER("thickness-by-level", "thickness by level", "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity goes with it.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
+    {NUMBER("thickness-by-level", "thickness by level", "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity is the same at every level.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
     {NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
     CHOICE("fitted", "fitted", "off: the bumper is out, and its values are kept.", switches, 1),
 };

@@ -122,10 +122,10 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
                                                   {"by level", "bumper.thickness-by-level"},
                                                   {"cavity", "bumper.cavity"}};
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
-    char number[24], key[THUD_PATH_MAX];
+    char clearance[256], key[THUD_PATH_MAX];
     int y = thud_field_rows(tui, FORM, pane, 0, gap, 3);
-    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s cm",
-                    thud_tui_number(100.0 * thud_interface_clearance(at), number));
+    thud_interface_clearance_text(&tui->doc.scene, tui->interface, clearance, sizeof clearance);
+    thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "clearance          %s", clearance);
     heading(pane, y++, "Bare contact");
     y = law_rows(tui, pane, y, "contact", at->contact.law);
     heading(pane, y, "Bumper (B)");

@@ -48,14 +48,14 @@ int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane
     int y = 0;
     if (tui->interface + 1 < scene->nstructures) {
         const struct thud_interface *at = &scene->interface[tui->interface];
-        char number[24];
+        char clearance[256];
         y = thud_field_rows(tui, index, pane, y, interface_key, sizeof interface_key / sizeof *interface_key);
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0),
                       at->has_bumper ? "bumper             [x] on (B)" : "bumper             [ ] off (B)");
         if (at->has_bumper)
             y = thud_field_rows(tui, index, pane, y, bumper_key, sizeof bumper_key / sizeof *bumper_key);
-        thud_field_note(pane, y++, "%-18s %s cm", "clearance",
-                        thud_tui_number(100.0 * thud_interface_clearance(at), number));
+        thud_interface_clearance_text(scene, tui->interface, clearance, sizeof clearance);
+        thud_field_note(pane, y++, "%-18s %s", "clearance", clearance);
     }
     for (size_t i = 0; i < sizeof scene_key / sizeof *scene_key; i++)
         thud_field_row(tui, index, pane, y++, scene_key[i].label, scene_key[i].key);
