@@ -49,26 +49,37 @@ static const struct thud_law *ready(const char *name, double v, struct thud_law_
     return law;
 }
 
+/* The laws whose equations stand here; a law may be added without a word of it in this file. */
+static const char *const known[] = {"none",
+                                    "linear",
+                                    "kelvin-voigt",
+                                    "kelvin-voigt-no-tension",
+                                    "hertz",
+                                    "hertz-damp",
+                                    "jankowski",
+                                    "rubber",
+                                    "impact-material",
+                                    "stereomechanical",
+                                    "permanent-indentation", /* and the examples */
+                                    "remembered-path"};
+enum { NAMES = sizeof known / sizeof *known };
+
+static bool is_here(const struct thud_law *law)
+{
+    for (int i = 0; i < NAMES; i++)
+        if (strcmp(law->name, known[i]) == 0)
+            return true;
+    return false;
+}
+
 START_TEST(list)
 {
-    static const char *const names[] = {"none",
-                                        "linear",
-                                        "kelvin-voigt",
-                                        "kelvin-voigt-no-tension",
-                                        "hertz",
-                                        "hertz-damp",
-                                        "jankowski",
-                                        "rubber",
-                                        "impact-material",
-                                        "stereomechanical",
-                                        "permanent-indentation", /* and the examples */
-                                        "remembered-path"};
-    enum { NAMES = sizeof names / sizeof *names };
-    ck_assert_int_eq(thud_law_count(), NAMES);
-    for (int i = 0; i < NAMES; i++) {
-        ck_assert_str_eq(thud_law_at(i)->name, names[i]);
-        ck_assert_ptr_eq(thud_law_find(names[i]), thud_law_at(i));
+    int here = 0;
+    for (int i = 0; i < thud_law_count(); i++) { /* each is found by its name, which no other one has */
+        ck_assert_ptr_eq(thud_law_find(thud_law_at(i)->name), thud_law_at(i));
+        here += is_here(thud_law_at(i));
     }
+    ck_assert_int_eq(here, NAMES);
     ck_assert_ptr_null(thud_law_find("kelvin"));
     ck_assert_int_eq(thud_law_param(thud_law_find("rubber"), "exponent"), 1);
     ck_assert_int_eq(thud_law_param(thud_law_find("linear"), "exponent"), -1);
@@ -172,6 +183,8 @@ START_TEST(flags)
         ck_assert_int_eq(linear, no_force || (law->flags & THUD_LAW_LINEAR) != 0);
         ck_assert_int_eq(one, (law->flags & (THUD_LAW_DEGREE_ONE | THUD_LAW_NO_FORCE)) != 0);
         ck_assert_int_eq(turns, (law->flags & THUD_LAW_REVERSES) != 0);
+        if (!is_here(law))
+            continue;
         ck_assert_int_eq((law->flags & THUD_LAW_PULLS) != 0, strcmp(law->name, "kelvin-voigt") == 0);
         ck_assert_int_eq((law->flags & THUD_LAW_NO_FORCE) != 0, strcmp(law->name, "none") == 0);
         ck_assert_int_eq((law->flags & THUD_LAW_IMPULSIVE) != 0, strcmp(law->name, "stereomechanical") == 0);
@@ -219,7 +232,7 @@ START_TEST(forces_as_printed)
         struct thud_law_setup setup;
         struct thud_law_memory memory;
         const struct thud_law *law = ready(thud_law_at(i)->name, 0.5, &setup, &memory);
-        for (double d = 1e-6; d < 0.1; d *= 1.3)
+        for (double d = 1e-6; d < 0.1 && is_here(law); d *= 1.3)
             for (double v = -0.5; v < 0.6; v += 0.1)
                 for (int phase = THUD_APPROACH; phase <= THUD_RESTITUTION; phase++) {
                     double f = force_at(law, &setup, &memory, (enum thud_phase)phase, d, v);
