@@ -361,8 +361,6 @@ END_TEST
 
 START_TEST(what_there_is_not_is_said)
 {
-    fixture_keys(&f, "<A-9>");
-    fixture_expect(&f, "There is no screen 9: 1 to 8");
     fixture_keys(&f, ":set gap 200 cm<Enter><A-4><Size 100x40>");
     fixture_expect(&f, "none: the structures do not meet");
     fixture_keys(
