@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/bench/cost_jobs.h"
 #include "app/run/figure_files.h"
 #include "base/quantity.h"
 #include "cli/commands.h"
@@ -11,6 +10,7 @@
 #include "cli/output.h"
 #include "io/file/file.h"
 #include "io/result/bench_rows.h"
+#include "lab/bench/cost_jobs.h"
 
 static void show_progress(void *context, const char *what, int done, int count)
 {

@@ -1,11 +1,11 @@
 /* thud figures: the paper's figures, and with `all` the report. */
 #include <stdio.h>
 
-#include "app/paper/paper_report.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/file/made_by.h"
 #include "io/result/schemas.h"
+#include "lab/paper/paper_report.h"
 
 static enum thud_status make_study(const struct thud_args *args, bool report, struct thud_paper_work **work,
                                    struct thud_paper_study *study, struct thud_error *err)

@@ -3,13 +3,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "app/bench/stability_report.h"
 #include "app/run/figure_files.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "io/file/file.h"
 #include "io/result/bench_rows.h"
+#include "lab/bench/stability_report.h"
 
 static enum thud_status save(const struct thud_stability *stability, const char *folder,
                              const struct thud_picture_options *options, struct thud_error *err)

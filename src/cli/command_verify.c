@@ -1,7 +1,7 @@
 /* thud verify: presets against their stored expectations, or what others published against what is computed. */
 #include <stdio.h>
 
-#include "app/bench/verify_preset.h"
+#include "app/verify/verify_preset.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/file/paths.h"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Direction of the layers: base <- ground <- core <- study <- {io, plot} <- app <- {cli, tui, door} <- main.  TAP.
-# A file includes only its own layer and those to its left, names the layer, and takes of another layer only public headers (of app, which is never
-# installed, any).  thud.h, which is installed, is for base, which has its errors from there, and for door, which is behind it.  The rooms of a layer (its sub-folders) form no circle, and a header in include/ has a reader outside its layer.
+# Direction of the layers: base <- ground <- core <- study <- {io, plot} <- app <- lab <- {cli, tui} <- main; the door beside lab.  TAP.
+# A file includes only its own layer and those to its left, names the layer, and takes of another layer only public headers (of app and lab, which are
+# never installed, any).  thud.h, which is installed, is for base, which has its errors from there, and for door, which is behind it.  The rooms of a layer (its sub-folders) form no circle, and a header in include/ has a reader outside its layer.
 # usage: check-includes.sh [TREE]
 set -u
 cd "${1:-.}" || exit 2
@@ -14,13 +14,14 @@ may_include() { # LAYER: the layers it may include
     study) echo base ground core study ;;
     io | plot) echo base ground core study "$1" ;;
     app) echo base ground core study io plot app ;;
-    cli | tui | door) echo base ground core study io plot app "$1" ;;
-    main) echo base ground core study io plot app cli tui ;; # which do without the door
+    lab | door) echo base ground core study io plot app "$1" ;; # what is installed does without the laboratory
+    cli | tui) echo base ground core study io plot app lab "$1" ;;
+    main) echo base ground core study io plot app lab cli tui ;; # which do without the door
     esac
 }
 
 status=0
-for layer in base ground core study io plot app cli tui door main; do
+for layer in base ground core study io plot app lab cli tui door main; do
     allowed=" $(may_include "$layer") "
     if [ "$layer" = main ]; then files=src/main.c; else files=$(find "src/$layer" "include/$layer" -name '*.[ch]' 2>/dev/null); fi
     wrong=""
@@ -36,7 +37,7 @@ for layer in base ground core study io plot app cli tui door main; do
             elif ! case $allowed in *" $to "*) true ;; *) false ;; esac; then
                 wrong="$wrong
 # $f: \"$header\" points against the arrows"
-            elif [ "$to" != "$layer" ] && [ "$to" != app ] && [ "$layer" != main ] && [ ! -f "include/$header" ]; then
+            elif [ "$to" != "$layer" ] && [ "$to" != app ] && [ "$to" != lab ] && [ "$layer" != main ] && [ ! -f "include/$header" ]; then
                 wrong="$wrong
 # $f: \"$header\" is private to $to"
             fi
@@ -51,7 +52,7 @@ for layer in base ground core study io plot app cli tui door main; do
 done
 
 includes=$(find src include -name '*.[ch]' 2>/dev/null | while read -r f; do sed -n "s|^[ \t]*#[ \t]*include[ \t]*\"\([^\"]*\)\".*|$f \1|p" "$f"; done)
-for layer in core study io plot app tui; do
+for layer in core study io plot app lab tui; do
     arrows=$(printf '%s\n' "$includes" | awk -v layer="$layer" '
         { n = split($1, from, "/"); m = split($2, to, "/") }
         from[2] == layer && to[1] == layer && n == 4 && m == 3 && from[3] != to[2] { print from[3], to[2] }' | sort -u)

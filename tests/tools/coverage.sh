@@ -25,7 +25,7 @@ done | awk -v least="${COVERAGE_LEAST:-95}" '
         }
         close("sort")
         print ""
-        n = split("base core study io plot app cli tui main", order, " ")
+        n = split("base core study ground io plot app lab cli tui main", order, " ")
         for (i = 1; i <= n; i++) if (L[order[i]]) print show(order[i], H[order[i]], L[order[i]], T[order[i]], Br[order[i]])
         if (!L["core"]) { print "no coverage data"; exit 1 }
         print ""

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/bench/cost_jobs.h"
 #include "base/quantity.h"
 #include "io/result/bench_rows.h"
+#include "lab/bench/cost_jobs.h"
 #include "towers.h"
 
 static struct thud_scene scene;

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/bench/stability_report.h"
 #include "base/quantity.h"
 #include "io/result/bench_rows.h"
+#include "lab/bench/stability_report.h"
 #include "study/methods/stability_private.h"
 #include "towers.h"
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/bench/bench_jobs.h"
 #include "io/file/file.h"
 #include "io/result/bench_rows.h"
+#include "lab/bench/bench_jobs.h"
 #include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/widgets/chart.h"

@@ -1,4 +1,4 @@
-#include "app/bench/verify_preset.h"
+#include "app/verify/verify_preset.h"
 
 #include <math.h>
 #include <stdio.h>

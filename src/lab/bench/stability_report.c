@@ -1,4 +1,4 @@
-#include "app/bench/stability_report.h"
+#include "lab/bench/stability_report.h"
 
 #include <math.h>
 #include <stdio.h>

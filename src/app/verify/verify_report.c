@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "app/bench/verify_preset.h"
+#include "app/verify/verify_preset.h"
 #include "io/result/list_rows.h"
 
 static bool is_old(const struct thud_verification *v, const struct thud_expectation *fresh)

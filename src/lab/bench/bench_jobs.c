@@ -1,4 +1,4 @@
-#include "app/bench/bench_jobs.h"
+#include "lab/bench/bench_jobs.h"
 
 #include <stdio.h>
 #include <string.h>

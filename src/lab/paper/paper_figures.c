@@ -1,4 +1,4 @@
-#include "app/paper/paper_report.h"
+#include "lab/paper/paper_report.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* What the paper says in words: each statement with its criterion, the numbers found here for the motions as given and
  * reversed, and whether they bear it out. */
-#include "app/paper/paper_report.h"
+#include "lab/paper/paper_report.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The cost of growing scenes, run and timed size by size. */
 #pragma once
 
-#include "app/bench/bench_jobs.h"
+#include "lab/bench/bench_jobs.h"
 #include "study/methods/cost.h"
 
 /* Every size in turn; a run that diverges is marked and passed over. Errors: THUD_CANCELLED (what is done stays),

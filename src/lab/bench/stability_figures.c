@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "app/bench/stability_report.h"
+#include "lab/bench/stability_report.h"
 
 enum { ROWS_MAX = 64, COLUMNS_MAX = 16 };
 

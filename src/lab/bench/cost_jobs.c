@@ -1,4 +1,4 @@
-#include "app/bench/cost_jobs.h"
+#include "lab/bench/cost_jobs.h"
 
 #include <math.h>
 #include <stdio.h>

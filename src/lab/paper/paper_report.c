@@ -1,12 +1,12 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "app/paper/paper_report.h"
 #include "app/run/summary_line.h"
 #include "base/version.h"
 #include "io/file/json.h"
 #include "io/result/scene_json.h"
 #include "io/result/study_rows.h"
+#include "lab/paper/paper_report.h"
 
 static const char *const difference[] = {
     "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as the "

@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "app/bench/cost_jobs.h"
+#include "lab/bench/cost_jobs.h"
 
 static const char *const quantities[THUD_COST_QUANTITIES] = {"time of a run", "time to set up", "steps", "forces"};
 

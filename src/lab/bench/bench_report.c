@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "app/bench/bench_jobs.h"
+#include "lab/bench/bench_jobs.h"
 
 static const char *state_word(const struct thud_bench_point *p)
 {

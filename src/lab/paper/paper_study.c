@@ -1,4 +1,4 @@
-#include "app/paper/paper_report.h"
+#include "lab/paper/paper_report.h"
 
 #include <stdio.h>
 #include <stdlib.h>
