@@ -9,6 +9,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "io/file/file.h"
+#include "io/file/json.h"
 #include "io/result/bench_rows.h"
 #include "lab/bench/cost_jobs.h"
 
@@ -21,8 +22,8 @@ static void show_progress(void *context, const char *what, int done, int count)
 /* With -o the rows as NAME.csv and the figure; then the table, or the rows, on standard output, whose reader may be gone
  * before its end. Table and figure are used up. */
 static enum thud_status deliver(const struct thud_args *args, const char *preset, struct thud_text *table,
-                                const struct thud_rows *rows, struct thud_figure *figure, const atomic_int *cancel,
-                                struct thud_error *err)
+                                const struct thud_rows *rows, const struct thud_bench *bench,
+                                struct thud_figure *figure, const atomic_int *cancel, struct thud_error *err)
 {
     bool json = thud_args_has(args, "json"), data = json || thud_args_has(args, "csv");
     struct thud_picture_choice picture;
@@ -34,6 +35,12 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
     if (json) {
         thud_text_append(table, "{");
         thud_json_head(table, preset);
+        if (bench) {
+            const struct thud_rows costs = thud_bench_cost_rows(bench);
+            thud_text_append(table, ", ");
+            THUD_JSON_FIELDS(table, {"moved", thud_bench_moved(bench)});
+            thud_json_list("costs", &costs, table);
+        }
         thud_json_list("rows", rows, table);
         thud_text_append(table, "}\n");
     } else if (data) {
@@ -88,8 +95,10 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
     enum thud_status status = thud_bench_create(scene, record, true, &plan, err);
     if (status == THUD_OK && methods)
         status = choose_methods(plan, methods, err);
+    struct thud_bench_jobs all = *jobs;
+    all.scene = scene;
     if (status == THUD_OK)
-        status = thud_bench_jobs_run(plan, jobs, err);
+        status = thud_bench_jobs_run(plan, &all, err);
     thud_progress_end();
     if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
         thud_bench_table(plan, &table);
@@ -97,7 +106,7 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
         char text[THUD_TEXT_MAX + 64];
         snprintf(text, sizeof text, "%s: speed against accuracy", scene->title);
         enum thud_status delivered =
-            deliver(args, scene->name, &table, &rows, thud_bench_figure(plan, text), jobs->cancel, err);
+            deliver(args, scene->name, &table, &rows, plan, thud_bench_figure(plan, text), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_bench_free(plan);
@@ -121,7 +130,7 @@ static enum thud_status cost(const struct thud_args *args, const struct thud_sce
         thud_cost_table(plan, &table);
         const struct thud_rows rows = thud_cost_rows(plan);
         enum thud_status delivered =
-            deliver(args, scene->name, &table, &rows, thud_cost_figure(plan, scene->title), jobs->cancel, err);
+            deliver(args, scene->name, &table, &rows, NULL, thud_cost_figure(plan, scene->title), jobs->cancel, err);
         status = delivered == THUD_OK ? status : delivered;
     }
     thud_cost_free(plan);
@@ -151,6 +160,7 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
 {
     struct thud_bench_jobs jobs = {
         .repeats = THUD_BENCH_REPEATS, .patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
+    jobs.budget_s = thud_args_has(args, "patience") ? 0 : THUD_BENCH_BUDGET_S;
     static const char *const asked[] = {"case", NULL};
     struct thud_picture_choice unused;
     struct thud_made_by by;

@@ -11,6 +11,8 @@ run bench rigid-bumper --methods exact,rk4 --patience 0.1s -o "$tmp/b"
 is "two methods of the bench" [ "$code" -eq 0 ]
 is "a curve with events located says so" shows '^rk4, located$'
 is "one without does not" shows '^rk4$'
+is "the quickest run that keeps 1 % is told first" shows '^peaks right to 1 % cost$'
+is "with its ratio to the least" shows '^  rk4, located .* 1\(e\|\.\).* [0-9.e+]*$'
 is "no other method is run" [ "$(cut -d, -f1 "$tmp/b/bench.csv" | sort -u | tr '\n' ' ')" = "exact method rk4 " ]
 is "the CSV is that of the table, not the picture's" grep -q '^exact,1,0.01,done,' "$tmp/b/bench.csv"
 is "and has a row for each point" [ "$(rows "$tmp/b/bench.csv" '^rk4,')" -eq 20 ]
@@ -49,11 +51,23 @@ is "all that blew up are listed" sh -c "sed -n '/^no result:/,\$p' '$tmp/out' | 
 words() { sed -n "s/^set label [0-9]* '\(.*\)' at screen.*/\1/p" "$tmp/bad/bench.gp" | tr '\n' ' '; } # a note may be wrapped anywhere
 is "methods that blew up are named on the chart" sh -c "echo '$(words)' | grep -q 'Blown up, and not shown: central-difference at 1e-02'"
 run bench towers --methods exact,lagged --patience 50ms -o "$tmp/missed"
+is "what 0.1 % of input moves is told" shows '^0.1 % of input (gap, ground motion, stiffness) moves the peaks by up to [0-9.]* %'
+is "and shaded" grep -q 'Shaded: errors below what 0.1 % of input moves' "$tmp/missed/bench.gp"
+is "what keeps an accuracy does, and is the quickest of its curve" sh -c '"$0" bench towers --methods exact,lagged --patience 50ms --json >"$1"' "$THUD" "$tmp/costs.json"
+is "by its own rows" awk -v RS='{' '
+    function value(key, at) { at = index($0, "\"" key "\": "); return at ? substr($0, at + length(key) + 4) + 0 : "" }
+    /"level"/ { if (value("error") > value("level") || value("ratio") < 1) bad = 1; n++ }
+    /"moved"/ { if (!(value("moved") > 1e-3)) bad = 1; moved = 1 }
+    END { exit bad || n < 2 || !moved }' "$tmp/costs.json"
 is "an impact missed is marked on the chart" grep -q "Ringed: runs that missed impacts or added some" "$tmp/missed/bench.gp"
 is "and its run listed" sh -c "sed -n '/^impacts missed or added:/,\$p' '$tmp/out' | grep -q '^  lagged: 1e-02'"
 is "one timing has no spread" awk -F, 'NR > 1 && $4 == "done" && ($7 == 1) != ($6 == "") { exit 1 }' "$tmp/missed/bench.csv"
 run bench rigid-concrete --methods exact -o "$tmp/none"
+is "exact with linear contacts is one point" [ "$(grep -c '^exact,' "$tmp/none/bench.csv")" -eq 1 ]
 is "where none is missed nothing is marked" [ "$(cat "$tmp/out" "$tmp/none/bench.gp" | grep -c 'missed or added\|no result\|Blown up')" -eq 0 ]
+is "a step at which contacts make energy gives no results" gives 4 run towers --case bumper --method lagged --step 0.01s
+is "and says how much" says 'the contacts made 7.62e+03 kJ out of nothing, 43 % of the energy that went in'
+is "nor numbers" [ ! -s "$tmp/out" ]
 run bench towers --cost floors
 is "an axis there is not is wrong usage" [ "$code" -eq 2 ]
 is "and the known ones are named" says 'storeys, buildings, duration or impacts'

@@ -39,11 +39,34 @@ void thud_bench_free(struct thud_bench *bench);
 /* Whether storeys of the scene yield: then to locate events is to locate theirs too. */
 bool thud_bench_yields(const struct thud_bench *bench);
 int thud_bench_count(const struct thud_bench *bench);
-struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i);
+struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i);
 /* Leaves only the curves of these methods. */
 void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
 /* As thud_stepping_name. */
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
+
+/* What is to be run next: of the points that wait, the one that stands first on its curve; -1: none waits. */
+int thud_bench_next(const struct thud_bench *bench);
+/* How many wait no more. */
+int thud_bench_ended(const struct thud_bench *bench);
+
+/* What an accuracy costs by a curve: its quickest run whose peaks are that near and that has every impact. `ratio`: of
+ * its time to that of the quickest curve. */
+struct thud_bench_cost {
+    double level;
+    int point;
+    double ratio;
+};
+enum { THUD_BENCH_LEVELS = 2, THUD_BENCH_CURVES_MAX = 64 };
+extern const double thud_bench_level[THUD_BENCH_LEVELS]; /* 1 % and 0.1 % */
+/* By rising time, a row for each curve that keeps the level; returns how many. */
+int thud_bench_costs(const struct thud_bench *bench, double level, struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX]);
+
+/* Runs the scene with each of a few inputs 0.1 % less and more (thud_change_solve). The largest error that the peaks then
+ * have is the least that means anything for the scene: thud_bench_moved, NaN before. Errors: those of
+ * thud_scene_solve. */
+enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_scene *scene, struct thud_error *err);
+double thud_bench_moved(const struct thud_bench *bench);
 
 /* Runs of the reference: 0 the program's own tightest, 1 an independent one. Each is created, advanced by the caller
  * and handed back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */

@@ -28,6 +28,12 @@ int thud_spread_digits(double spread);
  * stiffness of every storey and isolator of every second structure. The scale is the ground motion's, which no scene holds. */
 void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor);
 
+/* Runs a case's scene with one input times a factor, by its own method. The result needs neither the changed scene nor
+ * the changed motion any more, but its history must not be asked for. Errors: THUD_MEMORY, those of thud_scene_solve. */
+enum thud_status thud_change_solve(const struct thud_scene *scene, const struct thud_record *record,
+                                   enum thud_change change, double factor, struct thud_solution *solution,
+                                   struct thud_error *err);
+
 /* The relative change that the scene's study asks for, else 0.1 %. */
 double thud_scene_change(const struct thud_scene *scene);
 

@@ -59,6 +59,51 @@ struct thud_rows thud_bench_rows(struct thud_bench *bench)
     return (struct thud_rows){&thud_bench_schema, 0, thud_bench_count(bench), make_bench, thud_bench_point(bench, 0)};
 }
 
+struct cost_of_level {
+    const char *method;
+    int located;
+    struct thud_bench_point own;
+    struct thud_bench_cost cost;
+};
+#define LEVEL(member, name, text) THUD_FIELD(struct cost_of_level, member, name, text)
+static const struct thud_column level_columns[] = {
+    LEVEL(cost.level, "level", "Largest relative error that is allowed."),
+    LEVEL(method, "method", "Name of a method that keeps it."),
+    LEVEL(located, "located", "1 where events are located."),
+    LEVEL(own.setting, "setting", "Step in s, or tolerance, of its quickest run."),
+    LEVEL(own.error.all, "error", "Largest relative error of that run."),
+    LEVEL(own.seconds, "seconds", "Its wall time, s."),
+    LEVEL(own.work.steps, "steps", "Its steps."),
+    LEVEL(cost.ratio, "ratio", "Of its time to the least.")};
+const struct thud_schema thud_bench_cost_schema =
+    THUD_SCHEMA("bench of each accuracy",
+                "With\n.Cm bench Fl -json\nthe list\n.Va costs :\na row for each accuracy and each method that keeps "
+                "it, the quickest first;\n.Va moved\nis the largest relative change of a peak under 0.1 % of input.\n",
+                level_columns);
+
+static void make_level(const void *of, int i, void *out)
+{
+    struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX];
+    for (int k = 0; k < THUD_BENCH_LEVELS; k++) {
+        const int n = thud_bench_costs(of, thud_bench_level[k], cost);
+        if (i < n) {
+            const struct thud_bench_point *p = thud_bench_point(of, cost[i].point);
+            *(struct cost_of_level *)out = (struct cost_of_level){p->method->name, p->locate, *p, cost[i]};
+            return;
+        }
+        i -= n;
+    }
+}
+
+struct thud_rows thud_bench_cost_rows(const struct thud_bench *bench)
+{
+    struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX];
+    int n = 0;
+    for (int k = 0; k < THUD_BENCH_LEVELS; k++)
+        n += thud_bench_costs(bench, thud_bench_level[k], cost);
+    return (struct thud_rows){&thud_bench_cost_schema, 0, n, make_level, bench};
+}
+
 /* ---- the cost of growing scenes ---- */
 
 struct cost_row {

@@ -1,5 +1,6 @@
 #include "lab/bench/bench_jobs.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,6 +15,7 @@ void thud_bench_work_init(struct thud_bench_work *work, struct thud_bench *bench
     memset(work, 0, sizeof *work);
     work->bench = bench;
     work->jobs = *jobs;
+    work->at = -1;
 }
 
 void thud_bench_work_stop(struct thud_bench_work *work)
@@ -62,22 +64,52 @@ static enum thud_status advance_reference(struct thud_bench_work *work, long bud
     return thud_bench_reference_finish(work->bench, work->reference++, run, err);
 }
 
-/* How long the point will take, by the one before it on its curve: steps cost by their number, tolerances grow slowly.
- */
+/* Of the time of a run over that of the one before it on its curve: steps cost by their number, tolerances little. */
+static double growth(const struct thud_bench_point *p, const struct thud_bench_point *before)
+{
+    return p->method->flags & THUD_METHOD_FIXED_STEP ? before->setting / p->setting : 1.8;
+}
+
+/* How long the point will take, by the one before it; 0: not known. */
 static double expected_s(struct thud_bench *bench, int i)
 {
     const struct thud_bench_point *p = thud_bench_point(bench, i), *before = i > 0 ? p - 1 : NULL;
-    if (!before || before->curve != p->curve || before->seconds == 0)
-        return 0;
-    return before->seconds * (p->method->flags & THUD_METHOD_FIXED_STEP ? before->setting / p->setting : 1.8);
+    return before && before->curve == p->curve ? before->seconds * growth(p, before) : 0;
+}
+
+/* A point with its timings; one that takes long is timed once. */
+static double with_timings_s(const struct thud_bench_jobs *jobs, double run_s)
+{
+    return run_s + (run_s > again_below_s ? 0 : fmin(spend_s, jobs->repeats * run_s));
+}
+
+static bool is_too_long(const struct thud_bench_work *work, double run_s, double spent_s)
+{
+    const struct thud_bench_jobs *jobs = &work->jobs;
+    return (jobs->patience_s > 0 && run_s > jobs->patience_s) ||
+           (jobs->budget_s > 0 && spent_s + with_timings_s(jobs, run_s) > jobs->budget_s);
+}
+
+/* How long the points that wait will take, as far as their curves have begun. */
+static double left_s(const struct thud_bench_work *work)
+{
+    double sum = 0, run_s = 0;
+    for (int i = 0; i < thud_bench_count(work->bench); i++) {
+        const struct thud_bench_point *p = thud_bench_point(work->bench, i);
+        run_s = p->state != THUD_BENCH_WAITING        ? p->seconds
+                : i > 0 && p->curve == (p - 1)->curve ? run_s * growth(p, p - 1)
+                                                      : 0;
+        if (p->state == THUD_BENCH_WAITING && !is_too_long(work, run_s, work->all_s + sum))
+            sum += with_timings_s(&work->jobs, run_s);
+    }
+    return sum;
 }
 
 static bool too_long(struct thud_bench_work *work)
 {
     struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
     double expected = expected_s(work->bench, work->at);
-    bool spent = work->jobs.budget_s > 0 && work->all_s > work->jobs.budget_s;
-    if (!spent && (!(work->jobs.patience_s > 0) || expected <= work->jobs.patience_s))
+    if (!is_too_long(work, expected, work->all_s))
         return false;
     p->state = THUD_BENCH_SKIPPED;
     if (expected > 0)
@@ -90,7 +122,7 @@ static bool too_long(struct thud_bench_work *work)
 
 static void next_point(struct thud_bench_work *work)
 {
-    work->at++;
+    work->at = -1;
     work->timed = 0;
     work->spent_s = 0;
     work->judged = false;
@@ -138,9 +170,12 @@ static enum thud_status advance_point(struct thud_bench_work *work, long budget,
     bool done = false;
     if (!work->run) {
         if (!work->judged) {
-            char name[64];
+            char name[64], text[96];
+            work->at = thud_bench_next(work->bench);
+            const double left = left_s(work);
             thud_bench_curve_name(thud_bench_point(work->bench, work->at), name, sizeof name);
-            tell(work, name, work->at, thud_bench_count(work->bench));
+            snprintf(text, sizeof text, left >= 1 ? "%s, about %.0f s left" : "%s", name, left);
+            tell(work, text, thud_bench_ended(work->bench), thud_bench_count(work->bench));
             if (too_long(work)) {
                 next_point(work);
                 return THUD_OK;
@@ -162,6 +197,16 @@ static enum thud_status advance_point(struct thud_bench_work *work, long budget,
     return status;
 }
 
+static enum thud_status move_inputs(struct thud_bench_work *work, struct thud_error *err)
+{
+    const double start = now_s(work);
+    tell(work, "0.1 % of input", 0, 1);
+    enum thud_status status = thud_bench_move(work->bench, work->jobs.scene, err);
+    work->reference++;
+    work->all_s += now_s(work) - start;
+    return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status; /* a scene at an edge: not known */
+}
+
 enum thud_status thud_bench_work_advance(struct thud_bench_work *work, long budget, bool *done, struct thud_error *err)
 {
     enum thud_status status;
@@ -170,11 +215,13 @@ enum thud_status thud_bench_work_advance(struct thud_bench_work *work, long budg
         status = thud_error_set(err, THUD_CANCELLED, "stopped");
     else if (work->reference < 2)
         status = advance_reference(work, budget, err);
-    else if (work->at < thud_bench_count(work->bench))
+    else if (work->reference == 2 && work->jobs.scene)
+        status = move_inputs(work, err);
+    else if (work->judged || thud_bench_next(work->bench) >= 0)
         status = advance_point(work, budget, err);
     else
         status = THUD_OK;
-    *done = work->reference == 2 && work->at >= thud_bench_count(work->bench);
+    *done = work->reference >= (work->jobs.scene ? 3 : 2) && !work->judged && thud_bench_next(work->bench) < 0;
     if (status != THUD_OK)
         thud_bench_work_stop(work);
     return status;

@@ -24,15 +24,16 @@ static void add_reference(struct thud_bench *bench, struct thud_text *out)
 
 /* What is told apart from results: runs whose impacts are not those of the reference, and runs without a result, or
  * with one that is none. */
-enum fault { THUD_BENCH_WRONG_IMPACTS, THUD_BENCH_BLOWN_UP };
-static const double no_solution = 100; /* relative error */
+enum fault { WRONG_IMPACTS, NO_RESULT, WORTHLESS, NOT_RUN };
+static const double worthless = 100; /* relative error */
 
 static bool has_fault(const struct thud_bench_point *p, enum fault fault)
 {
-    bool done = p->state == THUD_BENCH_DONE;
-    return fault == THUD_BENCH_WRONG_IMPACTS
-               ? done && p->error.missed + p->error.extra > 0
-               : p->state == THUD_BENCH_FAILED || (done && !(p->error.all <= no_solution));
+    const bool done = p->state == THUD_BENCH_DONE;
+    return fault == WRONG_IMPACTS ? done && p->error.missed + p->error.extra > 0
+           : fault == NO_RESULT   ? p->state == THUD_BENCH_FAILED
+           : fault == WORTHLESS   ? done && !(p->error.all <= worthless)
+                                  : p->state == THUD_BENCH_SKIPPED;
 }
 
 /* How a list of runs is written: what stands before it, between two curves, behind a curve's name, between two runs. */
@@ -54,6 +55,8 @@ static void put_runs(struct thud_bench *bench, enum fault fault, const struct li
             thud_text_append(out, "%s%s%s%.0e", curve < 0 ? style->begin : style->curve, name, style->name, p->setting);
         else
             thud_text_append(out, "%s%.0e", style->run, p->setting);
+        if (fault == WORTHLESS)
+            thud_text_append(out, " (%.3g times off)", p->error.all);
         curve = p->curve;
     }
 }
@@ -66,10 +69,38 @@ static void add_list(struct thud_bench *bench, enum fault fault, const char *beg
         thud_text_append(out, "\n");
 }
 
+/* What each accuracy costs, the quickest curve first, and where it buys nothing. */
+static void add_costs(struct thud_bench *bench, struct thud_text *out)
+{
+    struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX];
+    const double moved = thud_bench_moved(bench);
+    for (int k = 0; k < THUD_BENCH_LEVELS; k++) {
+        const double level = thud_bench_level[k];
+        const int n = thud_bench_costs(bench, level, cost);
+        thud_text_append(out, "\npeaks right to %g %% cost%s\n", 100 * level,
+                         n == 0 ? ": no run has them so near" : "");
+        if (n > 0)
+            thud_text_append(out, "  %-32s  setting    error  time ms    steps  times the least\n", "");
+        for (int i = 0; i < n; i++) {
+            const struct thud_bench_point *p = thud_bench_point(bench, cost[i].point);
+            char name[64];
+            thud_bench_curve_name(p, name, sizeof name);
+            thud_text_append(out, "  %-32s %8.0e  %7.1e %8.3g %8ld  %.3g\n", name, p->setting, p->error.all,
+                             1e3 * p->seconds, p->work.steps, cost[i].ratio);
+        }
+    }
+    if (moved > 0)
+        thud_text_append(out,
+                         "\n0.1 %% of input (gap, ground motion, stiffness) moves the peaks by up to %.2g %%: an "
+                         "error below that means nothing for this scene\n",
+                         100 * moved);
+}
+
 void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
 {
     int curve = -1;
     add_reference(bench, out);
+    add_costs(bench, out);
     for (int i = 0; i < thud_bench_count(bench); i++) {
         const struct thud_bench_point *p = thud_bench_point(bench, i);
         char name[64];
@@ -97,8 +128,10 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
                          p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations);
     }
-    add_list(bench, THUD_BENCH_WRONG_IMPACTS, "\nimpacts missed or added:\n  ", out);
-    add_list(bench, THUD_BENCH_BLOWN_UP, "\nno result:\n  ", out);
+    add_list(bench, WRONG_IMPACTS, "\nimpacts missed or added:\n  ", out);
+    add_list(bench, WORTHLESS, "\nworthless:\n  ", out);
+    add_list(bench, NO_RESULT, "\nno result:\n  ", out);
+    add_list(bench, NOT_RUN, "\nnot run, they take too long (--patience 1000s runs them):\n  ", out);
 }
 
 /* One curve into both panels of its column. */
@@ -109,12 +142,12 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
     size_t n = 0, rings = 0;
     for (int i = first; i < last && n < 64; i++) {
         const struct thud_bench_point *p = thud_bench_point(bench, i);
-        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, THUD_BENCH_BLOWN_UP))
+        if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, WORTHLESS))
             continue;
         x[n] = fmax(p->error.all, 1e-13);
         time[n] = 1e3 * p->seconds;
         work[n] = (double)p->work.steps + (double)p->work.force_evaluations;
-        if (has_fault(p, THUD_BENCH_WRONG_IMPACTS)) {
+        if (has_fault(p, WRONG_IMPACTS)) {
             ring_x[rings] = x[n];
             ring_time[rings] = time[n];
             ring_work[rings++] = work[n];
@@ -133,15 +166,24 @@ static void add_curve(struct thud_bench *bench, int first, int last, struct thud
     }
 }
 
-/* Methods with runs that no chart can show. */
+/* What marks mean, and methods with runs that no chart can show. */
 static void add_note(struct thud_bench *bench, struct thud_figure *figure)
 {
-    static const struct list_style style = {"Blown up, and not shown: ", "; ", " at ", ", "};
-    struct thud_text note = {0};
-    for (int i = 0; i < thud_bench_count(bench) && note.size == 0; i++)
-        if (has_fault(thud_bench_point(bench, i), THUD_BENCH_WRONG_IMPACTS))
-            thud_text_append(&note, "Ringed: runs that missed impacts or added some. ");
-    put_runs(bench, THUD_BENCH_BLOWN_UP, &style, &note);
+    static const struct list_style blown_up = {"Blown up, and not shown: ", "; ", " at ", ", "},
+                                   off = {"Worthless, and not shown: ", "; ", " at ", ", "};
+    struct thud_text part[4] = {{0}}, note = {0};
+    if (thud_bench_moved(bench) > 0)
+        thud_text_append(&part[0], "Shaded: errors below what 0.1 %% of input moves");
+    for (int i = 0; i < thud_bench_count(bench) && part[1].size == 0; i++)
+        if (has_fault(thud_bench_point(bench, i), WRONG_IMPACTS))
+            thud_text_append(&part[1], "Ringed: runs that missed impacts or added some");
+    put_runs(bench, NO_RESULT, &blown_up, &part[2]);
+    put_runs(bench, WORTHLESS, &off, &part[3]);
+    for (int i = 0; i < 4; i++) {
+        if (part[i].size > 0)
+            thud_text_append(&note, "%s%s.", note.size > 0 ? " " : "", part[i].data);
+        thud_text_clear(&part[i]);
+    }
     if (note.size > 0 && !note.failed)
         thud_figure_note(figure, note.data);
     thud_text_clear(&note);
@@ -178,7 +220,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
         {"Work, events not located", "Work, events located"}};
     struct thud_figure *figure = thud_figure_create("bench", title, 2, 2);
     struct thud_panel *panel[2][2];
-    double trust = thud_bench_reference_error(bench);
+    double trust = thud_bench_reference_error(bench), moved = thud_bench_moved(bench);
     for (int row = 0; row < 2; row++)
         for (int column = 0; column < 2; column++) {
             struct thud_panel *p = panel[column][row] = thud_figure_panel(figure, row, column, titles[row][column]);
@@ -188,6 +230,8 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
             thud_panel_log(p, THUD_Y);
             if (isfinite(trust) && trust > 0)
                 thud_panel_mark(p, THUD_X, fmax(trust, 1e-13), fmax(trust, 1e-13), "reference");
+            if (moved > 0)
+                thud_panel_mark(p, THUD_X, 1e-13, moved, "");
         }
     int count = thud_bench_count(bench);
     for (int first = 0, last; first < count; first = last) {

@@ -6,6 +6,7 @@
 
 #include "study/methods/bench_private.h"
 #include "study/methods/stability.h"
+#include "study/sweep/sensitivity.h"
 
 static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 static const double steps[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
@@ -22,8 +23,9 @@ struct thud_bench {
     struct thud_bench_point *point;
     int npoints;
     struct thud_bench_solution reference[2];
-    double reference_error;
+    double reference_error, moved;
 };
+const double thud_bench_level[THUD_BENCH_LEVELS] = {1e-2, 1e-3};
 
 static void add_curve(struct thud_bench *bench, const struct thud_method *method, bool locate, const double *setting,
                       int n)
@@ -34,13 +36,24 @@ static void add_curve(struct thud_bench *bench, const struct thud_method *method
             (struct thud_bench_point){.method = method, .locate = locate, .setting = setting[i], .curve = curve};
 }
 
+/* Whether a tolerance has nothing to act on: all motion between events is in closed form. */
+static bool is_closed_form(const struct thud_bench *bench, const struct thud_method *method)
+{
+    bool closed = method == thud_method_find(reference_names[0]);
+    for (int c = 0; c < bench->model->ncontacts; c++)
+        closed = closed && thud_law_is_linear(bench->model->contact[c].law);
+    return closed;
+}
+
 static void plan(struct thud_bench *bench, int nsteps)
 {
+    static const double usual = 1e-6;
     for (int i = 0; i < thud_method_count(); i++) {
         const struct thud_method *m = thud_method_at(i);
         bool locates = m->flags & THUD_METHOD_LOCATES, can = m->flags & THUD_METHOD_CAN_LOCATE;
         if (!(m->flags & THUD_METHOD_FIXED_STEP)) {
-            add_curve(bench, m, locates, tolerances, TOLERANCES);
+            const bool one = is_closed_form(bench, m);
+            add_curve(bench, m, locates, one ? &usual : tolerances, one ? 1 : TOLERANCES);
             continue;
         }
         add_curve(bench, m, false, steps, nsteps);
@@ -62,8 +75,7 @@ enum thud_status thud_bench_create(const struct thud_scene *scene, const struct 
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
     bench->record = record;
-    bench->reference_error = NAN;
-    plan(bench, expensive_steps ? STEPS : CHEAP_STEPS);
+    bench->reference_error = bench->moved = NAN;
     enum thud_status status = thud_scene_options(scene, &bench->options, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(scene, &bench->model, err);
@@ -71,6 +83,7 @@ enum thud_status thud_bench_create(const struct thud_scene *scene, const struct 
         thud_bench_free(bench);
         return status;
     }
+    plan(bench, expensive_steps ? STEPS : CHEAP_STEPS);
     bench->options.keep_impacts = true;
     *out = bench;
     return THUD_OK;
@@ -97,7 +110,7 @@ int thud_bench_count(const struct thud_bench *bench)
     return bench->npoints;
 }
 
-struct thud_bench_point *thud_bench_point(struct thud_bench *bench, int i)
+struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i)
 {
     return &bench->point[i];
 }
@@ -113,6 +126,88 @@ void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *
             bench->point[kept++] = bench->point[i];
     }
     bench->npoints = kept;
+}
+
+int thud_bench_next(const struct thud_bench *bench)
+{
+    int next = -1, least = 0;
+    for (int i = 0, rank = 0; i < bench->npoints; i++) {
+        rank = i > 0 && bench->point[i - 1].curve == bench->point[i].curve ? rank + 1 : 0;
+        if (bench->point[i].state == THUD_BENCH_WAITING && (next < 0 || rank < least)) {
+            next = i;
+            least = rank;
+        }
+    }
+    return next;
+}
+
+int thud_bench_ended(const struct thud_bench *bench)
+{
+    int ended = 0;
+    for (int i = 0; i < bench->npoints; i++)
+        ended += bench->point[i].state != THUD_BENCH_WAITING;
+    return ended;
+}
+
+static bool keeps(const struct thud_bench_point *p, double level)
+{
+    return p->state == THUD_BENCH_DONE && p->error.all <= level && p->error.missed + p->error.extra == 0;
+}
+
+static int by_time(const void *a, const void *b)
+{
+    const double x = ((const struct thud_bench_cost *)a)->ratio, y = ((const struct thud_bench_cost *)b)->ratio;
+    return (x > y) - (x < y);
+}
+
+int thud_bench_costs(const struct thud_bench *bench, double level, struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX])
+{
+    int n = 0;
+    for (int i = 0, curve = -1; i < bench->npoints; i++) {
+        const struct thud_bench_point *p = &bench->point[i];
+        if (!keeps(p, level))
+            continue;
+        if (p->curve != curve && n == THUD_BENCH_CURVES_MAX)
+            break;
+        if (p->curve != curve)
+            cost[n++] = (struct thud_bench_cost){level, i, p->seconds};
+        else if (p->seconds < cost[n - 1].ratio)
+            cost[n - 1] = (struct thud_bench_cost){level, i, p->seconds};
+        curve = p->curve;
+    }
+    qsort(cost, (size_t)n, sizeof *cost, by_time);
+    for (int i = n - 1; i >= 0; i--) /* times so far */
+        cost[i].ratio = cost[0].ratio > 0 ? cost[i].ratio / cost[0].ratio : NAN;
+    return n;
+}
+
+enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_scene *scene, struct thud_error *err)
+{
+    static const double small = 1e-3;
+    enum thud_status status = THUD_OK;
+    double moved = 0;
+    for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
+        struct thud_solution solution;
+        struct thud_bench_solution taken;
+        status = thud_change_solve(scene, bench->record, (enum thud_change)(i / 2), i % 2 ? 1 + small : 1 - small,
+                                   &solution, err);
+        if (status == THUD_OK) {
+            status = thud_bench_solution_take(solution.run, &taken, err);
+            thud_solution_clear(&solution);
+        }
+        if (status == THUD_OK) {
+            moved = fmax(moved, thud_bench_compare(&taken, &bench->reference[0]).all);
+            thud_bench_solution_clear(&taken);
+        }
+    }
+    if (status == THUD_OK)
+        bench->moved = moved;
+    return status;
+}
+
+double thud_bench_moved(const struct thud_bench *bench)
+{
+    return bench->moved;
 }
 
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size)

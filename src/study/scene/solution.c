@@ -43,6 +43,20 @@ enum thud_status thud_scene_start(const struct thud_scene *scene, const struct t
     return status;
 }
 
+/* Contacts lose energy or keep it. A step that is too long can make some: beyond 5 % of all that went into the scene,
+ * the share that the energy ledger allows, nothing is a result. */
+static enum thud_status check_contact_energy(const struct thud_result *result, struct thud_error *err)
+{
+    static const double allowed = 0.05;
+    const struct thud_energy *e = &result->energy;
+    if (-e->contact_j <= allowed * (e->initial_j + e->input_j))
+        return THUD_OK;
+    return thud_error_refuse(err, THUD_DIVERGED, NULL, "a shorter step, or a method that locates contacts",
+                             "the contacts made %.3g kJ out of nothing, %.0f %% of the energy that went in: %s gives "
+                             "no results at this step",
+                             -1e-3 * e->contact_j, -100 * e->contact_j / (e->initial_j + e->input_j), result->method);
+}
+
 enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct thud_record *record,
                                   const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err)
@@ -50,6 +64,8 @@ enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct t
     enum thud_status status = thud_scene_start(scene, record, options, out, err);
     for (bool done = false; status == THUD_OK && !done;)
         status = thud_run_advance(out->run, 1000, &done, err);
+    if (status == THUD_OK)
+        status = check_contact_energy(thud_run_result(out->run), err);
     if (status != THUD_OK && status != THUD_DIVERGED)
         thud_solution_clear(out);
     return status;

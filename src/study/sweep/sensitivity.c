@@ -110,20 +110,28 @@ static void compare(struct thud_sensitivity *s, enum thud_change change, const s
     }
 }
 
-static enum thud_status run_changed(const struct thud_scene *scene, const struct thud_record *record,
-                                    enum thud_change change, double factor, struct thud_scene *changed,
-                                    struct thud_solution *solution, struct thud_record **scaled, struct thud_error *err)
+enum thud_status thud_change_solve(const struct thud_scene *scene, const struct thud_record *record,
+                                   enum thud_change change, double factor, struct thud_solution *solution,
+                                   struct thud_error *err)
 {
-    enum thud_status status = THUD_OK;
-    *changed = *scene;
+    struct thud_scene *changed = malloc(sizeof *changed);
+    struct thud_record *scaled = NULL;
+    enum thud_status status = changed ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     *solution = (struct thud_solution){0};
-    thud_change_scene(changed, change, factor);
-    if (change == THUD_CHANGE_SCALE && record) {
-        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, scaled, err);
-        if (status == THUD_OK)
-            thud_record_scale(*scaled, factor);
+    if (status == THUD_OK) {
+        *changed = *scene;
+        thud_change_scene(changed, change, factor);
     }
-    return status == THUD_OK ? thud_scene_solve(changed, *scaled ? *scaled : record, NULL, solution, err) : status;
+    if (status == THUD_OK && change == THUD_CHANGE_SCALE && record) {
+        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
+        if (status == THUD_OK)
+            thud_record_scale(scaled, factor);
+    }
+    if (status == THUD_OK)
+        status = thud_scene_solve(changed, scaled ? scaled : record, NULL, solution, err);
+    free(changed);
+    thud_record_free(scaled);
+    return status;
 }
 
 enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
@@ -131,25 +139,20 @@ enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const stru
                                       struct thud_error *err)
 {
     *out = NULL;
-    struct thud_scene *changed = malloc(sizeof *changed);
     struct thud_sensitivity *s = NULL;
-    enum thud_status status = changed ? allocate(result, &s, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = allocate(result, &s, err);
     if (status == THUD_OK) {
         s->change = change;
         s->runs = 1 + 2 * THUD_CHANGES;
     }
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
         struct thud_solution solution;
-        struct thud_record *scaled = NULL;
         enum thud_change what = (enum thud_change)(i / 2);
-        double factor = i % 2 ? 1 + change : 1 - change;
-        status = run_changed(scene, record, what, factor, changed, &solution, &scaled, err);
+        status = thud_change_solve(scene, record, what, i % 2 ? 1 + change : 1 - change, &solution, err);
         if (status == THUD_OK)
             compare(s, what, result, thud_run_result(solution.run));
         thud_solution_clear(&solution);
-        thud_record_free(scaled);
     }
-    free(changed);
     if (status == THUD_OK)
         *out = s;
     else

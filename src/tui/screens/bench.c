@@ -48,12 +48,13 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 static void refresh(struct thud_tui *tui)
 {
     struct thud_bench_screen *s = state(tui);
-    if (!s->bench || (s->shown && (s->shown_done == s->work.at || s->work.at == 0)))
+    const int ended = s->bench ? thud_bench_ended(s->bench) : 0;
+    if (!s->bench || (s->shown && (s->shown_done == ended || ended == 0)))
         return;
     thud_figure_free(s->shown);
     s->shown = NULL;
-    s->shown_done = s->work.at;
-    if (s->work.at == 0)
+    s->shown_done = ended;
+    if (ended == 0)
         return;
     s->shown = thud_bench_figure(s->bench, "Speed against accuracy");
     if (thud_figure_check(s->shown, NULL) != THUD_OK) {
@@ -66,7 +67,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_bench_screen *s = state(tui);
     if (index == TABLE && s->bench)
-        snprintf(text, size, "%d of %d points", s->work.at, thud_bench_count(s->bench));
+        snprintf(text, size, "%d of %d points", thud_bench_ended(s->bench), thud_bench_count(s->bench));
     else
         snprintf(text, size, index == TABLE ? "Methods" : "Speed against accuracy");
 }
@@ -293,7 +294,7 @@ static bool work(struct thud_tui *tui)
 static double progress(struct thud_tui *tui)
 {
     const struct thud_bench_screen *s = state(tui);
-    return s->running ? (double)s->work.at / (thud_bench_count(s->bench) + 1) : -1.0;
+    return s->running ? (double)thud_bench_ended(s->bench) / (thud_bench_count(s->bench) + 1) : -1.0;
 }
 
 static void export_csv(struct thud_tui *tui)
