@@ -15,6 +15,10 @@ struct thud_text {
 void thud_text_append(struct thud_text *text, const char *fmt, ...) THUD_PRINTF(2, 3);
 void thud_text_bytes(struct thud_text *text, const char *bytes, size_t size);
 void thud_text_base64(struct thud_text *text, const char *bytes, size_t n);
+/* A name in a table: to the left of so many columns on the screen, never cut. A table's column is as wide as the widest
+ * of its names (thud_text_wider from the least width on). */
+void thud_text_padded(struct thud_text *text, const char *name, int columns);
+int thud_text_wider(int columns, const char *name);
 void thud_text_number(struct thud_text *text, double value); /* shortest text that reads back the same */
 /* A text as a field of CSV, in quotation marks where it needs them, and where it has what a terminal would obey or
  * bytes that are not UTF-8: these are written as they are. A spreadsheet computes what begins with = + - @ and

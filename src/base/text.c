@@ -149,6 +149,17 @@ size_t thud_text_shown(char *text, const char *kept)
     return (size_t)(to - text);
 }
 
+int thud_text_wider(int columns, const char *name)
+{
+    const int own = thud_utf8_columns(name);
+    return own > columns ? own : columns;
+}
+
+void thud_text_padded(struct thud_text *text, const char *name, int columns)
+{
+    thud_text_append(text, "%s%*s", name, thud_text_wider(columns, name) - thud_utf8_columns(name), "");
+}
+
 void thud_text_comment(struct thud_text *text, const char *name, const char *value)
 {
     thud_text_append(text, "# %s: ", name);

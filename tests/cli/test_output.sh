@@ -198,3 +198,20 @@ fragility/fragility.csv fragility/fragility.json curves/stripes share,share_low,
 uncertainty/effects.csv uncertainty/uncertainty.json quantities/inputs ,
 END
 fi
+
+# no table cuts a name or a unit: two buildings that differ in the last letters have rows of their own
+mills() { # WHAT ROWS ARGUMENTS...: so many rows begin with, or have behind the case or number, one name and the other
+    which=$1 rows=$2
+    shift 2
+    run "$@" --set "structures.1.name=The old mill at the river 14" --set "structures.2.name=The old mill at the river 16" --quiet
+    is "$which: rows of two alike names" [ "$(grep -c "The old mill at the river 14\([ .]\|$\).*[0-9]" "$tmp/out")" -ge "$rows" ]
+    is "$which: the names are whole" [ -z "$(grep -o 'The old m[^,:"]*' "$tmp/out" | grep -v '^The old mill at the river 1[46]')" ]
+}
+mills "a study" 2 sweep towers --to 6s --vary gap=10cm,12cm
+mills "a study of motions" 4 sweep towers --to 6s --vary gap=10cm,12cm --records kobe-surrogate.csv,northridge-surrogate.csv
+mills "storeys that yield" 2 sweep towers-yielding --to 6s --vary gap=10cm,12cm
+mills "struck columns" 4 run slab-against-columns --to 5s
+mills "links" 1 run towers-linked --to 5s
+mills "sensitivity" 4 run towers --to 5s --sensitivity
+mills "uncertain inputs" 4 uncertainty towers --to 5s --samples 2
+is "and units" [ "$(grep -c "[a-z0-9] m/s2  *[0-9]" "$tmp/out")" -ge 8 ]

@@ -26,7 +26,7 @@ enum thud_digits {
     THUD_DIGITS_PLACES, /* places after the point alike in a column, so that its largest has `digits` */
     THUD_DIGITS_FIXED,  /* `digits` places after the point */
     THUD_DIGITS_FREE,   /* `digits` in all; large numbers without exponent */
-    THUD_DIGITS_WORD    /* a text, or a whole number; of a text no more than `digits` bytes where that is above 0 */
+    THUD_DIGITS_WORD    /* a text, or a whole number; a column of texts to the left is as wide as they need */
 };
 
 /* Right-aligned in `width` columns, negative: left-aligned after a blank; 0: a text that ends its row. */

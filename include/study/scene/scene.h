@@ -334,6 +334,8 @@ const struct thud_param *thud_group_params(enum thud_group group, int *count);
 const char *thud_group_key(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
+/* Columns that the widest name of a structure takes in a table, at least so many. */
+int thud_scene_names_width(const struct thud_scene *scene, int least);
 /* The word of a kind in presets. */
 const char *thud_kind_name(enum thud_structure_kind kind);
 

@@ -82,7 +82,7 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 /* A measure of a run; of the required gap that of the scene, the widest of all levels, without what a bumper needs
  * besides. */
 struct thud_quantity_of_run {
-    char name[96];   /* "bumper: mean acceleration of A over no bumper" */
+    char name[160];  /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
     enum thud_measure measure;
     enum thud_case which;

@@ -89,18 +89,20 @@ static void add_digits(const struct thud_report *report, struct thud_text *out)
 void thud_sensitivity_table(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_sensitivity *s = report->sensitivity;
+    const int width = thud_scene_names_width(report->scene, 16);
     int row = 0;
     thud_text_append(out,
                      "\nsensitivity: largest change of each peak under %g %% more or less gap, ground motion or "
-                     "storey stiffness of every second building (%d runs)\n%-22s",
-                     100 * s->change, s->runs, "structure and floor");
+                     "storey stiffness of every second building (%d runs)\n%-*s",
+                     100 * s->change, s->runs, width + 6, "structure and floor");
     for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
         thud_text_append(out, "%15s", floor_peak[q]);
     thud_text_append(out, "\n");
     for (int k = 0; k < report->result->nstructures; k++) {
         int floors = report->result->structure[k].floors;
         for (int i = floors - 1; i >= 0; i--) {
-            thud_text_append(out, "%-16.16s %3d  ", report->scene->structure[k].name, i + 1);
+            thud_text_padded(out, report->scene->structure[k].name, width);
+            thud_text_append(out, " %3d  ", i + 1);
             for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
                 add_spread(out, &s->floor[row + i][q]);
             thud_text_append(out, "\n");

@@ -140,15 +140,26 @@ static void put_clearing(const struct thud_fragility_study *study, const struct 
                          thud_case_name(study->suite->plan->cases[line->k]), f->clearing, f->nexact, clear);
 }
 
+/* Where the other keys stand along a line; "-" where there are none. */
+static const char *place_of(const struct thud_fragility_study *study, const struct thud_fragility_line *line, char *at,
+                            size_t size)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    thud_sweep_setting(plan, plan->naxes, line->at, line->axis, false, at, size);
+    return *at ? at : "-";
+}
+
 void thud_fragility_table(const struct thud_fragility_study *study, struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
-    int event = -1, axis = -1;
+    int event = -1, axis = -1, width = 10;
+    char at[160];
+    for (size_t i = 0; i < study->n; i++)
+        width = thud_text_wider(width, place_of(study, &study->line[i], at, sizeof at));
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
         const struct thud_sweep_axis *along = &plan->axis[line->axis];
         bool hazard = study->hazard.n > 0 && thud_axis_is_intensity(along);
-        char at[64];
         if (!thud_sweep_is_spread(plan, line->at, line->axis))
             continue;
         if (line->event != event || line->axis != axis) {
@@ -156,13 +167,13 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             thud_text_append(out, "%s%s against %s%s%s%s, %d ground motions\n", event >= 0 ? "\n" : "",
                              study->event[line->event].text, along->param->title, unit && *unit ? " (" : "",
                              unit ? unit : "", unit && *unit ? ")" : "", study->suite->nrecords);
-            thud_text_append(out, "  %-7s %-10s %-28s %-*s%s\n", "case", "at", "50 % (90 % band)", hazard ? 8 : 10,
-                             "dispersion", hazard ? " a year    in 50 y" : "");
+            thud_text_append(out, "  %-7s %-*s %-28s %-*s%s\n", "case", width, "at", "50 % (90 % band)",
+                             hazard ? 8 : 10, "dispersion", hazard ? " a year    in 50 y" : "");
         }
         event = line->event;
         axis = line->axis;
-        thud_sweep_setting(plan, plan->naxes, line->at, line->axis, false, at, sizeof at);
-        thud_text_append(out, "  %-7s %-10.10s ", thud_case_name(plan->cases[line->k]), *at ? at : "-");
+        thud_text_append(out, "  %-7s %-*s ", thud_case_name(plan->cases[line->k]), width,
+                         place_of(study, line, at, sizeof at));
         put_median(line, unit_of(along), hazard, out);
         put_rate(&line->rate, out);
         while (out->size > 0 && out->data[out->size - 1] == ' ')

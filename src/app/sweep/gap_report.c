@@ -22,42 +22,14 @@ static const char *floors(const struct thud_gap_level *level, char text[24])
     return text;
 }
 
-static void put_head(const char *first, const char *last, struct thud_text *out)
+enum { NAME = 26 };
+
+static void put_head(const char *first, int width, const char *last, struct thud_text *out)
 {
-    thud_text_append(out, "%-26s", first);
+    thud_text_padded(out, first, width);
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
         thud_text_append(out, " %7s", thud_gap_rule_at(rule)->name);
     thud_text_append(out, "%s%s\n", *last ? "  " : "", last);
-}
-
-enum { NAME = 26, HEAD = 10 };
-
-/* In 26 columns; of a long name both ends. */
-static void cut(const char *name, int head, char text[NAME + 1])
-{
-    size_t n = strlen(name);
-    if (n <= NAME)
-        snprintf(text, NAME + 1, "%s", name);
-    else
-        snprintf(text, NAME + 1, "%.*s..%s", head, name, name + n - (NAME - 2 - (size_t)head));
-}
-
-/* The name of a ground motion, with as much of its end as tells it from the others. */
-static void put_name(const struct thud_gap_suite *suite, int record, struct thud_text *out)
-{
-    char text[NAME + 1], other[NAME + 1];
-    bool alone = false;
-    for (int head = HEAD; head >= 0 && !alone; head--) {
-        alone = true;
-        cut(suite->record[record], head, text);
-        for (int r = 0; r < suite->nrecords && alone; r++) {
-            cut(suite->record[r], head, other);
-            alone = r == record || strcmp(suite->record[r], suite->record[record]) == 0 || strcmp(text, other) != 0;
-        }
-    }
-    if (!alone)
-        cut(suite->record[record], HEAD, text);
-    thud_text_append(out, "%-26s", text);
 }
 
 static void put_gap(struct thud_text *out, double gap_m)
@@ -71,10 +43,13 @@ static void put_gap(struct thud_text *out, double gap_m)
 static void put_records(const struct thud_gap_suite *suite, struct thud_text *out)
 {
     char text[24];
-    put_head("widest of all levels (cm)", "at", out);
+    int width = NAME;
+    for (int r = 0; r < suite->nrecords; r++)
+        width = thud_text_wider(width, suite->record[r]);
+    put_head("widest of all levels (cm)", width, "at", out);
     for (int r = 0; r < suite->nrecords; r++) {
         int level = 0;
-        put_name(suite, r, out);
+        thud_text_padded(out, suite->record[r], width);
         for (int rule = THUD_GAP_SHORT - 1; rule >= THUD_GAP_EXACT; rule--)
             thud_needed_gap_widest(suite->gap[r], 0, rule, &level);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
@@ -155,8 +130,7 @@ static void put_collapses(const struct thud_gap_suite *suite, const struct thud_
         return;
     const struct thud_collapse *c = &suite->gap[first]->collapse;
     const struct thud_structure *s = &scene->structure[c->structure];
-    char name[48];
-    snprintf(name, sizeof name, "%.44s", thud_path_name(suite->record[first]));
+    const char *name = thud_path_name(suite->record[first]);
     if (suite->nrecords > 1)
         thud_text_append(out, "Under %d of the %d ground motions a storey collapses without contact, first under %s:\n",
                          n, suite->nrecords, name);
@@ -279,7 +253,7 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     put_bumpers(scene, out);
     put_collapses(suite, scene, out);
     thud_text_append(out, "\n");
-    put_head(suite->nrecords > 1 ? "medians by level (cm)" : "by level (cm)", "", out);
+    put_head(suite->nrecords > 1 ? "medians by level (cm)" : "by level (cm)", NAME, "", out);
     for (int l = 0; l < suite->gap[0]->nlevels && status == THUD_OK; l++) {
         status = fractiles(suite, l, f, err);
         if (status == THUD_OK)

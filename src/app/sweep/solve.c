@@ -215,7 +215,7 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
 void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
 {
     thud_solve_words(solve, out);
-    thud_text_append(out, "\n%-20.40s  %s\n", solve->key, "holds under");
+    thud_text_append(out, "\n%-20s  %s\n", solve->key, "holds under");
     for (int i = 0; i < solve->n; i++) {
         const struct thud_solve_try *t = &solve->tried[i];
         if (t->n == 0)

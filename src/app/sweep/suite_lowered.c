@@ -17,7 +17,7 @@ struct measure {
     long setting;
     char column[128], name[128]; /* "22 cm" of its case, "bumper at 22 cm"; "tie (500 MN/m)" */
 };
-enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAMED_MAX = 64 };
+enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAMED_MAX = 128 };
 
 struct compared {
     const struct thud_suite *suite;
@@ -133,39 +133,46 @@ static bool next_response(const struct compared *c, int *q, int *s)
 
 static void name_response(const struct compared *c, int q, int s, char name[NAMED_MAX])
 {
-    snprintf(name, NAMED_MAX, "%s%s%.16s", thud_measure_info(c->response[q])->words, s < 0 ? "" : " of ",
+    snprintf(name, NAMED_MAX, "%s%s%s", thud_measure_info(c->response[q])->words, s < 0 ? "" : " of ",
              s < 0 ? "" : c->suite->plan->scene.structure[s].name);
 }
 
 /* ---- words ---- */
 
-static void put_cell(const struct lowered *r, struct thud_text *out)
+static void put_cell(const struct lowered *r, int width, struct thud_text *out)
 {
     char cell[40] = "-";
     if (r->n > 0 && r->ratio.median < 1 / equal)
         snprintf(cell, sizeof cell, "%.3f %d of %d", r->ratio.median, r->lower, r->n);
     else if (r->n > 0)
         snprintf(cell, sizeof cell, "from 0 %d of %d", r->lower, r->n);
-    thud_text_append(out, " %16s", cell);
+    thud_text_append(out, " %*s", width, cell);
 }
 
 static void put_case(const struct compared *c, int k, struct thud_text *out)
 {
     char name[NAMED_MAX];
-    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%28s",
-                     thud_case_name(c->suite->plan->cases[k]), "");
+    int q = 0, width = 28, cell = 16;
     for (int i = 0; i < c->nmeasures; i++)
-        if (c->measure[i].k == k)
-            thud_text_append(out, " %16.16s", c->measure[i].column);
-    thud_text_append(out, "\n");
-    int q = 0;
+        cell = c->measure[i].k == k ? thud_text_wider(cell, c->measure[i].column) : cell;
     for (int s = -2; next_response(c, &q, &s);) {
         name_response(c, q, s, name);
-        thud_text_append(out, "%-28.28s", name);
+        width = thud_text_wider(width, name);
+    }
+    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%*s",
+                     thud_case_name(c->suite->plan->cases[k]), width, "");
+    for (int i = 0; i < c->nmeasures; i++)
+        if (c->measure[i].k == k)
+            thud_text_append(out, " %*s", cell, c->measure[i].column);
+    thud_text_append(out, "\n");
+    q = 0;
+    for (int s = -2; next_response(c, &q, &s);) {
+        name_response(c, q, s, name);
+        thud_text_padded(out, name, width);
         for (int i = 0; i < c->nmeasures; i++)
             if (c->measure[i].k == k) {
                 const struct lowered r = ratio_of(c, &c->measure[i], q, s);
-                put_cell(&r, out);
+                put_cell(&r, cell, out);
             }
         thud_text_append(out, "\n");
     }

@@ -69,6 +69,8 @@ static void put_data_row(const struct thud_suite *suite, const int *at, int k, i
         cell++->number = row->of[row->told[c / ENDS]][c % ENDS];
 }
 
+enum { NAME = 8 }; /* columns of a structure's name, at least */
+
 static void put_table_row(const struct thud_suite *suite, const int *at, int k, int s, const struct suite_row *row,
                           struct thud_text *out)
 {
@@ -77,18 +79,20 @@ static void put_table_row(const struct thud_suite *suite, const int *at, int k, 
     char name[160];
     if (!thud_sweep_is_spread(plan, at, -1))
         return;
-    thud_text_append(out, "  %-8s %-8.8s %4.0f %4.0f", thud_case_name(plan->cases[k]), plan->scene.structure[s].name,
-                     row->count[POUNDING], row->count[AMPLIFIED]);
+    thud_text_append(out, "  %-8s ", thud_case_name(plan->cases[k]));
+    thud_text_padded(out, plan->scene.structure[s].name, thud_scene_names_width(&plan->scene, NAME));
+    thud_text_append(out, " %4.0f %4.0f", row->count[POUNDING], row->count[AMPLIFIED]);
     for (int q = 0; q < ENDS; q++)
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
     for (int q = 1; q < ENDS; q++)
         thud_text_append(out, isnan(force[q]) ? "       -" : " %7.3g", 1e-6 * force[q]);
-    thud_text_append(out, "  %-.17s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
+    thud_text_append(out, "  %s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
 }
 
 enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
                                    struct thud_error *err)
 {
+    const int width = thud_scene_names_width(&suite->plan->scene, NAME);
     const struct thud_sweep_plan *plan = suite->plan;
     double *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
     const char *before = "";
@@ -107,9 +111,9 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
     else
         thud_text_append(out,
                          "over %d ground motions: how many pound, and under how many accelerations grow\n"
-                         "                              mean acc. ratio      force (MN)\n"
-                         "  case     of      pound grow   16 %% median   84 %%  median    84 %%  at\n",
-                         suite->nrecords);
+                         "%*s                     mean acc. ratio      force (MN)\n"
+                         "  case     %-*spound grow   16 %% median   84 %%  median    84 %%  at\n",
+                         suite->nrecords, 1 + width, "", width, "of");
     for (long i = 0; i < suite->settings; i++) {
         thud_sweep_place(plan, i, at);
         for (int k = 0; k < plan->ncases; k++)

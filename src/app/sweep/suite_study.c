@@ -68,16 +68,6 @@ static double sa_at(const struct thud_suite_study *study, int i, int mark)
     return sa * study->scaled.motion[i].factor;
 }
 
-static int widest_name(const struct thud_suite_study *study)
-{
-    size_t width = 12;
-    for (int i = 0; i < study->records->n; i++) {
-        size_t n = strlen(thud_path_name(study->records->record[i]->file));
-        width = n > width ? n : width;
-    }
-    return (int)(width < 44 ? width : 44);
-}
-
 static void put_remarks(const struct thud_suite_study *study, struct thud_text *out)
 {
     const struct thud_record **chosen = calloc((size_t)study->records->n, sizeof(struct thud_record *));
@@ -149,12 +139,11 @@ static void make_shown(const void *of, int i, void *out)
 
 void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_text *out)
 {
-    const int width = widest_name(study);
     struct thud_column column[SHOWN_MAX];
     char head[THUD_STRUCTURES_MAX][32];
     int n = 0;
     column[n++] = (struct thud_column){THUD_COLUMN(struct shown_row, name, "", ""),
-                                       .shown = {"motion", NULL, 0, -width, width, THUD_DIGITS_WORD}};
+                                       .shown = {"motion", NULL, 0, -12, 0, THUD_DIGITS_WORD}};
     for (int c = 0; c < thud_motion_schema.n; c++) /* the motion's row begins the shown one */
         if (study->has_target || strcmp(thud_motion_schema.column[c].name, "misfit") != 0)
             column[n++] = thud_motion_schema.column[c];

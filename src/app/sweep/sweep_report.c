@@ -11,7 +11,7 @@
 #include "study/scene/level.h"
 #include "study/sweep/sweep_best.h"
 
-enum { PLACE = 80 };
+enum { PLACE = 80, NAME = 9, HEAD = 9 }; /* columns: of a place, at least of a name, of the case before it */
 
 static const char *short_name(const char *path)
 {
@@ -83,8 +83,9 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
     }
     if (!mean.at || !floor.at)
         return;
-    thud_text_append(out, "  %-8s %-9.9s %5.3f to %-5.3f  %5.3f on floor %-3d ", thud_case_name(which),
-                     plan->scene.structure[structure].name, mean.least, mean.most, floor.most, floor.floor);
+    thud_text_append(out, "  %-8s ", thud_case_name(which));
+    thud_text_padded(out, plan->scene.structure[structure].name, thud_scene_names_width(&plan->scene, NAME));
+    thud_text_append(out, " %5.3f to %-5.3f  %5.3f on floor %-3d ", mean.least, mean.most, floor.most, floor.floor);
     if (drift.at)
         thud_text_append(out, " %5.3f to %-5.3f", drift.least, drift.most);
     else
@@ -145,6 +146,7 @@ static struct span span_of(const struct thud_sweep_table *table, int record, enu
 static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
                          struct thud_text *out)
 {
+    const int width = thud_scene_names_width(&plan->scene, NAME);
     bool head[2] = {false};
     char at[PLACE];
     for (int s = 0; s <= table->nstructures; s++)
@@ -155,11 +157,13 @@ static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_s
             if (!first.at)
                 continue;
             if (!head[columns])
-                thud_text_append(out, columns ? "  struck columns     largest shear, MN   over capacity       at\n"
-                                              : "  storeys that yield largest ductility   permanent, mm       at\n");
+                thud_text_append(out, "  %-*s %s\n", HEAD + width, columns ? "struck columns" : "storeys that yield",
+                                 columns ? "largest shear, MN   over capacity       at"
+                                         : "largest ductility   permanent, mm       at");
             head[columns] = true;
-            thud_text_append(out, "  %-8s %-9.9s %6.3f to %-8.3f", thud_case_name(plan->cases[k]),
-                             columns ? "" : plan->scene.structure[s].name, first.least, first.most);
+            thud_text_append(out, "  %-8s ", thud_case_name(plan->cases[k]));
+            thud_text_padded(out, columns ? "" : plan->scene.structure[s].name, width);
+            thud_text_append(out, " %6.3f to %-8.3f", first.least, first.most);
             if (second.at)
                 thud_text_append(out, " %6.3g to %-8.3g", second.least, second.most);
             else
@@ -206,9 +210,9 @@ static void put_spread(const struct thud_sweep_plan *plan, const struct thud_swe
                      thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_LOW)->acceleration,
                      thud_sweep_summary_ratio(w.at, w.run, w.structure, w.floor, THUD_SWEEP_HIGH)->acceleration);
     if (w.floor > 0)
-        thud_text_append(out, "%.20s floor %d", plan->scene.structure[w.structure].name, w.floor);
+        thud_text_append(out, "%s floor %d", plan->scene.structure[w.structure].name, w.floor);
     else
-        thud_text_append(out, "%.20s's mean", plan->scene.structure[w.structure].name);
+        thud_text_append(out, "%s's mean", plan->scene.structure[w.structure].name);
     thud_text_append(out, " at %s: ", place_of(plan, w.at, at));
     if (digits == 0)
         thud_text_append(out, "no digit means anything\n");
@@ -249,7 +253,8 @@ void thud_sweep_report(const struct thud_sweep_plan *plan, const struct thud_swe
             if ((which == THUD_CASE_NONE && !bare) || !has_rows(table, r, which))
                 continue;
             if (!head)
-                thud_text_append(out, "  %-16s   mean accel.     worst floor         mean drift        at\n",
+                thud_text_append(out, "  %-*s mean accel.     worst floor         mean drift        at\n",
+                                 HEAD + thud_scene_names_width(&plan->scene, NAME),
                                  bare ? "over no pounding" : "over case none");
             head = true;
             for (int s = 0; s < table->nstructures; s++)
@@ -346,14 +351,14 @@ static const char *best_record(const struct thud_sweep_table *table, const struc
 }
 
 static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int axis,
-                     const struct thud_sweep_best *best, int width, struct thud_text *out)
+                     const struct thud_sweep_best *best, int width, int wide, struct thud_text *out)
 {
     const struct thud_sweep_axis *along = &plan->axis[axis];
     char at[PLACE], flat[2 * THUD_NAME_MAX + 8];
     snprintf(flat, sizeof flat, "%s to %s", text_of(along, best->flat_least), text_of(along, best->flat_most));
     const char *remark = best_remark(best);
-    thud_text_append(out, "  %-*s %-8s %-14.14s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
-                     thud_case_name(best->which), place(plan, plan->naxes, best->other, axis, false, at),
+    thud_text_append(out, "  %-*s %-8s %-*s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
+                     thud_case_name(best->which), wide, place(plan, plan->naxes, best->other, axis, false, at),
                      best->idle ? "-" : text_of(along, best->best), best->ratio, best->drift_ratio,
                      best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "", remark);
 }
@@ -427,7 +432,8 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
                                         int axis, bool csv, struct thud_text *out, struct thud_error *err)
 {
     struct thud_sweep_best *best;
-    int width = 20;
+    int width = 20, wide = 14;
+    char at[PLACE];
     long n = thud_sweep_best(table, axis, &best);
     if (n < 0)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -436,17 +442,18 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
     } else {
         thud_text_append(out, "\nbest %s (least of the larger mean acceleration ratio; flat: within %d %% of it)\n",
                          plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
-        for (long i = 0; i < n; i++)
-            width =
-                (int)strlen(best_record(table, &best[i])) > width ? (int)strlen(best_record(table, &best[i])) : width;
-        thud_text_append(out, "  %-*s %-8s %-14s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", "at", "best",
-                         "ratio", "drift", "flat", "worst");
+        for (long i = 0; i < n; i++) {
+            width = thud_text_wider(width, best_record(table, &best[i]));
+            wide = thud_text_wider(wide, place(plan, plan->naxes, best[i].other, axis, false, at));
+        }
+        thud_text_append(out, "  %-*s %-8s %-*s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", wide, "at",
+                         "best", "ratio", "drift", "flat", "worst");
     }
     for (long i = 0; i < n; i++) {
         if (csv)
             put_best_csv(plan, axis, &best[i], out);
         else
-            put_best(plan, table, axis, &best[i], width, out);
+            put_best(plan, table, axis, &best[i], width, wide, out);
     }
     free(best);
     return THUD_OK;

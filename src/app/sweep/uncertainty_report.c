@@ -74,6 +74,19 @@ static double range_of(const struct thud_uncertainty_told *told, int i)
     return fabs(told->of[THUD_INPUT_MOST][i] - told->of[THUD_INPUT_LEAST][i]);
 }
 
+static int name_width(const struct thud_quantity_of_run *quantity)
+{
+    return thud_text_wider(0, quantity->name) + thud_text_wider(0, unit(quantity));
+}
+
+static int names_width(const struct thud_uncertainty *u)
+{
+    int width = 44;
+    for (int q = 0; q < u->nquantities; q++)
+        width = name_width(&u->quantity[q]) > width ? name_width(&u->quantity[q]) : width;
+    return width;
+}
+
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
 {
     int most = 0;
@@ -83,18 +96,18 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
     return most;
 }
 
-static void put_name(const struct thud_quantity_of_run *quantity, struct thud_text *out)
+/* All quantities stand in one column, in their units. */
+static void put_name(const struct thud_uncertainty *u, int q, struct thud_text *out)
 {
-    char name[112];
-    snprintf(name, sizeof name, "%s%s", quantity->name, unit(quantity));
-    thud_text_append(out, "%-44.44s ", name);
+    thud_text_append(out, "%s%s%*s", u->quantity[q].name, unit(&u->quantity[q]),
+                     1 + names_width(u) - name_width(&u->quantity[q]), "");
 }
 
 static void put_row(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                     struct thud_text *out)
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    put_name(quantity, out);
+    put_name(u, q, out);
     thud_text_append(out, "%8.4g", shown(quantity, t->nominal));
     if (!isnan(t->median))
         thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
@@ -109,7 +122,7 @@ static void put_most(const struct thud_uncertainty_study *study, int q, const st
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     int most = thud_uncertainty_strongest(study, t);
     double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
-    put_name(quantity, out);
+    put_name(u, q, out);
     thud_text_append(out, "%-17s %.4g to %.4g\n", u->input[most].name, shown(quantity, fmin(least, greatest)),
                      shown(quantity, fmax(least, greatest)));
 }
@@ -178,7 +191,7 @@ static void put_between(const struct thud_uncertainty *u, int q, const struct th
 {
     if (isnan(t->between))
         return;
-    put_name(&u->quantity[q], out);
+    put_name(u, q, out);
     thud_text_append(out, "%5.0f %% %5.0f %%\n", 100 * t->between, 100 * (1 - t->between));
 }
 
@@ -196,14 +209,15 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
     const struct thud_uncertainty *u = study->uncertainty;
     put_inputs(u, out);
     put_nominal(u, out);
-    thud_text_append(out, "%-44s %8s%s\n", "", "nominal", study->samples > 0 ? "      5 %   median     95 %" : "");
+    thud_text_append(out, "%*s %8s%s\n", names_width(u), "", "nominal",
+                     study->samples > 0 ? "      5 %   median     95 %" : "");
     for (int q = 0; q < u->nquantities; q++)
         put_row(u, q, &study->told[q], out);
-    thud_text_append(out, "\n%-44s %s\n", "tornado", "governed by");
+    thud_text_append(out, "\n%-*s %s\n", names_width(u), "tornado", "governed by");
     for (int q = 0; q < u->nquantities; q++)
         put_most(study, q, &study->told[q], out);
     if (u->nsuite > 1 && study->samples > 0)
-        thud_text_append(out, "\n%-44s between  within\n", "variance, by ground motion");
+        thud_text_append(out, "\n%-*s between  within\n", names_width(u), "variance, by ground motion");
     for (int q = 0; q < u->nquantities; q++)
         put_between(u, q, &study->told[q], out);
     if (study->samples > 0)

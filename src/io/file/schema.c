@@ -305,8 +305,8 @@ static void put_shown(const struct thud_column *field, int places, const struct 
 {
     const struct thud_shown *s = &field->shown;
     const double x = shown_value(field, v);
-    if (s->how == THUD_DIGITS_WORD && v->text && s->digits > 0)
-        thud_text_append(out, "%*.*s", s->width, s->digits, v->text);
+    if (v->text && s->width < 0)
+        thud_text_padded(out, v->text, -s->width);
     else if (v->text)
         thud_text_append(out, "%*s", s->width, v->text);
     else if (!v->known)
@@ -349,12 +349,34 @@ static void put_shown_row(const struct thud_rows *rows, const int *places, const
     thud_text_append(out, "\n");
 }
 
-void thud_rows_table(const struct thud_rows *rows, struct thud_text *out)
+/* As wide as the widest of its texts, behind `blank` columns. */
+static int width_of(const struct thud_rows *rows, const struct thud_column *field, int blank)
+{
+    struct thud_row_room row;
+    int width = -field->shown.width;
+    for (int i = 0; i < rows->n; i++) {
+        rows->make(rows->of, i, row.bytes);
+        struct value v = value_of(field, row.bytes);
+        width = v.text ? thud_text_wider(width - blank, v.text) + blank : width;
+    }
+    return -width;
+}
+
+void thud_rows_table(const struct thud_rows *of, struct thud_text *out)
 {
     enum { FIELDS_MAX = 64 };
     int places[FIELDS_MAX];
     struct thud_row_room row;
+    struct thud_column column[FIELDS_MAX];
+    struct thud_schema schema = *of->schema;
+    struct thud_rows wide = *of, *rows = &wide;
     bool units = false;
+    memcpy(column, schema.column, (size_t)schema.n * sizeof *column);
+    schema.column = column;
+    for (int i = 0; i < schema.n; i++)
+        if (column[i].shown.width < 0 && is_shown(&column[i], of->marks))
+            column[i].shown.width = width_of(of, &column[i], i > 0);
+    wide.schema = &schema;
     for (int i = 0; i < rows->schema->n; i++) {
         const struct thud_column *field = &rows->schema->column[i];
         units = units || (is_shown(field, rows->marks) && field->shown.unit);

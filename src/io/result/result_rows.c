@@ -225,7 +225,7 @@ struct column_row {
 static const struct thud_column columns[] = {
     {COLUMN(own.interface, "interface", "From the left."), .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
     {COLUMN(structure, "structure", "Name of the structure whose columns they are."),
-     .shown = {NULL, NULL, 0, -7, 6, THUD_DIGITS_WORD}},
+     .shown = {NULL, NULL, 0, -7, 0, THUD_DIGITS_WORD}},
     {COLUMN(own.storey, "below_floor", "The floor above them."), .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
     {COLUMN(own.drifts, "with_drift", "Whether their stiffness is given, so that the drift of the storey counts.")},
     COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Largest shear at the lower end, N.", "shear low", "kN"),
@@ -274,7 +274,7 @@ struct link_row {
 
 static const struct thud_column links[] = {
     {LINK(link, "link", "Its number, from 1."), .shown = {"link", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {LINK(ends, "ends", "Its two ends."), .shown = {NULL, NULL, 0, -13, 12, THUD_DIGITS_WORD}},
+    {LINK(ends, "ends", "Its two ends."), .shown = {NULL, NULL, 0, -13, 0, THUD_DIGITS_WORD}},
     {LINK(law, "law", "Its law."), .shown = {NULL, NULL, 0, -12, 0, THUD_DIGITS_WORD}},
     {LINK(own.force.value, "force_n", "Largest force, N."), .shown = {"force", "kN", 1e-3, 12, 5, THUD_DIGITS_PLACES}},
     {LINK(own.force.time_s, "force_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},

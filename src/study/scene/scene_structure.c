@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "base/text.h"
 #include "study/scene/building.h"
 #include "study/scene/scene_slot.h"
 #include "study/scene/scene_words.h"
@@ -123,6 +124,13 @@ static void change_springs(struct thud_structure *structure, int i)
 
 /* What the new kind has and the old one had not gets the values of the paper's buildings, so that a change of kind
  * alone leaves a structure that can be computed. */
+int thud_scene_names_width(const struct thud_scene *scene, int least)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        least = thud_text_wider(least, scene->structure[s].name);
+    return least;
+}
+
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind)
 {
     struct thud_structure before = *structure;

@@ -449,8 +449,8 @@ static void add(struct thud_uncertainty *u, int k, int structure, unsigned featu
         if (!info->read || info->of_structure != (structure >= 0))
             continue;
         *q = (struct thud_quantity_of_run){.measure = told[i], .which = u->which[k], .structure = structure};
-        snprintf(q->name, sizeof q->name, "%s: %s%s%.40s", which, info->words, *of ? " of " : "", of);
-        snprintf(q->column, sizeof q->column, "%s%s%.40s.%s", which, *of ? "." : "", of, info->column);
+        snprintf(q->name, sizeof q->name, "%s: %s%s%s", which, info->words, *of ? " of " : "", of);
+        snprintf(q->column, sizeof q->column, "%s%s%s.%s", which, *of ? "." : "", of, info->column);
         u->nquantities++;
     }
 }
