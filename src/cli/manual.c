@@ -8,6 +8,7 @@
 #include "core/laws/law.h"
 #include "io/result/schemas.h"
 #include "study/scene/scene.h"
+#include "study/sweep/measure.h"
 
 enum { COLUMNS = 76 };
 
@@ -161,6 +162,53 @@ static void laws(struct thud_text *out)
     }
 }
 
+/* The table of measures: what each is, of what, and where it is told. */
+static void measures(struct thud_text *out)
+{
+    static const char *const documents[THUD_MEASURE_DOCUMENTS] = {
+        [THUD_TOLD_BY_SUITE] = "suite.csv",
+        [THUD_TOLD_BY_LOWERED] = "what lowers a response",
+        [THUD_TOLD_BY_UNCERTAINTY] = "uncertainty.csv",
+    };
+    static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
+                                        "a capacity of columns", "case none to compare with"};
+    thud_text_append(out,
+                     ".Ss measures\nWhat studies tell of a run, by its one name. A measure that is an event happens "
+                     "where it is above the\nlimit that is given.\n.Bl -tag -width Ds -compact\n");
+    for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
+        const struct thud_measure_info *info = thud_measure_info(m);
+        struct thud_text item = {0};
+        if (info->place[THUD_TOLD_BY_SUITE] + info->place[THUD_TOLD_BY_LOWERED] +
+                    info->place[THUD_TOLD_BY_UNCERTAINTY] ==
+                0 &&
+            !info->event.word)
+            continue;
+        thud_text_append(&item, "%c%s, of %s", info->words[0] - 'a' + 'A', info->words + 1,
+                         info->of_structure ? "each structure" : "the run");
+        for (size_t i = 0; i < sizeof needs / sizeof *needs; i++)
+            if (info->needs & 1u << i)
+                thud_text_append(&item, "; only with %s", needs[i]);
+        const char *before = ". In ";
+        for (int d = 0; d < THUD_MEASURE_DOCUMENTS; d++) {
+            if (info->place[d] == 0)
+                continue;
+            thud_text_append(&item, "%s%s", before, documents[d]);
+            before = ", ";
+        }
+        if (info->event.word)
+            thud_text_append(&item, ". Event %s%s%s", info->event.word, info->event.example ? ":" : "",
+                             info->event.example ? info->event.example : "");
+        thud_text_append(&item, ".");
+        thud_text_append(out, ".It Va %s\n", info->column);
+        if (item.failed)
+            out->failed = 1;
+        else
+            fill(out, item.data);
+        thud_text_clear(&item);
+    }
+    thud_text_append(out, ".El\n");
+}
+
 /* A part of thud-output(5). */
 static void put_schema(struct thud_text *out, const struct thud_schema *schema)
 {
@@ -177,7 +225,7 @@ static void put_schema(struct thud_text *out, const struct thud_schema *schema)
 static const struct {
     const char *name;
     void (*write)(struct thud_text *out);
-} parts[] = {{"units", units}, {"keys", keys}, {"laws", laws}};
+} parts[] = {{"units", units}, {"keys", keys}, {"laws", laws}, {"measures", measures}};
 enum { PARTS = sizeof parts / sizeof *parts };
 
 bool thud_manual_part(struct thud_text *out, const char *name)

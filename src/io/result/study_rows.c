@@ -254,12 +254,7 @@ const struct thud_schema thud_suite_row_schema = THUD_SCHEMA(
     "suite.csv",
     "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: a row for each setting, "
     "case and structure.\n.Va KEY\nstands for every varied key, in SI units and with its unit, behind the case, "
-    "and\n.Va MEASURE\nfor\n.Va force_n\n(the largest of all contacts),\n.Va acceleration_mps2 ,\n.Va "
-    "drift_m\nand\n.Va drift_angle\n(the largest of the structure) and\n.Va acceleration_ratio\nand\n.Va "
-    "drift_ratio\n(of the means over its floors, over those of case none), where storeys yield\n.Va "
-    "ductility\nand\n.Va "
-    "permanent_m\n(the largest of the structure, and of the sizes of its permanent drifts), and\nwhere a capacity of "
-    "columns is given\n.Va shear_over_capacity\n(the largest of the structure's columns that slabs strike).\nThe "
+    "and\n.Va MEASURE\nfor each of\n.Sx measures\nthat is told in suite.csv. The "
     "fractiles are those of the logarithms where every value is positive.\n",
     of_suite);
 
