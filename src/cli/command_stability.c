@@ -33,7 +33,8 @@ static enum thud_status save(const struct thud_stability *stability, const char 
 static void put(const struct thud_args *args, const struct thud_stability *stability, const char *preset,
                 struct thud_text *out)
 {
-    static const char *const name[THUD_STABILITY_TABLES] = {"verdicts", "energies", "restitutions", "test-cases"};
+    static const char *const name[THUD_STABILITY_TABLES] = {"verdicts", "energies", "restitutions", "test-cases",
+                                                            "methods"};
     bool json = thud_args_has(args, "json"), csv = thud_args_has(args, "csv");
     if (!json && !csv)
         thud_stability_table(stability, out);
@@ -51,21 +52,9 @@ static void put(const struct thud_args *args, const struct thud_stability *stabi
     thud_text_append(out, json ? "}\n" : "");
 }
 
-static enum thud_status work(const struct thud_args *args, struct thud_stability *stability, const atomic_int *cancel,
-                             struct thud_error *err)
+static void show_progress(int done, int jobs)
 {
-    thud_progress_start(args);
-    enum thud_status status = THUD_OK;
-    int jobs = thud_stability_jobs(stability);
-    while (status == THUD_OK && stability->done < jobs) {
-        if (*cancel)
-            status = thud_error_set(err, THUD_CANCELLED, "stopped");
-        else
-            status = thud_stability_next(stability, err);
-        thud_progress_show("%d of %d", stability->done, jobs);
-    }
-    thud_progress_end();
-    return status;
+    thud_progress_show("%d of %d", done, jobs);
 }
 
 static enum thud_status stability(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
@@ -88,8 +77,10 @@ static enum thud_status stability(const struct thud_args *args, struct thud_sess
     const bool begun = status == THUD_OK;
     if (status == THUD_OK)
         status = thud_stability_create(scene, session->record, &plan, err);
+    thud_progress_start(args);
     if (status == THUD_OK)
-        status = work(args, plan, cancel, err);
+        status = thud_stability_run(plan, cancel, show_progress, err);
+    thud_progress_end();
     if (status == THUD_OK || (plan && status == THUD_CANCELLED)) {
         if (status == THUD_OK) /* what was done before a wish to stop is drawn */
             picture.options.cancel = cancel;

@@ -47,6 +47,17 @@ struct thud_stability_restitution {
     double approach_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
 };
 
+/* A method in one row. Steps in s (tolerances of a method that takes steps of its own); NaN: not known, or none. */
+struct thud_stability_summary {
+    struct thud_stepping how;
+    double
+        order; /* of the time of a fourth impact on the wall spring, from 4 ms to 1 ms; NaN: steps of its own, or exact */
+    double keeps[2];              /* largest step that keeps the scene's peaks and impacts to 10 % and to 1 % */
+    double diverges_s;            /* least step of the scene's verdicts that blows up */
+    double wall_least, wall_most; /* energy after 50 s on the wall spring over that at the start, omega dt 0.5 */
+    double expected, obtained;    /* restitution of concrete of 0.5 at 0.5 m/s in steps of 1 ms */
+};
+
 /* A small scene in which a naive method goes wrong. */
 struct thud_test_case {
     const char *name, *scene, *quantity;
@@ -54,16 +65,18 @@ struct thud_test_case {
     double exact, naive, computed; /* the quantity: exact, by the naive method (INFINITY: blown up), by thud */
 };
 
+struct thud_bench_solution;
 struct thud_stability {
     struct thud_stability_cell *cell;
     struct thud_stability_restitution *restitution;
     struct thud_test_case *test_case;
-    int ncells, nrestitutions, ntest_cases;
-    int done; /* jobs, in the order of these lists */
+    struct thud_stability_summary *summary; /* but for what thud_stability_summary_of reads from the other lists */
+    int ncells, nrestitutions, ntest_cases, nsummaries;
     struct thud_model *model;
     const struct thud_record *record;
     struct thud_run_options options;
-    double *peak_m; /* (ndof) of the scene by the exact method; NULL: no scene, or none with modes */
+    struct thud_bench_solution *exact; /* peaks and impacts of the scene */
+    double *peak_m;                    /* (ndof) of the scene by the exact method; NULL: no scene, or none with modes */
     double fastest_radps;
 };
 
@@ -73,8 +86,11 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
                                        struct thud_stability **out, struct thud_error *err);
 void thud_stability_free(struct thud_stability *stability);
 int thud_stability_jobs(const struct thud_stability *stability);
-/* The next job; `done` counts up. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
-enum thud_status thud_stability_next(struct thud_stability *stability, struct thud_error *err);
+/* A job (from 0), which writes a row of its own: several may be made at once, each once. Errors: THUD_MEMORY, and
+ * THUD_DIVERGED of an exact method. */
+enum thud_status thud_stability_job(struct thud_stability *stability, int job, struct thud_error *err);
+/* A summary (from 0), once all jobs are done. */
+struct thud_stability_summary thud_stability_summary_of(const struct thud_stability *stability, int i);
 
 /* The test cases, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 int thud_test_case_count(void);

@@ -147,8 +147,52 @@ static void add_test_cases(const struct thud_stability *s, struct thud_text *out
     }
 }
 
+static void add_step(const struct thud_stability_summary *m, const char *level, double setting, struct thud_text *out)
+{
+    const bool fixed = m->how.method->flags & THUD_METHOD_FIXED_STEP;
+    if (isnan(setting))
+        thud_text_append(out, "; never within %s", level);
+    else if (fixed)
+        thud_text_append(out, "; within %s up to %.3g ms", level, 1e3 * setting);
+    else
+        thud_text_append(out, "; within %s at tolerance %.0e", level, setting);
+}
+
+/* A sentence for each method. */
+static void add_summaries(const struct thud_stability *s, struct thud_text *out)
+{
+    thud_text_append(out,
+                     "each method: order of impact times; steps that keep the scene's peaks and impacts; energy left "
+                     "on the wall\nspring after 50 s (step times frequency 0.5); restitution of concrete in steps of "
+                     "1 ms\n");
+    for (int i = 0; i < s->nsummaries; i++) {
+        const struct thud_stability_summary m = thud_stability_summary_of(s, i);
+        char name[64];
+        thud_stepping_name(&m.how, name, sizeof name);
+        thud_text_append(out, "%s: ", name);
+        if (isnan(m.order))
+            thud_text_append(out, "steps of its own");
+        else
+            thud_text_append(out, "order %.2f (nominal %d)", m.order, m.how.method->order);
+        if (s->peak_m) {
+            add_step(&m, "10 %", m.keeps[0], out);
+            add_step(&m, "1 %", m.keeps[1], out);
+            if (!isnan(m.diverges_s))
+                thud_text_append(out, "; blows up from %.3g ms", 1e3 * m.diverges_s);
+        }
+        if (isfinite(m.wall_most))
+            thud_text_append(out, "; energy %.3g to %.3g", m.wall_least, m.wall_most);
+        else if (isinf(m.wall_most))
+            thud_text_append(out, "; energy without bound");
+        if (isfinite(m.obtained))
+            thud_text_append(out, "; restitution %.4f for %.4f", m.obtained, m.expected);
+        thud_text_append(out, "\n");
+    }
+}
+
 void thud_stability_table(const struct thud_stability *s, struct thud_text *out)
 {
+    add_summaries(s, out);
     for (int kind = 0; kind < THUD_STABILITY_KINDS; kind++)
         if (kind != THUD_STABILITY_SCENE || s->peak_m)
             add_verdicts(s, kind, out);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "ground/record_edit.h"
+#include "study/methods/bench_private.h"
 #include "study/methods/stability_private.h"
 
 static const double duration_s = 50;
@@ -14,9 +14,6 @@ static const double approaches_mps[] = {0.05, 0.5, 2};
 static const double nominals[] = {0.2, 0.5, 0.8}; /* of the laws that have a coefficient of restitution */
 static const double pair_steps_s[] = {5e-3, 1e-3, 1e-4};
 static const double free_tolerance = 1e-6;
-static const double wall_radps = 62.83185307179586; /* ten times the mass's own */
-/* Distances from the wall; the spring alone would let the mass reach 80 mm. */
-static const double starts_m[THUD_STABILITY_STARTS] = {0.003, 0.012, 0.02, 0.031, 0.04, 0.05, 0.059, 0.068};
 static const double scene_steps[THUD_STABILITY_SCENE_STEPS] = {1, 0.97, 0.94};
 enum {
     OMEGA_DTS = sizeof omega_dts / sizeof *omega_dts,
@@ -79,15 +76,25 @@ static void plan_law(struct planner *p)
         p->nominal = has_nominal ? nominals[e] : NAN;
         for (int k = 0; k < APPROACHES; k++) {
             p->approach_mps = approaches_mps[k];
+            if (thud_law_is_linear(p->law) && p->approach_mps != thud_stability_usual_mps)
+                continue; /* one restitution at any speed */
             each(p, pair_steps_s, PAIR_STEPS, add_restitution);
         }
     }
+}
+
+static void add_summary(const struct planner *p, struct thud_stepping how, double setting)
+{
+    (void)setting;
+    p->stability->summary[p->stability->nsummaries++] =
+        (struct thud_stability_summary){.how = how, .order = NAN, .keeps = {NAN, NAN}};
 }
 
 static void plan(struct thud_stability *s)
 {
     struct planner planner = {.stability = s};
     each(&planner, omega_dts, OMEGA_DTS, add_cell);
+    each(&planner, omega_dts, 1, add_summary);
     for (int i = 0; i < thud_law_count(); i++) {
         planner.law = thud_law_at(i);
         if (!(planner.law->flags & THUD_LAW_NO_FORCE))
@@ -104,6 +111,7 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
     if (status != THUD_OK)
         return status;
     s->options.method = thud_method_find("exact");
+    s->options.keep_impacts = true;
     status = thud_scene_solve(scene, s->record, &s->options, &solution, err);
     if (status == THUD_OK) {
         s->model = solution.model;
@@ -112,6 +120,8 @@ static enum thud_status measure_scene(struct thud_stability *s, const struct thu
         if (!s->peak_m)
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    if (status == THUD_OK)
+        status = thud_bench_solution_take(solution.run, s->exact, err);
     if (status == THUD_OK)
         for (int i = 0; i < s->model->ndof; i++) {
             const struct thud_model_structure *p = &s->model->structure[s->model->dof_structure[i]];
@@ -143,8 +153,10 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
         s->restitution =
             calloc(rows * PAIR_STEPS * APPROACHES * NOMINALS * (size_t)thud_law_count(), sizeof *s->restitution);
         s->test_case = calloc((size_t)thud_test_case_count(), sizeof *s->test_case);
+        s->summary = calloc(rows, sizeof *s->summary);
+        s->exact = calloc(1, sizeof *s->exact);
     }
-    if (!s || !s->cell || !s->restitution || !s->test_case)
+    if (!s || !s->summary || !s->exact || !s->cell || !s->restitution || !s->test_case)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK) {
         plan(s);
@@ -168,12 +180,16 @@ void thud_stability_free(struct thud_stability *s)
     free(s->cell);
     free(s->restitution);
     free(s->test_case);
+    free(s->summary);
+    if (s->exact)
+        thud_bench_solution_clear(s->exact);
+    free(s->exact);
     free(s);
 }
 
 int thud_stability_jobs(const struct thud_stability *s)
 {
-    return s->ncells + s->nrestitutions + s->ntest_cases;
+    return s->ncells + s->nrestitutions + s->ntest_cases + s->nsummaries;
 }
 
 /* Energies are as the squares of displacements: what is blown up has a hundred times the displacement. */
@@ -215,15 +231,16 @@ static enum thud_status run_wall(struct thud_stability_cell *cell, struct thud_e
     struct thud_bouncer bouncer;
     double largest = 0;
     thud_bouncer_init(&bouncer);
-    thud_bouncer_spring(&bouncer, wall_radps);
+    thud_bouncer_spring(&bouncer, thud_stability_wall_radps);
     cell->end_least = INFINITY;
     cell->end_most = 0;
     for (int i = 0; i < THUD_STABILITY_STARTS; i++) {
         struct thud_solution solution;
         struct thud_bouncer_energy energy;
-        bouncer.clearance_m = starts_m[i];
-        enum thud_status status = thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, wall_radps),
-                                                   duration_s, &solution, &energy, err);
+        bouncer.clearance_m = thud_stability_start_m[i];
+        enum thud_status status =
+            thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, thud_stability_wall_radps), duration_s,
+                             &solution, &energy, err);
         if (thud_trial_failed(status))
             return status;
         largest = fmax(largest, fmax(energy.half[0], energy.half[1]));
@@ -236,30 +253,14 @@ static enum thud_status run_wall(struct thud_stability_cell *cell, struct thud_e
 }
 
 /* The largest displacement over the exact one, of the floor where it is most; INFINITY: it diverged. */
-static enum thud_status scene_growth(struct thud_stability *s, struct thud_stepping how, double *growth,
+static enum thud_status scene_growth(const struct thud_stability *s, struct thud_stepping how, double *growth,
                                      struct thud_error *err)
 {
-    struct thud_run_options options = s->options;
-    struct thud_record *coarse = NULL;
-    struct thud_run *run = NULL;
-    enum thud_status status = THUD_OK;
-    options.method = how.method;
-    options.locate = how.locate;
-    options.unjudged = true;
-    if (how.method->flags & THUD_METHOD_FIXED_STEP) {
-        options.step_s = how.setting;
-        /* no step passes over a sample: a longer one takes the ground motion at its own ends */
-        if (s->record && options.step_s > s->record->dt_s)
-            status = thud_record_resample(s->record, options.step_s, &coarse, err);
-    }
-    if (status == THUD_OK)
-        status = thud_run_create(s->model, coarse ? coarse : s->record, &options, &run, err);
-    if (status != THUD_OK) {
-        thud_record_free(coarse);
+    struct thud_record *coarse;
+    struct thud_run *run;
+    enum thud_status status = thud_stability_scene(s, how, &run, &coarse, err);
+    if (thud_trial_failed(status))
         return status;
-    }
-    for (bool done = false; status == THUD_OK && !done;)
-        status = thud_run_advance(run, 1000, &done, err);
     const struct thud_result *r = thud_run_result(run);
     *growth = status == THUD_DIVERGED ? INFINITY : 0;
     for (int i = 0; i < s->model->ndof; i++) {
@@ -269,7 +270,7 @@ static enum thud_status scene_growth(struct thud_stability *s, struct thud_stepp
     }
     thud_run_free(run);
     thud_record_free(coarse);
-    return thud_trial_failed(status) ? status : THUD_OK;
+    return THUD_OK;
 }
 
 /* Steps a little shorter than that of the cell meet the impacts at other phases. */
@@ -322,16 +323,14 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
     return thud_two_body_restitution(&pair, r->how, &r->obtained, err);
 }
 
-enum thud_status thud_stability_next(struct thud_stability *s, struct thud_error *err)
+enum thud_status thud_stability_job(struct thud_stability *s, int job, struct thud_error *err)
 {
-    int i = s->done;
-    enum thud_status status;
+    int i = job;
     if (i < s->ncells)
-        status = run_cell(s, &s->cell[i], err);
-    else if ((i -= s->ncells) < s->nrestitutions)
-        status = run_restitution(&s->restitution[i], err);
-    else
-        status = thud_test_case_run(i - s->nrestitutions, &s->test_case[i - s->nrestitutions], err);
-    s->done += status == THUD_OK;
-    return status;
+        return run_cell(s, &s->cell[i], err);
+    if ((i -= s->ncells) < s->nrestitutions)
+        return run_restitution(&s->restitution[i], err);
+    if ((i -= s->nrestitutions) < s->ntest_cases)
+        return thud_test_case_run(i, &s->test_case[i], err);
+    return thud_stability_summarise(s, &s->summary[i - s->ntest_cases], err);
 }

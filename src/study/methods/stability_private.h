@@ -39,6 +39,17 @@ double thud_energy_ratio(const struct thud_solution *solution);
 enum thud_status thud_two_body_restitution(const struct thud_two_body *pair, struct thud_stepping how, double *out,
                                            struct thud_error *err);
 
+/* The wall spring, the distances from it, and the approach velocity at which laws that know none are tried. */
+extern const double thud_stability_wall_radps, thud_stability_start_m[THUD_STABILITY_STARTS], thud_stability_usual_mps;
+
+/* The scene by a method, also where it diverges. `coarse`: the motion that the run holds on to, to be freed behind it.
+ * Errors: THUD_MEMORY, those of thud_run_create. */
+enum thud_status thud_stability_scene(const struct thud_stability *s, struct thud_stepping how, struct thud_run **out,
+                                      struct thud_record **coarse, struct thud_error *err);
+/* Runs what a summary needs of its own. Errors: THUD_MEMORY. */
+enum thud_status thud_stability_summarise(const struct thud_stability *s, struct thud_stability_summary *summary,
+                                          struct thud_error *err);
+
 /* The test cases, by file. */
 typedef enum thud_status thud_test_case_fn(struct thud_test_case *out, struct thud_error *err);
 enum thud_status thud_test_case_energy(int index, struct thud_test_case *out, struct thud_error *err);

@@ -1,9 +1,14 @@
 #include <assert.h>
 #include <math.h>
 
+#include "ground/record_edit.h"
 #include "study/methods/stability_private.h"
 
 const double thud_bouncer_omega_radps = 6.283185307179586;
+const double thud_stability_wall_radps = 62.83185307179586; /* ten times the mass's own */
+/* Distances from the wall; the spring alone would let the mass reach 80 mm. */
+const double thud_stability_start_m[THUD_STABILITY_STARTS] = {0.003, 0.012, 0.02, 0.031, 0.04, 0.05, 0.059, 0.068};
+const double thud_stability_usual_mps = 0.5;
 
 void thud_bouncer_init(struct thud_bouncer *bouncer)
 {
@@ -124,4 +129,33 @@ enum thud_status thud_two_body_restitution(const struct thud_two_body *pair, str
     *out = status == THUD_OK ? thud_two_body_separation(&solution) / trial.approach_mps : INFINITY;
     thud_solution_clear(&solution);
     return thud_trial_failed(status) ? status : THUD_OK;
+}
+
+enum thud_status thud_stability_scene(const struct thud_stability *s, struct thud_stepping how, struct thud_run **out,
+                                      struct thud_record **coarse, struct thud_error *err)
+{
+    struct thud_run_options options = s->options;
+    enum thud_status status = THUD_OK;
+    *out = NULL;
+    *coarse = NULL;
+    options.method = how.method;
+    options.locate = how.locate;
+    options.unjudged = true;
+    if (how.method->flags & THUD_METHOD_FIXED_STEP) {
+        options.step_s = how.setting;
+        /* no step passes over a sample: a longer one takes the ground motion at its own ends */
+        if (s->record && options.step_s > s->record->dt_s)
+            status = thud_record_resample(s->record, options.step_s, coarse, err);
+    } else {
+        options.tolerance = how.setting;
+    }
+    if (status == THUD_OK)
+        status = thud_run_create(s->model, *coarse ? *coarse : s->record, &options, out, err);
+    for (bool done = false; status == THUD_OK && !done;)
+        status = thud_run_advance(*out, 1000, &done, err);
+    if (thud_trial_failed(status)) {
+        thud_run_free(*out);
+        thud_record_free(*coarse);
+    }
+    return status;
 }
