@@ -433,7 +433,7 @@ is "floors that no impulse struck have theirs" shows "^    6  *[0-9.]*  *[0-9.]*
 # modes too fast to follow are said before the run; very fast ones take long, and the work stops when asked to
 is "modes too fast to follow are refused" gives 3 run towers --set structures.1.mass=0.001kg --set structures.1.stiffness=1e6MN/m
 is "with the structure, the rate and what may be" says \
-    "structures.1: free motion of up to 5.94e+07 rad/s cannot be followed over 0.01 s, an interval of the ground motion (up to 1e+06 rad/s"
+    "structures.1.stiffness: free motion of up to 5.94e+07 rad/s cannot be followed over 0.01 s, an interval of the ground motion (up to 1e+06 rad/s"
 "$THUD" run towers --quiet --case none --set gap=4m --set structures.1.mass=1kg --set structures.1.stiffness=1e5MN/m >"$tmp/out" 2>"$tmp/err" &
 pid=$!
 sleep 0.3
@@ -458,9 +458,21 @@ done
 kill -TERM $pid
 wait $pid
 is "20 buildings of 200 storeys: memory and time are said before the run" says \
-    "thud: warning: analysis: 4000 floors, up to 3800 contacts, 4001 samples: a run takes about 0.57 GB and 16 s,"
+    "thud: warning: analysis: 4000 floors, up to 3800 contacts, 4501 steps of the ground motion: a run takes about 0.57 GB and 18 s,"
 gives 0 run towers
 is "nothing of the kind where a run is short" [ "$(grep -c "a run takes about" "$tmp/err")" = 0 ]
+
+# what a run cannot follow names the key that is to blame
+awk 'BEGIN { for (i = 0; i < 200; i++) printf "%.9g,%.3g\n", i * 1e-9, sin(i / 10) }' >"$tmp/fine.csv"
+is "a ground motion in steps of a nanosecond" gives 3 run towers --record "$tmp/fine.csv" --unit m/s2 --set record.peak= --quiet
+is "has too many" says "record.dt: 5e+09 intervals of 1e-09 s in 5 s are too many (up to 1e8"
+is "a dashpot of 1e9 kN s/m" gives 3 run towers-linked --set links.1.damping=1e9kNs/m --quiet
+is "is named" says "links.1.damping: free motion of up to 7.13e+06 rad/s cannot be followed over 45 s"
+is "a wall of 1 kg on 1e6 MN/m" gives 3 run isolated-moat-backfill --set structures.1.mass=1kg --set structures.1.stiffness=1e6MN/m --quiet
+is "is named too" says "structures.1.stiffness: free motion of up to 1e+06 rad/s"
+awk 'BEGIN { for (i = 0; i < 200; i++) printf "%.9g,%s\n", i * 0.01, i % 2 ? "1e308" : "-1e308" }' >"$tmp/huge.csv"
+is "a ground motion of 1e308 m/s2" gives 4 run towers --record "$tmp/huge.csv" --unit m/s2 --set record.peak= --quiet
+is "has no results" says "exact: the response blew up at t = [0-9.]* s, structure 1, floor 1 (a ground motion with a finite energy"
 "$THUD" run towers >"$tmp/out" 2>"$tmp/err"
 told=$(sed -n 's/^summary .* needs \([0-9.]*\) cm.*/\1/p' "$tmp/out")
 widest=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i } NR > 1 && $c > m { m = $c } END { print 100 * m }')

@@ -364,12 +364,67 @@ START_TEST(a_ledger_that_does_not_balance_ends_the_run)
 END_TEST
 
 Suite *thud_suite(void);
+/* A motion whose square is beyond every number ends a run by every kind of method. */
+START_TEST(what_is_not_finite_ends_the_run)
+{
+    static const char *const method[] = {"exact", "dormand-prince", "newmark", "rk4", "kr-alpha"};
+    static double a[200];
+    struct thud_record *record;
+    for (int i = 0; i < 200; i++)
+        a[i] = i % 2 ? 1e308 : -1e308;
+    ck_assert_int_eq(thud_record_create(a, 200, 0.01, &record, NULL), THUD_OK);
+    struct thud_model *model = towers_of("kelvin-voigt");
+    struct march m = march_run(model, record, method[_i], 0, 0, true, 1);
+    ck_assert_int_eq(m.status, THUD_DIVERGED);
+    ck_assert(m.err.what[0]);
+    march_free(&m);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
+/* Behind a motion in steps of a microsecond rows stand no closer than the free motion needs; in it they stand at all. */
+START_TEST(rows_behind_a_fine_motion)
+{
+    enum { FINE = 300 };
+    static double a[FINE];
+    const double dt_s = 1e-6, tail_s = 0.2;
+    struct thud_record *record;
+    struct thud_run *run;
+    struct thud_run_options options;
+    bool done = false;
+    for (int i = 0; i < FINE; i++)
+        a[i] = 100 * sin(0.1 * i);
+    ck_assert_int_eq(thud_record_create(a, FINE, dt_s, &record, NULL), THUD_OK);
+    struct thud_model *model = towers_of("kelvin-voigt");
+    thud_run_options_init(&options);
+    options.keep_history = true;
+    options.tail_s = tail_s;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 100000, &done, NULL), THUD_OK);
+    const struct thud_history *h = thud_run_history(run);
+    size_t in_motion = 0;
+    while (in_motion < h->rows && h->time_s[in_motion] < (FINE - 0.5) * dt_s)
+        in_motion++;
+    ck_assert_uint_ge(in_motion, FINE);
+    ck_assert_uint_gt(h->rows - in_motion, (size_t)(tail_s / 1e-4));
+    ck_assert_uint_lt(h->rows - in_motion, (size_t)(tail_s / 1e-4) + 100); /* and those of peaks */
+    ck_assert_double_eq_tol(h->time_s[h->rows - 1], tail_s + (FINE - 1) * dt_s, 1e-4 + 1e-9);
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("history_energy");
     TCase *tcase = tcase_create("history_energy");
     tcase_add_test(tcase, energies_balance_row_by_row);
     tcase_add_loop_test(tcase, columns_give_the_result, 0, 5);
+    tcase_add_loop_test(tcase, what_is_not_finite_ends_the_run, 0, 5);
+    tcase_add_test(tcase, rows_behind_a_fine_motion);
     tcase_add_test(tcase, closed_contact_holds_energy);
     tcase_add_test(tcase, closed_contact_parts_what_it_took);
     tcase_add_test(tcase, a_ledger_that_does_not_balance_ends_the_run);

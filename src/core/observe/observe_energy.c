@@ -236,7 +236,7 @@ static struct thud_energy balance(const struct thud_ledger *l, const struct thud
                             .gravity_j = gravity};
     double left = e.initial_j + e.input_j + gravity - e.kinetic_j - e.strain_j - e.viscous_j - work - e.hysteretic_j;
     double largest = fmax(l->largest_j, fmax(e.kinetic_j + e.strain_j - gravity, fabs(e.input_j)));
-    e.error_ratio = largest > 0 ? fabs(left) / largest : 0;
+    e.error_ratio = largest > 0 || isnan(left) ? fabs(left) / largest : 0;
     return e;
 }
 

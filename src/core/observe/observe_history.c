@@ -104,7 +104,8 @@ enum thud_status thud_history_rows_init(struct thud_history_rows *rows, const st
                                         const struct thud_result *result, const struct thud_ledger *ledger,
                                         double step_s, double look_s, struct thud_error *err)
 {
-    *rows = (struct thud_history_rows){.result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s};
+    *rows = (struct thud_history_rows){
+        .result = result, .ledger = ledger, .step_s = step_s, .look_s = look_s, .rest_from_s = INFINITY};
     rows->history.ndof = model->ndof;
     rows->history.ncontacts = model->npairs;
     rows->history.nstoreys = model->nstoreys - model->nslips;
@@ -319,7 +320,7 @@ static int contact_rows(const struct thud_history_rows *rows, const struct thud_
 static double next_row(const struct thud_history_rows *rows, double t)
 {
     const double close_s = 2.5e-3;
-    double step = rows->step_s;
+    double step = t < rows->rest_from_s ? rows->step_s : rows->rest_step_s;
     if (t < rows->close_rows_until_s && step > close_s)
         return t + close_s;
     return step * floor(t / step + 1.0 + THUD_TOL_ROW);

@@ -8,8 +8,9 @@ struct thud_history_rows {
     struct thud_history history;
     const struct thud_result *result;
     const struct thud_ledger *ledger;
-    double step_s; /* between rows outside contacts */
-    double look_s; /* between rows in contact, without energies; 0: closer, with them */
+    double step_s;                   /* between rows outside contacts */
+    double rest_from_s, rest_step_s; /* likewise once the ground is at rest: INFINITY, never */
+    double look_s;                   /* between rows in contact, without energies; 0: closer, with them */
     double next_row_s;
     double close_rows_until_s; /* rows stand closer for a while after a contact */
     bool row_waits;            /* the last row counts only if a contact has switched behind it */

@@ -70,5 +70,5 @@ enum thud_status thud_run_contact_free(struct thud_run *run, long *budget, bool 
     run->work.samples_fast += intervals;
     *budget -= f->made - made;
     *passed = true;
-    return status;
+    return status == THUD_OK ? thud_run_check_state(run, state->q, state->qd, err) : status;
 }

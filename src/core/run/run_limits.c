@@ -25,7 +25,39 @@ enum thud_status thud_run_check_options(const struct thud_run_options *o, const 
 
 /* Also for methods that choose their steps. A series holds for 1.8 rad or so of the fastest motion. Buildings turn by up to 100 rad/s x 0.02 s in an interval of
  * the ground motion, and by 1e5 rad in a run. */
-static const double interval_most_rad = 1e4, run_most_rad = 1e9;
+static const double interval_most_rad = 1e4, run_most_rad = 3e7;
+/* Of a ground motion and the time after it: at 5 ns for each floor and mode of a building, a minute of one of 10 floors. */
+static const double intervals_most = 1e8;
+
+/* The rate at which a link that always acts moves its two ends alone, 1/s, and which of its values does. */
+static double link_rate(const struct thud_model *m, const struct thud_model_link *p, const char **key)
+{
+    const double inverse = (p->left_dof < 0 ? 0 : 1 / m->mass_kg[p->left_dof]) +
+                           (p->right_dof < 0 ? 0 : 1 / m->mass_kg[p->right_dof]),
+                 by_spring = sqrt(p->stiffness_npm * inverse), by_dashpot = p->damping_nspm * inverse;
+    *key = by_dashpot > by_spring ? "damping" : "stiffness";
+    return fmax(by_spring, by_dashpot);
+}
+
+/* What makes the fastest motion: a link that alone moves as fast, or a structure. */
+static void name_fastest(const struct thud_model *m, struct thud_error *err)
+{
+    const double near = 0.3 * m->fastest_radps;
+    int worst = 0;
+    for (int i = 0; i < m->nlinks; i++) {
+        const char *key;
+        if (m->link[i].contact < 0 && link_rate(m, &m->link[i], &key) > near) {
+            thud_error_key(err, "links.%d.%s", i + 1, key);
+            return;
+        }
+    }
+    for (int s = 1; s < m->nstructures; s++)
+        if (thud_model_fastest(m, s) > thud_model_fastest(m, worst))
+            worst = s;
+    const struct thud_model_structure *p = &m->structure[worst];
+    const bool storeys = p->stiffness_npm && !p->rise && p->omega[p->dofs - 1] > near;
+    thud_error_key(err, "structures.%d%s", worst + 1, storeys ? ".stiffness" : "");
+}
 
 enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err)
 {
@@ -33,16 +65,16 @@ enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_er
     const struct thud_model *m = state->model;
     const bool exact = run->method->order == 0, by_step = run->method->flags & THUD_METHOD_FIXED_STEP;
     const bool by_interval = exact && !m->couples && state->grid_dt_s * m->fastest_radps > interval_most_rad;
+    if (state->record && state->end_s > intervals_most * state->grid_dt_s)
+        return thud_error_refuse(err, THUD_INPUT, "record.dt", "up to 1e8: a longer step, or a shorter analysis.tail",
+                                 "%.3g intervals of %.3g s in %.6g s are too many", state->end_s / state->grid_dt_s,
+                                 state->grid_dt_s, state->end_s);
     if (by_step || (!by_interval && state->end_s * m->fastest_radps <= run_most_rad))
         return THUD_OK;
-    int worst = 0;
-    for (int s = 1; s < m->nstructures; s++)
-        if (thud_model_fastest(m, s) > thud_model_fastest(m, worst))
-            worst = s;
     thud_error_set(err, THUD_INPUT, "free motion of up to %.3g rad/s cannot be followed over %.6g s%s",
                    m->fastest_radps, by_interval ? state->grid_dt_s : state->end_s,
                    by_interval ? ", an interval of the ground motion" : "");
-    thud_error_key(err, "structures.%d", worst + 1);
+    name_fastest(m, err);
     thud_error_allow(err,
                      "up to %.3g rad/s here: heavier floors, softer storeys or weaker dashpots; or an implicit method",
                      by_interval ? interval_most_rad / state->grid_dt_s : run_most_rad / state->end_s);
@@ -108,7 +140,7 @@ bool thud_run_is_bounded(const struct thud_run *run, double energy_sum)
 {
     static const double times = 100; /* a coarse but stable step may overshoot; more is a run that has blown up */
     double limit = times * run->speed_bound;
-    return energy_sum <= limit * limit;
+    return energy_sum <= limit * limit && energy_sum < INFINITY; /* the limit may be infinite */
 }
 
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err)
@@ -122,6 +154,8 @@ enum thud_status thud_run_check_state(struct thud_run *run, const double *q, con
     thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
                    thud_state_now(&run->state), s + 1, i - m->structure[s].first + 1);
     thud_error_key(err, "%s", run->method->name);
+    if (!isfinite(run->speed_bound))
+        thud_error_allow(err, "a ground motion with a finite energy; its peak is %.3g m/s2", run->ground.peak_mps2);
     if (run->method->flags & THUD_METHOD_FIXED_STEP)
         thud_error_allow(err, "%s; step used %.6g s, fastest mode %.6g rad/s", run->method->limits, run->state.step_s,
                          run->state.fastest_radps);

@@ -182,6 +182,17 @@ void thud_run_observe(struct thud_run *run, const struct thud_observer *table, v
     run->observer[run->observers++] = (struct thud_listener){table, own};
 }
 
+/* Behind a ground motion in fine steps the rows of a history stand no closer than the free motion needs: a twentieth of the
+ * shortest period, or a tenth of a millisecond where that is less. */
+static void set_rest_rows(struct thud_run *run)
+{
+    const struct thud_record *r = run->state.record;
+    if (!r)
+        return;
+    run->rows.rest_from_s = (double)(r->samples - 1) * r->dt_s;
+    run->rows.rest_step_s = fmax(run->rows.step_s, fmin(1e-4, 2 * THUD_PI / (20 * run->state.fastest_radps)));
+}
+
 /* The peaks first: rows of a history stand at them, with the energies up to the segment. */
 static enum thud_status create_observers(struct thud_run *run, struct thud_error *err)
 {
@@ -198,6 +209,7 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_history_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
                                         run->options.history_look_s, err);
+        set_rest_rows(run);
         thud_run_observe(run, &thud_observe_history, &run->rows);
     }
     if (status == THUD_OK)

@@ -40,6 +40,8 @@ void thud_remark_effort(const struct thud_remark_scope *scope, int i, struct thu
                                                   : fmin(thud_structure_floors(at), thud_structure_floors(next));
     }
     double end_s = scene->analysis.tail_s + (record ? samples * record->dt_s : 0), seconds, bytes;
+    if (record) /* the time after it goes in the same steps */
+        samples = end_s / record->dt_s;
     seconds = each_floors_s * samples * squares;
     if (floors <= large)
         seconds += each_series_s * floors * end_s * fastest_mode(scene) / 1.8;
@@ -49,7 +51,8 @@ void thud_remark_effort(const struct thud_remark_scope *scope, int i, struct thu
     const bool minutes = seconds >= 120;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "%.0f floors, up to %.0f contacts, %.0f samples: a run takes about %.2g GB and %.2g %s, and several "
+                   "%.0f floors, up to %.0f contacts, %.0f steps of the ground motion: a run takes about %.2g GB and "
+                   "%.2g %s, and several "
                    "times that with much contact",
                    floors, contacts, samples, fmax(bytes / 1e9, 0.01), minutes ? seconds / 60 : seconds,
                    minutes ? "min" : "s");
