@@ -81,6 +81,8 @@ motion="--records kobe-surrogate.csv:from=6s:to=10s:peak=0.6g"
 motions="$motion,northridge-surrogate.csv:from=4s:to=8s"
 factors="--vary record.factor=0.5,1"
 case $name in rigid*) cut='' motion='' motions='' factors="--vary $vary" ;; esac
+cases=none,as-written
+case $name in *link*) cases=none,link,as-written ;; esac # a report leaves the bumper out, and keeps the links
 rest=yes # of commands: laws differ in none of what studies do with them
 case $name in law-*) rest=$full ;; esac
 impulses=0
@@ -199,7 +201,7 @@ sharded() { # COMMAND ARGUMENTS...
 
 spread=$(printf '%s' "$name" | cksum | cut -d' ' -f1) # the kills of scenes come at different calls
 command run run $scene $cut --no-figures
-command cases run $scene $cut --cases none,as-written --no-figures
+command cases run $scene $cut --cases $cases --no-figures
 if [ -n "$full" ]; then
     command sensitivity run $scene $cut --sensitivity --no-figures
     command events run $scene $cut --events --no-figures
@@ -316,13 +318,12 @@ fi
 tell "the required gap of run, gap, sweep, uncertainty, report and terminal"
 
 # the impacts and the largest force of the two cases, in the report's words
-for case in none as-written; do
+for case in none link as-written; do
     at=cases/$case/result.json
     [ -f $at ] || continue
     grep '"left_floor"' $at | member impacts | awk '{ n += $1 } END { print n + 0 }'
 done | sort -u >counts
 sed -n 's/^| pounding[^|]*| \([0-9]*\) impacts.*/\1/p' report/report.md 2>/dev/null | sort -u >said-report
-[ "$name" != links-friction ] || : >said-report # there "without bumper" keeps the links
 while read -r n; do grep -q -x "$n" counts || complain "impacts in the report: $n; of run --cases: $(tr '\n' ' ' <counts)"; done <said-report
 # cases by their names: those of a study are those of its rows
 if [ -d sweep ]; then
@@ -338,10 +339,7 @@ tell "counts and cases"
 touches() { # FACTOR CASE
     "$THUD" run $scene $cut --factor "$1" $2 --json --quiet 2>/dev/null | grep '"left_floor"' | member impacts | awk '{ n += $1 } END { print (n > 0 ? "yes" : "no") }'
 }
-case $name in
-law-none) motion='' ;;                          # it has no impacts
-links-friction | links-restrainer) motion='' ;; # the factor is scaled although these are not linear
-esac
+[ "$name" != law-none ] || motion='' # it has no impacts
 if [ -n "$motion" ]; then
     "$THUD" fragility $scene $motion $factors --event pounding --no-figures --quiet -o first >/dev/null 2>first.err || complain "fragility of one motion: $(head -c 300 first.err)"
     column first/fragility-curves.csv case >first-cases

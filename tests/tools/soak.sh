@@ -1,7 +1,7 @@
 #!/bin/sh
 # What takes too long for `make test`: memory over a long life, studies killed again and again, every call failing in turn,
 # random scenes by every way that must agree.
-# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS, SOAK_MIXED: how much of it.
+# usage: soak.sh BUILD_FOLDER     THUD: the program.  SOAK_FACTOR, SOAK_STUDIES, SOAK_SCENES, SOAK_WIDE, SOAK_PAIRS, SOAK_MIXED, SOAK_AGREE: how much of it.
 set -u
 build=$1
 THUD=${THUD:-$PWD/thud}
@@ -30,6 +30,8 @@ log=$build/soak.log
         echo "not ok - exact and dormand-prince, where inputs do not explain it (see $build/pairs.log)"
     "$build/pairs" 1001 "${SOAK_MIXED:-300}" 9000000000 >"$build/pairs_mixed.log" && echo "ok - the same of all of it together" ||
         echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
+    "$build/agree" "${SOAK_AGREE:-2000}" >"$build/agree.log" && echo "ok - the factor of first contact by every way that tells it" ||
+        echo "not ok - the factor of first contact by every way that tells it (see $build/agree.log)"
     PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
     for kind in rule remark preset screen; do sh tests/tools/stranger.sh "$build" "$kind"; done
