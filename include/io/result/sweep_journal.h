@@ -56,8 +56,10 @@ struct thud_sweep_head {
     int nvary;
     const char *vary[THUD_VARY_MAX]; /* "KEY=V1,V2" */
     int nrecords;
-    const char **record;     /* (nrecords) names; empty: no ground motion */
-    const char *sensitivity; /* "0.001"; NULL: none */
+    const char **record;         /* (nrecords) names; empty: no ground motion */
+    const char **step, **motion; /* (nrecords) lines of numbers: its step, its samples; NULL: they are not there */
+    const char *name;            /* of the preset; NULL: none */
+    const char *sensitivity;     /* "0.001"; NULL: none */
     const char *preset;
 };
 /* Opens a journal to read it only. Errors: THUD_INPUT, THUD_MEMORY. */

@@ -1,4 +1,5 @@
 /* Parts of a study, computed apart, joined into what one run would have given. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,28 @@
 
 enum { DESCRIPTION_MAX = 16 << 20 };
 
+/* The samples of a ground motion, where the head has them. */
+static enum thud_status read_motion(const char *step, const char *motion, struct thud_record *out,
+                                    struct thud_error *err)
+{
+    long samples, same;
+    if (!step || !motion)
+        return THUD_OK;
+    if (!thud_sweep_numbers_read(step, &samples, &out->dt_s, 1) || samples < 1 || (size_t)samples > strlen(motion))
+        return thud_error_set(err, THUD_INPUT, "a ground motion is damaged");
+    out->a_mps2 = malloc((size_t)samples * sizeof *out->a_mps2);
+    if (!out->a_mps2)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    bool whole = thud_sweep_numbers_read(motion, &same, out->a_mps2, (size_t)samples) && same == samples &&
+                 out->dt_s > 0 && isfinite(out->dt_s);
+    for (long i = 0; i < samples && whole; i++)
+        whole = isfinite(out->a_mps2[i]);
+    if (!whole)
+        return thud_error_set(err, THUD_INPUT, "a ground motion is damaged");
+    out->samples = (size_t)samples;
+    return THUD_OK;
+}
+
 static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct thud_sweep_head *head,
                                   const struct thud_scene *scene, struct thud_error *err)
 {
@@ -19,7 +42,10 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
     parts->record = calloc((size_t)head->nrecords + 1, sizeof *parts->record);
     if (!parts->records || !parts->record)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int i = 0; i < head->nrecords; i++) {
+    parts->nrecords = head->nrecords;
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i < head->nrecords && status == THUD_OK; i++) {
+        status = read_motion(head->step[i], head->motion[i], &parts->records[i], err);
         snprintf(parts->records[i].file, sizeof parts->records[i].file, "%s", head->record[i]);
         parts->record[i] = head->record[i][0] ? &parts->records[i] : NULL;
     }
@@ -27,7 +53,10 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
     plan->nrecords = head->nrecords;
     if (head->sensitivity)
         (void)thud_number_parse(head->sensitivity, &(const char *){NULL}, &plan->sensitivity);
-    enum thud_status status = thud_sweep_cases(plan, head->cases, err);
+    if (head->name)
+        snprintf(plan->scene.name, sizeof plan->scene.name, "%s", head->name);
+    if (status == THUD_OK)
+        status = thud_sweep_cases(plan, head->cases, err);
     for (int i = 0; i < head->nvary && status == THUD_OK; i++)
         status = thud_sweep_vary(plan, head->vary[i], err);
     return status;
@@ -64,6 +93,8 @@ void thud_sweep_parts_free(struct thud_sweep_parts *parts)
     if (!parts)
         return;
     thud_sweep_plan_clear(&parts->plan);
+    for (int i = 0; i < parts->nrecords; i++)
+        free(parts->records[i].a_mps2);
     free(parts->records);
     free(parts->record);
     free(parts);

@@ -60,11 +60,12 @@ enum thud_status thud_sweep_study_merge(const struct thud_sweep_study *study, co
                                         struct thud_sweep_outcome *out, struct thud_error *err);
 void thud_sweep_outcome_clear(struct thud_sweep_outcome *outcome);
 
-/* The plan that a part's journal describes: scene, axes, cases, records by name alone. Errors: THUD_INPUT (no journal,
+/* The plan that a part's journal describes: scene, axes, cases, records by name and samples. Errors: THUD_INPUT (no journal,
  * one that is no part of a study), THUD_MEMORY. */
 struct thud_sweep_parts {
     struct thud_sweep_plan plan;
-    struct thud_record *records; /* names only */
+    int nrecords;
+    struct thud_record *records; /* (nrecords) names and samples, no more */
     const struct thud_record **record;
 };
 enum thud_status thud_sweep_parts_plan(const char *folder, struct thud_sweep_parts **out, struct thud_error *err);

@@ -1,5 +1,5 @@
-/* The head of a study's journal: lines `cases`, `vary`, `record`, `sensitivity` where it is asked for, then the preset.
- */
+/* The head of a study's journal: lines `name` (of the preset), `cases`, `vary`, `record`, `sensitivity` where it is asked for,
+ * then the preset. Behind each record of a part stand its samples: what joins the parts runs motions too. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,8 +39,18 @@ static const char *unescape(char *text)
     return text;
 }
 
-void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out)
+static void put_motion(const struct thud_record *record, struct thud_text *out)
 {
+    thud_text_append(out, "\nstep ");
+    thud_sweep_numbers_write((long)record->samples, &record->dt_s, 1, out);
+    thud_text_append(out, "\nmotion ");
+    thud_sweep_numbers_write((long)record->samples, record->a_mps2, record->samples, out);
+}
+
+void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, bool motions, struct thud_text *out)
+{
+    if (!strchr(plan->scene.name, '\n'))
+        thud_text_append(out, "name %s\n", plan->scene.name);
     thud_text_append(out, "cases ");
     for (int i = 0; i < plan->ncases; i++)
         thud_text_append(out, "%s%s", i > 0 ? "," : "", thud_case_name(plan->cases[i]));
@@ -49,8 +59,11 @@ void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset
         for (int v = 0; v < plan->axis[i].n; v++)
             thud_text_append(out, "%s%s", v > 0 ? "," : "", plan->axis[i].text[v]);
     }
-    for (int i = 0; i < plan->nrecords; i++)
+    for (int i = 0; i < plan->nrecords; i++) {
         put_record(plan->record[i] ? plan->record[i]->file : "", out);
+        if (motions && plan->record[i])
+            put_motion(plan->record[i], out);
+    }
     if (plan->sensitivity > 0) {
         thud_text_append(out, "\nsensitivity ");
         thud_text_number(out, plan->sensitivity);
@@ -128,7 +141,7 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
                                    struct thud_error *err)
 {
     int bytes;
-    enum { LARGEST = 64 << 20 };
+    enum { LARGEST = 256 << 20 };
     char line[160], version[32];
     const char *at = line;
     int format;
@@ -159,7 +172,10 @@ static bool split(struct thud_sweep_head *head)
     for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
         records++;
     head->record = calloc((size_t)records + 1, sizeof *head->record);
-    for (char *line = head->text, *end; head->record && (end = strchr(line, '\n')) != NULL; line = end + 1) {
+    head->step = calloc((size_t)records + 1, sizeof *head->step);
+    head->motion = calloc((size_t)records + 1, sizeof *head->motion);
+    const bool room = head->record && head->step && head->motion;
+    for (char *line = head->text, *end; room && (end = strchr(line, '\n')) != NULL; line = end + 1) {
         *end = '\0';
         if (strncmp(line, "cases ", 6) == 0)
             head->cases = line + 6;
@@ -169,6 +185,12 @@ static bool split(struct thud_sweep_head *head)
             head->record[head->nrecords++] = line + 7;
         else if (strncmp(line, "record-escaped ", 15) == 0 && head->nrecords < records)
             head->record[head->nrecords++] = unescape(line + 15);
+        else if (strncmp(line, "step ", 5) == 0 && head->nrecords > 0)
+            head->step[head->nrecords - 1] = line + 5;
+        else if (strncmp(line, "motion ", 7) == 0 && head->nrecords > 0)
+            head->motion[head->nrecords - 1] = line + 7;
+        else if (strncmp(line, "name ", 5) == 0)
+            head->name = line + 5;
         else if (strncmp(line, "sensitivity ", 12) == 0)
             head->sensitivity = line + 12;
         else if (strcmp(line, "preset") == 0) {
@@ -207,5 +229,7 @@ void thud_sweep_head_clear(struct thud_sweep_head *head)
 {
     free(head->text);
     free(head->record);
+    free(head->step);
+    free(head->motion);
     *head = (struct thud_sweep_head){0};
 }

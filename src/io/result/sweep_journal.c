@@ -212,7 +212,7 @@ enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_s
                                          long *done, struct thud_error *err)
 {
     struct key key = {JOURNAL, thud_sweep_fingerprint(plan), shard, NULL, 0, 0, {0}};
-    thud_sweep_head_body(plan, preset, &key.body);
+    thud_sweep_head_body(plan, preset, shard.count > 1, &key.body);
     return open_or_replace(folder, &key, replace, out, done, err);
 }
 

@@ -24,8 +24,8 @@ struct thud_sweep_journal {
 /* Head as text: a first line that gives the size of its body, and the body. */
 void thud_sweep_head_write(unsigned long long fingerprint, struct thud_sweep_shard shard, const struct thud_text *body,
                            struct thud_text *out);
-/* The body of a plan's. */
-void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, struct thud_text *out);
+/* The body of a plan's; with the samples of its ground motions or without. */
+void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset, bool motions, struct thud_text *out);
 /* From the file's start; sets journal->start. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct thud_sweep_head *head,
                                       struct thud_error *err);

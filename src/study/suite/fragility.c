@@ -476,6 +476,8 @@ static enum thud_status begin_of_contact(const struct thud_suite *suite, const s
         out->first = used > 0 ? factor / used : INFINITY;
         return THUD_OK;
     }
+    if (status == THUD_OK && motion->samples == 0) /* known by its name alone */
+        return THUD_OK;
     if (status == THUD_OK)
         status = thud_needed_gap_run(scene, motion, &gap, err);
     if (status == THUD_OK)
