@@ -357,5 +357,16 @@ is "isolators that yield have theirs" every 'Q_d/u_y + K_d'
 is "and no damping that linear ones have" sh -c "! grep -q 'c = 2 z sqrt' '$tmp/every/report.md'"
 is "links have theirs" every "F = k d + c d'"
 is "isolators are no storeys that yield" every 'of 3 storeys yield; .*; the isolators of A are displaced by up to [0-9.]* mm |'
-is "gaps by level are enough or not" every 'by level given; enough at every level under this motion |'
+is "gaps by level are enough or not" every 'by level given; at every level under this motion enough |'
+# in a row the verdict is that of the run: C pushes B against A at a gap that these two alone do not use up
+row="--set interfaces.1.gap=20cm --set interfaces.2.gap=10cm"
+# shellcheck disable=SC2086 # words
+is "a row whose end pushes the others" report 0 three-in-a-row $row --samples 0 --no-pdf
+is "is judged by its run" in_text "20.0 cm given; 19.8 cm required between bare faces under this motion, 24.8 cm with the bumper between them, when nothing else touches: not enough, since another building pushes them together"
+# shellcheck disable=SC2086
+is "its first line" gives 0 run three-in-a-row $row --case none --quiet
+is "says what the required gap is of" shows '^summary 1 *POUNDS at 20 cm: 2 impacts, 6.09 MN$'
+is "in the line after it" shows '^  *needs 19.8 cm when nothing else touches$'
+is "a gap between those without and with the bumper" gives 0 run towers --set gap=20cm --quiet
+is "is below what is needed" shows '^summary *POUNDS at 20 cm: 8 impacts, 4.86 MN   needs 24.8 cm (19.8 bare)$'
 is "a law that differs by its numbers alone is explained once" [ "$(grep -c '^Contact of bare faces' "$tmp/every/report.md")" -eq 1 ]

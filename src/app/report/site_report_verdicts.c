@@ -40,6 +40,25 @@ void thud_site_title_block(struct site *site)
         row(site, "Signature", "");
 }
 
+/* Whether there is contact at an interface (from 1) in a case. */
+static bool pounds_at(const struct site_case *one, int interface)
+{
+    for (int c = 0; c < one->result->ncontacts; c++)
+        if (one->result->contact[c].interface == interface && one->result->contact[c].impacts > 0)
+            return true;
+    return false;
+}
+
+/* What the runs say of a gap that is wide enough or not when nothing else touches: between bare faces, and as written. */
+static const char *gap_verdict(const struct site *site, int interface, bool bare_enough, bool own_enough)
+{
+    const bool bare = pounds_at(&site->cases[SITE_NONE], interface), own = pounds_at(site->own, interface);
+    return bare  ? (bare_enough ? "not enough, since another building pushes them together" : "not enough")
+           : own ? (own_enough ? "not enough with the bumper, since another building pushes them together"
+                               : "enough without the bumper, not with it")
+                 : "enough";
+}
+
 /* The gap that is there, and the one that is required, of an interface (from 1). */
 static void gap_rows(struct site *site, int i)
 {
@@ -69,7 +88,8 @@ static void gap_rows(struct site *site, int i)
             snprintf(text, sizeof text, "%s given; not enough at %d of %d levels under this motion", given, too_small,
                      levels);
         else
-            snprintf(text, sizeof text, "%s given; enough at every level under this motion", given);
+            snprintf(text, sizeof text, "%s given; at every level under this motion %s", given,
+                     gap_verdict(site, i, true, true));
         row(site, what, text);
         return;
     }
@@ -79,10 +99,8 @@ static void gap_rows(struct site *site, int i)
     if (stands_out > 0)
         n += (size_t)snprintf(text + n, sizeof text - n, ", %.1f cm with the bumper between them",
                               thud_summary_gap_cm(needed + stands_out));
-    snprintf(text + n, sizeof text - n, ": %s",
-             f->gap_m < needed                ? "not enough"
-             : f->gap_m < needed + stands_out ? "enough without the bumper, not with it"
-                                              : "enough");
+    snprintf(text + n, sizeof text - n, "%s: %s", site->scene->nstructures > 2 ? ", when nothing else touches" : "",
+             gap_verdict(site, i, f->gap_m >= needed, f->gap_m >= needed + stands_out));
     row(site, what, text);
 }
 

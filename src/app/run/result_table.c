@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "app/run/sensitivity_table.h"
 #include "app/run/summary_line.h"
@@ -65,12 +66,17 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
             line.need_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_EXACT, NULL);
             line.abs_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_ABS, NULL);
             line.srss_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_SRSS, NULL);
+            if (scene->interface[i - 1].has_bumper)
+                line.bumper_m = line.gap_m - thud_interface_clearance(&scene->interface[i - 1]);
         }
         thud_summary_line(&line, COLUMNS, text, sizeof text);
         if (scene->nstructures > 2)
             thud_text_append(out, "summary %-6d %s\n", i, text);
         else
             thud_text_append(out, "summary        %s\n", text);
+        if (!isnan(line.need_m) && !strstr(text, "needs")) /* it found no room */
+            thud_text_append(out, "               needs %.1f cm when nothing else touches\n",
+                             thud_summary_gap_cm(line.need_m + line.bumper_m));
     }
 }
 

@@ -76,10 +76,18 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
         int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0;
-        snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->need_m),
-                 thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
+        const double needs_m = line->need_m + line->bumper_m, needs_cm = thud_summary_gap_cm(needs_m);
+        const char *alone = line->impacts > 0 && line->gap_m >= needs_m ? " when nothing else touches" : "";
+        if (line->bumper_m > 0)
+            snprintf(part, sizeof part, "needs %.1f cm (%.1f bare)%s", needs_cm, thud_summary_gap_cm(line->need_m),
+                     alone);
+        else if (*alone)
+            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, alone);
+        else
+            snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", needs_cm,
+                     thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part, sizeof part, "needs %.1f cm", thud_summary_gap_cm(line->need_m));
+            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, alone);
         add(text, size, columns, part);
     }
     if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)
