@@ -54,9 +54,9 @@ general_json() {
 # storeys that yield, and slabs that strike columns
 "$THUD" run slab-against-columns --set structures.2.yield=5mm --set p-delta=yes --to 3s --quiet --sensitivity --modes 2 -o "$tmp/run" >/dev/null 2>&1
 "$THUD" run towers --set structures.2.yield=5mm --to 3s --csv >"$tmp/run.csv" 2>/dev/null
-"$THUD" sweep towers --set structures.2.yield=5mm --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
+"$THUD" sweep towers --set p-delta=yes --set structures.2.yield=5mm --to 3s --vary gap=3cm,4cm --vary bumper.thickness=2cm,3cm --best bumper.thickness --sensitivity --quiet -o "$tmp/sweep" >/dev/null 2>&1
 two=records/kobe-surrogate.csv,records/northridge-surrogate.csv
-"$THUD" sweep towers --to 3s --records "$two" --vary bumper.thickness=2cm,3cm --cases bumper --json --quiet -o "$tmp/suite" >"$tmp/sweep.json" 2>/dev/null
+"$THUD" sweep towers --set p-delta=yes --to 3s --records "$two" --vary bumper.thickness=2cm,3cm --cases bumper --json --quiet -o "$tmp/suite" >"$tmp/sweep.json" 2>/dev/null
 "$THUD" bench rigid-concrete --quiet -o "$tmp/bench" >/dev/null 2>&1
 "$THUD" stability rigid-bumper --quiet --json -o "$tmp/stability" >"$tmp/stability.json" 2>/dev/null
 "$THUD" record spectrum kobe-surrogate.csv --periods 0.1s:1s:3 >"$tmp/spectrum.csv" 2>/dev/null
@@ -83,7 +83,7 @@ is "a structure has its name in the sensitivity too" grep -q '{"structure": "B",
 sed '/^  {"record"/d; /^  {"case"/d' "$tmp/sweep.json" >"$tmp/head.json"
 json "sweep --json" "$tmp/head.json"
 general_csv suite.csv "$tmp/suite/suite.csv"
-"$THUD" sweep mixed-row --to 3s --records "$two" --set interfaces.1.bumper.thickness=2cm --vary record.peak=0.3g,0.4g --cases bumper --quiet -o "$tmp/suite-mixed" >/dev/null 2>&1
+"$THUD" sweep mixed-row --set p-delta=yes --to 3s --records "$two" --set interfaces.1.bumper.thickness=2cm --vary record.peak=0.3g,0.4g --cases bumper --quiet -o "$tmp/suite-mixed" >/dev/null 2>&1
 general_csv suite.csv "$tmp/suite-mixed/suite.csv"
 is "with ductility, permanent drift and columns" grep -q ',ductility_p84,permanent_m_p16,permanent_m_median,permanent_m_p84,shear_over_capacity_p16,' "$tmp/suite-mixed/suite.csv"
 grep '^  {"case"' "$tmp/sweep.json" >"$tmp/statistics.json"
@@ -105,7 +105,7 @@ listed methods methods "$tmp/methods.json"
 
 # studies over suites, fragility, uncertainty, gaps and costs
 two=kobe-surrogate.csv,northridge-surrogate.csv
-"$THUD" fragility towers --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1
+"$THUD" fragility towers --set p-delta=yes --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1
 "$THUD" gap towers --records $two --to 6s --quiet -o "$tmp/gap" >/dev/null 2>&1
 "$THUD" uncertainty towers --records $two --to 6s --samples 3 --indices --quiet -o "$tmp/uncertainty" >/dev/null 2>&1
 "$THUD" bench rigid-concrete --cost impacts --patience 0.01s --quiet -o "$tmp/cost" >/dev/null 2>&1

@@ -26,6 +26,25 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
     is "balance with the work of the weight" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
         { e = $c["energy.input_j"] + $c["energy.gravity_j"] - $c["energy.kinetic_j"] - $c["energy.strain_j"] - $c["energy.viscous_j"] - $c["energy.hysteretic_j"]; if (e * e > 1) exit 1 }
         END { exit !($c["energy.gravity_j"] > 0) }' "$tmp/h/histories.csv"
+    both="towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none,bumper --records kobe-surrogate.csv,kobe-surrogate.csv:sign=- --no-figures --quiet -o $tmp/study"
+    is "a study into a folder" gives 0 sweep $both
+    is "says what no gap prevents" shows 'collapses without contact at 11\.9[0-9]* s: what is needed is the gap$'
+    is "its rows end with whether a run collapses" [ "$(head -1 "$tmp/study/sweep.csv" | sed 's/.*,//')" = collapsed ]
+    # shellcheck disable=SC2016 # awk's own
+    is "with peaks and no ratios where it does" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+        { n[$NF]++; for (name in c) if (name ~ /_ratio$/) { bad += $c[name] != "" && $NF == 1; told += $c[name] != "" } if ($c["drift_m"] == "") bad++ }
+        END { exit bad || !(told > 0 && n[0] > 0 && n[1] > 0) }' "$tmp/study/sweep.csv"
+    # shellcheck disable=SC2016
+    is "and so do those of the motions together" awk -F, 'NR == 1 { last = $NF; next } { n[$NF]++ } END { exit !(last == "collapsed" && n[0] > 0 && n[1] > 0) }' "$tmp/study/suite.csv"
+    rows=$(cat "$tmp/study/"*.csv | cksum)
+    is "the same study again" gives 0 sweep $both
+    is "has the same rows" [ "$(cat "$tmp/study/"*.csv | cksum)" = "$rows" ]
+    is "floor spectra of half a motion" gives 4 run towers-yielding $soft --floor-spectra 5% --quiet
+    is "are refused with the storey" says 'storey 1 of B collapses at '
+    is "an uncertain collapse" gives 4 uncertainty towers-yielding $soft --samples 0 --case none --quiet
+    is "is refused with the storey" says 'storey 1 of B collapses at '
+    is "that of samples" gives 0 uncertainty towers-yielding $soft --peak 0.75g --samples 24 --case none --quiet
+    is "is told" shows '^In [1-9][0-9]* of 24 samples a storey collapses or a run fails'
     is "a study" gives 0 sweep towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none --quiet --csv
     is "has the peaks before it" [ "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $c["floor"] > 0 && $c["drift_m"] > 0.29999 { n++ } END { print n }' "$tmp/out")" -eq 1 ]
     is "told" gives 0 sweep towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none

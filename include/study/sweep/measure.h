@@ -39,11 +39,12 @@ enum thud_measure_document {
 
 /* What a scene must have so that there is such a number. */
 enum {
-    THUD_HAS_YIELDING = 1,  /* storeys that may yield */
-    THUD_HAS_ISOLATORS = 2, /* a structure on isolators */
-    THUD_HAS_COLUMNS = 4,   /* columns that slabs strike */
-    THUD_HAS_CAPACITY = 8,  /* and a capacity of columns */
-    THUD_HAS_REFERENCE = 16 /* another run to compare with */
+    THUD_HAS_YIELDING = 1,   /* storeys that may yield */
+    THUD_HAS_ISOLATORS = 2,  /* a structure on isolators */
+    THUD_HAS_COLUMNS = 4,    /* columns that slabs strike */
+    THUD_HAS_CAPACITY = 8,   /* and a capacity of columns */
+    THUD_HAS_REFERENCE = 16, /* another run to compare with */
+    THUD_HAS_COLLAPSES = 32  /* P-Delta */
 };
 
 /* A run of a finished point. */

@@ -99,6 +99,7 @@ struct thud_sweep_effort {
     bool made;               /* false: answered without a run */
     bool reused;             /* not made, but another run's with the same contacts */
     bool reference;          /* not asked for: case `none`, run for the ratios */
+    bool collapsed;          /* the peaks are those until then */
     double shared_s, end_s;  /* motion taken from the baseline, and the whole */
     int left_out;            /* contacts left out */
     long steps, events;
@@ -134,9 +135,12 @@ struct thud_sweep_point {
     /* (nlinkages x ncontacts) with the scene's links, and behind them without those where the scene has links */
     int nlinkages;
     struct thud_gap_level *level;
+    struct thud_collapse fall[2]; /* (nlinkages) without pounding */
 };
 /* (ncontacts) those of a case. */
 const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which);
+/* Whether a point's run may collapse: its scene's P-Delta, or a varied one. */
+bool thud_sweep_collapses(const struct thud_sweep_plan *plan);
 
 /* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
  * possible), THUD_MEMORY. */

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "core/model/result.h"
 #include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
@@ -47,6 +48,7 @@ struct thud_sweep_row {
     double value[THUD_VARY_MAX]; /* of the varied keys */
     int structure;               /* from 0 */
     int floor;                   /* from 1; 0: the mean over the structure's floors */
+    bool collapsed;              /* its run did: peaks until then, and no ratios */
     double of[THUD_SWEEP_MEASURES];
     /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
      * was asked for or one of the runs has no result. */
@@ -79,4 +81,5 @@ struct thud_sweep_need_row {
     double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
                                     point */
     struct thud_gap_level level;
+    struct thud_collapse fall; /* without pounding: the gap is that until then */
 };

@@ -120,6 +120,6 @@ void thud_uncertainty_free(struct thud_uncertainty *uncertainty);
 /* The ground motion at place u of the choice; NaN: the scene's own. */
 const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty *uncertainty, double u);
 /* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no result. Several threads may ask at
- * once. Errors: THUD_MEMORY, THUD_INPUT. */
+ * once. Errors: THUD_MEMORY, THUD_INPUT, THUD_COLLAPSED (a storey collapses; there are no values from that run on). */
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,
                                            struct thud_error *err);

@@ -117,7 +117,16 @@ static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
     }
 }
 
-/* A building that collapses without contact: no gap helps it. */
+void thud_gap_collapse(const struct thud_scene *scene, const struct thud_collapse *fall, const char *before,
+                       struct thud_text *out)
+{
+    const struct thud_structure *s = &scene->structure[fall->structure];
+    thud_text_append(out,
+                     "%s %d of %.40s collapses without contact at %.3f s: what is needed is the gap\n"
+                     "until then, and no gap prevents it.\n",
+                     before, thud_structure_storey(s, fall->floor), s->name, fall->time_s);
+}
+
 static void put_collapses(const struct thud_gap_suite *suite, const struct thud_scene *scene, struct thud_text *out)
 {
     int n = 0, first = 0;
@@ -128,16 +137,11 @@ static void put_collapses(const struct thud_gap_suite *suite, const struct thud_
         }
     if (n == 0)
         return;
-    const struct thud_collapse *c = &suite->gap[first]->collapse;
-    const struct thud_structure *s = &scene->structure[c->structure];
     const char *name = thud_path_name(suite->record[first]);
     if (suite->nrecords > 1)
         thud_text_append(out, "Under %d of the %d ground motions a storey collapses without contact, first under %s:\n",
                          n, suite->nrecords, name);
-    thud_text_append(out,
-                     "%s %d of %.40s collapses without contact at %.3f s: what is needed is the gap\n"
-                     "until then, and no gap prevents it.\n",
-                     suite->nrecords > 1 ? "storey" : "Storey", thud_structure_storey(s, c->floor), s->name, c->time_s);
+    thud_gap_collapse(scene, &suite->gap[first]->collapse, suite->nrecords > 1 ? "storey" : "Storey", out);
 }
 
 /* "A (0.25 to 0.49 s)" */

@@ -27,6 +27,9 @@ enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const stru
                                       const atomic_int *cancel, struct thud_gap_study *study, struct thud_error *err);
 void thud_gap_study_clear(struct thud_gap_study *study);
 
+/* Of a building that collapses without contact: no gap helps it. `before`: "Storey", or "storey" within a sentence. */
+void thud_gap_collapse(const struct thud_scene *scene, const struct thud_collapse *fall, const char *before,
+                       struct thud_text *out);
 /* 80 columns, after thud_gap_study_rules. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err);

@@ -17,6 +17,7 @@ enum {
 }; /* of a row: these, then 16 %, median and 84 % of each measure */
 struct suite_row {
     double count[COUNTS], of[THUD_MEASURES][ENDS];
+    double collapsed; /* 1: a run of theirs did */
     int n;
     enum thud_measure told[THUD_MEASURES]; /* (n) */
 };
@@ -36,6 +37,7 @@ static void suite_values(const struct thud_suite *suite, long setting, int k, in
     row->count[POUNDING] = happened(f);
     row->count[AMPLIFIED] =
         happened(thud_suite_fractiles(suite, setting, k, THUD_MEASURE_ACCELERATION_RATIO, s, 1 + 1e-9, room));
+    row->collapsed = thud_suite_fractiles(suite, setting, k, THUD_MEASURE_COLLAPSED, -1, 0, room).share > 0;
     for (int i = 0; i < row->n; i++) {
         f = thud_suite_fractiles(suite, setting, k, row->told[i], s, 0, room);
         memcpy(row->of[row->told[i]], (const double[ENDS]){f.p16, f.median, f.p84}, sizeof row->of[0]);
@@ -53,6 +55,8 @@ static void name_suite(const struct thud_suite *suite, const struct suite_row *r
         thud_column_add(out, false, "%s", counts[c]);
     for (int c = 0; c < row->n * ENDS; c++)
         thud_column_add(out, false, "%s_%s", thud_measure_info(row->told[c / ENDS])->column, end[c % ENDS]);
+    if (suite->features & THUD_HAS_COLLAPSES)
+        thud_column_add(out, false, "%s", thud_measure_info(THUD_MEASURE_COLLAPSED)->column);
 }
 
 static void put_data_row(const struct thud_suite *suite, const int *at, int k, int s, const struct suite_row *row,
@@ -67,6 +71,8 @@ static void put_data_row(const struct thud_suite *suite, const int *at, int k, i
         cell++->number = row->count[c];
     for (int c = 0; c < row->n * ENDS; c++)
         cell++->number = row->of[row->told[c / ENDS]][c % ENDS];
+    if (suite->features & THUD_HAS_COLLAPSES)
+        cell->number = row->collapsed;
 }
 
 enum { NAME = 8 }; /* columns of a structure's name, at least */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/run/summary_line.h"
+#include "app/sweep/gap_report.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 #include "study/scene/level.h"
@@ -119,6 +120,8 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
                          thud_table_gap_cm(least->level.relative_displacement_m),
                          place(plan, plan->nouter, least->value, -1, true, at));
+    if (worst->fall.happened)
+        thud_gap_collapse(&plan->scene, &worst->fall, "Storey", out);
 }
 
 /* Least and largest of a number of the runs of a case, and where the largest is; `structure` -1: of the columns that

@@ -53,11 +53,14 @@ static enum thud_status add_needs(struct thud_sweep_collector *c, const struct t
             decides = i;
     if (n > 0) {
         struct thud_sweep_need_row *most = &c->need[row[decides].record], *least = most + c->table.nrecords;
-        if (most->level.interface == 0 ||
-            row[decides].level.relative_displacement_m > most->level.relative_displacement_m)
+        const struct thud_collapse fall = row[decides].fall.happened ? row[decides].fall : most->fall;
+        const double own_m = row[decides].level.relative_displacement_m;
+        if (most->level.interface == 0 || own_m > most->level.relative_displacement_m)
             *most = row[decides];
-        if (least->level.interface == 0 ||
-            row[decides].level.relative_displacement_m < least->level.relative_displacement_m)
+        most->fall = fall; /* of any of them */
+        /* the gap until a collapse is no least one */
+        if (least->level.interface == 0 || (least->fall.happened && !row[decides].fall.happened) ||
+            (own_m < least->level.relative_displacement_m && !row[decides].fall.happened))
             *least = row[decides];
     }
     free(row);

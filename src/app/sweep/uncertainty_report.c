@@ -207,11 +207,30 @@ static void put_nominal(const struct thud_uncertainty *u, struct thud_text *out)
                              thud_path_name(u->record->file), u->nsuite);
 }
 
+/* Samples without a result: those that collapse have none. */
+static void put_missing(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    const size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
+    size_t missing = 0;
+    for (size_t i = 0; i < n && study->samples > 0; i++) {
+        bool whole = true;
+        for (int q = 0; q < study->uncertainty->nquantities; q++)
+            whole = whole && (isnan(study->told[q].nominal) || !isnan(thud_uncertainty_value(study, first + i, q)));
+        missing += !whole;
+    }
+    if (missing > 0)
+        thud_text_append(out,
+                         "In %zu of %zu samples a storey collapses or a run fails: they have no values from there on,\n"
+                         "and the fractiles are those of the others.\n\n",
+                         missing, n);
+}
+
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
     put_inputs(u, out);
     put_nominal(u, out);
+    put_missing(study, out);
     thud_text_append(out, "%*s %8s%s\n", names_width(u), "", "nominal",
                      study->samples > 0 ? "      5 %   median     95 %" : "");
     for (int q = 0; q < u->nquantities; q++)

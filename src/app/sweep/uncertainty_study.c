@@ -122,6 +122,8 @@ static void *worker(void *context)
             return NULL;
         enum thud_status status =
             thud_uncertainty_evaluate(study->uncertainty, study->place + row * d, study->value + row * q, &error);
+        if (status == THUD_COLLAPSED && row > 0) /* a sample without results from there on */
+            status = THUD_OK;
         pthread_mutex_lock(&w->lock);
         w->done++;
         w->has[row] = status == THUD_OK;

@@ -249,12 +249,14 @@ static const struct thud_column of_suite[] = {
     THUD_STANDS_FOR("MEASURE_p16", "16 % of the motions are below; empty: fewer than three independent motions."),
     THUD_STANDS_FOR("MEASURE_median", "Half of them are."),
     THUD_STANDS_FOR("MEASURE_p84", "84 % of them are."),
-    THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit.")};
+    THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit."),
+    THUD_STANDS_FOR("collapsed", "With P-Delta, last: 1 where a storey collapses under one of the motions at least; "
+                                 "the fractiles of peaks then hold values until a collapse, and no ratios.")};
 const struct thud_schema thud_suite_row_schema = THUD_SCHEMA(
     "suite.csv",
     "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: a row for each setting, "
     "case and structure.\n.Va KEY\nstands for every varied key, in SI units and with its unit, behind the case, "
-    "and\n.Va MEASURE\nfor each of\n.Sx measures\nthat is told in suite.csv. The "
+    "and\n.Va MEASURE\nfor each of\n.Em measures\nthat is told in suite.csv. The "
     "fractiles are those of the logarithms where every value is positive.\n",
     of_suite);
 

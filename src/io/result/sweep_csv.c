@@ -49,7 +49,7 @@ struct floor_row {
     const char *record, *which, *structure;
     struct thud_sweep_row own;
 };
-enum { SPREAD = 1 };
+enum { SPREAD = 1, COLLAPSES = 2 };
 
 #define FLOOR(member, key, text) THUD_COLUMN(struct floor_row, member, key, text)
 #define ENDS(measure, key, unit, of)                                                                                   \
@@ -106,9 +106,14 @@ static const struct thud_column storeys[] = {
     ENDS(THUD_SWEEP_DUCTILITY, "ductility", "", ""),
     ENDS(THUD_SWEEP_PERMANENT, "permanent", "_m", ", m"),
     ENDS(THUD_SWEEP_EXCURSIONS, "excursions", "", ""),
-    ENDS(THUD_SWEEP_HYSTERETIC, "hysteretic", "_j", ", J")};
+    ENDS(THUD_SWEEP_HYSTERETIC, "hysteretic", "_j", ", J"),
+    {FLOOR(
+         own.collapsed, "collapsed",
+         "With P-Delta: 1 where a storey collapses in the run; its peaks are those until then, and it has no ratios."),
+     .only = COLLAPSES}};
 const struct thud_schema thud_sweep_storey_schema =
-    THUD_SCHEMA("sweep.csv of storeys", "At the end of each row, where storeys of the scene yield.\n", storeys);
+    THUD_SCHEMA("sweep.csv of storeys",
+                "At the end of each row, where storeys of the scene yield, and with P-Delta the last one.\n", storeys);
 
 /* ---- contacts ---- */
 
@@ -205,14 +210,20 @@ struct form {
 
 static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct form *out)
 {
-    *out = (struct form){.plan = plan, .which = which, .marks = plan->sensitivity > 0 ? SPREAD : 0};
+    *out = (struct form){.plan = plan, .which = which, .marks = (plan->sensitivity > 0 ? SPREAD : 0u)};
     for (int a = 0; a < plan->naxes; a++)
         out->shown[a] = which == THUD_SWEEP_CSV_NEEDS ? a < plan->nouter : !is_gap(plan->axis[a].key);
     thud_axis_columns(plan, out->shown, &out->axes);
     if (which == THUD_SWEEP_CSV_FLOORS) {
         out->first = thud_sweep_floor_schema;
-        if (thud_sweep_yields(plan))
+        const bool yields = thud_sweep_yields(plan);
+        out->marks |= thud_sweep_collapses(plan) ? COLLAPSES : 0u;
+        if (yields || out->marks & COLLAPSES)
             out->last = thud_sweep_storey_schema;
+        if (!yields && out->last.n > 0) { /* the last column alone */
+            out->last.column += out->last.n - 1;
+            out->last.n = 1;
+        }
     } else if (which == THUD_SWEEP_CSV_CONTACTS) {
         out->first = out->last = thud_sweep_contact_schema;
         out->first.n -= MOMENTS;

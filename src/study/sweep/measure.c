@@ -63,8 +63,10 @@ static double mean_of_floors(const struct thud_measured_run *run, const struct t
 
 static double ratio_of_means(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
-    const double none = mean_of_case(run, info, thud_sweep_reference(run->point), structure);
-    return none > 0 ? mean_of_case(run, info, run->k, structure) / none : (double)NAN;
+    const int reference = thud_sweep_reference(run->point);
+    const double none = mean_of_case(run, info, reference, structure);
+    const bool cut = run->point->effort[run->k].collapsed || run->point->effort[reference].collapsed;
+    return none > 0 && !cut ? mean_of_case(run, info, run->k, structure) / none : (double)NAN;
 }
 
 static double isolator(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
@@ -89,8 +91,8 @@ static double drift_angle(const struct thud_measured_run *run, const struct thud
 
 static double collapsed(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
-    const double angle = drift_angle(run, info, structure);
-    return isnan(angle) ? angle : angle > THUD_COLLAPSE_DRIFT * (1 - 1e-9); /* where its run ends, but for rounding */
+    (void)info, (void)structure;
+    return run->point->effort[run->k].collapsed;
 }
 
 static double largest_of_contacts(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
@@ -214,8 +216,7 @@ static const struct thud_measure_info infos[THUD_MEASURES] = {
     [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
                               .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0), .event = {"column", "1"},
                               .read = over_capacity, CONTACT(capacity_ratio)},
-    [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, true, .event = {"collapse"}, .read = collapsed,
-                                FLOOR(drift_m)}};
+    [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event = {"collapse"}, .read = collapsed}};
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure)
 {
@@ -248,6 +249,7 @@ unsigned thud_measure_features(const struct thud_sweep_plan *plan)
 {
     unsigned features = THUD_HAS_REFERENCE | (thud_sweep_yields(plan) ? THUD_HAS_YIELDING : 0u) |
                         (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
+    features |= thud_sweep_collapses(plan) ? THUD_HAS_COLLAPSES : 0u;
     for (int s = 0; s < plan->scene.nstructures; s++)
         features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;
     return features;

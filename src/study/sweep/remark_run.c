@@ -295,7 +295,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
     const bool bumpers = point->which[k] != THUD_CASE_NONE && point->which[k] != THUD_CASE_LINK;
-    bool drifts = false, bumper = false, pressed = false, beyond = false, falls = false, unstable = false;
+    bool drifts = false, bumper = false, pressed = false, beyond = false, unstable = false;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
         double drift_m[THUD_STOREYS_MAX + 1];
         int storey;
@@ -305,8 +305,6 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             bool yields =
                 f >= slab && f - slab < structure->storeys && isfinite(thud_structure_yield(structure, f - slab));
             drift_m[f] = yields ? 0 : floor[f].drift_m;
-            falls = falls || (scene->p_delta && f >= slab && thud_kind_is_building(structure->kind) &&
-                              floor[f].drift_m > THUD_COLLAPSE_DRIFT * (1 - 1e-9) * structure->height_m[f - slab]);
         }
         double ratio = worst_drift(structure, point->floors[s], drift_m, &storey);
         drifts = drifts || ratio > drift_most;
@@ -335,7 +333,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             w->thickness_m = thickness;
         }
     }
-    if (falls && w->collapsed++ == 0) {
+    if (point->effort[k].collapsed && w->collapsed++ == 0) {
         w->fall_point = point->index;
         w->fall_which = point->which[k];
     }

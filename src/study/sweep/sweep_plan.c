@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/scene/scene_elements.h"
 #include "study/sweep/sweep.h"
 #include "study/sweep/sweep_private.h"
 
@@ -382,6 +383,14 @@ bool thud_sweep_yields(const struct thud_sweep_plan *plan)
     for (int a = 0; a < plan->naxes; a++)
         yields |= strstr(plan->axis[a].key, ".yield") != NULL;
     return yields;
+}
+
+bool thud_sweep_collapses(const struct thud_sweep_plan *plan)
+{
+    bool collapses = thud_scene_elements(&plan->scene).traits & THUD_COLLAPSES;
+    for (int a = 0; a < plan->naxes; a++)
+        collapses |= strcmp(plan->axis[a].key, "p-delta") == 0;
+    return collapses;
 }
 
 static long product(const struct thud_sweep_plan *plan, int from)

@@ -39,12 +39,17 @@ static inline bool thud_sweep_variant(const struct thud_sweep_plan *plan, int va
     return variant > 0;
 }
 
-/* That of a case. */
+/* Of so many that there are, that of a case. */
+static inline int thud_sweep_linkage(int nlinkages, enum thud_case which)
+{
+    return nlinkages > 1 && !thud_case_has_links(which) ? THUD_SWEEP_UNLINKED : THUD_SWEEP_LINKED;
+}
+
 static inline const struct thud_sweep_baseline *thud_sweep_baseline(const struct thud_sweep_group *group, int variant,
                                                                     enum thud_case which)
 {
-    const int linkage = thud_case_has_links(which) ? THUD_SWEEP_LINKED : group->nlinkages - 1;
-    return &group->baseline[linkage][variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
+    return &group->baseline[thud_sweep_linkage(group->nlinkages, which)]
+                           [variant > 2 ? variant - 2 : 0]; /* variants 1 and 2 change the gap */
 }
 
 /* The case whose baseline is the motion without pounding that a plan's ratios are to: with the links where every case

@@ -58,6 +58,7 @@ static bool is_answered(const struct thud_sweep_point *point, int k)
 
 /* Where a row's numbers stand in a point: the floors of a structure, or one of them. */
 struct where {
+    const struct thud_sweep_plan *plan;
     const struct thud_sweep_point *point;
     int k, first, n, floor;
 };
@@ -73,6 +74,10 @@ static void measure(const struct where *w, int variant, double m[THUD_SWEEP_MEAS
 {
     struct thud_sweep_floor x = floor_of(w, variant, w->k), none = floor_of(w, variant, thud_sweep_reference(w->point)),
                             free = floor_of(w, variant, w->point->ncases);
+    const struct thud_sweep_point *p = w->point;
+    const enum thud_case alone = thud_sweep_free_case(w->plan);
+    const bool cut = p->effort[w->k].collapsed || p->effort[thud_sweep_reference(p)].collapsed,
+               cut_free = p->effort[w->k].collapsed || p->fall[thud_sweep_linkage(p->nlinkages, alone)].happened;
     m[THUD_SWEEP_ACCELERATION] = x.acceleration_mps2;
     m[THUD_SWEEP_DRIFT] = x.drift_m;
     m[THUD_SWEEP_DISPLACEMENT] = x.displacement_m;
@@ -82,6 +87,8 @@ static void measure(const struct where *w, int variant, double m[THUD_SWEEP_MEAS
     m[THUD_SWEEP_ACCELERATION_FREE_RATIO] = over(x.acceleration_mps2, free.acceleration_mps2);
     m[THUD_SWEEP_DRIFT_FREE_RATIO] = over(x.drift_m, free.drift_m);
     m[THUD_SWEEP_DISPLACEMENT_FREE_RATIO] = over(x.displacement_m, free.displacement_m);
+    for (int q = THUD_SWEEP_ACCELERATION_RATIO; q <= THUD_SWEEP_DISPLACEMENT_FREE_RATIO; q++)
+        m[q] = (q < THUD_SWEEP_ACCELERATION_FREE_RATIO ? cut : cut_free) ? NAN : m[q];
     m[THUD_SWEEP_DUCTILITY] = x.ductility;
     m[THUD_SWEEP_PERMANENT] = x.permanent_m;
     m[THUD_SWEEP_EXCURSIONS] = x.excursions;
@@ -126,7 +133,8 @@ int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_
                     continue;
                 row[count] = head;
                 row[count].floor = i;
-                fill_row(&row[count], &(struct where){point, k, first, n, i});
+                row[count].collapsed = point->effort[k].collapsed;
+                fill_row(&row[count], &(struct where){plan, point, k, first, n, i});
             }
         }
     }
@@ -178,6 +186,7 @@ int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_s
         return 0;
     for (int c = 0; row && c < point->ncontacts; c++) {
         row[c].level = point->level[c];
+        row[c].fall = point->fall[0];
         row[c].record = fill_values(plan, point->index, row[c].value);
     }
     return point->ncontacts;

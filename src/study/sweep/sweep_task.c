@@ -43,7 +43,7 @@ struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int nc
 
 const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which)
 {
-    return point->level + (thud_case_has_links(which) ? 0 : point->nlinkages - 1) * point->ncontacts;
+    return point->level + thud_sweep_linkage(point->nlinkages, which) * point->ncontacts;
 }
 
 /* Floors' peaks of a result of the scene. */
@@ -132,6 +132,8 @@ enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, cons
     for (int v = 0; v < point->nvariants; v++)
         take_floors(thud_sweep_floors(point, v, point->ncases), task->scene,
                     thud_baseline_result(thud_sweep_baseline(group, v, thud_sweep_free_case(plan))->baseline));
+    for (int l = 0; l < point->nlinkages; l++)
+        point->fall[l] = thud_baseline_result(group->baseline[l][0].baseline)->collapse;
     memcpy(point->level, group->level, (size_t)(point->nlinkages * point->ncontacts) * sizeof *point->level);
     *out = task;
     return THUD_OK;
@@ -240,6 +242,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
         thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
         effort->end_s = result->end_s;
+        effort->collapsed = result->collapse.happened;
         count_run(task);
         return THUD_OK;
     }
@@ -271,6 +274,7 @@ static void finish(struct thud_sweep_task *task)
     const struct thud_result *result = thud_run_result(task->run);
     thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
     task->effort.end_s = result->end_s;
+    task->effort.collapsed = result->collapse.happened;
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;
     count_run(task);

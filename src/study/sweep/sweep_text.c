@@ -130,7 +130,9 @@ static void effort(struct line *l, enum thud_case *which, struct thud_sweep_effo
     long made = whole(l, e->reused ? 2 : e->made, 0, 2);
     e->made = made == 1;
     e->reused = made == 2;
-    e->reference = whole(l, e->reference, 0, 1) != 0;
+    const long marks = whole(l, e->reference + 2 * e->collapsed, 0, 3);
+    e->reference = marks & 1;
+    e->collapsed = marks & 2;
     count(l, &e->left_out, 0, INT_MAX);
     e->steps = whole(l, e->steps, 0, 1L << 53);
     e->events = whole(l, e->events, 0, 1L << 53);
@@ -194,6 +196,18 @@ static void variants(struct line *l, struct thud_sweep_point *p)
     contacts(l, p->contact + ncontacts, (p->nvariants - 1) * ncontacts);
 }
 
+/* Without pounding, of a point where there is one. */
+static void falls(struct line *l, struct thud_sweep_point *p)
+{
+    for (struct thud_collapse *fall = p->fall; fall < p->fall + p->nlinkages; fall++) {
+        fall->happened = whole(l, fall->happened, 0, 1) != 0;
+        count(l, &fall->structure, 0, THUD_STRUCTURES_MAX - 1);
+        count(l, &fall->floor, 0, THUD_STOREYS_MAX);
+        number(l, &fall->time_s);
+        number(l, &fall->drift_m);
+    }
+}
+
 /* What says how large a point is. */
 static void sizes(struct line *l, struct thud_sweep_point *p)
 {
@@ -255,15 +269,20 @@ bool thud_sweep_numbers_read(const char *line, long *index, double *x, size_t n)
     return sum && !l.failed && l.at == sum;
 }
 
-/* At the start of a line with a spread, and of one with the levels without links. */
-static const char spread_mark[] = "spread ", links_mark[] = "links ";
+/* At the start of a line with a spread, of one with the levels without links, and of one with a collapse without
+ * pounding. */
+static const char spread_mark[] = "spread ", links_mark[] = "links ", fall_mark[] = "collapse ";
 
 void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out)
 {
     size_t start = out->size;
     struct line l = {.out = out};
     struct thud_sweep_point same = *point; /* the walk changes nothing that is written */
-    thud_text_append(out, "%s%s", point->nvariants > 1 ? spread_mark : "", point->nlinkages > 1 ? links_mark : "");
+    const bool fall = point->fall[0].happened || point->fall[point->nlinkages - 1].happened;
+    thud_text_append(out, "%s%s%s", point->nvariants > 1 ? spread_mark : "", point->nlinkages > 1 ? links_mark : "",
+                     fall ? fall_mark : "");
+    if (fall)
+        falls(&l, &same);
     sizes(&l, &same);
     rest(&l, &same);
     put_sum(out, start);
@@ -278,15 +297,19 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     if (!sum)
         return thud_error_set(err, THUD_INPUT, "a line is damaged");
     const bool spread = thud_scan_word(&l.at, spread_mark), links = thud_scan_word(&l.at, links_mark);
+    head.nlinkages = links ? THUD_SWEEP_LINKAGES : 1;
+    if (thud_scan_word(&l.at, fall_mark))
+        falls(&l, &head);
     sizes(&l, &head);
-    struct thud_sweep_point *point =
-        l.failed ? NULL
-                 : thud_sweep_point_create(head.ncases, head.nfloors, head.ncontacts, links ? THUD_SWEEP_LINKAGES : 1,
-                                           spread ? THUD_SWEEP_VARIANTS : 1);
+    struct thud_sweep_point *point = l.failed
+                                         ? NULL
+                                         : thud_sweep_point_create(head.ncases, head.nfloors, head.ncontacts,
+                                                                   head.nlinkages, spread ? THUD_SWEEP_VARIANTS : 1);
     if (!point)
         return thud_error_set(err, l.failed ? THUD_INPUT : THUD_MEMORY,
                               l.failed ? "a line is damaged" : "out of memory");
     point->index = head.index;
+    memcpy(point->fall, head.fall, sizeof point->fall);
     point->nstructures = head.nstructures;
     rest(&l, point);
     int nfloors = 0;

@@ -613,7 +613,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
     }
     if (asks_gap(u) && status == THUD_OK) {
         status = thud_needed_gap_run(scene, scaled ? scaled : record, &gap, err);
-        if (status == THUD_OK && gap->nlevels > 0)
+        if (status == THUD_OK && gap->nlevels > 0 && !gap->collapse.happened)
             value[0] = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
     }
     for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
@@ -623,6 +623,8 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
             status = thud_scene_check(scene + 1, err);
         if (status == THUD_OK)
             status = thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
+        if (status == THUD_OK)
+            status = thud_collapse_status(scene + 1, thud_run_result(solution.run), err);
         if (status == THUD_OK && !point && !(point = point_of(u, gap, thud_run_result(solution.run))))
             status = thud_error_set(err, THUD_MEMORY, "out of memory");
         if (status == THUD_OK) {
