@@ -287,6 +287,65 @@ START_TEST(the_end_is_asked_of_those_that_are_there)
 }
 END_TEST
 
+/* An observer of one more quantity: the largest total acceleration of each floor at the ends of pieces. */
+enum { FLOORS = 9, MODES = 64 };
+struct accelerations {
+    double largest_mps2[FLOORS];
+};
+
+static enum thud_status note_accelerations(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    struct accelerations *a = own;
+    const struct thud_model *m = o->state->model;
+    double q[MODES], qd[MODES], force[MODES], out[MODES];
+    (void)err;
+    ck_assert(m->ndof == FLOORS && m->nmodes <= MODES && m->nrows <= MODES);
+    for (int end = 0; end < 2; end++) {
+        thud_observation_state(o, end * o->s, q, qd);
+        thud_observation_forces(o, end * o->s, force);
+        thud_observation_acceleration(o, end * o->s, q, qd, force, out);
+        for (int i = 0; i < m->ndof; i++)
+            a->largest_mps2[i] = fmax(a->largest_mps2[i], fabs(thud_model_floor(m, i, out)));
+    }
+    return THUD_OK;
+}
+
+/* It finds the peaks of the run, which have code of their own: all of them where a step knows its ends alone, with and
+ * without polynomials, and none larger where they are read inside of steps too. */
+START_TEST(accelerations_by_any_method)
+{
+    static const struct {
+        const char *method;
+        bool locate, history;
+        double least;
+    } by[] = {{"kr-alpha", false, false, 1 - 1e-9}, {"kr-alpha", false, true, 1 - 1e-9},
+              {"hht", false, false, 1 - 1e-9},      {"rk4", true, false, 0.98},
+              {"dormand-prince", true, false, 0.5}, {"exact", true, false, 0.5}};
+    static const struct thud_observer table = {.segment = note_accelerations};
+    const struct scene scene = {"kelvin-voigt", by[_i].method, by[_i].locate, by[_i].history};
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = make_model(scene.law);
+    struct thud_run_options options = options_of(&scene);
+    struct accelerations seen = {0};
+    struct thud_run *run = NULL;
+    bool done = false;
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    thud_run_observe(run, &table, &seen);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+    for (int s = 0, i = 0; s < model->nstructures; s++)
+        for (int f = 0; f < model->structure[s].n; f++, i++) {
+            const double peak = run->result.structure[s].floor[f].acceleration.value;
+            ck_assert_double_gt(peak, 5);
+            ck_assert_double_ge(seen.largest_mps2[i], by[_i].least * peak);
+            ck_assert_double_le(seen.largest_mps2[i], (1 + 1e-9) * peak);
+        }
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *s = suite_create("observers");
@@ -295,6 +354,7 @@ Suite *thud_suite(void)
     tcase_add_loop_test(t, each_may_be_left_out_of_random_scenes, 0, 4);
     tcase_add_loop_test(t, one_more_sees_the_whole_motion, 0, SCENES);
     tcase_add_test(t, one_more_sees_the_end_in_a_study_too);
+    tcase_add_loop_test(t, accelerations_by_any_method, 0, 6);
     tcase_add_test(t, no_piece_is_of_rounding_alone);
     tcase_add_test(t, the_end_is_asked_of_those_that_are_there);
     suite_add_tcase(s, t);

@@ -232,23 +232,6 @@ static void fill_links(const struct thud_history *h, const struct thud_model *m,
     }
 }
 
-/* Modal total accelerations at s as the peaks have them, with the forces of all rows; the row has the ground. */
-static void accelerations(const struct thud_model *m, const struct thud_segment *seg, double s, const double *row,
-                          const double *force, const double *q, const double *qd, double *out)
-{
-    if (seg->interpolates) {
-        thud_model_acceleration(m, q, qd, 0, out);
-        thud_model_apply_contact_forces(m, force, out);
-        return;
-    }
-    for (int j = 0; j < m->nmodes; j++) {
-        double sum = 0;
-        for (int k = seg->terms - 3; k >= 0; k--)
-            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->nmodes + j];
-        out[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * row[thud_history_ground()];
-    }
-}
-
 /* A row at s of the present segment. */
 static enum thud_status row_at(struct thud_history_rows *rows, const struct thud_observation *o, double s,
                                struct thud_error *err)
@@ -260,7 +243,7 @@ static enum thud_status row_at(struct thud_history_rows *rows, const struct thud
     if (!row)
         return THUD_MEMORY;
     double *q = rows->work, *qd = q + m->nmodes, *a = qd + m->nmodes, *force = a + m->nmodes;
-    thud_segment_state(seg, m->nmodes, s, q, qd);
+    thud_observation_state(o, s, q, qd);
     fill_motion(h, o->state, row, q, qd);
     fill_storeys(h, o->state, row, q);
     if (rows->look_s > 0)
@@ -268,17 +251,13 @@ static enum thud_status row_at(struct thud_history_rows *rows, const struct thud
             row[thud_history_energy(h, e)] = NAN;
     else
         fill_works(h, rows->ledger, o, s, q, qd, row);
-    row[thud_history_ground()] = seg->a0 + seg->a1 * s;
-    for (int c = 0; c < m->nrows; c++) {
-        force[c] = 0;
-        for (int k = seg->terms - 1; k >= 0; k--)
-            force[c] = force[c] * s + seg->force[k * m->nrows + c];
-        if (c < m->npairs)
-            row[thud_history_force(h, c)] = force[c];
-    }
+    row[thud_history_ground()] = thud_observation_ground(o, s);
+    thud_observation_forces(o, s, force);
+    for (int c = 0; c < m->npairs; c++)
+        row[thud_history_force(h, c)] = force[c];
     fill_columns(h, m, force, row);
     fill_links(h, m, force, q, qd, row);
-    accelerations(m, seg, s, row, force, q, qd, a);
+    thud_observation_acceleration(o, s, q, qd, force, a);
     for (int i = 0; i < m->ndof; i++)
         row[thud_history_acceleration(h, i)] = thud_model_floor(m, i, a);
     return THUD_OK;

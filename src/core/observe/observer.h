@@ -27,6 +27,22 @@ struct thud_observation {
     int works;
 };
 
+/* What the segment may be asked, at 0 <= s <= o->s, whatever the method: the ground's acceleration; the modal state, q and qd
+ * (nmodes); the forces of all rows, force (nrows); and from these three at that s the modal total accelerations, out
+ * (nmodes), whose floor values are thud_model_floor's. Nothing else of a segment is there for every method. The power
+ * series of `exact` have all of it in seg->q and seg->force. The polynomials of a stepping method (seg->interpolates)
+ * have its state, but their second derivative is no acceleration between the ends of the step: that is by the forces.
+ * Of a step whose events are not located (seg->end) there may be no polynomials at all (seg->terms 0), and then these
+ * give the nearer of its two ends. */
+static inline double thud_observation_ground(const struct thud_observation *o, double s)
+{
+    return o->seg->a0 + o->seg->a1 * s;
+}
+void thud_observation_state(const struct thud_observation *o, double s, double *q, double *qd);
+void thud_observation_forces(const struct thud_observation *o, double s, double *force);
+void thud_observation_acceleration(const struct thud_observation *o, double s, const double *q, const double *qd,
+                                   const double *force, double *out);
+
 struct thud_observer {
     /* Errors: THUD_MEMORY. */
     enum thud_status (*segment)(void *own, const struct thud_observation *o, struct thud_error *err);

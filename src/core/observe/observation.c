@@ -1,0 +1,49 @@
+/* What a segment may be asked (observer.h): the one place that knows which of its parts a method has filled. */
+#include <string.h>
+
+#include "core/observe/observer.h"
+
+/* The end of a step that has no polynomials. */
+static const struct thud_motion *end_at(const struct thud_observation *o, double s)
+{
+    return s < 0.5 * o->s ? o->seg->start : o->seg->end;
+}
+
+void thud_observation_state(const struct thud_observation *o, double s, double *q, double *qd)
+{
+    const size_t bytes = (size_t)o->state->model->nmodes * sizeof *q;
+    if (o->seg->terms > 0) {
+        thud_segment_state(o->seg, o->state->model->nmodes, s, q, qd);
+        return;
+    }
+    memcpy(q, end_at(o, s)->q, bytes);
+    memcpy(qd, end_at(o, s)->qd, bytes);
+}
+
+void thud_observation_forces(const struct thud_observation *o, double s, double *force)
+{
+    const int rows = o->state->model->nrows;
+    for (int c = 0; c < rows; c++) {
+        force[c] = o->seg->terms > 0 ? 0 : end_at(o, s)->force[c];
+        for (int k = o->seg->terms - 1; k >= 0; k--)
+            force[c] = force[c] * s + o->seg->force[k * rows + c];
+    }
+}
+
+void thud_observation_acceleration(const struct thud_observation *o, double s, const double *q, const double *qd,
+                                   const double *force, double *out)
+{
+    const struct thud_model *m = o->state->model;
+    const struct thud_segment *seg = o->seg;
+    if (seg->interpolates) {
+        thud_model_acceleration(m, q, qd, 0, out);
+        thud_model_apply_contact_forces(m, force, out);
+        return;
+    }
+    for (int j = 0; j < m->nmodes; j++) {
+        double sum = 0;
+        for (int k = seg->terms - 3; k >= 0; k--)
+            sum = sum * s + (k + 1) * (k + 2) * seg->q[(k + 2) * m->nmodes + j];
+        out[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * thud_observation_ground(o, s);
+    }
+}
