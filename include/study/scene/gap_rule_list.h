@@ -22,7 +22,7 @@ THUD_RULE(THUD_GAP_DDC, "DDC", "ddc_m", "Jeng et al. (1992)", "", "double differ
           "Double difference combination, m; no value where storeys yield.",
           thud_spacing_ddc(l->left_m, l->right_m, l->correlation))
 /* and (2)(b) where (3) does not reduce it */
-THUD_RULE(THUD_GAP_EN1998, "EN 1998", "en1998_m", "4.4.2.7(3)", THUD_EN1998, "equal floors", "",
+THUD_RULE(THUD_GAP_EN1998, "EN 1998", "en1998_m", "4.4.2.7(3)", THUD_EN1998, "k 0.7 or 1", "",
           "k q sqrt(uL^2 + uR^2)", "$k x $q x sqrt($l^2 + $r^2) cm", "", "What EN 1998-1 4.4.2.7 asks for, m.",
           thud_gap_reduction(l) * l->code.q * thud_gap_srss(l))
 THUD_RULE(THUD_GAP_ASCE7, "ASCE 7", "asce7_m", "12.12.3", THUD_ASCE7, "between buildings", "",

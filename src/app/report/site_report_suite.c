@@ -321,7 +321,8 @@ void thud_site_suite_section(struct site *site)
     char heading[64];
     if (!site->suite.runs)
         return;
-    snprintf(heading, sizeof heading, "Over %d ground motions", site->suite.runs->nrecords);
+    snprintf(heading, sizeof heading, "Over %d ground motion%s", site->suite.runs->nrecords,
+             site->suite.runs->nrecords == 1 ? "" : "s");
     thud_document_heading(d, heading);
     site->suite.drawing = true;
     add_motions(site);

@@ -199,7 +199,8 @@ void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
         thud_text_append(out, "%s is not monotone in %s: it changes %d times or more from %s to %s", text, solve->key,
                          solve->changes, first->text, last->text);
     if (solve->nrecords > 1)
-        thud_text_append(out, ", under %g %% of %d ground motions", 100 * solve->share, solve->nrecords);
+        thud_text_append(out, ", under %g %% of %d ground motion%s", 100 * solve->share, solve->nrecords,
+                         solve->nrecords == 1 ? "" : "s");
     if (first->n > 0 && first > solve->tried)
         thud_text_append(out, "; below %s it is not possible", first->text);
     if (first->n > 0 && last < &solve->tried[solve->n - 1])

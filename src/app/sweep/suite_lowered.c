@@ -302,7 +302,8 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
         int q = 0, rows = 0;
         for (int s = -2; next_response(c, &q, &s);)
             rows++;
-        snprintf(title, sizeof title, "What lowers which response, over %d ground motions", suite->nrecords);
+        snprintf(title, sizeof title, "What lowers which response, over %d ground motion%s", suite->nrecords,
+                 suite->nrecords == 1 ? "" : "s");
         figure = thud_figure_create("lowered", title, 1, 2);
         struct thud_panel *ratios = thud_figure_panel(figure, 0, 0, "Ratio to neither bumper nor link"),
                           *shares = thud_figure_panel(figure, 0, 1, "Ground motions under which it is lower");

@@ -125,8 +125,8 @@ void thud_remark_theta(const struct thud_remark_scope *scope, int i, struct thud
     char others[48] = "";
     if (above > 1)
         snprintf(others, sizeof others, "; %d storeys are above %g", above, theta_small);
-    thud_error_set(said, THUD_OK, "%sthe stability coefficient of storey %d of %.40s is %.3g%s: %s",
-                   worst > theta_most ? "caution: " : "", storey + 1, s->name, worst, others,
+    thud_error_set(said, THUD_OK, "the stability coefficient of storey %d of %.40s is %.3g%s: %s", storey + 1, s->name,
+                   worst, others,
                    worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
                                       : "the weight on the drift, which the run leaves out, adds to the response");
     thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
@@ -426,9 +426,9 @@ void thud_remark_thetas(const struct thud_remark_scope *scope, int i, struct thu
     struct thud_error *said = thud_remark_add(out);
     where_text(scope->plan, w->theta.point, w->theta.which, where, sizeof where);
     thud_error_set(said, THUD_OK,
-                   "%sthe stability coefficient of storeys is above %g in %ld of %ld runs: %.3g at storey "
+                   "the stability coefficient of storeys is above %g in %ld of %ld runs: %.3g at storey "
                    "%d of %.40s (%s)",
-                   w->theta.value > theta_most ? "caution: " : "", theta_small, w->unstable, w->runs, w->theta.value,
-                   w->theta.storey, scope->plan->scene.structure[w->theta.structure].name, where);
+                   theta_small, w->unstable, w->runs, w->theta.value, w->theta.storey,
+                   scope->plan->scene.structure[w->theta.structure].name, where);
     thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
 }
