@@ -277,9 +277,9 @@ key() { # KEY WHAT PATTERN
 }
 key Down "goes to the next field" 'gap by level *▸'
 key Up "back to the field before" 'gap *▸'
-key End "to the last one" '▸law  *none'
+key End "to the last one" '▸continuous\|▸[a-z0-9]'
 key Home "to the first one" 'gap *▸'
-key NPage "a page down" 'post-yield *▸2500'
+key NPage "a page down" 'max-strain *▸0.8'
 key PPage "a page up" 'gap *▸'
 keys BTab
 key Tab "and Shift-Tab undo each other" 'gap *▸'
@@ -297,13 +297,13 @@ click() { # COLUMN ROW (from 0): pressed and let go, as terminals report it
     at=$(printf '%b%b' "\\0$(printf %o $((33 + $1)))" "\\0$(printf %o $((33 + $2)))")
     keys -l "$(printf '\033[M ')$at$(printf '\033[M#')$at"
 }
-click 5 9
+click 5 10
 wait_for "a click on a name goes to its field" 'stiffness *▸'
 click 24 1
 wait_for "on a screen's name to that screen" '\[3 Record\]'
 click 13 1
 wait_for "and back" '\[2 Contact\]'
-click 25 9
+click 25 10
 wait_for "one more click on the field edits it" 'Enter accept'
 keys Escape
 wait_for "Esc ends that" 'Enter edit'

@@ -536,18 +536,18 @@ START_TEST(the_walk_of_an_engineer)
 }
 END_TEST
 
-/* Two buildings of one's own, a suite of two motions, two variants of the gap with names, fragility over the suite, and the
- * report of the one that is chosen. */
+/* Two buildings of one's own, a suite of two motions, three designs: another gap and a bumper, fragility over the suite,
+ * and the report of what is on the screen, with the others beside it. */
 START_TEST(the_walk_to_a_report)
 {
     static const char *const walk[] = {
         "n5<Tab>7<Down><Tab>500<Tab>550<Down><Down><Down>3<Down>pul<Enter>", /* two buildings */
         "3<Home><Down> <Down> ",                                             /* the suite */
         "w2<Home><Enter>5<Enter>",                                           /* saved; another gap */
-        "U<F2>wide<Enter>U<Down><F2>near<Enter>",                            /* two variants */
+        "B",                                                                 /* a bumper */
         "6r",                                                                /* the suite at every gap */
         "c",
-        "wR<Enter>", /* the report */
+        "U   wR<Enter>", /* the designs marked, and the report */
     };
     char program[200];
     int keys = 0;
@@ -565,12 +565,12 @@ START_TEST(the_walk_to_a_report)
         if (i == 4)
             fixture_expect(&f, "2 ground motions");
     }
-    char *near = fixture_file(&f, "near.yaml"), *wide = fixture_file(&f, "wide.yaml");
-    ck_assert_ptr_nonnull(near);
+    char *first = fixture_file(&f, "buildings-1.yaml"), *wide = fixture_file(&f, "buildings-2.yaml");
+    ck_assert_ptr_nonnull(first);
     ck_assert_ptr_nonnull(wide);
-    ck_assert_ptr_nonnull(strstr(near, "gap: 3 cm"));
+    ck_assert_ptr_nonnull(strstr(first, "gap: 3 cm"));
     ck_assert_ptr_nonnull(strstr(wide, "gap: 5 cm"));
-    free(near);
+    free(first);
     free(wide);
     ck_assert_int_gt(thud_sweep_data_figures(&thud_sweep_state(f.tui)->data),
                      thud_sweep_figure_count(&thud_sweep_state(f.tui)->data.rows.table)); /* its fragility is there */
@@ -579,11 +579,11 @@ START_TEST(the_walk_to_a_report)
     ck_assert_ptr_nonnull(said);
     ck_assert_ptr_nonnull(strstr(said, "[report][buildings.yaml]"));
     ck_assert_ptr_nonnull(strstr(said, "[--beside]["));
-    ck_assert_ptr_nonnull(strstr(said, "wide.yaml")); /* its variants are compared there */
-    ck_assert_ptr_nonnull(strstr(said, "near.yaml"));
+    ck_assert_ptr_nonnull(strstr(said, "buildings-1.yaml,")); /* its designs are compared there */
+    ck_assert_ptr_nonnull(strstr(said, "buildings-2.yaml]"));
     free(said);
     printf("# the walk to a report takes %d keys\n", keys);
-    ck_assert_int_le(keys, 70);
+    ck_assert_int_le(keys, 60);
 }
 END_TEST
 
@@ -735,7 +735,7 @@ START_TEST(the_state_on_the_screen_is_named)
     char path[160];
     struct thud_preset *preset;
     fixture_keys(&f, ":live off<Enter>:set gap 7 cm<Enter>U<F2>v7<Enter>");
-    fixture_expect(&f, "This state is v7 now");
+    fixture_expect(&f, "This design is v7 now");
     snprintf(path, sizeof path, "%s/v7.yaml", f.folder);
     ck_assert_int_eq(thud_preset_read(path, &preset, NULL), THUD_OK);
     ck_assert_double_eq_tol(thud_preset_scene(preset)->interface[0].gap_m, 0.07, 1e-15);
@@ -851,43 +851,52 @@ START_TEST(storeys_survive_another_kind)
 }
 END_TEST
 
-/* Every state that was run is there with its result; one is named, which saves it, compared with and forgotten. */
-START_TEST(states_are_gone_to_named_and_compared)
+/* Every design that was run is there with its result; they are gone to, named, which saves them, compared with, marked
+ * for the report and forgotten. */
+START_TEST(designs_are_gone_to_named_and_compared)
 {
-    char first[200], path[160];
+    char text[40], path[160];
     struct thud_preset *preset;
-    snprintf(first, sizeof first, "%.40s", f.tui->doc.variants.item[0].solution);
+    int impacts;
+    const double force = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts);
     fixture_keys(&f, ":set gap 4 cm<Enter>");
     fixture_keys(&f, ":set gap 6 cm<Enter>");
     fixture_keys(&f, ":set gap 4 cm<Enter>"); /* twice the same is once */
     fixture_keys(&f, "U");
-    ck_assert_int_eq(f.tui->doc.variants.n, 3);
-    fixture_expect(&f, first);
-    fixture_keys(&f, "as opened<Enter>");
-    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.02, 1e-15);
+    ck_assert_int_eq(f.tui->doc.designs.n, 3);
+    fixture_expect(&f, thud_tui_number(1e-6 * force, text));
+    fixture_expect(&f, "*#2 gap 4 cm"); /* the one on the screen comes first, */
+    fixture_expect(&f, "#3 gap 6 cm");  /* the others by what they have other than the first */
+    fixture_expect(&f, "#1 as opened");
+    fixture_keys(&f, "<Down><Down><Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.02, 1e-15);
     fixture_keys(&f, "u");
-    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.04, 1e-15);
-    fixture_keys(&f, "U#3<F2>wide<Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.04, 1e-15);
+    fixture_keys(&f, "U<Down><F2>wide<Enter>");
     snprintf(path, sizeof path, "%s/wide.yaml", f.folder);
     ck_assert_int_eq(thud_preset_read(path, &preset, NULL), THUD_OK);
     ck_assert_double_eq_tol(thud_preset_scene(preset)->interface[0].gap_m, 0.06, 1e-15);
     thud_preset_free(preset);
-    fixture_keys(&f, "Uwide<Tab>"); /* compared: the numbers before stand beside */
-    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.06, 1e-15);
-    ck_assert_double_eq_tol(f.tui->pin.scene.interface[0].gap_m, 0.04, 1e-15);
-    ck_assert_ptr_nonnull(thud_tui_pinned(f.tui));
-    fixture_keys(&f, "U#1<Del><Esc>");
-    ck_assert_int_eq(f.tui->doc.variants.n, 2);
-    fixture_keys(&f, ":name wide<Enter>:state #1<Enter>:name wide<Enter>"); /* taken */
-    fixture_expect(&f, "neither a state nor a preset");
+    fixture_keys(&f, "U<Down><Tab><Esc>");
+    ck_assert_double_eq_tol(f.tui->base.scene.interface[0].gap_m, 0.06, 1e-15);
+    ck_assert_ptr_nonnull(thud_tui_compared(f.tui));
+    fixture_keys(&f, "U<Down><Down> <Esc>"); /* what goes into the report is a file */
+    char *marked = fixture_file(&f, "towers-1.yaml");
+    ck_assert_ptr_nonnull(marked);
+    ck_assert_ptr_nonnull(strstr(marked, "gap: 2 cm"));
+    free(marked);
+    fixture_keys(&f, ":name wide<Enter>"); /* taken */
+    fixture_expect(&f, "neither a design nor a preset");
     for (int i = 0; i < 60; i++) { /* the newest stay, and what has a name */
         char keys[64];
         snprintf(keys, sizeof keys, ":set gap %d mm<Enter>", 30 + i);
         fixture_keys(&f, keys);
     }
-    ck_assert_int_eq(f.tui->doc.variants.n, THUD_VARIANTS_MAX);
-    fixture_keys(&f, ":state wide<Enter>");
-    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.06, 1e-15);
+    ck_assert_int_eq(f.tui->doc.designs.n, THUD_DESIGNS_MAX);
+    fixture_keys(&f, ":design wide<Enter>");
+    ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.06, 1e-15);
+    fixture_keys(&f, "U<Down><Del><Esc>");
+    ck_assert_int_eq(f.tui->doc.designs.n, THUD_DESIGNS_MAX - 1);
 }
 END_TEST
 
@@ -907,7 +916,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, own_records_are_found);
     tcase_add_test(files, what_is_wrong_is_said);
     tcase_add_test(files, storeys_survive_another_kind);
-    tcase_add_test(files, states_are_gone_to_named_and_compared);
+    tcase_add_test(files, designs_are_gone_to_named_and_compared);
     tcase_add_test(files, a_new_scene_is_refused);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);

@@ -280,10 +280,14 @@ START_TEST(the_answer_in_one_line)
              thud_tui_number(1e-6 * bumper, number), 100.0 * (bumper / force - 1.0));
     fixture_expect(&f, words);
     fixture_expect(&f, "SRSS");
-    fixture_keys(&f, ":link add 1<Enter>");
+    fixture_keys(&f, ":link add 1<Enter>:name linked<Enter>");
+    fixture_expect(&f, " -> "); /* the change; as opened it is told by its measures */
+    snprintf(keys, sizeof keys, ":open %s/linked.yaml<Enter>y", f.folder);
+    fixture_keys(&f, keys);
     fixture_expect(&f, "neither: ");
     fixture_expect(&f, "   both: ");
-    fixture_keys(&f, "u");
+    snprintf(keys, sizeof keys, ":open %s/towers.yaml<Enter>", f.folder);
+    fixture_keys(&f, keys);
     double need = f.tui->run.live.need[0].relative_displacement_m;
     ck_assert_double_gt(need, 0.02);
     ck_assert_double_ge(f.tui->run.live.need[0].abs_m, f.tui->run.live.need[0].srss_m);
@@ -336,41 +340,66 @@ START_TEST(rounding_is_shown_as_nothing)
 }
 END_TEST
 
-/* Changes are told against the saved state, whatever came between, and against another once it is pinned. */
-START_TEST(changes_are_told_against_the_pin)
+static double bumper_force(const struct thud_live *live)
 {
-    double saved, now;
     int impacts;
-    saved = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts);
-    ck_assert_ptr_null(thud_tui_pinned(f.tui)); /* the same state */
-    fixture_keys(&f, ":set gap 3 cm<Enter>:set gap 4 cm<Enter>");
-    const struct thud_live *pinned = thud_tui_pinned(f.tui);
-    ck_assert_ptr_nonnull(pinned);
-    ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == saved);
-    fixture_keys(&f, "<A-4>"); /* nothing is pinned */
-    fixture_expect(&f, "saved");
-    fixture_expect_not(&f, "pinned");
+    ck_assert_ptr_nonnull(live);
+    return thud_live_force(live, THUD_LIVE_BUMPER, 0, &impacts);
+}
+
+/* Changes are told against the state before them, steps of one value against the state before the first, and against a
+ * design once it is chosen. */
+START_TEST(changes_are_told_against_the_base)
+{
+    const double at_2cm = bumper_force(&f.tui->run.live);
+    ck_assert_ptr_null(thud_tui_compared(f.tui));
+    fixture_keys(&f, ":set gap 3 cm<Enter>");
+    ck_assert(bumper_force(thud_tui_compared(f.tui)) == at_2cm);
+    const double at_3cm = bumper_force(&f.tui->run.live);
+    fixture_keys(&f, ":set gap 4 cm<Enter>");
+    ck_assert(bumper_force(thud_tui_compared(f.tui)) == at_3cm);
+    const double at_4cm = bumper_force(&f.tui->run.live);
+    fixture_keys(&f, "4");
+    fixture_expect(&f, "before");
     fixture_keys(&f, "5");
-    fixture_expect(&f, "bumper, saved");
-    now = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts);
-    ck_assert(now != saved);
-    fixture_keys(&f, "v");
-    ck_assert_ptr_null(thud_tui_pinned(f.tui));
-    fixture_keys(&f, "4:set gap 2 cm<Enter>"); /* as it was saved */
-    fixture_expect(&f, "pinned");
-    pinned = thud_tui_pinned(f.tui);
-    ck_assert_ptr_nonnull(pinned);
-    ck_assert(thud_live_force(pinned, THUD_LIVE_BUMPER, 0, &impacts) == now);
-    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
-    fixture_keys(&f, "V");
-    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.04, 1e-15);
-    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == now);
-    fixture_keys(&f, "V");
-    ck_assert(thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts) == saved);
-    fixture_keys(&f, ":set record.factor 0.5<Enter>"); /* the pin keeps its own motion */
-    ck_assert(thud_live_force(thud_tui_pinned(f.tui), THUD_LIVE_BUMPER, 0, &impacts) == now);
+    fixture_expect(&f, "bumper, before");
+    fixture_keys(&f, "2<Home>+++"); /* a series of steps is one change */
+    ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.043, 1e-12);
+    ck_assert(bumper_force(thud_tui_compared(f.tui)) == at_4cm);
+    fixture_keys(&f, ":compare #1<Enter>:set record.factor 0.5<Enter>"); /* a design keeps its own motion */
+    ck_assert(bumper_force(thud_tui_compared(f.tui)) == at_2cm);
     fixture_keys(&f, "<A-5>");
-    fixture_expect(&f, "bumper, pinned");
+    fixture_expect(&f, "bumper, #1");
+    fixture_keys(&f, ":compare<Enter>");
+    ck_assert_ptr_null(thud_tui_compared(f.tui));
+}
+END_TEST
+
+/* The verdict stands on every screen, and says what the last change did; with less room force and gap, then the gap. */
+START_TEST(the_verdict_says_what_changed)
+{
+    char expected[120], a[24], b[24];
+    int before, now;
+    const double old = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 1, &before);
+    fixture_keys(&f, ":set gap 3 cm<Enter>");
+    const double new = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 1, &now);
+    ck_assert(old != new);
+    snprintf(expected, sizeof expected, " at 3 cm: %s -> %s MN  %d -> %d impacts  needs",
+             thud_tui_number(1e-6 * old, a), thud_tui_number(1e-6 * new, b), before, now);
+    for (int screen = 1; screen <= 7; screen++) {
+        char key[8];
+        snprintf(key, sizeof key, "%d", screen);
+        fixture_keys(&f, key);
+        fixture_expect(&f, expected);
+    }
+    snprintf(expected, sizeof expected, " %s -> %s MN  needs", a, b);
+    fixture_keys(&f, "2<Size 56x24>");
+    fixture_expect(&f, expected);
+    fixture_keys(&f, "<Size 44x24>");
+    fixture_expect(&f, "\n needs ");
+    fixture_expect_not(&f, "MN  needs");
+    fixture_keys(&f, "<Size 80x24>:name three<Enter>:set gap 4 cm<Enter>:compare three<Enter>");
+    fixture_expect(&f, "three: ");
 }
 END_TEST
 
@@ -384,7 +413,8 @@ Suite *thud_suite(void)
     tcase_add_test(live, the_numbers_are_the_answers);
     tcase_add_test(live, old_numbers_are_named);
     tcase_add_test(live, rounding_is_shown_as_nothing);
-    tcase_add_test(live, changes_are_told_against_the_pin);
+    tcase_add_test(live, changes_are_told_against_the_base);
+    tcase_add_test(live, the_verdict_says_what_changed);
     tcase_add_test(live, the_answer_in_one_line);
     tcase_add_test(live, no_old_number_after_a_failure);
     tcase_add_test(live, a_change_shows_as_an_arrow);

@@ -9,7 +9,6 @@
 #include "ground/spectrum.h"
 #include "remarks.h"
 #include "study/sweep/remark.h"
-#include "tui/screens/beside.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
@@ -568,7 +567,7 @@ START_TEST(a_high_screen_is_left_to_impacts)
     fixture_keys(&f, "4");
     ck_assert_int_eq(lines_of_peaks(), 3 + floors);
     fixture_expect(&f, "energy error");
-    fixture_keys(&f, "v:set gap 3 cm<Enter>"); /* a pinned state takes a line of each floor */
+    fixture_keys(&f, ":set gap 3 cm<Enter>"); /* the state before takes a line of each floor */
     ck_assert_int_eq(lines_of_peaks(), 3 + 2 * floors);
 }
 END_TEST
@@ -656,47 +655,28 @@ START_TEST(struck_columns_are_named_and_drawn_at_the_slab)
 }
 END_TEST
 
-/* Another law beside that of the interface. Hertz without damping by hand: m v^2/2 = 2/5 k d^2.5, F = k d^1.5 with the
+/* Another law is laid over the one before it. Hertz without damping by hand: m v^2/2 = 2/5 k d^2.5, F = k d^1.5 with the
  * floors' 160 t and 87 kN/mm^1.5 (its default, as the stiffness of the other has another dimension). */
-START_TEST(a_law_is_laid_beside)
+START_TEST(a_law_is_laid_over_another)
 {
-    char number[24];
     double k = 87e3 * pow(1e3, 1.5), energy = 0.5 * 160e3 * 0.25, force = k * pow(pow(2.5 * energy / k, 0.4), 1.5);
-    fixture_keys(&f, "2:bumper<Enter>");
-    fixture_expect(&f, "Beside it, dashed (c)");
-    double own = thud_contact_state(f.tui)->meeting[1].force_n;
-    fixture_keys(&f, "u"); /* nothing of what follows is a change */
-    ck_assert(!thud_doc_unsaved(&f.tui->doc));
-    fixture_keys(&f, "<C-r>cHERTZ<Enter>");
-    if (!*thud_contact_state(f.tui)->beside.law)
-        fixture_keys(&f, "<Esc>:beside hertz<Enter>");
-    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "hertz");
-    fixture_keys(&f, "<Size 130x40>");
-    fixture_expect(&f, "87 kN/mm^1.5");
-    fixture_expect(&f, "0.5 m/s, hertz");
+    char number[24];
+    fixture_keys(&f, "<Size 130x40>:set bumper.fitted off<Enter>:name linear<Enter>:compare linear<Enter>");
+    fixture_keys(&f, "2:set contact.law hertz<Enter>");
+    fixture_expect(&f, "0.5 m/s, linear");
     fixture_expect(&f, "What both give");
-    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].force_n, force, 1e-4 * force);
-    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].restitution, 1.0, 1e-6);
-    ck_assert_double_eq_tol(thud_contact_state(f.tui)->meeting[1].force_n, own, 1e-9 * own);
-    fixture_expect(&f, thud_tui_number(1e-6 * force, number));
     const struct thud_panel *panel = &thud_views[THUD_SCREEN_CONTACT]->figure(f.tui)->panel[0];
-    ck_assert_int_eq(panel->nseries, 2 * THUD_MEETINGS);
-    for (int i = 0; i < 2 * THUD_MEETINGS; i++)
-        ck_assert_int_eq(panel->series[i]->style.dashed, i < THUD_MEETINGS);
-    fixture_keys(&f, ":beside stiffness 174 kN/mm^1.5<Enter>");
-    ck_assert_double_eq_tol(thud_contact_state(f.tui)->beside_meeting[1].force_n, force * pow(2.0, 0.4), 1e-4 * force);
-    fixture_keys(&f, ":beside restitution 0.4<Enter>");
-    fixture_expect(&f, "no such parameter");
-    fixture_keys(&f, ":beside kelvin-voigt<Enter>");
-    fixture_expect(&f, "2500 kN/mm"); /* the same stiffness */
-    fixture_keys(&f, ":beside stiffness 3 t<Enter>");
-    fixture_expect(&f, "! ");
-    fixture_keys(&f, ":beside nothing-known<Enter>");
-    fixture_expect(&f, "unknown law");
-    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "kelvin-voigt");
-    fixture_keys(&f, ":beside none<Enter>:log<Enter>");
-    ck_assert_str_eq(thud_contact_state(f.tui)->beside.law, "");
-    ck_assert_ptr_nonnull(strstr(f.tui->log.data, "beside hertz"));
+    ck_assert_int_eq(panel->nseries, 6);
+    for (int i = 0; i < 6; i++)
+        ck_assert_int_eq(panel->series[i]->style.dashed, i < 3);
+    double most = 0;
+    for (size_t i = 0; i < panel->series[4]->n; i++) /* 0.5 m/s: the second of the new law */
+        most = fmax(most, panel->series[4]->y[i]);
+    ck_assert_double_eq_tol(1e6 * most, force, 2e-3 * force);
+    fixture_expect(&f, thud_tui_number(1e-6 * force, number));
+    fixture_keys(&f, ":compare<Enter>:set contact.stiffness 174 kN/mm^1.5<Enter>"); /* and against the one before */
+    fixture_expect(&f, "0.5 m/s, before");
+    fixture_expect(&f, thud_tui_number(1e-6 * force * pow(2.0, 0.4), number));
 }
 END_TEST
 
@@ -731,7 +711,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, remarks_are_counted_and_lead_to_their_fields);
     tcase_add_test(views, yielded_storeys_are_drawn_with_hinges);
     tcase_add_test(views, struck_columns_are_named_and_drawn_at_the_slab);
-    tcase_add_test(views, a_law_is_laid_beside);
+    tcase_add_test(views, a_law_is_laid_over_another);
     suite_add_tcase(suite, views);
     return suite;
 }

@@ -213,7 +213,8 @@ void thud_tui_go_to_field(struct thud_tui *tui, const char *key)
 
 struct thud_rect thud_tui_area(const struct thud_tui *tui)
 {
-    int top = thud_tui_view(tui)->verdict && tui->canvas.height >= 12 ? 3 : 2, bottom = tui->canvas.height < 16 ? 2 : 3;
+    int top = tui->screen != THUD_SCREEN_HELP && tui->canvas.height >= 12 ? 3 : 2,
+        bottom = tui->canvas.height < 16 ? 2 : 3;
     return (struct thud_rect){0, top, tui->canvas.width, tui->canvas.height - top - bottom};
 }
 

@@ -51,7 +51,7 @@ static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *
     take(doc, preset, path);
     doc->scene = doc->saved;
     thud_undo_clear(&doc->undo);
-    thud_variants_clear(&doc->variants);
+    thud_designs_clear(&doc->designs);
     forget_record(doc);
     doc->revision++;
     doc->edits++;
@@ -92,7 +92,7 @@ void thud_doc_free(struct thud_doc *doc)
 {
     forget_record(doc);
     thud_undo_clear(&doc->undo);
-    thud_variants_clear(&doc->variants);
+    thud_designs_clear(&doc->designs);
     thud_preset_free(doc->preset);
     doc->preset = NULL;
 }
@@ -375,6 +375,27 @@ bool thud_doc_uses(const struct thud_doc *doc, double time_s)
     return !(time_s < choice->from_s - rounding_s) && !(time_s > choice->to_s + rounding_s);
 }
 
+/* The ground motion of a scene, from the file at `path`; NULL with THUD_OK: it names none. */
+static enum thud_status read_motion(const struct thud_doc *doc, const struct thud_scene *scene, char *path, size_t size,
+                                    struct thud_record **out, struct thud_error *err)
+{
+    struct thud_record_choice resolved = scene->record;
+    *out = NULL;
+    if (!*scene->record.file)
+        return THUD_OK;
+    enum thud_status status = thud_paths_record(doc->paths, doc->path, scene->record.file, path, size, err);
+    if (status == THUD_OK)
+        status = thud_record_choice_resolve(scene, &resolved, err);
+    return status == THUD_OK ? thud_record_file_read(path, &resolved, out, err) : status;
+}
+
+enum thud_status thud_doc_read_record(const struct thud_doc *doc, const struct thud_scene *scene,
+                                      struct thud_record **out, struct thud_error *err)
+{
+    char path[512] = "";
+    return read_motion(doc, scene, path, sizeof path, out, err);
+}
+
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err)
 {
     const struct thud_record_choice *choice = &doc->scene.record;
@@ -385,11 +406,7 @@ enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record 
         doc->record_tried = true;
         doc->record_error = (struct thud_error){0};
         char path[512] = "";
-        struct thud_record_choice resolved = *choice;
-        if (*choice->file &&
-            thud_paths_record(doc->paths, doc->path, choice->file, path, sizeof path, &doc->record_error) == THUD_OK &&
-            thud_record_choice_resolve(&doc->scene, &resolved, &doc->record_error) == THUD_OK)
-            thud_record_file_read(path, &resolved, &doc->record, &doc->record_error);
+        read_motion(doc, &doc->scene, path, sizeof path, &doc->record, &doc->record_error);
         read_whole(doc, path);
     }
     if (doc->record_error.status != THUD_OK) {

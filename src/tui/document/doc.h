@@ -5,8 +5,8 @@
 #include "io/file/paths.h"
 #include "io/preset/preset.h"
 #include "study/scene/scene.h"
+#include "tui/document/designs.h"
 #include "tui/document/undo.h"
-#include "tui/document/variants.h"
 
 struct thud_stamp {
     long long seconds, nanoseconds, size, number; /* of a file when it was read or written; all 0: there was none */
@@ -18,7 +18,7 @@ struct thud_doc {
     struct thud_preset *preset;
     struct thud_scene scene, saved;
     struct thud_undo undo;
-    struct thud_variants variants; /* what was run so far */
+    struct thud_designs designs; /* what was run so far */
     struct thud_stamp stamp;
     unsigned long revision;                  /* grows with every change that changes a run */
     unsigned long edits;                     /* grows with every change */
@@ -71,3 +71,6 @@ bool thud_doc_uses(const struct thud_doc *doc, double time_s);
 /* The ground motion as the scene names it now, read again only where the choice changed. NULL with THUD_OK: none is
  * named. */
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err);
+/* That of another scene, a copy of its own. */
+enum thud_status thud_doc_read_record(const struct thud_doc *doc, const struct thud_scene *scene,
+                                      struct thud_record **out, struct thud_error *err);

@@ -15,8 +15,6 @@ THUD_KEY(CONTACT, TOGGLE_BUMPER, 'B', 0, "B", "bumper", "put the bumper in or ta
 THUD_KEY(CONTACT, ADD_LINK, 'a', 0, "a", "link",
          "tie the two by one more link, a dashpot between their topmost common floors")
 THUD_KEY(CONTACT, DELETE_LINK, 'd', 0, "d", "", "take the link under the cursor away")
-THUD_KEY(CONTACT, BESIDE, 'c', 0, "c", "compare",
-         "lay another law beside this one: dashed, with its own values, F and e of both")
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")
 THUD_KEY(MODEL_CONTACT, NEXT_PAIR, ']', 0, "]", "", "the pair of structures (the interface) to the right")
 THUD_KEY(RECORD, MARK, ' ', 0, "Space", "suite",
@@ -70,13 +68,8 @@ THUD_KEY(FORMS, NEW, 'n', 0, "n", "new", "a new scene: two neighbours, their gap
 THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")
 THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "+redo", "do again what was undone")
-THUD_KEY(GENERAL, PIN, 'v', 0, "v", "+pin",
-         "pin this state: its numbers stand beside those that come, its curves behind theirs")
-THUD_KEY(GENERAL, EXCHANGE, 'V', 0, "V", "+exchange",
-         "exchange this state with the pinned one (at first the saved one)")
-THUD_KEY(GENERAL, STATES, 'U', 0, "U", "+states",
-         "the states of this session with their results: go to one (Enter), compare with it (Tab), name it (F2, which "
-         "saves it as a preset), forget it (Del)")
+THUD_KEY(GENERAL, DESIGNS, 'U', 0, "U", "+designs",
+         "the designs of this session with their results: go to one, compare with it, name it, mark it for the report")
 THUD_KEY(GENERAL, PICTURE, 'p', 0, "p", "PNG", "write the figure shown as PNG")
 THUD_KEY(GENERAL, PICTURES, 'P', 0, "P", "+all PNG",
          "write the figures marked on the shelf as PNG, all of this screen where none is marked")
@@ -153,3 +146,15 @@ THUD_KEY_AGAIN(SHELF, UP, THUD_KEY_UP, 'k', "Up", "", "the figure above")
 THUD_KEY_AGAIN(SHELF, DOWN, THUD_KEY_DOWN, 'j', "Down", "~Up/Down look", "the figure below")
 THUD_KEY_AGAIN(SHELF, PAGE_UP, THUD_KEY_PAGE_UP, 0, "PgUp", "", "half a screen up")
 THUD_KEY_AGAIN(SHELF, PAGE_DOWN, THUD_KEY_PAGE_DOWN, 0, "PgDn", "", "half a screen down")
+THUD_KEY_AGAIN(DESIGNS, ACCEPT, THUD_KEY_ENTER, 0, "Enter", "go there", "the scene becomes this design")
+THUD_KEY(DESIGNS, COMPARE, THUD_KEY_TAB, 'c', "Tab", "compare",
+         "tell and draw everything against this design; again: against the state before each change")
+THUD_KEY_AGAIN(DESIGNS, MARK, ' ', 0, "Space", "mark",
+               "put the design into the report, as a preset of its own, or take it out")
+THUD_KEY(DESIGNS, NAME, THUD_KEY_F2, 'n', "F2", "name", "give the design a name, and save it so as a preset")
+THUD_KEY(DESIGNS, FORGET, THUD_KEY_DELETE, 'd', "Del", "forget", "forget the design")
+THUD_KEY_AGAIN(DESIGNS, REPORT, 'R', 0, "R", "report", "the form of the report, with the marked designs")
+THUD_KEY_AGAIN(DESIGNS, SAVE, 'w', 0, "w", "", "save the preset, of which the report is")
+THUD_KEY_AGAIN(DESIGNS, CANCEL, THUD_KEY_ESC, 'q', "Esc", "close", "back to the screen")
+THUD_KEY_AGAIN(DESIGNS, UP, THUD_KEY_UP, 'k', "Up", "", "the design above")
+THUD_KEY_AGAIN(DESIGNS, DOWN, THUD_KEY_DOWN, 'j', "Down", "", "the design below")

@@ -24,6 +24,7 @@ enum {
                     THUD_AT_SIDE | THUD_AT_OTHER,
     THUD_AT_NEW = 2048, /* the form of a new scene */
     THUD_AT_SHELF = 8192,
+    THUD_AT_DESIGNS = 16384, /* their list */
     THUD_AT_GENERAL = 255 | THUD_AT_SIDE | THUD_AT_OTHER
 };
 

@@ -48,7 +48,8 @@ void thud_tui_opened(struct thud_tui *tui)
     memset(tui->window, 0, sizeof tui->window);
     tui->interface = 0;
     tui->look_at.wanted = false;
-    thud_pin_take(&tui->pin, &tui->doc, false);
+    thud_base_clear(&tui->base);
+    tui->run.design = 0;
     tui->kept.before_n = NAN;
     tui->run.on = tui->run.usual;
     thud_tui_run(tui);
@@ -61,6 +62,21 @@ void thud_tui_forget_run(struct thud_tui *tui)
     tui->run.revision = 0;
 }
 
+/* What the scene is compared with after a change: the state that was run before it, where no design was chosen and it is
+ * not one more step of the same value. */
+static void remember_before(struct thud_tui *tui)
+{
+    const bool step = tui->run.stepping && tui->run.stepped_to == tui->doc.revision;
+    if (tui->base.chosen || (step && tui->base.scene.nstructures > 0))
+        return;
+    for (int i = 0; i < tui->doc.designs.n; i++) {
+        const struct thud_design *d = &tui->doc.designs.item[i];
+        if (d->number == tui->run.design &&
+            memcmp(&d->scene->record, &tui->doc.record_choice, sizeof d->scene->record) == 0)
+            thud_base_take(&tui->base, d, tui->doc.record, false);
+    }
+}
+
 void thud_tui_follow(struct thud_tui *tui)
 {
     enum thud_live_history wanted = thud_tui_wants_history(tui);
@@ -70,6 +86,8 @@ void thud_tui_follow(struct thud_tui *tui)
         tui->interface = last > 0 ? last : 0;
     if (!changed && wanted <= tui->run.seen_history)
         return;
+    if (changed)
+        remember_before(tui);
     bool same = tui->run.revision == tui->doc.revision; /* the same result, with its histories */
     tui->run.seen = tui->doc.revision;
     tui->run.seen_history = wanted;
@@ -84,17 +102,12 @@ void thud_tui_follow(struct thud_tui *tui)
     }
 }
 
-const struct thud_live *thud_tui_pinned(const struct thud_tui *tui)
+const struct thud_live *thud_tui_compared(const struct thud_tui *tui)
 {
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         if (tui->run.live.which[i].state == THUD_LIVE_FAILED)
             return NULL; /* nothing to compare: a number beside it would be taken for its own */
-    return thud_pin_live(&tui->pin, &tui->doc);
-}
-
-const char *thud_tui_pin_name(const struct thud_tui *tui)
-{
-    return tui->pin.own ? "pinned" : "saved";
+    return thud_base_live(&tui->base, &tui->doc);
 }
 
 bool thud_tui_shows_old(const struct thud_tui *tui)
@@ -103,36 +116,6 @@ bool thud_tui_shows_old(const struct thud_tui *tui)
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         old = old || thud_live_is_old(&tui->run.live, (enum thud_live_which)i);
     return old;
-}
-
-void thud_tui_pin(struct thud_tui *tui)
-{
-    thud_tui_log(tui, "pin");
-    thud_pin_take(&tui->pin, &tui->doc, true);
-    thud_tui_say(tui, THUD_ROLE_GOOD, "Pinned: changes are told against this state now; V goes back to it");
-}
-
-void thud_tui_exchange(struct thud_tui *tui)
-{
-    struct thud_error err;
-    struct thud_scene next = tui->pin.scene;
-    memcpy(next.name, tui->doc.scene.name, sizeof next.name);
-    memcpy(next.title, tui->doc.scene.title, sizeof next.title);
-    next.study = tui->doc.scene.study;
-    struct thud_pin before = {0};
-    thud_pin_take(&before, &tui->doc, true);
-    char what[64];
-    const char *name = thud_tui_pin_name(tui);
-    snprintf(what, sizeof what, "exchanged with the %s state", name);
-    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
-        thud_pin_clear(&before);
-        thud_tui_say_error(tui, &err);
-        return;
-    }
-    thud_pin_clear(&tui->pin);
-    tui->pin = before;
-    thud_tui_log(tui, "exchange");
-    thud_tui_say(tui, THUD_ROLE_GOOD, "This is the state that was %s; V goes back (u undoes)", name);
 }
 
 const struct thud_model *thud_tui_model(struct thud_tui *tui)

@@ -4,11 +4,11 @@
 
 #include "app/run/live_cases.h"
 #include "plot/figure/figure.h"
+#include "tui/document/base.h"
 #include "tui/document/browse.h"
 #include "tui/document/doc.h"
 #include "tui/document/keys.h"
 #include "tui/document/picture_work.h"
-#include "tui/document/pin.h"
 #include "tui/tui.h"
 #include "tui/widgets/chart.h"
 #include "tui/widgets/chooser.h"
@@ -39,7 +39,6 @@ enum thud_reaction {
 struct thud_view {
     const char *title;
     int where;        /* its bit in the key table */
-    bool verdict;     /* the result in one line stands above its panes */
     bool moved;       /* its figures are of the scene's ground motion */
     bool many;        /* and of many gaps */
     const char *keys; /* its fields are those of the scene that begin with one of these; the longest that fits holds */
@@ -155,7 +154,11 @@ struct thud_running {
     double started_s, elapsed_s; /* of the run */
     double plain_s;              /* what the last one without histories took */
     unsigned long revision;      /* what the live cases belong to; 0: nothing */
-    unsigned long seen;          /* the document's, when it was last followed, and the histories wanted then */
+    int design;                  /* number of the one that was run last; 0: none */
+    char stepped[THUD_PATH_MAX]; /* the key that is being stepped, to this revision, */
+    unsigned long stepped_to;
+    bool stepping;      /* and was before: changes are told against what was before the first step */
+    unsigned long seen; /* the document's, when it was last followed, and the histories wanted then */
     enum thud_live_history seen_history;
     struct thud_model *model; /* of the scene where no run has one; NULL: none */
     unsigned long model_of;   /* what it belongs to */
@@ -170,7 +173,7 @@ struct thud_wrote {
 
 /* Figures and tables that are written. */
 struct thud_files {
-    char folder[512];                  /* empty: as given at the start */
+    char folder[512];                        /* empty: as given at the start */
     struct thud_wrote wrote[THUD_WROTE_MAX]; /* (nwrote) the last ones; the oldest gives way */
     int nwrote;
     char marked[1024];                 /* screen and name of figures, likewise */
@@ -200,7 +203,7 @@ struct thud_tui {
     struct thud_canvas canvas;
     struct thud_doc doc;
     struct thud_running run;
-    struct thud_pin pin; /* the state that changes are told against */
+    struct thud_base base; /* the state that changes are told against */
     struct thud_form form;
     struct thud_dialog dialog;
     struct thud_files files;
@@ -294,13 +297,10 @@ bool thud_tui_cancel(struct thud_tui *tui);     /* false: nothing was running */
 /* The model of the scene as it is written; NULL: it cannot be assembled. */
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
 /* The cases to compare with; NULL: none, or not there yet. */
-const struct thud_live *thud_tui_pinned(const struct thud_tui *tui);
-const char *thud_tui_pin_name(const struct thud_tui *tui); /* "pinned", or "saved" as long as nothing was */
+const struct thud_live *thud_tui_compared(const struct thud_tui *tui);
 /* Whether some number of the live cases is still that of before the last change. */
 bool thud_tui_shows_old(const struct thud_tui *tui);
 enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui);
-void thud_tui_pin(struct thud_tui *tui);      /* the present state is the one to compare with */
-void thud_tui_exchange(struct thud_tui *tui); /* the scene becomes the pinned one, which becomes that of before */
 
 /* scene_edit.c: values; more than one value: scene_edit.h */
 bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text); /* with messages and warnings */

@@ -37,10 +37,6 @@ const char *thud_tui_cannot(struct thud_tui *tui, enum thud_action action)
     switch (action) {
     case THUD_DO_UNDO:
         return tui->doc.undo.at > 0 ? NULL : "Nothing to undo";
-    case THUD_DO_EXCHANGE:
-        return thud_pin_differs(&tui->pin, &tui->doc) ? NULL
-               : tui->pin.own                         ? "This is the pinned state"
-                                                      : "This is the saved state, and none is pinned";
     case THUD_DO_REDO:
         return tui->doc.undo.at < tui->doc.undo.count ? NULL : "Nothing to do again";
     case THUD_DO_EDIT:

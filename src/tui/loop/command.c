@@ -192,14 +192,22 @@ static void run_solve(struct thud_tui *tui, char *rest)
     thud_tui_solve(tui, rest);
 }
 
-static void run_state(struct thud_tui *tui, char *rest)
+static void run_design(struct thud_tui *tui, char *rest)
 {
-    thud_tui_go_to_state(tui, rest);
+    if (*rest)
+        thud_tui_go_to_design(tui, rest);
+    else
+        thud_tui_list_designs(tui);
+}
+
+static void run_compare(struct thud_tui *tui, char *rest)
+{
+    thud_tui_compare_with(tui, rest);
 }
 
 static void run_name(struct thud_tui *tui, char *rest)
 {
-    thud_tui_name_state(tui, rest);
+    thud_tui_name_design(tui, rest);
 }
 
 static void run_keep_force(struct thud_tui *tui, char *rest)

@@ -76,7 +76,7 @@ static void chosen(struct thud_tui *tui, const char *value)
         thud_tui_go(tui, atoi(rest));
         break;
     case 'v':
-        thud_tui_go_to_state(tui, rest);
+        thud_tui_go_to_design(tui, rest);
         break;
     case 'o':
         thud_tui_open(tui, rest, false);
@@ -116,11 +116,11 @@ void thud_tui_palette(struct thud_tui *tui)
     offer_actions(tui, where);
     offer_commands(tui);
     offer_presets(tui);
-    for (int i = 0; i < tui->doc.variants.n; i++) {
-        const struct thud_variant *v = &tui->doc.variants.item[i];
-        char value[32];
-        snprintf(value, sizeof value, "v #%d", i + 1);
-        thud_chooser_add(&tui->dialog.chooser, value, "state %s #%d  %s  %.80s", v->name, i + 1, v->what, v->solution);
+    for (int i = 0; i < tui->doc.designs.n; i++) {
+        const struct thud_design *d = &tui->doc.designs.item[i];
+        char value[48], name[40];
+        snprintf(value, sizeof value, "v %s", thud_design_called(d, name));
+        thud_chooser_add(&tui->dialog.chooser, value, "design %s  %s", name, d->what);
     }
     for (int i = 0; i < tui->screens; i++)
         if (tui->view[i]->offer)

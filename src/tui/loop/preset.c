@@ -49,8 +49,6 @@ static void saved(struct thud_tui *tui)
     const struct thud_question *next = tui->dialog.after_save;
     tui->dialog.after_save = NULL;
     thud_tui_log(tui, "write %s", tui->doc.path);
-    if (!tui->pin.own)
-        thud_pin_take(&tui->pin, &tui->doc, false);
     thud_tui_say(tui, THUD_ROLE_GOOD, "Saved %s, comments kept", tui->doc.path);
     if (next)
         next->yes(tui, tui->dialog.after_target);

@@ -88,7 +88,7 @@ void thud_tui_free(struct thud_tui *tui)
         free(tui->own[i]);
     }
     thud_tui_over_free(tui);
-    thud_pin_clear(&tui->pin);
+    thud_base_clear(&tui->base);
     thud_text_clear(&tui->log);
     thud_model_free(tui->run.model);
     thud_doc_free(&tui->doc);
@@ -273,18 +273,21 @@ static const struct thud_view *busy_view(struct thud_tui *tui)
 static bool comparing(const struct thud_tui *tui)
 {
     return tui->run.on && tui->run.revision == tui->doc.revision &&
-           thud_pin_busy(&tui->pin, &tui->doc, thud_tui_wants_history(tui));
+           thud_base_busy(&tui->base, &tui->doc, thud_tui_wants_history(tui));
 }
 
 /* The live run has ended: what waited for it is done, and a failure is told. */
 static void ran(struct thud_tui *tui)
 {
     enum thud_action action = tui->files.whole_wanted;
-    char solution[160];
-    thud_verdict_words(tui, 60, solution, sizeof solution);
     const char *what = thud_undo_what(&tui->doc.undo, 0);
-    if (*solution && tui->run.revision == tui->doc.revision)
-        thud_variants_note(&tui->doc.variants, &tui->doc.scene, what ? what : "as opened", solution);
+    struct thud_design_result result;
+    thud_design_measure(&tui->doc.scene, &tui->run.live, &result);
+    const struct thud_design *design =
+        result.known && tui->run.revision == tui->doc.revision
+            ? thud_designs_note(&tui->doc.designs, &tui->doc.scene, what ? what : "as opened", &result)
+            : NULL;
+    tui->run.design = design ? design->number : 0;
     tui->files.whole_wanted = THUD_DO_NOTHING;
     if (tui->files.pictures_wanted)
         thud_tui_pictures(tui);
@@ -321,7 +324,7 @@ static void work(struct thud_tui *tui)
             now = tui->backend->now(tui->backend);
             break; /* keys are looked for in between */
         } else if (comparing(tui)) {
-            if (!thud_pin_advance(&tui->pin, &tui->doc, thud_tui_wants_history(tui)))
+            if (!thud_base_advance(&tui->base, &tui->doc, thud_tui_wants_history(tui)))
                 thud_tui_redraw(tui, false);
         } else if (!view || !view->work(tui)) {
             if (view)

@@ -243,15 +243,19 @@ static struct thud_line *form_line(struct thud_tui *tui)
     return &form->value[form->at];
 }
 
-/* The files of the states with names, but for the one that is open. */
-static void named_states(struct thud_tui *tui, struct thud_line *line)
+/* The files of the marked designs, of none those with names, but for what is open itself. */
+static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
 {
     char text[THUD_LINE_MAX] = "", path[600];
-    for (int i = 0; i < tui->doc.variants.n; i++) {
-        const char *name = tui->doc.variants.item[i].name;
+    bool any = false;
+    for (int i = 0; i < tui->doc.designs.n; i++)
+        any = any || tui->doc.designs.item[i].marked;
+    for (int i = 0; i < tui->doc.designs.n; i++) {
+        const struct thud_design *d = &tui->doc.designs.item[i];
         size_t n = strlen(text);
-        thud_tui_state_path(tui, name, path, sizeof path);
-        if (*name && strcmp(path, tui->doc.path) != 0 && access(path, F_OK) == 0)
+        thud_tui_design_path(tui, d->name, path, sizeof path);
+        if (*d->name && (d->marked || !any) && strcmp(path, tui->doc.path) != 0 &&
+            !thud_doc_runs_alike(d->scene, &tui->doc.scene) && access(path, F_OK) == 0)
             snprintf(text + n, sizeof text - n, "%s%.500s", n ? "," : "", path);
     }
     thud_line_set(line, text);
@@ -278,7 +282,7 @@ void thud_tui_verb_form(struct thud_tui *tui, int id)
             if (rank == 0)
                 thud_line_set(&form->value[form->n], folder);
             if (strcmp(option->name, "beside") == 0)
-                named_states(tui, &form->value[form->n]);
+                designs_of_report(tui, &form->value[form->n]);
             if (strcmp(option->name, "figures") == 0)
                 thud_line_set(&form->value[form->n], tui->files.for_report);
             form->option[form->n++] = option;

@@ -19,6 +19,55 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
              result->collapse.time_s, thud_structure_storey(s, result->collapse.floor), s->name);
 }
 
+/* "34.5 -> 33.1 MN", or one number where it is shown alike; empty without one. */
+static void change_words(double before, double now, bool count, const char *unit, char text[64])
+{
+    char a[24], b[24];
+    snprintf(a, sizeof a, "%.0f", before);
+    snprintf(b, sizeof b, "%.0f", now);
+    if (!count) {
+        thud_tui_number(before, a);
+        thud_tui_number(now, b);
+    }
+    if (isnan(now))
+        *text = '\0';
+    else if (isnan(before) || strcmp(a, b) == 0)
+        snprintf(text, 64, "%s %s", b, unit);
+    else
+        snprintf(text, 64, "%s -> %s %s", a, b, unit);
+}
+
+/* The scene as it is written against the state before the change, or the chosen design, whose name stands before it: what
+ * has no room is left off, last of all the gap that is needed. False: there is nothing to compare. */
+static bool words_of_change(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
+{
+    enum { WIDE = 60, NARROW = 45 };
+    const int i = tui->interface;
+    const struct thud_design_result *before = &tui->base.result;
+    struct thud_design_result now;
+    char force[64], impacts[64], need[64], gap[64], name[48] = "";
+    thud_design_measure(&tui->doc.scene, &tui->run.live, &now);
+    if (!before->known || !now.known || !thud_base_differs(&tui->base, &tui->doc) ||
+        i + 1 >= tui->base.scene.nstructures)
+        return false;
+    change_words(1e-6 * before->force_n[i], 1e-6 * now.force_n[i], false, "MN", force);
+    change_words(before->impacts[i], now.impacts[i], true, now.impacts[i] == 1 ? "impact" : "impacts", impacts);
+    change_words(thud_summary_gap_cm(before->need_m[i]), thud_summary_gap_cm(now.need_m[i]), false, "cm", gap);
+    snprintf(need, sizeof need, "%s%.50s", *gap ? "needs " : "", gap);
+    if (tui->base.chosen)
+        snprintf(name, sizeof name, "%.20s: ", tui->base.name);
+    *pounds = now.impacts[i] > 0;
+    if (columns < NARROW)
+        snprintf(text, size, "%s", need);
+    else if (columns < WIDE)
+        snprintf(text, size, "%s  %s", *pounds || before->impacts[i] > 0 ? force : "no contact", need);
+    else
+        snprintf(text, size, "%s%s at %.4g cm: %s%s%s  %s", name, *pounds ? "POUNDS" : "NO CONTACT",
+                 100 * tui->doc.scene.interface[i].gap_m, *pounds || before->impacts[i] > 0 ? force : "",
+                 *pounds || before->impacts[i] > 0 ? "  " : "", impacts, need);
+    return true;
+}
+
 static void words_of_pair(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const struct thud_scene *scene = &tui->doc.scene;
@@ -61,15 +110,10 @@ static void words_of(const struct thud_tui *tui, int columns, char *text, size_t
     const int gaps = tui->doc.scene.nstructures - 1,
               head =
                   gaps > 1 && tui->interface < gaps ? snprintf(text, size, "%d of %d: ", tui->interface + 1, gaps) : 0;
-    words_of_pair(tui, columns - head, text + head, size - (size_t)head, pounds);
+    if (!words_of_change(tui, columns - head, text + head, size - (size_t)head, pounds))
+        words_of_pair(tui, columns - head, text + head, size - (size_t)head, pounds);
     if (!text[head])
         *text = '\0';
-}
-
-void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size)
-{
-    bool pounds;
-    words_of(tui, columns, text, size, &pounds);
 }
 
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row)

@@ -5,6 +5,3 @@
 
 /* Draws it, dimmed while a run goes on whose result it is not yet. */
 void thud_verdict_draw(struct thud_tui *tui, const struct thud_pane *row);
-
-/* It in at most so many columns; empty where there is nothing to say. */
-void thud_verdict_words(const struct thud_tui *tui, int columns, char *text, size_t size);

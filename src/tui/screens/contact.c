@@ -5,14 +5,22 @@
 
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
-#include "tui/screens/beside.h"
+#include "tui/screens/law_figure.h"
 #include "tui/widgets/chart.h"
 
 enum { FORM, CURVE, CHECK };
 
-static struct thud_contact_state *state(const struct thud_tui *tui)
+struct contact_state {
+    struct thud_figure *figure; /* force-indentation loops of the interface shown */
+    struct thud_meeting meeting[THUD_MEETINGS], other[THUD_MEETINGS]; /* the second: of what it is compared with */
+    struct thud_error error;
+    unsigned long revision, base; /* what they belong to; 0: nothing */
+    int pair;
+};
+
+static struct contact_state *state(const struct thud_tui *tui)
 {
-    return thud_contact_state(tui);
+    return tui->own[THUD_SCREEN_CONTACT];
 }
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
@@ -34,10 +42,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  i + 1, scene->nstructures - 1);
     else
         snprintf(text, size, "%s",
-                 index == FORM                                     ? "No interface"
-                 : index == CURVE                                  ? "Force against indentation"
-                 : !isnan(state(tui)->beside_meeting[0].speed_mps) ? "What both give: F MN, e"
-                                                                   : "What it gives");
+                 index == FORM                            ? "No interface"
+                 : index == CURVE                         ? "Force against indentation"
+                 : !isnan(state(tui)->other[0].speed_mps) ? "What both give: F MN, e"
+                                                          : "What it gives");
 }
 
 static int law_rows(struct thud_tui *tui, const struct thud_pane *pane, int y, const char *part,
@@ -58,39 +66,6 @@ static void heading(const struct thud_pane *pane, int y, const char *text)
     int at = 1 + thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_TITLE, THUD_BOLD), text);
     for (int x = at + 1; x < pane->w - 1; x++)
         thud_pane_glyph(pane, x, y, thud_look(THUD_ROLE_BORDER, 0), 0x2500);
-}
-
-/* The law that lies beside, and its values: lines, as it is no part of the scene. */
-static int beside_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
-{
-    const struct thud_law *law = *state(tui)->beside.law ? thud_law_find(state(tui)->beside.law) : NULL;
-    struct thud_scene with;
-    char text[200], key[THUD_PATH_MAX], value[96];
-    heading(pane, y++, "Beside it, dashed (c)");
-    snprintf(text, sizeof text, "%-19s%s", "law", law ? law->name : "none");
-    thud_field_line(tui, FORM, pane, y++, -1, "beside", text);
-    if (!law || thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->interface, &with, NULL) != THUD_OK)
-        return y;
-    for (int i = 0; i < law->nparams; i++) {
-        snprintf(key, sizeof key, "interfaces.%d.%s.%s", tui->interface + 1, thud_beside_part(&with, tui->interface),
-                 law->params[i].name);
-        if (thud_scene_get(&with, key, value, sizeof value, NULL) != THUD_OK)
-            continue;
-        snprintf(text, sizeof text, "%-19s%s", law->params[i].name, *value ? value : "-");
-        snprintf(key, sizeof key, "beside %s %s", law->params[i].name, value);
-        thud_field_line(tui, FORM, pane, y++, i, key, text);
-    }
-    return y;
-}
-
-/* Enter on one of those lines. */
-static void row(struct thud_tui *tui, const struct thud_field *field)
-{
-    static const struct thud_prompt prompt = {.words = "beside: ", .done = thud_tui_beside};
-    if (strcmp(field->path, "beside") == 0)
-        thud_tui_choose_beside(tui);
-    else
-        thud_tui_prompt(tui, &prompt, field->path + strlen("beside "));
 }
 
 /* The links that cross this interface. */
@@ -136,31 +111,26 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     y++;
     if (at->has_bumper)
         y = law_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, bumper, 3), "bumper", at->bumper.law);
-    return beside_rows(tui, pane, link_rows(tui, pane, y));
+    return link_rows(tui, pane, y);
 }
 
 /* The loops, made anew where the scene or the pair changed. */
 static void refresh(struct thud_tui *tui)
 {
-    if (state(tui)->revision == tui->doc.revision && state(tui)->pair == tui->interface &&
-        state(tui)->pin == tui->pin.number)
+    struct contact_state *c = state(tui);
+    if (c->revision == tui->doc.revision && c->pair == tui->interface && c->base == tui->base.number)
         return;
-    struct thud_scene with;
-    struct thud_law_behind behind = {.name = thud_tui_pin_name(tui), .meeting = state(tui)->beside_meeting};
-    thud_figure_free(state(tui)->figure);
-    state(tui)->error = (struct thud_error){0};
+    struct thud_law_behind behind = {.scene = tui->base.scene.nstructures > 1 ? &tui->base.scene : NULL,
+                                     .name = tui->base.name,
+                                     .meeting = c->other};
+    thud_figure_free(c->figure);
+    c->error = (struct thud_error){0};
     for (int i = 0; i < THUD_MEETINGS; i++)
-        state(tui)->beside_meeting[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
-    if (*state(tui)->beside.law &&
-        thud_beside_scene(&state(tui)->beside, &tui->doc.scene, tui->interface, &with, &state(tui)->error) == THUD_OK)
-        behind = (struct thud_law_behind){&with, state(tui)->beside.law, state(tui)->beside_meeting};
-    else if (tui->pin.scene.nstructures > 1)
-        behind.scene = &tui->pin.scene;
-    state(tui)->figure =
-        thud_tui_law_figure(&tui->doc.scene, &behind, tui->interface, state(tui)->meeting, &state(tui)->error);
-    state(tui)->revision = tui->doc.revision;
-    state(tui)->pair = tui->interface;
-    state(tui)->pin = tui->pin.number;
+        c->other[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
+    c->figure = thud_tui_law_figure(&tui->doc.scene, &behind, tui->interface, c->meeting, &c->error);
+    c->revision = tui->doc.revision;
+    c->pair = tui->interface;
+    c->base = tui->base.number;
 }
 
 static const char *restitution(const struct thud_meeting *m, char text[24])
@@ -171,16 +141,16 @@ static const char *restitution(const struct thud_meeting *m, char text[24])
 /* F and e of this law and of the one behind it, beside each other. */
 static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
-    const struct thud_law *law = thud_beside_of(&tui->doc.scene, tui->interface);
+    const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
+    const struct thud_law *law = at->has_bumper ? at->bumper.law : at->contact.law;
     char name[2][64], a[24], b[24], c[24], d[24], e[24];
     thud_utf8_fit(law ? law->name : "", 13, name[0], sizeof name[0]);
-    thud_utf8_fit(*state(tui)->beside.law ? state(tui)->beside.law : thud_tui_pin_name(tui), 13, name[1],
-                  sizeof name[1]);
+    thud_utf8_fit(tui->base.name, 13, name[1], sizeof name[1]);
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s");
     thud_pane_put(pane, 8, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), name[0]);
     thud_pane_put(pane, 23, y++, thud_look(THUD_ROLE_MUTED, THUD_BOLD), name[1]);
     for (int i = 0; i < THUD_MEETINGS; i++, y++) {
-        const struct thud_meeting *m = &state(tui)->meeting[i], *other = &state(tui)->beside_meeting[i];
+        const struct thud_meeting *m = &state(tui)->meeting[i], *other = &state(tui)->other[i];
         thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_RESULT, 0), "%-6s %-6s %-7s", thud_tui_number(m->speed_mps, a),
                         thud_tui_number(1e-6 * m->force_n, b), restitution(m, d));
         thud_pane_print(pane, 23, y, thud_look(THUD_ROLE_MUTED, 0), "%-6s %s",
@@ -207,7 +177,7 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
     y++;
     if (!state(tui)->figure)
         return y;
-    if (!isnan(state(tui)->beside_meeting[0].speed_mps))
+    if (!isnan(state(tui)->other[0].speed_mps))
         return draw_both(tui, pane, y);
     thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "m/s      F MN    d mm    e");
     for (int i = 0; i < THUD_MEETINGS; i++) {
@@ -249,9 +219,7 @@ static int link_here(struct thud_tui *tui)
 
 static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
-    if (action == THUD_DO_BESIDE)
-        thud_tui_choose_beside(tui);
-    else if (action == THUD_DO_KEEP_FORCE)
+    if (action == THUD_DO_KEEP_FORCE)
         thud_tui_keep_force(tui);
     else if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->interface);
@@ -264,20 +232,13 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
     return THUD_DONE;
 }
 
-static void command(struct thud_tui *tui, const char *word, const char *rest)
-{
-    (void)word;
-    thud_tui_beside(tui, rest);
-}
-
 static const char *cannot(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_KEEP_FORCE)
         return isnan(tui->kept.before_n) ? "There was no change of the exponent just now" : NULL;
     if (action == THUD_DO_DELETE_LINK && link_here(tui) < 0)
         return "The cursor is on no link";
-    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_BESIDE || action == THUD_DO_ADD_LINK ||
-        action == THUD_DO_DELETE_LINK)
+    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_ADD_LINK || action == THUD_DO_DELETE_LINK)
         return tui->interface + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     return thud_tui_cannot_change_interface(tui, action);
 }
@@ -299,6 +260,5 @@ static void release(struct thud_tui *tui)
     thud_figure_free(state(tui)->figure);
 }
 
-THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces. links.", .size = sizeof(struct thud_contact_state),
-          .free = release, .act = act, .cannot = cannot, .command = command, .row = row, .figure = figure,
-          .read = read_panel);
+THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces. links.", .size = sizeof(struct contact_state),
+          .free = release, .act = act, .cannot = cannot, .figure = figure, .read = read_panel);

@@ -57,23 +57,25 @@ static void contact_name(const struct thud_model *model, const struct thud_scene
              scene->structure[c->interface].name, right);
 }
 
-/* A case plain, or dashed and with the name `pinned`, of the state to compare with. */
+/* A case plain, or dashed and with the name `compared`, of the state to compare with. */
 struct shown {
     const struct thud_live *live;
-    const char *pinned;
+    const char *compared;
 };
 
 static const char *shown_name(const struct shown *of, int which, char text[48])
 {
     snprintf(text, 48, "%s%s%s", thud_live_name(of->live->measures, (enum thud_live_which)which),
-             of->pinned ? ", " : "", of->pinned ? of->pinned : "");
+             of->compared ? ", " : "", of->compared ? of->compared : "");
     return text;
 }
 
 static struct thud_style shown_style(const struct shown *of, enum thud_series_kind kind, int which)
 {
-    return (struct thud_style){
-        .kind = kind, .color = thud_live_color((enum thud_live_which)which), .thin = of->pinned, .dashed = of->pinned};
+    return (struct thud_style){.kind = kind,
+                               .color = thud_live_color((enum thud_live_which)which),
+                               .thin = of->compared,
+                               .dashed = of->compared};
 }
 
 /* What a case has of a plot: columns of its histories, or the drift below a floor. */
@@ -186,7 +188,7 @@ static const char *lacks(const struct thud_live *live, enum thud_plot plot, cons
     return sight->dof < 0 ? "There is no floor" : NULL;
 }
 
-static struct thud_figure *curves(const struct thud_live *live, const struct thud_live *pinned,
+static struct thud_figure *curves(const struct thud_live *live, const struct thud_live *compared,
                                   const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
                                   const char **why)
 {
@@ -216,8 +218,8 @@ static struct thud_figure *curves(const struct thud_live *live, const struct thu
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     thud_panel_axis(panel, THUD_X, axis[plot].along, axis[plot].along_unit);
     thud_panel_axis(panel, THUD_Y, axis[plot].label, axis[plot].unit);
-    for (int which = plot == THUD_PLOT_HYSTERESIS ? 0 : THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
-        add_case(panel, &(struct shown){pinned, sight->pinned}, which, plot, sight);
+    for (int which = plot == THUD_PLOT_HYSTERESIS ? 0 : THUD_LIVE_NONE; compared && which < THUD_LIVE_CASES; which++)
+        add_case(panel, &(struct shown){compared, sight->compared}, which, plot, sight);
     for (int which = 0; which < THUD_LIVE_CASES; which++)
         add_case(panel, &(struct shown){live, NULL}, which, plot, sight);
     return figure;
@@ -231,7 +233,7 @@ static void add_envelope(struct thud_panel *panel, const struct shown *of, int w
     if (floors == 0)
         return;
     struct thud_series *series =
-        thud_panel_add(panel, shown_style(of, of->pinned ? THUD_LINES : THUD_LINES_POINTS, which),
+        thud_panel_add(panel, shown_style(of, of->compared ? THUD_LINES : THUD_LINES_POINTS, which),
                        shown_name(of, which, name), (size_t)floors, NULL, NULL);
     for (int i = 0; series && i < floors; i++) {
         series->x[i] = drift ? 1e3 * result->structure[s].floor[i].drift.value : thud_floor_acceleration(result, s, i);
@@ -240,7 +242,7 @@ static void add_envelope(struct thud_panel *panel, const struct shown *of, int w
 }
 
 /* One panel a structure (at most four), floor numbers upward. */
-static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_live *pinned,
+static struct thud_figure *envelopes(const struct thud_live *live, const struct thud_live *compared,
                                      const struct thud_scene *scene, enum thud_plot plot,
                                      const struct thud_sight *sight)
 {
@@ -251,8 +253,8 @@ static struct thud_figure *envelopes(const struct thud_live *live, const struct 
         struct thud_panel *panel = thud_figure_panel(figure, 0, s, scene->structure[s].name);
         thud_panel_axis(panel, THUD_X, drift ? "Drift" : "Acceleration", drift ? "mm" : "m/s2");
         thud_panel_axis(panel, THUD_Y, "Floor", "");
-        for (int which = THUD_LIVE_NONE; pinned && which < THUD_LIVE_CASES; which++)
-            add_envelope(panel, &(struct shown){pinned, sight->pinned}, which, s, drift);
+        for (int which = THUD_LIVE_NONE; compared && which < THUD_LIVE_CASES; which++)
+            add_envelope(panel, &(struct shown){compared, sight->compared}, which, s, drift);
         for (int which = 0; which < THUD_LIVE_CASES; which++)
             add_envelope(panel, &(struct shown){live, NULL}, which, s, drift);
     }
@@ -279,7 +281,7 @@ static struct thud_figure *energies(const struct thud_live *live, const struct t
     return figure;
 }
 
-struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *pinned,
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *compared,
                                    const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
                                    const char **why)
 {
@@ -297,11 +299,11 @@ struct thud_figure *thud_plot_make(const struct thud_live *live, const struct th
         return NULL;
     }
     if (envelope)
-        figure = envelopes(live, pinned, scene, plot, sight);
+        figure = envelopes(live, compared, scene, plot, sight);
     else if (plot == THUD_PLOT_ENERGY)
         figure = energies(live, sight, why);
     else
-        figure = curves(live, pinned, scene, plot, sight, why);
+        figure = curves(live, compared, scene, plot, sight, why);
     if (figure && thud_figure_check(figure, NULL) == THUD_OK)
         return figure;
     thud_figure_free(figure);

@@ -19,11 +19,11 @@ int thud_plot_count(const struct thud_scene *scene);
 struct thud_sight {
     int contact, dof;
     enum thud_live_which which; /* for figures of one case */
-    const char *pinned;         /* what the state whose curves stand behind is called */
+    const char *compared;       /* what the state whose curves stand behind is called */
 };
 
-/* NULL when there is nothing to show (`why` says it), or no memory. `pinned`: cases whose curves stand behind, dashed;
+/* NULL when there is nothing to show (`why` says it), or no memory. `compared`: cases whose curves stand behind, dashed;
  * NULL: none. */
-struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *pinned,
+struct thud_figure *thud_plot_make(const struct thud_live *live, const struct thud_live *compared,
                                    const struct thud_scene *scene, enum thud_plot plot, const struct thud_sight *sight,
                                    const char **why);

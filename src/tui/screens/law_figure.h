@@ -15,7 +15,7 @@ enum { THUD_MEETINGS = 3 };
 /* What is drawn dashed behind the loops. */
 struct thud_law_behind {
     const struct thud_scene *scene; /* NULL: nothing */
-    const char *name;               /* "pinned", "saved", or the law's */
+    const char *name;               /* "before", or the design's */
     struct thud_meeting *meeting;   /* (THUD_MEETINGS) of it; untouched where nothing is drawn */
 };
 /* Force against indentation at three speeds; behind them those of another scene, where its law or bodies are others.

@@ -11,7 +11,7 @@
 /* Columns of the cases, the ratio and the impacts, behind the names of the two structures shown. */
 struct strip {
     int name, column[THUD_LIVE_CASES + 2];
-    int percent; /* column of the change against the pinned state; 0: there is no room */
+    int percent; /* column of the change against the state to compare with; 0: there is no room */
 };
 
 static struct strip strip_of(const struct thud_tui *tui, int w)
@@ -55,7 +55,7 @@ void thud_peaks_strip_title(const struct thud_tui *tui, int w, char *text, size_
     for (int i = 0; i <= THUD_LIVE_CASES; i++)
         add_head(text, size, edge_of(&strip, i),
                  i == THUD_LIVE_CASES ? "ratio" : thud_live_short_name(&tui->doc.scene, (enum thud_live_which)i));
-    if (strip.percent && thud_tui_pinned(tui))
+    if (strip.percent && thud_tui_compared(tui))
         add_head(text, size, strip.percent + 8, "change");
 }
 
@@ -151,7 +151,7 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     const int *column_x = layout.column;
     double value[THUD_LIVE_CASES];
     int y = 0, impacts[THUD_LIVE_CASES];
-    const struct thud_live *pinned = thud_tui_pinned(tui);
+    const struct thud_live *compared = thud_tui_compared(tui);
     enum thud_live_which last =
         tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     int unused;
@@ -172,15 +172,15 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
                 value[i] =
                     (kind ? 1e3 : 1.0) * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->interface + s,
                                                         kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
-            double before = pinned ? thud_live_peak(pinned, last, tui->interface + s,
-                                                    kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
-                                   : NAN;
+            double before = compared ? thud_live_peak(compared, last, tui->interface + s,
+                                                      kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
+                                     : NAN;
             peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, (kind ? 1e3 : 1.0) * before);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         value[i] = 1e-6 * thud_live_force(&tui->run.live, (enum thud_live_which)i, tui->interface + 1, &impacts[i]);
     peak_row(tui, &layout, pane, y, "force", "MN", value,
-             pinned ? 1e-6 * thud_live_force(pinned, last, tui->interface + 1, &unused) : NAN);
+             compared ? 1e-6 * thud_live_force(compared, last, tui->interface + 1, &unused) : NAN);
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++)
         if (tui->run.live.which[i].state == THUD_LIVE_DONE) {
             char text[32];

@@ -112,17 +112,19 @@ static void refresh(struct thud_tui *tui)
 {
     struct thud_plots_state *p = thud_plots(tui);
     look_at(tui);
-    const struct thud_live *pinned = thud_tui_pinned(tui);
-    bool with_pin = pinned && pinned->history;
-    if (p->fresh && p->revision == tui->doc.revision && !tui->run.live.running && p->figure && p->pinned == with_pin)
+    const struct thud_live *compared = thud_tui_compared(tui);
+    bool with_base = compared && compared->history;
+    if (p->fresh && p->revision == tui->doc.revision && !tui->run.live.running && p->figure &&
+        p->compared == with_base && p->base == tui->base.number)
         return;
-    p->pinned = with_pin;
+    p->compared = with_base;
+    p->base = tui->base.number;
     if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
         p->plot = THUD_PLOT_FORCE; /* no storey yields any more */
     choose_sight(tui);
-    p->sight.pinned = thud_tui_pin_name(tui);
+    p->sight.compared = tui->base.name;
     thud_figure_free(p->figure);
-    p->figure = thud_plot_make(&tui->run.live, p->pinned ? thud_tui_pinned(tui) : NULL, &tui->doc.scene, p->plot,
+    p->figure = thud_plot_make(&tui->run.live, p->compared ? thud_tui_compared(tui) : NULL, &tui->doc.scene, p->plot,
                                &p->sight, &p->why);
     p->revision = tui->doc.revision;
     p->fresh = true;

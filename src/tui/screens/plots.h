@@ -15,8 +15,9 @@ struct thud_plots_state {
     struct thud_figure *figure;
     const char *why;
     unsigned long revision;
-    bool pinned; /* the pinned state's curves stand behind */
-    bool fresh;  /* `figure` belongs to what is above */
+    bool compared;      /* the curves of the state to compare with stand behind, */
+    unsigned long base; /* of this number */
+    bool fresh;         /* `figure` belongs to what is above */
 };
 
 struct thud_plots_state *thud_plots(const struct thud_tui *tui);

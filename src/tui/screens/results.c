@@ -57,7 +57,7 @@ static int count_floors(const struct thud_scene *scene)
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     int lower = area.h >= 29 ? 15 : area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
-    int peaks = 3 + count_floors(&tui->doc.scene) * (1 + (thud_tui_pinned(tui) != NULL)); /* frame and heads: 3 */
+    int peaks = 3 + count_floors(&tui->doc.scene) * (1 + (thud_tui_compared(tui) != NULL)); /* frame and heads: 3 */
     lower = area.h - lower > peaks ? area.h - peaks : lower;
     pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
     pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
@@ -109,19 +109,19 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
     thud_ratio_draw(&tui->run.live, pane, x + 21, y, value);
 }
 
-/* The same of the pinned state, and what became of it: of the bumper's number, else of that without. */
-static void pinned_quantity(struct thud_tui *tui, const struct thud_live *pinned, const struct thud_pane *pane, int x,
-                            int y, int s, int floor, enum thud_peak_kind kind, double factor)
+/* The same of the state to compare with, and what became of it: of the bumper's number, else of that without. */
+static void compared_quantity(struct thud_tui *tui, const struct thud_live *compared, const struct thud_pane *pane,
+                              int x, int y, int s, int floor, enum thud_peak_kind kind, double factor)
 {
     enum thud_live_which last =
         tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
-        double value = factor * thud_live_floor(pinned, (enum thud_live_which)i, s, floor, kind);
+        double value = factor * thud_live_floor(compared, (enum thud_live_which)i, s, floor, kind);
         thud_pane_right(pane, x + 7 * i + 6, y, thud_look(THUD_ROLE_MUTED, 0), thud_tui_number(value, number));
     }
     double change =
-        thud_live_floor(&tui->run.live, last, s, floor, kind) / thud_live_floor(pinned, last, s, floor, kind);
+        thud_live_floor(&tui->run.live, last, s, floor, kind) / thud_live_floor(compared, last, s, floor, kind);
     if (isfinite(change))
         thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%",
                         thud_shown(100.0 * (change - 1.0), 0));
@@ -175,7 +175,7 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
                             {"ductility", THUD_PEAK_DUCTILITY, 1.0},
                             {"permanent drift mm", THUD_PEAK_PERMANENT, 1e3}};
     const int all = quantities(tui);
-    const struct thud_live *pinned = thud_tui_pinned(tui);
+    const struct thud_live *compared = thud_tui_compared(tui);
     int name = 1, y = 1;
     for (int s = 0; s < tui->doc.scene.nstructures; s++) {
         int n = thud_utf8_columns(tui->doc.scene.structure[s].name);
@@ -192,21 +192,21 @@ static int draw_peaks(struct thud_tui *tui, const struct thud_pane *pane)
         thud_pane_put(pane, 1, 0, thud_look(THUD_ROLE_KEY, 0), "c others");
     int n;
     struct place *place = list_places(tui, column[first].kind, &n);
-    for (int i = 0; place && i < n; i++, y += 1 + (pinned != NULL)) {
+    for (int i = 0; place && i < n; i++, y += 1 + (compared != NULL)) {
         int s = place[i].s, floor = place[i].floor;
         char key[THUD_PATH_MAX], text[200], fitted[THUD_NAME_MAX + 4];
         snprintf(key, sizeof key, "floor %d %d", s, floor);
         snprintf(text, sizeof text, "%s %d",
                  thud_utf8_fit(tui->doc.scene.structure[s].name, name, fitted, sizeof fitted), floor + 1);
         thud_field_line(tui, PEAKS, pane, y, s * 1000 + floor, key, text);
-        if (pinned)
-            thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), thud_tui_pin_name(tui));
+        if (compared)
+            thud_pane_put(pane, 3, y + 1, thud_look(THUD_ROLE_MUTED, 0), tui->base.name);
         for (int c = 0; c < columns; c++) {
             enum thud_peak_kind kind = column[(first + c) % all].kind;
             double factor = column[(first + c) % all].factor;
             quantity(tui, pane, left + 29 * c, y, s, floor, kind, factor);
-            if (pinned)
-                pinned_quantity(tui, pinned, pane, left + 29 * c, y + 1, s, floor, kind, factor);
+            if (compared)
+                compared_quantity(tui, compared, pane, left + 29 * c, y + 1, s, floor, kind, factor);
         }
     }
     if (n == 0)
@@ -438,5 +438,5 @@ static void export_csv(struct thud_tui *tui)
     thud_text_clear(&impacts);
 }
 
-THUD_VIEW(results, "Results", RESULTS, .verdict = true, .keys = "", .moved = true, .size = sizeof(struct results_state),
-          .begin = begin, .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);
+THUD_VIEW(results, "Results", RESULTS, .keys = "", .moved = true, .size = sizeof(struct results_state), .begin = begin,
+          .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);

@@ -380,8 +380,8 @@ static void release(struct thud_tui *tui)
     free(s->base);
 }
 
-THUD_VIEW(sweep, "Sweep", SWEEP, .verdict = true, .many = true, .size = sizeof(struct thud_sweep_state),
-          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
-          .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
-          .next_figure = next_figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
-          .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);
+THUD_VIEW(sweep, "Sweep", SWEEP, .many = true, .size = sizeof(struct thud_sweep_state), .begin = begin_screen,
+          .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer, .command = thud_sweep_command,
+          .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure, .next_figure = next_figure,
+          .read = read_panel, .take = take, .live = live, .busy = busy, .work = work, .progress = progress,
+          .figures = figures, .make = make, .export_csv = export_csv);

@@ -1,0 +1,309 @@
+/* The designs of the session, a row each: gone to, chosen to compare with, named (and saved so), marked for the report,
+ * forgotten. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app/run/command.h"
+#include "app/run/summary_line.h"
+#include "tui/document/session_log.h"
+#include "tui/loop/loop.h"
+
+struct list {
+    int at, top; /* the row with the cursor, and the first shown */
+};
+
+/* The state on the screen, also while it is being run or where live is off; NULL: there is no room for it. */
+static struct thud_design *present(struct thud_tui *tui)
+{
+    const char *what = thud_undo_what(&tui->doc.undo, 0);
+    return thud_designs_note(&tui->doc.designs, &tui->doc.scene, what ? what : "as opened", NULL);
+}
+
+/* The i-th row: the present state first, then the others, the newest first. */
+static struct thud_design *row_at(struct thud_tui *tui, int i)
+{
+    struct thud_designs *designs = &tui->doc.designs;
+    struct thud_design *now = present(tui);
+    for (int k = designs->n; k >= 0; k--) {
+        struct thud_design *d = k == designs->n ? now : &designs->item[k];
+        if (d && (k == designs->n || d != now) && i-- == 0)
+            return d;
+    }
+    return NULL;
+}
+
+void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
+{
+    const struct thud_design *d = thud_designs_named(&tui->doc.designs, name);
+    struct thud_error err = {0};
+    char what[80], text[40];
+    if (!d) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no design \"%.40s\"; U lists them", name);
+        return;
+    }
+    struct thud_scene *next = malloc(sizeof *next);
+    enum thud_status status = next ? THUD_OK : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    snprintf(what, sizeof what, "design %s", thud_design_called(d, text));
+    if (next) { /* what runs do not depend on stays */
+        *next = *d->scene;
+        memcpy(next->name, tui->doc.scene.name, sizeof next->name);
+        memcpy(next->title, tui->doc.scene.title, sizeof next->title);
+        next->study = tui->doc.scene.study;
+        next->document = tui->doc.scene.document;
+        status = thud_doc_change(&tui->doc, next, what, &err);
+    }
+    free(next);
+    if (status != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    thud_tui_log(tui, "design %s", text);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This is design %s (u undoes)", text);
+}
+
+/* Empty, or the one that is chosen already: changes are told against the state before them again. */
+void thud_tui_compare_with(struct thud_tui *tui, const char *name)
+{
+    struct thud_design *d = *name ? thud_designs_named(&tui->doc.designs, name) : NULL;
+    struct thud_record *record = NULL;
+    struct thud_error err = {0};
+    char text[40];
+    if (*name && !d) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no design \"%.40s\"; U lists them", name);
+        return;
+    }
+    if (!d || (tui->base.chosen && strcmp(tui->base.name, thud_design_called(d, text)) == 0)) {
+        thud_base_clear(&tui->base);
+        thud_tui_log(tui, "compare");
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Changes are told against the state before them");
+        return;
+    }
+    if (thud_doc_read_record(&tui->doc, d->scene, &record, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        thud_base_take(&tui->base, d, record, true);
+    thud_record_free(record);
+    thud_tui_log(tui, "compare %s", thud_design_called(d, text));
+    if (!err.what[0])
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Everything is told and drawn against design %s now", text);
+}
+
+/* A preset of that name beside this one, or in the working folder beside one that comes with thud. */
+void thud_tui_design_path(const struct thud_tui *tui, const char *name, char *path, size_t size)
+{
+    const char *slash = strrchr(tui->doc.path, '/');
+    bool beside = slash && !thud_doc_is_shipped(&tui->doc, tui->doc.path);
+    snprintf(path, size, "%.*s%s.yaml", beside ? (int)(slash - tui->doc.path) + 1 : 0, tui->doc.path, name);
+}
+
+/* False: it was refused. */
+static bool name_design(struct thud_tui *tui, struct thud_design *d, const char *name)
+{
+    struct thud_error err = {0};
+    char path[600];
+    thud_tui_design_path(tui, name, path, sizeof path);
+    struct thud_design *other = thud_designs_named(&tui->doc.designs, name);
+    if (!*name || strlen(name) >= sizeof d->name || strpbrk(name, "/#\\\"'") || (other && other != d) ||
+        (!other && access(path, F_OK) == 0)) {
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\": a name that neither a design nor a preset here has", name);
+        return false;
+    }
+    if (thud_preset_save(tui->doc.preset, d->scene, path, &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return false;
+    }
+    snprintf(d->name, sizeof d->name, "%s", name);
+    thud_tui_say(tui, THUD_ROLE_GOOD, "This design is %s now, and saved as %s", name, path);
+    return true;
+}
+
+void thud_tui_name_design(struct thud_tui *tui, const char *name)
+{
+    struct thud_design *d = present(tui);
+    if (d && name_design(tui, d, name))
+        thud_tui_log(tui, "name %s", name);
+}
+
+static void named(struct thud_tui *tui, const char *text)
+{
+    struct thud_design *d = thud_designs_named(&tui->doc.designs, tui->dialog.target);
+    if (d && *text)
+        name_design(tui, d, text);
+}
+
+/* One that goes into the report is a file: without a name it gets one. */
+static void mark(struct thud_tui *tui, struct thud_design *d)
+{
+    char name[THUD_NAME_MAX + 16], path[600];
+    for (int i = d->number; !*d->name && !d->marked && i < 10000; i++) {
+        snprintf(name, sizeof name, "%.20s-%d", tui->doc.scene.name, i);
+        thud_tui_design_path(tui, name, path, sizeof path);
+        if (!thud_designs_named(&tui->doc.designs, name) && access(path, F_OK) != 0 && !name_design(tui, d, name))
+            return;
+    }
+    d->marked = !d->marked;
+}
+
+/* ---- the list ---- */
+
+/* Columns of numbers, from the right: head, width, what stands there. */
+enum column { NEED, IMPACTS, FORCE, ACCELERATION, ACCELERATION_WITH, DRIFT, DRIFT_WITH, COLUMNS };
+static const struct {
+    const char *head;
+    int width;
+} column[COLUMNS] = {{"needs cm", 9}, {"impacts", 8}, {"MN", 6}, {"m/s2", 6}, {"with", 6}, {"mm", 6}, {"with", 6}};
+
+/* In the unit of its column; NaN: not known. */
+static double value_of(const struct thud_design *d, enum column which)
+{
+    const struct thud_design_result *r = &d->result;
+    double need_m = NAN, force_n = NAN;
+    int impacts = 0;
+    if (!r->known)
+        return NAN;
+    for (int i = 0; i + 1 < d->scene->nstructures; i++) {
+        need_m = fmax(need_m, r->need_m[i]);
+        force_n = fmax(force_n, r->force_n[i]);
+        impacts += r->impacts[i];
+    }
+    return which == NEED      ? thud_summary_gap_cm(need_m)
+           : which == IMPACTS ? impacts
+           : which == FORCE   ? 1e-6 * force_n
+           : which >= DRIFT   ? 1e3 * r->drift_m[which - DRIFT]
+                              : r->acceleration_mps2[which - ACCELERATION];
+}
+
+/* What the others are coloured against, and told by their differences from: the chosen one, else the first there was. */
+static const struct thud_design *reference(struct thud_tui *tui)
+{
+    const struct thud_design *d = tui->base.chosen ? thud_designs_named(&tui->doc.designs, tui->base.name) : NULL;
+    return d ? d : tui->doc.designs.n > 0 ? &tui->doc.designs.item[0] : NULL;
+}
+
+static void draw_row(struct thud_tui *tui, const struct thud_design *d, const struct thud_pane *in, int y, bool here)
+{
+    const struct thud_design *of = reference(tui);
+    const int attr = here ? THUD_REVERSE : 0;
+    char name[40], words[400], fitted[200], number[24];
+    int at = in->w;
+    for (int c = COLUMNS - 1; c >= 0; c--) {
+        const double value = value_of(d, (enum column)c), old = of ? value_of(of, (enum column)c) : NAN;
+        const int role = of == d || !(fabs(value - old) > 5e-3 * fabs(old)) ? THUD_ROLE_RESULT
+                         : value < old                                      ? THUD_ROLE_GOOD
+                                                                            : THUD_ROLE_WARN;
+        if (isnan(value))
+            snprintf(number, sizeof number, "%s", "·");
+        else if (c == IMPACTS)
+            snprintf(number, sizeof number, "%.0f", value);
+        else if (c == NEED)
+            snprintf(number, sizeof number, "%.1f", value);
+        else
+            thud_tui_number(value, number);
+        thud_pane_right(in, at, y, thud_look(role, 0), number);
+        at -= column[c].width;
+    }
+    if (!of || of == d)
+        snprintf(words, sizeof words, "%s", d->what);
+    else
+        thud_design_differences(d->scene, of->scene, words, sizeof words);
+    thud_pane_print(in, 0, y, thud_look(THUD_ROLE_KEY, 0), "%c%c", d->marked ? '+' : ' ',
+                    of == d && tui->base.chosen ? '=' : ' ');
+    const bool now = thud_doc_runs_alike(d->scene, &tui->doc.scene);
+    int x = 2 + thud_pane_print(in, 2, y, thud_look(THUD_ROLE_VALUE, attr | (now ? THUD_BOLD : 0)), "%s%s",
+                                now ? "*" : "", thud_utf8_fit(thud_design_called(d, name), 14, fitted, sizeof fitted));
+    if (at - x > 8)
+        thud_pane_put(in, x + 1, y, thud_look(THUD_ROLE_PLAIN, attr),
+                      thud_utf8_fit(words, at - x - 2, fitted, sizeof fitted));
+}
+
+static void draw(struct thud_tui *tui, const struct thud_pane *area)
+{
+    struct list *list = tui->dialog.own;
+    thud_pane_blank(area);
+    struct thud_pane in = thud_pane_frame(area, "Designs: * on the screen, = compared with, + in the report", true);
+    int at = in.w, rows = in.h - 2;
+    for (int c = COLUMNS - 1; c >= 0; c--) {
+        thud_pane_right(&in, at, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
+        at -= column[c].width;
+    }
+    thud_pane_put(&in, 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), at > 24 ? "design and what it changes" : "design");
+    if (list->at >= tui->doc.designs.n)
+        list->at = tui->doc.designs.n > 0 ? tui->doc.designs.n - 1 : 0;
+    if (list->at < list->top)
+        list->top = list->at;
+    if (rows > 0 && list->at >= list->top + rows)
+        list->top = list->at - rows + 1;
+    const struct thud_design *d;
+    for (int i = 0; i < rows && (d = row_at(tui, list->top + i)) != NULL; i++)
+        draw_row(tui, d, &in, 1 + i, list->top + i == list->at);
+    const struct thud_design *here = row_at(tui, list->at), *of = reference(tui);
+    char words[500] = "";
+    if (here && of && here != of)
+        thud_design_differences(here->scene, of->scene, words, sizeof words);
+    if (here && in.h > 3)
+        thud_pane_print(&in, 1, in.h - 1, thud_look(THUD_ROLE_MUTED, 0), "%.200s", *words ? words : here->what);
+}
+
+static void take_key(struct thud_tui *tui, int key)
+{
+    static const struct thud_prompt prompt = {.words = "name of the design, and of its preset: ", .done = named};
+    struct list *list = tui->dialog.own;
+    struct thud_design *d = row_at(tui, list->at);
+    char name[40] = "";
+    if (d)
+        thud_design_called(d, name);
+    switch (thud_key_action(THUD_AT_DESIGNS, key)) {
+    case THUD_DO_CANCEL:
+        thud_tui_normal(tui);
+        thud_tui_hush(tui);
+        break;
+    case THUD_DO_UP:
+        list->at -= list->at > 0;
+        break;
+    case THUD_DO_DOWN:
+        list->at++;
+        break;
+    case THUD_DO_ACCEPT:
+        thud_tui_normal(tui);
+        thud_tui_go_to_design(tui, name);
+        break;
+    case THUD_DO_COMPARE:
+        thud_tui_compare_with(tui, name);
+        break;
+    case THUD_DO_MARK:
+        if (d)
+            mark(tui, d);
+        list->at++;
+        break;
+    case THUD_DO_NAME:
+        thud_tui_normal(tui);
+        snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s", name);
+        thud_tui_prompt(tui, &prompt, d ? d->name : "");
+        break;
+    case THUD_DO_FORGET:
+        if (d && !thud_doc_runs_alike(d->scene, &tui->doc.scene))
+            thud_designs_forget(&tui->doc.designs, d);
+        else
+            thud_tui_say(tui, THUD_ROLE_WARN, "This design is on the screen");
+        break;
+    case THUD_DO_SAVE:
+        thud_tui_act(tui, THUD_DO_SAVE);
+        break;
+    case THUD_DO_REPORT:
+        thud_tui_normal(tui);
+        thud_tui_act(tui, THUD_DO_REPORT);
+        break;
+    default:
+        break;
+    }
+}
+
+void thud_tui_list_designs(struct thud_tui *tui)
+{
+    static const struct thud_over over = {
+        .where = THUD_AT_DESIGNS, .size = sizeof(struct list), .key = take_key, .draw = draw};
+    thud_tui_over(tui, &over);
+}
