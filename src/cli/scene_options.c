@@ -41,6 +41,21 @@ static enum thud_status of_option(enum thud_status status, struct thud_error *er
     return THUD_USAGE;
 }
 
+/* A peak or spectral acceleration by an option, and a target that is the preset's. */
+static enum thud_status refuse_two_scales(const struct thud_args *args, const struct thud_session *session,
+                                          struct thud_error *err)
+{
+    const char *own = thud_preset_scene(session->preset)->record.target;
+    if (!own[0] || strcmp(own, session->scene.record.target) != 0 ||
+        !(thud_args_value(args, "peak") || thud_args_value(args, "sa")))
+        return THUD_OK;
+    thud_error_refuse(err, THUD_USAGE, "record.target", "one of the two; --set record.target= leaves the preset's out",
+                      "the preset scales its ground motion to %.60s, and --%s asks for another size", own,
+                      thud_args_value(args, "peak") ? "peak" : "sa");
+    thud_preset_place(session->preset, "record.target", err);
+    return THUD_USAGE;
+}
+
 /* What is said of a ground motion that is not there would have no effect. */
 static enum thud_status refuse_idle(const struct thud_args *args, const struct thud_session *session,
                                     struct thud_error *err)
@@ -144,6 +159,8 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     if (status == THUD_OK)
         status = thud_scene_options_set(args, session, err);
     if (status == THUD_OK)
+        status = refuse_two_scales(args, session, err);
+    if (status == THUD_OK)
         status = thud_building_files_read(&session->scene, session->preset_path, err);
     if (status == THUD_OK)
         status = refuse_exponent(args, session, err);
@@ -180,6 +197,19 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
     return status;
 }
 
+/* A key of the preset that no option gave, refused by the model: its line. */
+static void place_in_preset(const struct thud_args *args, const struct thud_session *session, enum thud_status status,
+                            struct thud_error *err)
+{
+    const char *assignment;
+    if (status != THUD_INPUT || !err || err->file[0] || strncmp(err->key, "structures.", 11) != 0)
+        return;
+    for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
+        if (strncmp(assignment, err->key, strlen(err->key)) == 0)
+            return;
+    thud_preset_place(session->preset, err->key, err);
+}
+
 enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scene_work *work, struct thud_error *err)
 {
     struct thud_session *session = calloc(1, sizeof *session);
@@ -191,6 +221,7 @@ enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scen
         thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK) {
         status = work(args, session, scene, err);
+        place_in_preset(args, session, status, err);
         thud_session_close(session);
     }
     free(scene);

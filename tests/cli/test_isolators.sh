@@ -23,14 +23,14 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     "$THUD" run isolated-pendulum --json --quiet >"$tmp/out"
     sed -n '/^  "structures"/,/"contacts"/p' "$tmp/out" >"$tmp/b"
     is "are those of the preset, and 1 mm of elastic give is usual" cmp -s "$tmp/a" "$tmp/b"
-    is "no isolation stiffness is needed" gives 0 run isolated-moat $dish --set structures.2.isolation-stiffness= --quiet
-    is "nor does a linear one disturb" gives 0 run isolated-moat $dish --quiet --json
+    is "an isolation stiffness is of linear ones" gives 3 run isolated-moat $dish --quiet
+    is "no isolation stiffness is needed" gives 0 run isolated-moat $dish --set structures.2.isolation-stiffness= --quiet --json
     is "its answer says the isolators" shows '"isolator": {"law": "pendulum", "radius": "2.24 m", "friction": "5 %"'
     is "a radius of 0" gives 3 run isolated-pendulum --set structures.2.isolator.radius=0m
     is "is refused with the range" says 'structures.2.isolator.radius: .*> 0 m'
     is "a friction above 1" gives 3 run isolated-pendulum --set structures.2.isolator.friction=101%
     is "too" says 'structures.2.isolator.friction: .*up to 100 %'
-    is "a pendulum without radius" gives 3 run isolated-moat --set structures.2.isolator.law=pendulum --set structures.2.isolator.friction=5%
+    is "a pendulum without radius" gives 3 run isolated-moat --set structures.2.isolation-stiffness= --set structures.2.isolator.law=pendulum --set structures.2.isolator.friction=5%
     is "is told what is missing" says 'structures.2.isolator.radius: radius is not given'
     in_file() { # WHAT PRESET LINE PLACE PATTERN: with another line, or without it
         awk -v key="${3%%:*}:" -v line="$3" 'index($0, key) == 1 { if (line ~ /: ./) print line; next } { print }' \

@@ -130,3 +130,27 @@ order towers "structures.1.mass=[300 t, 300 t, 250 t]" structures.1.storeys=3
 order towers "structures.1.base-mass=320 t" "structures.1.isolation-stiffness=20 MN/m" structures.1.kind=isolated
 order towers "links.1.damping=2 MN s/m" links.1.from=A.3 links.1.to=B.3 links.1.law=dashpot
 order towers-linked study.vary= "links.1.damping=2 MN s/m" links.1.law=
+
+# what changes nothing, is nothing, or is asked for twice is told by its key
+sed 's/peak: 0.821 g/target: en1998:0.25g,B/' presets/towers.yaml >"$tmp/target.yaml"
+is "a peak beside the preset's target" gives 2 run "$tmp/target.yaml" --peak 0.3g
+is "names the preset's line" says "target.yaml:[0-9]*:[0-9]*: record.target: the preset scales its ground motion to en1998:0.25g,B, and --peak asks for another size"
+is "without the target it is taken" gives 0 run "$tmp/target.yaml" --peak 0.3g --set record.target= --to 5s --quiet
+for key in title structures.1.name document.author; do
+    is "$key" gives 2 sweep towers --vary "$key=a,b"
+    is "cannot be varied" says "^thud: $key: changes no result"
+done
+sed '0,/kind: shear/s//kind: shear\
+    foundation: {}/' presets/towers.yaml >"$tmp/nothing.yaml"
+is "an empty group" gives 3 run "$tmp/nothing.yaml"
+is "is refused in its place" says "nothing.yaml:[0-9]*:[0-9]*: structures.1.foundation: there is nothing in it"
+is "a group in place of a key" gives 3 run towers --set structures.1.foundation=2
+is "is told as one" says "structures.1.foundation: it has keys of its own"
+is "an isolation stiffness beside another law" gives 3 run isolated-lead-rubber --set "structures.2.isolation-stiffness=2 MN/m"
+is "is refused as a radius is" says "^thud: structures.2.isolation-stiffness: lead-rubber isolators have no isolation stiffness"
+sed 's/^title/p-delta: yes\
+title/; s/vs: .*/vs: 2 m\/s/' presets/towers-on-soil.yaml >"$tmp/soft.yaml"
+is "a building that falls on its soil" gives 3 run "$tmp/soft.yaml"
+is "is told with line and key" says "soft.yaml:[0-9]*:[0-9]*: structures.1.foundation: the building falls under its own weight on this soil"
+run uncertainty rigid-concrete --set contact.law=linear --samples 2 --quiet
+is "no input that the law has not" sh -c "! grep -q restitution '$tmp/out'"

@@ -166,6 +166,7 @@ static bool draw_isolators(struct thud_scene *scene)
             p->isolator_post_yield_npm = p->isolation_stiffness_npm;
             p->isolator_strength_n = mass * between_log(0.1, 2);
         }
+        p->isolation_stiffness_npm = NAN; /* of linear ones */
     }
     return any;
 }

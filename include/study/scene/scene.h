@@ -354,6 +354,8 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
+/* Whether what stands there changes no run: the title, a structure's name, the study and the title block. */
+bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
 /* The groups nested in a structure, columns, isolators, foundation and backfill, and whether anything is said of one. */

@@ -229,7 +229,7 @@ static void failing_row(struct site *site)
             n += (size_t)snprintf(text + n, sizeof text - n, "; the isolators of %.64s are displaced by up to %s mm",
                                   thud_site_name(site, s),
                                   thud_site_number(1e3 * r->structure[s].floor[0].drift.value, 3).text);
-    row(site, "storeys and columns that fail", text);
+    row(site, r->ncolumns > 0 ? "yielding storeys, failing columns" : "yielding storeys", text);
 }
 
 /* Of a suite the ground motion with the widest required gap. */

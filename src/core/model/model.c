@@ -329,6 +329,8 @@ static enum thud_status fill_structure(struct thud_model *m, struct thud_arena *
         status = fill_building(arena, to, in, err);
     else
         fill_rigid(arena, to, in);
+    if (status == THUD_INPUT && in->foundation)
+        thud_error_key(err, "structures.%d.foundation", s + 1);
     for (int j = 0; j < to->modes && status == THUD_OK; j++)
         fill_mode(m, to, in, j);
     for (int i = 0; i < to->dofs && status == THUD_OK; i++)

@@ -241,7 +241,8 @@ enum thud_status thud_tie_system(struct thud_model *m, struct thud_arena *arena,
     if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'V', 'U', t.modes, t.stiffness, t.modes, t.square, t.work, t.work_size) !=
         0) {
         free(t.block);
-        return thud_error_set(err, THUD_INPUT, "the modes of linked structures were not found");
+        return thud_error_refuse(err, THUD_INPUT, "links", "less stiff links",
+                                 "the modes of linked structures were not found");
     }
     double *phi = thud_arena_take(arena, (size_t)t.floors * n, sizeof *phi),
            *damping = thud_arena_take(arena, n * n, sizeof *damping);

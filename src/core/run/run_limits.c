@@ -56,7 +56,7 @@ static void name_fastest(const struct thud_model *m, struct thud_error *err)
             worst = s;
     const struct thud_model_structure *p = &m->structure[worst];
     const bool storeys = p->stiffness_npm && !p->rise && p->omega[p->dofs - 1] > near;
-    thud_error_key(err, "structures.%d%s", worst + 1, storeys ? ".stiffness" : "");
+    thud_error_key(err, "structures.%d%s", worst + 1, p->rise ? ".foundation" : storeys ? ".stiffness" : "");
 }
 
 enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err)
@@ -75,9 +75,11 @@ enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_er
                    m->fastest_radps, by_interval ? state->grid_dt_s : state->end_s,
                    by_interval ? ", an interval of the ground motion" : "");
     name_fastest(m, err);
-    thud_error_allow(err,
-                     "up to %.3g rad/s here: heavier floors, softer storeys or weaker dashpots; or an implicit method",
-                     by_interval ? interval_most_rad / state->grid_dt_s : run_most_rad / state->end_s);
+    thud_error_allow(
+        err,
+        "up to %.3g rad/s here: heavier floors or foundations, softer storeys or soil, weaker dashpots; or "
+        "an implicit method",
+        by_interval ? interval_most_rad / state->grid_dt_s : run_most_rad / state->end_s);
     return THUD_INPUT;
 }
 

@@ -288,6 +288,8 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
         const char *group = thud_group_key(thud_nested_group(i));
         int nested = thud_yaml_find(&preset->tree, node, group, NULL);
         snprintf(path, sizeof path, "structures.%d.%s", s + 1, group);
+        if (nested >= 0 && kind_of(preset, nested) == THUD_YAML_KEYS && preset->tree.node[nested].first < 0)
+            return refuse(preset, nested, path, "there is nothing in it", "a key with its value; or leave it out", err);
         status = nested >= 0 ? set_keys(preset, nested, path, any, err) : status;
     }
     return status;

@@ -170,6 +170,12 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
         return thud_scene_refuse(err, "a stiffness, or isolator: {law: lead-rubber or pendulum, ...}",
                                  "structures.%d.isolation-stiffness", s + 1);
     }
+    if (law != THUD_ISOLATOR_LINEAR && !isnan(structure->isolation_stiffness_npm)) {
+        thud_error_set(err, THUD_INPUT, "%s isolators have no isolation stiffness", thud_isolator_name(law));
+        return thud_scene_refuse(
+            err, law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield" : "radius, friction, yield",
+            "structures.%d.isolation-stiffness", s + 1);
+    }
     for (int i = 1; i < count; i++) {
         const double value = *(const double *)(const void *)((const char *)structure + places[i].offset);
         snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, params[i].name);

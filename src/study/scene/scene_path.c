@@ -85,6 +85,15 @@ static enum thud_status wrong_depth(struct thud_error *err)
         "the key has too many or too few parts");
 }
 
+static enum thud_status refuse_group(enum thud_group group, struct thud_error *err)
+{
+    int count;
+    const struct thud_param *params = thud_group_params(group, &count);
+    thud_error_set(err, THUD_INPUT, "it has keys of its own, and no value");
+    thud_error_allow(err, "%s.%s and others", thud_group_key(group), params[0].name);
+    return THUD_INPUT;
+}
+
 /* What is counted from 1 has no such number. */
 static enum thud_status no_such(const char *what, const char *part, int most, struct thud_error *err)
 {
@@ -98,9 +107,11 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
                                        struct thud_error *err)
 {
     enum thud_group group = THUD_GROUP_STRUCTURE;
-    for (int i = 0; i < THUD_NESTED_GROUPS && n > 2; i++)
+    for (int i = 0; i < THUD_NESTED_GROUPS && n > 1; i++)
         if (strcmp(part[1], thud_group_key(thud_nested_group(i))) == 0)
             group = thud_nested_group(i);
+    if (n == 2 && group != THUD_GROUP_STRUCTURE)
+        return refuse_group(group, err);
     const bool column = group == THUD_GROUP_COLUMN, isolator = group == THUD_GROUP_ISOLATOR,
                soil = group == THUD_GROUP_FOUNDATION, backfill = group == THUD_GROUP_BACKFILL;
     if (n < 2 || n > 3 + column)
@@ -300,6 +311,17 @@ bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)
         return false;
     enum thud_structure_kind kind = scene->structure[slot.structure].kind;
     return thud_kind_is_building(kind);
+}
+
+bool thud_scene_is_words(const struct thud_scene *scene, const char *path)
+{
+    struct thud_slot slot;
+    if (thud_slot_find(scene, path, &slot, NULL) != THUD_OK)
+        return false;
+    const size_t at = slot.place.offset;
+    const bool name = slot.structure >= 0 && thud_slot_in(scene, &slot) == scene->structure[slot.structure].name;
+    return name || at == offsetof(struct thud_scene, title) ||
+           (at >= offsetof(struct thud_scene, study) && at < offsetof(struct thud_scene, nlinks));
 }
 
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor)

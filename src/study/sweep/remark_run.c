@@ -254,16 +254,17 @@ void thud_remark_energy(const struct thud_remark_scope *scope, int i, struct thu
 {
     static const double exact = 1e-3, balanced = 1e-2;
     const struct thud_energy *e = &scope->result->energy;
-    const char *method = scope->result->method;
+    const bool steps = !isnan(scope->result->step_s);
+    char use[80];
+    snprintf(use, sizeof use, steps ? "at this step %s gives no results" : "results of %s that follow are not reliable",
+             scope->result->method);
     (void)i;
     if (e->error_ratio > balanced)
-        thud_error_set(thud_remark_add(out), THUD_OK,
-                       "%.2g %% of the energy is unaccounted for; at this step %s gives no results",
-                       100 * e->error_ratio, method);
+        thud_error_set(thud_remark_add(out), THUD_OK, "%.2g %% of the energy is unaccounted for; %s",
+                       100 * e->error_ratio, use);
     else if (-e->contact_j > balanced * (e->initial_j + e->input_j))
-        thud_error_set(thud_remark_add(out), THUD_OK,
-                       "the contacts made %.3g kJ out of nothing; at this step %s gives no results",
-                       -1e-3 * e->contact_j, method);
+        thud_error_set(thud_remark_add(out), THUD_OK, "the contacts made %.3g kJ out of nothing; %s",
+                       -1e-3 * e->contact_j, use);
     else if (e->error_ratio > exact)
         thud_error_set(thud_remark_add(out), THUD_OK, "%.2g %% of the energy is unaccounted for", 100 * e->error_ratio);
 }

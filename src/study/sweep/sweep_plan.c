@@ -319,6 +319,8 @@ enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text,
         free(scratch);
         return unknown != THUD_OK ? unknown : refuse(err, axis.key, "cannot be varied", how);
     }
+    if (thud_scene_is_words(&plan->scene, axis.key))
+        return refuse(err, axis.key, "changes no result, and cannot be varied", how);
     enum thud_status status = strchr(equals + 1, ':') ? range(&axis, equals + 1, err) : list(&axis, equals + 1, err);
     if (status == THUD_OK)
         status = check_axis(plan, &axis, err);

@@ -320,6 +320,17 @@ static bool is_building(const struct thud_scene *scene, int s)
     return s >= 0 && s < scene->nstructures && thud_kind_is_building(scene->structure[s].kind);
 }
 
+/* Whether the law of a contact or a bumper of the scene has such a value. */
+static bool has_law_value(const struct thud_scene *scene, const char *name, bool contacts, bool bumpers)
+{
+    for (int i = 0; i + 1 < scene->nstructures; i++) {
+        struct thud_interface own = scene->interface[i], *at = &own;
+        if ((contacts && law_value(&at->contact, name)) || (bumpers && at->has_bumper && law_value(&at->bumper, name)))
+            return true;
+    }
+    return false;
+}
+
 /* Whether a structure or interface, or the scene, has such an input. */
 static bool is_there(const struct thud_scene *scene, enum thud_input input, int of)
 {
@@ -344,9 +355,14 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
         return has_struck(scene, of, true);
     case THUD_INPUT_ELEVATION: /* against a neighbour */
         return is_building(scene, of) && (is_building(scene, of - 1) || is_building(scene, of + 1));
+    case THUD_INPUT_CONTACT_STIFFNESS:
+        return has_law_value(scene, "stiffness", true, false);
+    case THUD_INPUT_RESTITUTION:
+        return has_law_value(scene, "restitution", true, true);
     case THUD_INPUT_BUMPER_STIFFNESS:
+        return has_law_value(scene, "stiffness", false, true);
     case THUD_INPUT_BUMPER_EXPONENT:
-        return thud_scene_has_bumper(scene);
+        return has_law_value(scene, "exponent", false, true);
     case THUD_INPUT_LINK:
         return scene->nlinks > 0;
     default:
