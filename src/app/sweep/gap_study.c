@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "ground/identity.h"
+#include "study/scene/scene_elements.h"
 #include "study/suite/suite.h"
 
 /* Whether an earlier rule asks for the same gaps: then its runs are taken. */
@@ -83,6 +84,9 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
     int n = records->n > 0 ? records->n : 1;
     enum thud_status status = THUD_OK;
     *out = (struct thud_gap_study){0};
+    if (code && code->q != 1 && thud_scene_elements(scene).traits & THUD_SLIPS)
+        return thud_error_refuse(err, THUD_INPUT, "code", "q=1, or storeys, isolators and links that stay elastic",
+                                 "q multiplies elastic displacements (EN 1998-1, 4.3.4(1)), and these are inelastic");
     out->name = calloc((size_t)n, sizeof *out->name);
     out->gap = calloc((size_t)n, sizeof(struct thud_needed_gap *));
     if (!out->name || !out->gap)
