@@ -188,6 +188,8 @@ killed() { # LABEL CALL ARGUMENTS...: the study of that folder, killed at a writ
     call=$2
     shift 2
     [ -f "$preload" ] || return 0
+    studies=$((studies + 1)) # one of three where time is short
+    [ -n "$full" ] || [ $((spread % 3)) -eq $((studies - 1)) ] || return 0
     THUD_FAULT_KIND=kill THUD_FAULT_AT=$call LD_PRELOAD="$preload" "$THUD" "$@" --quiet -o killed >/dev/null 2>&1
     [ $? -eq 137 ] || complain "$label: not killed at call $call"
     "$THUD" "$@" --quiet -o killed >/dev/null 2>killed.err || complain "$label after a kill: $(head -c 300 killed.err)"
@@ -205,6 +207,7 @@ sharded() { # COMMAND ARGUMENTS...
     rm -rf part1 part2 merged
 }
 
+studies=0
 spread=$(printf '%s' "$name" | cksum | cut -d' ' -f1) # the kills of scenes come at different calls
 command run run $scene $cut --no-figures
 command cases run $scene $cut --cases $cases --no-figures
