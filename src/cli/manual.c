@@ -172,16 +172,13 @@ static void measures(struct thud_text *out)
     };
     static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
                                         "a capacity of columns", "case none to compare with"};
-    thud_text_append(out,
-                     ".Ss measures\nWhat studies tell of a run, by its one name. A measure that is an event happens "
-                     "where it is above the\nlimit that is given.\n.Bl -tag -width Ds -compact\n");
+    thud_text_append(
+        out, ".Ss measures\nWhat studies tell of a run, each by its one name.\nAn event happens where its measure is "
+             "above the limit.\n.Bl -tag -width Ds -compact\n");
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         struct thud_text item = {0};
-        if (info->place[THUD_TOLD_BY_SUITE] + info->place[THUD_TOLD_BY_LOWERED] +
-                    info->place[THUD_TOLD_BY_UNCERTAINTY] ==
-                0 &&
-            !info->event.word)
+        if (!info->event.word && !info->place[THUD_TOLD_BY_SUITE] && !info->place[THUD_TOLD_BY_UNCERTAINTY])
             continue;
         thud_text_append(&item, "%c%s, of %s", info->words[0] - 'a' + 'A', info->words + 1,
                          info->of_structure ? "each structure" : "the run");

@@ -256,7 +256,7 @@ const struct thud_schema thud_suite_row_schema = THUD_SCHEMA(
     "suite.csv",
     "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: a row for each setting, "
     "case and structure.\n.Va KEY\nstands for every varied key, in SI units and with its unit, behind the case, "
-    "and\n.Va MEASURE\nfor each of\n.Em measures\nthat is told in suite.csv. The "
+    "and\n.Va MEASURE\nfor each of\n.Em measures\nthat is told in suite.csv.\nThe "
     "fractiles are those of the logarithms where every value is positive.\n",
     of_suite);
 

@@ -178,7 +178,7 @@ static double missing(const struct thud_measured_run *run, const struct thud_mea
     .place = {[THUD_TOLD_BY_SUITE] = suite, [THUD_TOLD_BY_LOWERED] = lowered, [THUD_TOLD_BY_UNCERTAINTY] = uncertainty}
 
 static const struct thud_measure_info infos[THUD_MEASURES] = {
-    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH},
+    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11)},
     [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, .event = {"pounding"}, .read = impacts},
     [THUD_MEASURE_USED] = {"used_up", "share of the clearance", THUD_RATIO, .read = used_up},
     [THUD_MEASURE_SHORT] = {"short_m", "missing clearance", THUD_LENGTH, .read = missing},
