@@ -169,6 +169,7 @@ static void measures(struct thud_text *out)
         [THUD_TOLD_BY_SUITE] = "suite.csv",
         [THUD_TOLD_BY_LOWERED] = "what lowers a response",
         [THUD_TOLD_BY_UNCERTAINTY] = "uncertainty.csv",
+        [THUD_TOLD_BY_SWEEP] = "figures of sweep",
     };
     static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
                                         "a capacity of columns", "case none to compare with"};
@@ -178,8 +179,6 @@ static void measures(struct thud_text *out)
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         struct thud_text item = {0};
-        if (!info->event.word && !info->place[THUD_TOLD_BY_SUITE] && !info->place[THUD_TOLD_BY_UNCERTAINTY])
-            continue;
         thud_text_append(&item, "%c%s, of %s", info->words[0] - 'a' + 'A', info->words + 1,
                          info->of_structure ? "each structure" : "the run");
         for (size_t i = 0; i < sizeof needs / sizeof *needs; i++)
@@ -196,11 +195,10 @@ static void measures(struct thud_text *out)
             thud_text_append(&item, ". Event %s%s%s", info->event.word, info->event.example ? ":" : "",
                              info->event.example ? info->event.example : "");
         thud_text_append(&item, ".");
-        thud_text_append(out, ".It Va %s\n", info->column);
         if (item.failed)
             out->failed = 1;
-        else
-            fill(out, item.data);
+        else if (strstr(item.data, ". ")) /* told somewhere, or an event */
+            thud_text_append(out, ".It Va %s\n", info->column), fill(out, item.data);
         thud_text_clear(&item);
     }
     thud_text_append(out, ".El\n");

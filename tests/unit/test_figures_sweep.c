@@ -39,12 +39,9 @@ static struct thud_sweep_summary *make_point(int record, int a, int b)
     d->gap_m = 0.05 * (a + 1);
     d->has_contact = true;
     for (int c = 0; c < CASES; c++) {
-        d->run[c] = (struct thud_sweep_run){.which = (enum thud_case)c,
-                                            .impacts = 2 * a + 1,
-                                            .force_n = 1e6 * (a + 10),
-                                            .indentation_m = 0.01,
-                                            .shear_n = NAN,
-                                            .capacity_ratio = NAN};
+        d->which[c] = (enum thud_case)c;
+        *thud_sweep_summary_measure(d, c, THUD_MEASURE_IMPACTS, 0, THUD_SWEEP_VALUE) = 2 * a + 1;
+        *thud_sweep_summary_measure(d, c, THUD_MEASURE_FORCE, 0, THUD_SWEEP_VALUE) = 1e6 * (a + 10);
         for (int st = 0; st < 3; st++)
             for (int f = 0; f <= floors[st] && floors[st]; f++) {
                 double x = mark(record, c, a, b, st, f);
@@ -333,8 +330,7 @@ START_TEST(shares_have_bars)
     fill(s, 1);
     struct thud_sweep_shares *shares = calloc(s->table.npoints * THUD_SWEEP_CASES_MAX, sizeof *shares);
     for (size_t i = 0; i < s->table.npoints * THUD_SWEEP_CASES_MAX; i++)
-        shares[i] = (struct thud_sweep_shares){
-            .pounding = 1, .pounding_band = {0.6, 1}, .worse_band = {NAN, NAN}, .capacity_low = NAN};
+        shares[i] = (struct thud_sweep_shares){.pounding = 1, .pounding_band = {0.6, 1}, .worse_band = {NAN, NAN}};
     s->table.shares = shares;
     s->table.motions = 4;
     struct thud_figure *figure = thud_figure_of_contacts(&s->table, 0, "contacts");
@@ -421,8 +417,9 @@ START_TEST(ductility_and_columns_have_figures)
         for (int c = 0; c < CASES; c++) {
             struct thud_sweep_summary *d = s->point[i];
             double x = mark(d->record, c, d->at[0], 0, 2, 0);
-            *thud_sweep_summary_storeys(d, c, 3, 2, THUD_SWEEP_VALUE) = (struct thud_sweep_storeys){x, 2 * x};
-            d->run[c].shear_n = 1e6 * x;
+            *thud_sweep_summary_measure(d, c, THUD_MEASURE_DUCTILITY, 2, THUD_SWEEP_VALUE) = x;
+            *thud_sweep_summary_measure(d, c, THUD_MEASURE_PERMANENT, 2, THUD_SWEEP_VALUE) = 2 * x;
+            *thud_sweep_summary_measure(d, c, THUD_MEASURE_SHEAR, 0, THUD_SWEEP_VALUE) = 1e6 * x;
         }
     ck_assert_int_eq(thud_sweep_figure_count(&s->table), plain + 2 * RECORDS);
     struct thud_figure *figure = thud_sweep_figure(&s->table, plain + 2 * RECORDS - 2);
@@ -441,7 +438,7 @@ START_TEST(ductility_and_columns_have_figures)
     for (int i = 0; i < GAPS; i++)
         ck_assert(near(figure->panel[0].series[0]->y[i], mark(1, 0, i, 0, 2, 0))); /* MN */
     thud_figure_free(figure);
-    s->point[0]->run[1].capacity_ratio = 3;
+    *thud_sweep_summary_measure(s->point[0], 1, THUD_MEASURE_COLUMNS, 0, THUD_SWEEP_VALUE) = 3;
     figure = thud_sweep_figure(&s->table, plain - 1); /* of the first ground motion */
     ck_assert_str_eq(figure->name, "struck-columns-1");
     ck_assert_int_eq(figure->columns, 2);

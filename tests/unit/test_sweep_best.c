@@ -23,7 +23,7 @@ static struct thud_sweep_summary *make_point(int record, int g, int i)
     d->at[0] = g;
     d->at[1] = i;
     d->gap_m = gap[g];
-    d->run[0].which = THUD_CASE_BUMPER;
+    d->which[0] = THUD_CASE_BUMPER;
     for (int s = 0; s < STRUCTURES; s++) {
         *thud_sweep_summary_ratio(d, 0, s, 0, THUD_SWEEP_VALUE) =
             (struct thud_sweep_ratio){0.8 + 0.1 * record + 100 * off * off - 0.01 * s, 0.9 + 0.01 * s, 1, 1};

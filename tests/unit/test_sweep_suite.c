@@ -20,13 +20,14 @@ static struct thud_sweep_summary *point(int record, int gap)
     d->has_contact = true;
     for (int k = 0; k < 2; k++) {
         double strength = (record + 1) * pow(2, gap);
-        d->run[k] = (struct thud_sweep_run){.which = k ? THUD_CASE_BUMPER : THUD_CASE_NONE,
-                                            .impacts = record > 1 ? record : 0,
-                                            .force_n = 1e6 * strength,
-                                            .indentation_m = 0.01 * strength,
-                                            .shear_n = 1e5 * strength,
-                                            .capacity_ratio = record ? 0.1 * strength : (double)NAN};
-        *thud_sweep_summary_storeys(d, k, 2, 0, THUD_SWEEP_VALUE) = (struct thud_sweep_storeys){7 * strength, strength};
+        d->which[k] = k ? THUD_CASE_BUMPER : THUD_CASE_NONE;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_IMPACTS, 0, THUD_SWEEP_VALUE) = record > 1 ? record : 0;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_FORCE, 0, THUD_SWEEP_VALUE) = 1e6 * strength;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_SHEAR, 0, THUD_SWEEP_VALUE) = 1e5 * strength;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_COLUMNS, 0, THUD_SWEEP_VALUE) =
+            record ? 0.1 * strength : (double)NAN;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_DUCTILITY, 0, THUD_SWEEP_VALUE) = 7 * strength;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_PERMANENT, 0, THUD_SWEEP_VALUE) = strength;
         for (int f = 0; f <= floors[0]; f++)
             *thud_sweep_summary_ratio(d, k, 0, f, THUD_SWEEP_VALUE) =
                 (struct thud_sweep_ratio){k ? strength / 3 : 1, 10 * strength, 1 + f, 0};
@@ -65,18 +66,23 @@ START_TEST(medians_by_hand)
         ck_assert_int_eq(k, 1);
         /* of 1 ... 5 the third; of 1 ... 4 half-way in logarithms between 2 and 3; 16 %: 0.64 or 0.48 past the first */
         double median = n == 5 ? 3 : sqrt(6), low = pow(2, n == 5 ? 0.64 : 0.48);
-        ck_assert_double_eq_tol(d->run[k].force_n, 1e6 * scale * median, 1e-6);
-        ck_assert_double_eq_tol(shares[k].force_low_n, 1e6 * scale * low, 1e-6);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_FORCE, 0, THUD_SWEEP_VALUE),
+                                1e6 * scale * median, 1e-6);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_FORCE, 0, THUD_SWEEP_LOW),
+                                1e6 * scale * low, 1e-6);
         ck_assert_double_eq_tol(shares[k].pounding, n == 5 ? 0.6 : 0.5, 1e-15); /* the third and those after it */
-        ck_assert_double_eq_tol(d->run[k].shear_n, 1e5 * scale * median, 1e-6);
-        ck_assert_double_eq_tol(shares[k].shear_low_n, 1e5 * scale * low, 1e-6);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_SHEAR, 0, THUD_SWEEP_VALUE),
+                                1e5 * scale * median, 1e-6);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_SHEAR, 0, THUD_SWEEP_LOW),
+                                1e5 * scale * low, 1e-6);
         /* without the first: of 2 ... 5 between 3 and 4, of 2 ... 4 the second of them */
-        ck_assert_double_eq_tol(d->run[k].capacity_ratio, 0.1 * scale * (n == 5 ? sqrt(12) : 3), 1e-12);
-        const struct thud_sweep_storeys *storeys = thud_sweep_summary_storeys(d, k, 2, 0, THUD_SWEEP_VALUE);
-        ck_assert_double_eq_tol(storeys->ductility, 7 * scale * median, 1e-12);
-        ck_assert_double_eq_tol(thud_sweep_summary_storeys(d, k, 2, 0, THUD_SWEEP_LOW)->permanent_m, scale * low,
-                                1e-12);
-        ck_assert(isnan(thud_sweep_summary_storeys(d, k, 2, 1, THUD_SWEEP_VALUE)->ductility));
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_COLUMNS, 0, THUD_SWEEP_VALUE),
+                                0.1 * scale * (n == 5 ? sqrt(12) : 3), 1e-12);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_DUCTILITY, 0, THUD_SWEEP_VALUE),
+                                7 * scale * median, 1e-12);
+        ck_assert_double_eq_tol(*thud_sweep_summary_measure(d, k, THUD_MEASURE_PERMANENT, 0, THUD_SWEEP_LOW),
+                                scale * low, 1e-12);
+        ck_assert(isnan(*thud_sweep_summary_measure(d, k, THUD_MEASURE_DUCTILITY, 1, THUD_SWEEP_VALUE)));
         for (int f = 0; f <= floors[0]; f++) {
             const struct thud_sweep_ratio *x = thud_sweep_summary_ratio(d, k, 0, f, THUD_SWEEP_VALUE);
             ck_assert_double_eq_tol(x->acceleration, scale * median / 3, 1e-14);

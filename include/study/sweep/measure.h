@@ -13,6 +13,7 @@ enum thud_measure {
     THUD_MEASURE_USED,         /* largest relative displacement without pounding over clearance, of all levels */
     THUD_MEASURE_SHORT,        /* largest relative displacement less clearance, m */
     THUD_MEASURE_FORCE,        /* largest of all contacts, N; 0: there was no contact */
+    THUD_MEASURE_INDENTATION,  /* largest of all contacts, m */
     THUD_MEASURE_SHEAR,        /* largest of the columns that slabs strike, N; NaN: none is struck */
     THUD_MEASURE_ACCELERATION, /* largest of the floors, m/s2 */
     THUD_MEASURE_DRIFT,        /* largest of the storeys, m */
@@ -34,6 +35,7 @@ enum thud_measure_document {
     THUD_TOLD_BY_SUITE,       /* suite.csv and its table: fractiles over the ground motions */
     THUD_TOLD_BY_LOWERED,     /* what bumper and links lower: ratios to case none */
     THUD_TOLD_BY_UNCERTAINTY, /* uncertainty.csv and what goes with it */
+    THUD_TOLD_BY_SWEEP,       /* what a study keeps of a run for its figures and its table */
     THUD_MEASURE_DOCUMENTS
 };
 
@@ -74,6 +76,9 @@ struct thud_measure_info {
 };
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure);
+/* Where a measure stands among the values that a document keeps of a run of so many structures, its first one of
+ * several; for THUD_MEASURES how many values that are. */
+int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure);
 /* The measures that a document tells of what has `features`, in its order; returns how many. */
 int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES]);
 /* What the scenes of a plan have, THUD_HAS_COLUMNS aside. */

@@ -2,8 +2,10 @@
  * take little. Files and standard output are written from the points themselves (study/sweep.h). */
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
 
+#include "study/sweep/measure.h"
 #include "study/sweep/sweep.h"
 
 /* Over case `none`, and over no pounding, as in struct thud_sweep_row. */
@@ -12,41 +14,27 @@ struct thud_sweep_ratio {
 };
 enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 
-/* What is kept of a case: all contacts together. */
-struct thud_sweep_run {
-    enum thud_case which;
-    int impacts;
-    double force_n;                 /* largest; 0: there was no contact */
-    double indentation_m;           /* largest */
-    double shear_n, capacity_ratio; /* of struck columns: largest shear, and over what they bear; NaN: none */
-};
-
-/* Largest of the storeys of a structure that yield: ductility, and size of the permanent drift; NaN: none does. */
-struct thud_sweep_storeys {
-    double ductility, permanent_m;
-};
-
-/* Over a suite of ground motions, of a run whose own values are medians: 16 and 84 % of the force, and the shares of the
+/* Over a suite of ground motions, of a run whose own values are medians: the shares of the
  * motions under which there is contact, and under which the mean acceleration of a structure is larger than in case
  * `none`. */
 struct thud_sweep_shares {
-    double force_low_n, force_high_n, pounding, worse;
+    double pounding, worse;
     /* Wilson's 90 % bands, low and high, both signs of a motion as one; NaN: of so few motions there are none. */
     double pounding_band[2], worse_band[2];
-    double shear_low_n, shear_high_n, capacity_low, capacity_high; /* as in thud_sweep_run */
 };
 
 /* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
 struct thud_sweep_summary {
-    int record;                         /* from 0 */
-    int at[THUD_VARY_MAX];              /* place of its value on each axis */
-    int nruns;                          /* cases that were asked for and have a result */
-    int nrows;                          /* of a run: a mean and the floors of every structure that has floors */
-    bool spread, has_contact;           /* low and high are there; there are contacts */
-    double gap_m;                       /* of the first interface; NaN where there is none */
-    struct thud_sweep_run *run;         /* (nruns) in the order of the cases */
-    struct thud_sweep_ratio *ratio;     /* (nruns x nrows x 1, with a spread x 3: value, low, high) */
-    struct thud_sweep_storeys *storeys; /* (nruns x nstructures x 1, with a spread x 3, which a suite alone fills) */
+    int record;                     /* from 0 */
+    int at[THUD_VARY_MAX];          /* place of its value on each axis */
+    int nruns;                      /* cases that were asked for and have a result */
+    int nrows;                      /* of a run: a mean and the floors of every structure that has floors */
+    bool spread, has_contact;       /* low and high are there; there are contacts */
+    double gap_m;                   /* of the first interface; NaN where there is none */
+    enum thud_case *which;          /* (nruns) in their order */
+    struct thud_sweep_ratio *ratio; /* (nruns x nrows x 1, with a spread x 3: value, low, high) */
+    double *measure; /* (nruns x nmeasures x 1, with a spread x 3, which a suite alone fills) THUD_TOLD_BY_SWEEP */
+    int nmeasures, nstructures;
     int *first; /* (nstructures + 1): row of a structure's mean; its floors from 1 up come next */
 };
 
@@ -102,19 +90,33 @@ static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thu
     return &d->ratio[((ptrdiff_t)k * d->nrows + row) * ends + end];
 }
 
-/* Of run k and a structure; with a spread by its end. */
-static inline struct thud_sweep_storeys *thud_sweep_summary_storeys(const struct thud_sweep_summary *d, int k,
-                                                                    int nstructures, int structure,
-                                                                    enum thud_sweep_end end)
+/* A measure of run k, with a spread by its end; `structure` counts for those of structures. */
+static inline double *thud_sweep_summary_measure(const struct thud_sweep_summary *d, int k, enum thud_measure measure,
+                                                 int structure, enum thud_sweep_end end)
 {
-    return &d->storeys[((ptrdiff_t)k * nstructures + structure) * (d->spread ? 3 : 1) + end];
+    int at = thud_measure_place(THUD_TOLD_BY_SWEEP, d->nstructures, measure) +
+             (thud_measure_info(measure)->of_structure ? structure : 0);
+    return &d->measure[((ptrdiff_t)k * d->nmeasures + at) * (d->spread ? 3 : 1) + end];
+}
+
+/* The value of one, -1: of all structures. */
+static inline double thud_sweep_summary_value(const struct thud_sweep_summary *d, int k, enum thud_measure measure,
+                                              int structure, enum thud_sweep_end end)
+{
+    const struct thud_measure_info *info = thud_measure_info(measure);
+    if (!info->of_structure || structure >= 0)
+        return *thud_sweep_summary_measure(d, k, measure, structure, end);
+    double most = NAN; /* a NaN gives way */
+    for (int s = 0; s < d->nstructures; s++)
+        most = fmax(most, *thud_sweep_summary_measure(d, k, measure, s, end));
+    return most;
 }
 
 /* The run of a case; -1: there is none. */
 static inline int thud_sweep_summary_find(const struct thud_sweep_summary *d, enum thud_case which)
 {
     for (int k = 0; k < d->nruns; k++)
-        if (d->run[k].which == which)
+        if (d->which[k] == which)
             return k;
     return -1;
 }

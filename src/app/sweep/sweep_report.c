@@ -135,12 +135,11 @@ static struct span span_of(const struct thud_sweep_table *table, int record, enu
         int k = d->record == record ? thud_sweep_summary_find(d, which) : -1;
         if (k < 0)
             continue;
-        const struct thud_sweep_storeys *storeys =
-            structure < 0 ? NULL : thud_sweep_summary_storeys(d, k, table->nstructures, structure, THUD_SWEEP_VALUE);
-        widen(&span,
-              !storeys ? (second ? d->run[k].capacity_ratio : 1e-6 * d->run[k].shear_n)
-                       : (second ? 1e3 * storeys->permanent_m : storeys->ductility),
-              d, 0);
+        const enum thud_measure measure = structure < 0 ? (second ? THUD_MEASURE_COLUMNS : THUD_MEASURE_SHEAR)
+                                          : second      ? THUD_MEASURE_PERMANENT
+                                                        : THUD_MEASURE_DUCTILITY;
+        const double factor = measure == THUD_MEASURE_SHEAR ? 1e-6 : measure == THUD_MEASURE_PERMANENT ? 1e3 : 1;
+        widen(&span, factor * thud_sweep_summary_value(d, k, measure, structure, THUD_SWEEP_VALUE), d, 0);
     }
     return span;
 }

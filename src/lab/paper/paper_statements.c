@@ -50,16 +50,16 @@ static double part_free(const struct thud_sweep_ratio *x, int quantity)
     return !x ? NAN : quantity ? x->drift_free : x->acceleration_free;
 }
 
-static const struct thud_sweep_run *run_of(const struct thud_sweep_summary *d, enum thud_case which)
+/* Of a case; NaN: it has no result. */
+static double value_of(const struct thud_sweep_summary *d, enum thud_case which, enum thud_measure measure)
 {
     int k = d ? thud_sweep_summary_find(d, which) : -1;
-    return k >= 0 ? &d->run[k] : NULL;
+    return k >= 0 ? thud_sweep_summary_value(d, k, measure, -1, THUD_SWEEP_VALUE) : NAN;
 }
 
 static bool pounds(const struct thud_sweep_summary *d, enum thud_case which)
 {
-    const struct thud_sweep_run *run = run_of(d, which);
-    return run && run->force_n > 0;
+    return value_of(d, which, THUD_MEASURE_FORCE) > 0;
 }
 
 /* How many values are changed, and to which side. */
@@ -256,12 +256,12 @@ static enum verdict strained(const struct view *v, char *text)
     int struck = 0, past = 0;
     double most = 0;
     for (size_t i = 0; i < v->table->npoints; i++) {
-        const struct thud_sweep_run *run = run_of(v->table->point[i], THUD_CASE_BUMPER);
-        if (!run || !(run->force_n > 0))
+        const double pressed_m = value_of(v->table->point[i], THUD_CASE_BUMPER, THUD_MEASURE_INDENTATION);
+        if (!pounds(v->table->point[i], THUD_CASE_BUMPER))
             continue;
         struck++;
-        past += run->indentation_m > v->strained_m;
-        most = fmax(most, run->indentation_m);
+        past += pressed_m > v->strained_m;
+        most = fmax(most, pressed_m);
     }
     snprintf(text, TEXT, "%d of %d runs that strike it, by up to %.1f mm", past, struck,
              1e3 * fmax(0, most - v->strained_m));
@@ -481,9 +481,9 @@ static enum verdict usable(const struct view *v, char *text)
         spared += fabs(saved_m - saves_m) < 1e-6;
     }
     for (size_t i = 0; i < v->table->npoints; i++) {
-        const struct thud_sweep_run *run = run_of(v->table->point[i], THUD_CASE_CAVITY);
-        struck += run && run->force_n > 0;
-        full += run && run->force_n > 0 && run->indentation_m >= v->strained_m;
+        const bool contact = pounds(v->table->point[i], THUD_CASE_CAVITY);
+        struck += contact;
+        full += contact && value_of(v->table->point[i], THUD_CASE_CAVITY, THUD_MEASURE_INDENTATION) >= v->strained_m;
     }
     snprintf(text, TEXT,
              "it is struck up to a gap %.2g cm narrower under %d of %d motions; %.0f mm are used at %d of %d studies "
@@ -622,13 +622,14 @@ static void put_forces(const struct view *v, const char *what, struct thud_docum
 {
     int harder = 0, n = 0, past = 0;
     for (size_t i = 0; i < v->table->npoints; i++) {
-        const struct thud_sweep_run *with = run_of(v->table->point[i], THUD_CASE_BUMPER);
-        const struct thud_sweep_run *none = run_of(v->table->point[i], THUD_CASE_NONE);
-        if (!with || !none || !(none->force_n > 0))
+        const struct thud_sweep_summary *point = v->table->point[i];
+        const double with_n = value_of(point, THUD_CASE_BUMPER, THUD_MEASURE_FORCE),
+                     none_n = value_of(point, THUD_CASE_NONE, THUD_MEASURE_FORCE);
+        if (isnan(with_n) || !(none_n > 0))
             continue;
         n++;
-        harder += with->force_n > none->force_n;
-        past += with->force_n > none->force_n && with->indentation_m > v->strained_m;
+        harder += with_n > none_n;
+        past += with_n > none_n && value_of(point, THUD_CASE_BUMPER, THUD_MEASURE_INDENTATION) > v->strained_m;
     }
     thud_document_item(d,
                        "Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with "

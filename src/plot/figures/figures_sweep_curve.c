@@ -16,28 +16,20 @@ static double ratio(const struct thud_sweep_summary *d, int k, const struct thud
     return w->told == THUD_TOLD_ACCELERATION ? x->acceleration : x->drift;
 }
 
-static double of_columns(const struct thud_sweep_run *run, const struct thud_sweep_shares *shares, enum thud_told told,
-                         enum thud_sweep_end end)
-{
-    if (end == THUD_SWEEP_VALUE || !shares)
-        return told == THUD_TOLD_CAPACITY ? run->capacity_ratio : 1e-6 * run->shear_n;
-    if (told == THUD_TOLD_CAPACITY)
-        return end == THUD_SWEEP_LOW ? shares->capacity_low : shares->capacity_high;
-    return 1e-6 * (end == THUD_SWEEP_LOW ? shares->shear_low_n : shares->shear_high_n);
-}
+/* Measures by what is told, with the factor to the unit that is shown. */
+static const struct shown_measure {
+    enum thud_measure measure;
+    double factor;
+} shown[] = {
+    [THUD_TOLD_IMPACTS] = {THUD_MEASURE_IMPACTS, 1},     [THUD_TOLD_FORCE] = {THUD_MEASURE_FORCE, 1e-6},
+    [THUD_TOLD_SHEAR] = {THUD_MEASURE_SHEAR, 1e-6},      [THUD_TOLD_CAPACITY] = {THUD_MEASURE_COLUMNS, 1},
+    [THUD_TOLD_DUCTILITY] = {THUD_MEASURE_DUCTILITY, 1}, [THUD_TOLD_PERMANENT] = {THUD_MEASURE_PERMANENT, 1e3}};
 
-static double of_contacts(const struct thud_sweep_run *run, const struct thud_sweep_shares *shares, enum thud_told told,
-                          enum thud_sweep_end end)
+static double share_of(const struct thud_sweep_shares *shares, enum thud_told told, enum thud_sweep_end end)
 {
-    if (told == THUD_TOLD_IMPACTS)
-        return run->impacts;
-    if (told == THUD_TOLD_FORCE && (end == THUD_SWEEP_VALUE || !shares))
-        return 1e-6 * run->force_n;
+    const bool pounding = told == THUD_TOLD_POUNDING;
     if (!shares)
         return NAN;
-    if (told == THUD_TOLD_FORCE)
-        return 1e-6 * (end == THUD_SWEEP_LOW ? shares->force_low_n : shares->force_high_n);
-    const bool pounding = told == THUD_TOLD_POUNDING;
     if (end == THUD_SWEEP_VALUE)
         return 100 * (pounding ? shares->pounding : shares->worse);
     return 100 * (pounding ? shares->pounding_band : shares->worse_band)[end == THUD_SWEEP_HIGH];
@@ -51,12 +43,15 @@ static double value_of(const struct thud_sweep_table *table, size_t i, int k, co
         table->shares ? &table->shares[i * THUD_SWEEP_CASES_MAX + (size_t)k] : NULL;
     if (w->told < (enum thud_told)THUD_TOLD_RATIOS)
         return ratio(d, k, w, end);
-    if (w->told < THUD_TOLD_DUCTILITY)
-        return !d->has_contact              ? (double)NAN
-               : w->told >= THUD_TOLD_SHEAR ? of_columns(&d->run[k], shares, w->told, end)
-                                            : of_contacts(&d->run[k], shares, w->told, end);
-    const struct thud_sweep_storeys *s = thud_sweep_summary_storeys(d, k, table->nstructures, w->structure, end);
-    return w->told == THUD_TOLD_DUCTILITY ? s->ductility : 1e3 * s->permanent_m;
+    const bool of_contacts = w->told < THUD_TOLD_DUCTILITY;
+    if (of_contacts && !d->has_contact)
+        return NAN;
+    if (w->told == THUD_TOLD_POUNDING || w->told == THUD_TOLD_WORSE)
+        return share_of(shares, w->told, end);
+    if (of_contacts && (!shares || !d->spread || w->told == THUD_TOLD_IMPACTS)) /* of these there is no spread */
+        end = THUD_SWEEP_VALUE;
+    return shown[w->told].factor *
+           thud_sweep_summary_value(d, k, shown[w->told].measure, of_contacts ? -1 : w->structure, end);
 }
 
 double thud_sweep_value(const struct thud_sweep_table *table, size_t i, const struct thud_wanted *wanted,

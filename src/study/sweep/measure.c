@@ -174,47 +174,53 @@ static double missing(const struct thud_measured_run *run, const struct thud_mea
 
 #define FLOOR(member)   .field = offsetof(struct thud_sweep_floor, member)
 #define CONTACT(member) .field = offsetof(struct thud_sweep_contact, member)
-#define TOLD(suite, lowered, uncertainty)                                                                              \
-    .place = {[THUD_TOLD_BY_SUITE] = suite, [THUD_TOLD_BY_LOWERED] = lowered, [THUD_TOLD_BY_UNCERTAINTY] = uncertainty}
+#define TOLD(suite, lowered, uncertainty, sweep)                                                                       \
+    .place = {[THUD_TOLD_BY_SUITE] = suite,                                                                            \
+              [THUD_TOLD_BY_LOWERED] = lowered,                                                                        \
+              [THUD_TOLD_BY_UNCERTAINTY] = uncertainty,                                                                \
+              [THUD_TOLD_BY_SWEEP] = sweep}
 
 static const struct thud_measure_info infos[THUD_MEASURES] = {
-    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11)},
-    [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, .event = {"pounding"}, .read = impacts},
+    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11, 0)},
+    [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, TOLD(0, 0, 0, 1), .event = {"pounding"},
+                              .read = impacts},
     [THUD_MEASURE_USED] = {"used_up", "share of the clearance", THUD_RATIO, .read = used_up},
     [THUD_MEASURE_SHORT] = {"short_m", "missing clearance", THUD_LENGTH, .read = missing},
-    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9),
+    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9, 2),
                             .event = {"force", "5MN"}, .read = largest_of_contacts, CONTACT(force_n)},
-    [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS, TOLD(0, 0, 10),
+    [THUD_MEASURE_INDENTATION] = {"indentation_m", "largest indentation", THUD_LENGTH, .unknown = true,
+                                  TOLD(0, 0, 0, 3), .read = largest_of_contacts, CONTACT(indentation_m)},
+    [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS, TOLD(0, 0, 10, 4),
                             .read = column_shear},
     [THUD_MEASURE_ACCELERATION] = {"acceleration_mps2", "largest acceleration", THUD_ACCELERATION, true, true,
-                                   TOLD(2, 2, 1), .event = {"acceleration", "1g", .not_monotone = true},
+                                   TOLD(2, 2, 1, 0), .event = {"acceleration", "1g", .not_monotone = true},
                                    .read = largest_of_floors, FLOOR(acceleration_mps2)},
-    [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2), .event = {"drift", "3cm"},
+    [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2, 0), .event = {"drift", "3cm"},
                             .read = largest_of_floors, FLOOR(drift_m)},
-    [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0),
+    [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0, 0),
                                   .event = {"drift", "1%"}, .read = drift_angle, FLOOR(drift_m)},
     [THUD_MEASURE_MEAN_ACCELERATION] = {"mean_acceleration_mps2", "mean acceleration", THUD_ACCELERATION, true, true,
-                                        TOLD(0, 1, 3), .read = mean_of_floors, FLOOR(acceleration_mps2)},
-    [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4), .read = mean_of_floors,
-                                 FLOOR(drift_m)},
+                                        TOLD(0, 1, 3, 0), .read = mean_of_floors, FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4, 0),
+                                 .read = mean_of_floors, FLOOR(drift_m)},
     [THUD_MEASURE_ACCELERATION_RATIO] = {"acceleration_ratio", "mean acceleration ratio", THUD_RATIO, true,
                                          .needs = THUD_HAS_REFERENCE, .ratio_of = THUD_MEASURE_MEAN_ACCELERATION,
-                                         TOLD(5, 0, 7), .event = {"worse", NULL, 1 + 1e-9, true},
+                                         TOLD(5, 0, 7, 0), .event = {"worse", NULL, 1 + 1e-9, true},
                                          .read = ratio_of_means, FLOOR(acceleration_mps2)},
     [THUD_MEASURE_DRIFT_RATIO] = {"drift_ratio", "mean drift ratio", THUD_RATIO, true, .needs = THUD_HAS_REFERENCE,
-                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8), .read = ratio_of_means,
+                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8, 0), .read = ratio_of_means,
                                   FLOOR(drift_m)},
     [THUD_MEASURE_DUCTILITY] = {"ductility", "largest ductility", THUD_NUMBER, true, .needs = THUD_HAS_YIELDING,
-                                TOLD(7, 5, 5), .event = {"ductility", "2"}, .read = largest_of_floors,
+                                TOLD(7, 5, 5, 6), .event = {"ductility", "2"}, .read = largest_of_floors,
                                 FLOOR(ductility)},
     [THUD_MEASURE_PERMANENT] = {"permanent_m", "largest permanent drift", THUD_LENGTH, true, .needs = THUD_HAS_YIELDING,
-                                TOLD(8, 6, 6), .event = {"permanent", "1cm", .not_monotone = true},
+                                TOLD(8, 6, 6, 7), .event = {"permanent", "1cm", .not_monotone = true},
                                 .read = largest_of_floors, FLOOR(permanent_m)},
     [THUD_MEASURE_ISOLATOR] = {"isolator_m", "largest isolator displacement", THUD_LENGTH, true,
-                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0), .event = {"isolator", "30cm"},
+                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0, 0), .event = {"isolator", "30cm"},
                                .read = isolator, FLOOR(drift_m)},
     [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
-                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0), .event = {"column", "1"},
+                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0, 5), .event = {"column", "1"},
                               .read = over_capacity, CONTACT(capacity_ratio)},
     [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event = {"collapse"}, .read = collapsed}};
 
@@ -231,6 +237,14 @@ int thud_measures_told(enum thud_measure_document document, unsigned features, e
             if (infos[m].place[document] == place && !(infos[m].needs & ~features))
                 told[n++] = m;
     return n;
+}
+
+int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure)
+{
+    int at = 0;
+    for (enum thud_measure m = 0; m < measure; m++)
+        at += infos[m].place[document] == 0 ? 0 : infos[m].of_structure ? nstructures : 1;
+    return at;
 }
 
 /* By the scene, or by a varied key. */

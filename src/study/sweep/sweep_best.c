@@ -39,7 +39,7 @@ static void fill(const struct grid *g)
         for (int a = 0; a < t->naxes; a++)
             other = a == g->axis ? other : other * g->n[a] + d->at[a];
         for (int k = 0; k < d->nruns; k++) {
-            struct cell *c = cell_at(g, d->record, d->run[k].which, other, d->at[g->axis]);
+            struct cell *c = cell_at(g, d->record, d->which[k], other, d->at[g->axis]);
             for (int s = 0; s < t->nstructures; s++) {
                 const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
                 if (!mean)

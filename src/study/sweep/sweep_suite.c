@@ -35,20 +35,12 @@ static size_t setting_of(const struct thud_sweep_table *table, const struct thud
     return setting;
 }
 
-/* One of the numbers of run k of each ground motion at a setting. */
-enum number { FORCE, IMPACTS, INDENTATION, SHEAR, CAPACITY, WORST };
-
+/* A measure of run k; at THUD_MEASURE_ACCELERATION_RATIO the largest of the structures. */
 static double number_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int k,
-                        enum number number)
+                        enum thud_measure measure, int structure)
 {
-    const struct thud_sweep_run *run = &d->run[k];
-    const double value[] = {[FORCE] = run->force_n,
-                            [IMPACTS] = run->impacts,
-                            [INDENTATION] = run->indentation_m,
-                            [SHEAR] = run->shear_n,
-                            [CAPACITY] = run->capacity_ratio};
-    if (number != WORST)
-        return value[number];
+    if (measure != THUD_MEASURE_ACCELERATION_RATIO)
+        return thud_sweep_summary_value(d, k, measure, structure, THUD_SWEEP_VALUE);
     double worst = NAN;
     for (int s = 0; s < table->nstructures; s++) {
         const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
@@ -58,11 +50,11 @@ static double number_of(const struct thud_sweep_table *table, const struct thud_
 }
 
 static struct thud_fractiles fractiles(const struct making *m, const struct thud_sweep_summary *const *of,
-                                       enum thud_case which, enum number number, double limit)
+                                       enum thud_case which, enum thud_measure measure, int structure, double limit)
 {
     for (int r = 0; r < m->table->nrecords; r++) {
         int k = of[r] ? thud_sweep_summary_find(of[r], which) : -1;
-        m->value[r] = k >= 0 ? number_of(m->table, of[r], k, number) : NAN;
+        m->value[r] = k >= 0 ? number_of(m->table, of[r], k, measure, structure) : NAN;
     }
     return thud_fractiles_of(m->value, (size_t)m->table->nrecords, m->draws, limit);
 }
@@ -76,55 +68,41 @@ static void put_band(const struct making *m, const struct thud_fractiles *f, dou
                         &band[1]);
 }
 
-static void put_run(const struct making *m, const struct thud_sweep_summary *const *of, struct thud_sweep_run *run,
-                    struct thud_sweep_shares *shares)
+static void put_run(const struct making *m, const struct thud_sweep_summary *const *of, struct thud_sweep_summary *out,
+                    int k, struct thud_sweep_shares *shares)
 {
-    struct thud_fractiles force = fractiles(m, of, run->which, FORCE, 0);
-    struct thud_fractiles impacts = fractiles(m, of, run->which, IMPACTS, 0);
-    struct thud_fractiles worst = fractiles(m, of, run->which, WORST, 1 + equal);
-    run->impacts = (int)lround(impacts.median);
-    run->indentation_m = fractiles(m, of, run->which, INDENTATION, 0).median;
-    run->force_n = force.median;
-    struct thud_fractiles shear = fractiles(m, of, run->which, SHEAR, 0);
-    struct thud_fractiles capacity = fractiles(m, of, run->which, CAPACITY, 1);
-    run->shear_n = shear.median;
-    run->capacity_ratio = capacity.median;
-    *shares = (struct thud_sweep_shares){.force_low_n = force.p16,
-                                         .force_high_n = force.p84,
-                                         .pounding = impacts.share,
-                                         .worse = worst.share,
-                                         .shear_low_n = shear.p16,
-                                         .shear_high_n = shear.p84,
-                                         .capacity_low = capacity.p16,
-                                         .capacity_high = capacity.p84};
+    enum thud_measure told[THUD_MEASURES];
+    const int n = thud_measures_told(THUD_TOLD_BY_SWEEP, ~0u, told);
+    for (int i = 0; i < n; i++)
+        for (int s = 0; s < (thud_measure_info(told[i])->of_structure ? out->nstructures : 1); s++) {
+            const struct thud_fractiles f = fractiles(m, of, out->which[k], told[i], s, 0);
+            double *to = thud_sweep_summary_measure(out, k, told[i], s, THUD_SWEEP_VALUE);
+            to[THUD_SWEEP_VALUE] = told[i] == THUD_MEASURE_IMPACTS ? round(f.median) : f.median;
+            to[THUD_SWEEP_LOW] = f.p16;
+            to[THUD_SWEEP_HIGH] = f.p84;
+        }
+    const struct thud_fractiles impacts = fractiles(m, of, out->which[k], THUD_MEASURE_IMPACTS, -1, 0);
+    const struct thud_fractiles worst = fractiles(m, of, out->which[k], THUD_MEASURE_ACCELERATION_RATIO, -1, 1 + equal);
+    *shares = (struct thud_sweep_shares){.pounding = impacts.share, .worse = worst.share};
     put_band(m, &impacts, shares->pounding_band);
     put_band(m, &worst, shares->worse_band);
 }
 
-/* The ratios of a floor, or at `floor` -1 what the storeys of the structure come to: numbers in a row; NULL: none. */
-static double *numbers_of(const struct making *m, const struct thud_sweep_summary *d, int k, int structure, int floor,
-                          enum thud_sweep_end end)
+/* Each ratio of run k and a floor over the ground motions. */
+static void put_ratios(const struct making *m, const struct thud_sweep_summary *const *of,
+                       struct thud_sweep_summary *out, int k, int structure, int floor)
 {
-    if (floor < 0)
-        return (void *)thud_sweep_summary_storeys(d, k, m->table->nstructures, structure, end);
-    return (void *)thud_sweep_summary_ratio(d, k, structure, floor, end);
-}
-
-/* Each of those of run k over the ground motions. */
-static void put_numbers(const struct making *m, const struct thud_sweep_summary *const *of,
-                        struct thud_sweep_summary *out, int k, int structure, int floor)
-{
-    const size_t bytes = floor < 0 ? sizeof(struct thud_sweep_storeys) : sizeof(struct thud_sweep_ratio);
-    for (size_t q = 0; q < bytes / sizeof(double); q++) {
+    for (size_t q = 0; q < sizeof(struct thud_sweep_ratio) / sizeof(double); q++) {
         for (int r = 0; r < m->table->nrecords; r++) {
-            int from = of[r] ? thud_sweep_summary_find(of[r], out->run[k].which) : -1;
-            const double *x = from >= 0 ? numbers_of(m, of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
+            int from = of[r] ? thud_sweep_summary_find(of[r], out->which[k]) : -1;
+            const double *x =
+                from >= 0 ? (void *)thud_sweep_summary_ratio(of[r], from, structure, floor, THUD_SWEEP_VALUE) : NULL;
             m->value[r] = x ? x[q] : NAN;
         }
         struct thud_fractiles f = thud_fractiles_of(m->value, (size_t)m->table->nrecords, m->draws, 1);
-        numbers_of(m, out, k, structure, floor, THUD_SWEEP_VALUE)[q] = f.median;
-        numbers_of(m, out, k, structure, floor, THUD_SWEEP_LOW)[q] = f.p16;
-        numbers_of(m, out, k, structure, floor, THUD_SWEEP_HIGH)[q] = f.p84;
+        const double end[] = {[THUD_SWEEP_VALUE] = f.median, [THUD_SWEEP_LOW] = f.p16, [THUD_SWEEP_HIGH] = f.p84};
+        for (int e = THUD_SWEEP_VALUE; e <= THUD_SWEEP_HIGH; e++)
+            ((double *)(void *)thud_sweep_summary_ratio(out, k, structure, floor, (enum thud_sweep_end)e))[q] = end[e];
     }
 }
 
@@ -150,11 +128,11 @@ static struct thud_sweep_summary *make_point(const struct making *m, const struc
     out->has_contact = like->has_contact;
     out->gap_m = like->gap_m;
     for (int k = 0; k < nruns; k++) {
-        out->run[k].which = which[k];
-        put_run(m, of, &out->run[k], &shares[k]);
+        out->which[k] = which[k];
+        put_run(m, of, out, k, &shares[k]);
         for (int s = 0; s < m->table->nstructures; s++)
-            for (int f = -1; f < 0 || (floors[s] > 0 && f <= floors[s]); f++)
-                put_numbers(m, of, out, k, s, f);
+            for (int f = 0; floors[s] > 0 && f <= floors[s]; f++)
+                put_ratios(m, of, out, k, s, f);
     }
     return out;
 }

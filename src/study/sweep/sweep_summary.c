@@ -1,5 +1,4 @@
 /* What a study keeps of a point for its figures and tables. */
-#include "base/largest.h"
 #include "study/sweep/sweep_table.h"
 
 #include <math.h>
@@ -12,9 +11,9 @@ static size_t ratios_of(int nruns, int nrows, bool spread)
 
 size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread)
 {
-    return sizeof(struct thud_sweep_summary) + (size_t)nruns * sizeof(struct thud_sweep_run) +
-           ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) +
-           ratios_of(nruns, nstructures, spread) * sizeof(struct thud_sweep_storeys) +
+    const int nmeasures = thud_measure_place(THUD_TOLD_BY_SWEEP, nstructures, THUD_MEASURES);
+    return sizeof(struct thud_sweep_summary) + ratios_of(nruns, nrows, spread) * sizeof(struct thud_sweep_ratio) +
+           ratios_of(nruns, nmeasures, spread) * sizeof(double) + (size_t)nruns * sizeof(enum thud_case) +
            ((size_t)nstructures + 1) * sizeof(int);
 }
 
@@ -28,17 +27,17 @@ struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures,
         return NULL;
     d->nruns = nruns;
     d->nrows = nrows;
+    d->nstructures = nstructures;
+    d->nmeasures = thud_measure_place(THUD_TOLD_BY_SWEEP, nstructures, THUD_MEASURES);
     d->spread = spread;
-    d->run = (void *)(d + 1);
-    d->ratio = (void *)(d->run + nruns);
-    d->storeys = (void *)(d->ratio + ratios_of(nruns, nrows, spread));
-    d->first = (void *)(d->storeys + ratios_of(nruns, nstructures, spread));
+    d->ratio = (void *)(d + 1);
+    d->measure = (void *)(d->ratio + ratios_of(nruns, nrows, spread));
+    d->which = (void *)(d->measure + ratios_of(nruns, d->nmeasures, spread));
+    d->first = (void *)(d->which + nruns);
     for (int s = 0; s < nstructures; s++)
         d->first[s + 1] = d->first[s] + (floors[s] > 0 ? floors[s] + 1 : 0);
-    for (int k = 0; k < nruns; k++)
-        d->run[k].shear_n = d->run[k].capacity_ratio = NAN;
-    for (size_t i = 0; i < ratios_of(nruns, nstructures, spread); i++)
-        d->storeys[i] = (struct thud_sweep_storeys){NAN, NAN};
+    for (size_t i = 0; i < ratios_of(nruns, d->nmeasures, spread); i++)
+        d->measure[i] = NAN;
     return d;
 }
 
@@ -54,60 +53,48 @@ static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row
     }
 }
 
-static void put_storeys(struct thud_sweep_summary *d, int nstructures, const struct thud_sweep_row *row)
+/* The measures of every run that was asked for and has a result, in the order of the rows. */
+static void put_measures(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
+                         struct thud_sweep_summary *d)
 {
-    for (int k = 0; k < d->nruns; k++, row += d->nrows)
-        for (int s = 0; s < nstructures; s++) {
-            struct thud_sweep_storeys most = {NAN, NAN};
-            for (int i = d->first[s] + 1; i < d->first[s + 1]; i++) { /* a NaN gives way */
-                most.ductility = fmax(most.ductility, row[i].of[THUD_SWEEP_DUCTILITY]);
-                most.permanent_m = fmax(most.permanent_m, fabs(row[i].of[THUD_SWEEP_PERMANENT]));
-            }
-            *thud_sweep_summary_storeys(d, k, nstructures, s, THUD_SWEEP_VALUE) = most;
-        }
-}
-
-static void put_contacts(struct thud_sweep_run *run, const struct thud_sweep_contact_row *row, int n)
-{
-    for (int c = 0; c < n; c++) { /* a NaN gives way */
-        run->shear_n = fmax(run->shear_n, fmax(row[c].of.shear_lower_n, row[c].of.shear_upper_n));
-        run->capacity_ratio = fmax(run->capacity_ratio, row[c].of.capacity_ratio);
-        run->impacts += row[c].of.impacts;
-        run->force_n = thud_larger(run->force_n, row[c].of.force_n);
-        run->indentation_m = thud_larger(run->indentation_m, row[c].of.indentation_m);
+    enum thud_measure told[THUD_MEASURES];
+    const int n = thud_measures_told(THUD_TOLD_BY_SWEEP, ~0u, told);
+    for (int k = 0, own = 0; k < d->nruns && own < point->ncases; own++) {
+        const struct thud_measured_run run = {&plan->scene, point, own};
+        if (point->which[own] != d->which[k])
+            continue;
+        for (int i = 0; i < n; i++)
+            for (int s = 0; s < (thud_measure_info(told[i])->of_structure ? d->nstructures : 1); s++)
+                *thud_sweep_summary_measure(d, k, told[i], s, THUD_SWEEP_VALUE) = thud_measure_read(&run, told[i], s);
+        k++;
     }
 }
 
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err)
 {
-    int rows = thud_sweep_rows(plan, point, NULL), contacts = thud_sweep_contact_rows(plan, point, NULL);
+    int rows = thud_sweep_rows(plan, point, NULL);
     *out = NULL;
     if (rows == 0)
         return THUD_OK;
     struct thud_sweep_row *row = malloc((size_t)rows * sizeof *row);
-    struct thud_sweep_contact_row *contact = malloc(((size_t)contacts + 1) * sizeof *contact);
-    if (row && contact) {
+    if (row) {
         thud_sweep_rows(plan, point, row);
-        thud_sweep_contact_rows(plan, point, contact);
         int nruns = 1;
         for (int i = 1; i < rows; i++)
             nruns += row[i].which != row[i - 1].which;
         *out = thud_sweep_summary_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
     }
     struct thud_sweep_summary *d = *out;
-    for (int k = 0; d && k < d->nruns; k++) {
-        d->run[k].which = row[k * d->nrows].which;
-        put_contacts(&d->run[k], contact + k * point->ncontacts, point->ncontacts);
-    }
+    for (int k = 0; d && k < d->nruns; k++)
+        d->which[k] = row[k * d->nrows].which;
     if (d) {
         d->record = thud_sweep_place(plan, point->index, d->at);
         d->gap_m = point->gap_m;
         d->has_contact = point->ncontacts > 0;
         put_ratios(d, row);
-        put_storeys(d, point->nstructures, row);
+        put_measures(plan, point, d);
     }
     free(row);
-    free(contact);
     return d ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
 }
