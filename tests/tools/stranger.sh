@@ -1,8 +1,8 @@
 #!/bin/sh
 # A stranger adds one of each kind to a copy of the tree, in as many files as CONTRIBUTING says and no more, and the tests of that kind pass.  TAP.
 # usage: stranger.sh BUILD_FOLDER [KIND...]     kinds: law observer option rule remark preset screen; all by default.  CI: warnings are errors
-set -u
 # shellcheck disable=SC2317,SC2086 # functions are called through their names; words
+set -u
 build=${1:-build/release}
 [ $# -gt 0 ] && shift
 kinds=${*:-law observer option rule remark preset screen}
