@@ -10,6 +10,7 @@
 #include "app/run/command.h"
 #include "app/run/new_preset.h"
 #include "plot/figures/figures_sweep.h"
+#include "tui/loop/form_over.h"
 #include "tui/loop/play.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui/terminal/config.h"
@@ -382,10 +383,40 @@ START_TEST(a_new_scene_is_refused)
 }
 END_TEST
 
+/* A kind that is typed is taken, letter by letter; what is none of them is said, and each building has its own. */
+START_TEST(kinds_are_typed)
+{
+    fixture_keys(&f, "n<Up>isolated");
+    fixture_expect(&f, "isolated");
+    struct thud_form_over *form = f.tui->dialog.own;
+    ck_assert_str_eq(form->row[THUD_NEW_KIND].value[0].text, "isolated");
+    ck_assert_str_eq(form->row[THUD_NEW_KIND].value[1].text, "shear");
+    fixture_keys(&f, "x");
+    fixture_expect(&f, "none begins with \"isolatedx\"");
+    ck_assert_str_eq(form->row[THUD_NEW_KIND].value[0].text, "isolated");
+    fixture_keys(&f, "<Tab> ");
+    ck_assert_str_eq(form->row[THUD_NEW_KIND].value[0].text, "isolated");
+    ck_assert_str_ne(form->row[THUD_NEW_KIND].value[1].text, "shear");
+    fixture_keys(&f, "<Esc>");
+}
+END_TEST
+
+/* Goal and range are asked for in fields of their own. */
+START_TEST(solving_has_a_form)
+{
+    fixture_keys(&f, "2G");
+    fixture_expect(&f, "has to hold");
+    fixture_keys(&f, "no pounding<Tab>1 cm<Tab>30 cm<Enter>");
+    fixture_expect(&f, "no pounding holds from interfaces.1.gap");
+    fixture_keys(&f, "<Enter>");
+    ck_assert_double_gt(f.tui->doc.scene.interface[0].gap_m, 0.1);
+}
+END_TEST
+
 /* A wall and a rigid body have no storeys: Tab passes over what they have not. */
 START_TEST(other_kinds_from_nothing)
 {
-    fixture_keys(&f, "n<Up><Right><Right><Tab><Right><Tab>");
+    fixture_keys(&f, "n<Up>rig<Tab>wal<Tab>");
     ck_assert_int_eq(f.tui->dialog.mode, THUD_MODE_OVER);
     fixture_keys(&f, "40<Enter>");
     ck_assert_int_eq(f.tui->doc.scene.structure[0].kind, THUD_RIGID);
@@ -918,6 +949,8 @@ Suite *thud_suite(void)
     tcase_add_test(files, storeys_survive_another_kind);
     tcase_add_test(files, designs_are_gone_to_named_and_compared);
     tcase_add_test(files, a_new_scene_is_refused);
+    tcase_add_test(files, kinds_are_typed);
+    tcase_add_test(files, solving_has_a_form);
     tcase_add_test(files, other_kinds_from_nothing);
     tcase_add_test(files, files_are_browsed);
     tcase_add_test(files, the_walk_of_an_engineer);

@@ -532,9 +532,8 @@ START_TEST(a_value_is_solved_for)
     double force = thud_live_force(&f.tui->run.live, THUD_LIVE_NONE, 0, &(int){0}), found;
     char keys[160];
     fixture_keys(&f, "/structures.1.velocity<Enter>G");
-    fixture_expect(&f, "structures.1.velocity=0.167 m/s:1.5 m/s");
-    snprintf(keys, sizeof keys, "<C-u>force <lt> %.9g MN; structures.1.velocity=0.1 m/s:0.7 m/s<Enter>",
-             0.5e-6 * force);
+    fixture_expect(&f, "0.167 m/s");
+    snprintf(keys, sizeof keys, "force <lt> %.9g MN<Tab>0.1 m/s<Tab>0.7 m/s<Enter>", 0.5e-6 * force);
     fixture_keys(&f, keys);
     fixture_expect(&f, "holds up to structures.1.velocity");
     fixture_keys(&f, "<Enter>");

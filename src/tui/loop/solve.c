@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "tui/document/session_log.h"
+#include "tui/loop/form_over.h"
 #include "tui/loop/loop.h"
 
 /* `value` is "KEY=VALUE". */
@@ -78,24 +79,47 @@ void thud_tui_solve(struct thud_tui *tui, const char *text)
     solve(tui, text, false);
 }
 
-static void typed(struct thud_tui *tui, const char *text)
+/* What has to hold, and the range of the field. */
+enum { GOAL, FROM, TO };
+
+static void ask(struct thud_tui *tui, struct thud_form_over *form)
 {
+    char text[THUD_LINE_MAX];
+    snprintf(text, sizeof text, "%.120s; %.120s=%.60s:%.60s", form->row[GOAL].value[0].text, form->title,
+             form->row[FROM].value[0].text, form->row[TO].value[0].text);
+    thud_tui_normal(tui);
     solve(tui, text, true);
+}
+
+static const char *goal(const struct thud_over_row *row, int i)
+{
+    static const char *const goals[] = {"force < 10 MN", "acceleration < 1 g", "drift < 1 %",
+                                        "ductility < 2", "no pounding",        NULL};
+    (void)row;
+    return goals[i];
 }
 
 /* Proposes a third to three times of the value. */
 void thud_tui_solve_field(struct thud_tui *tui)
 {
-    static const struct thud_prompt prompt = {.words = "has to hold; range: ", .done = typed};
     const struct thud_field *field = thud_form_focus(&tui->form);
-    char text[128] = "", line[THUD_LINE_MAX];
+    char text[128] = "", bound[64];
     const char *unit = text;
     double value = 1.0;
-    if (!field)
+    struct thud_form_over *form = field ? thud_form_over_begin(tui) : NULL;
+    if (!form)
         return;
     thud_scene_get(&tui->doc.scene, field->path, text, sizeof text, NULL);
     thud_number_parse(text, &unit, &value);
-    snprintf(line, sizeof line, "force < 10 MN; %s=%.3g%s:%.3g%s", field->path, value / 3, unit, 3 * value, unit);
-    thud_tui_prompt(tui, &prompt, line);
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "force < 10 MN, acceleration < 1 g, drift < 1 %%, ductility < 2, no pounding");
+    snprintf(form->title, sizeof form->title, "%s", field->path);
+    thud_form_over_add(form, "has to hold", "Space: the next of these; or another value, as force < 5 MN. Enter solves",
+                       goal(NULL, 0))
+        ->choice = goal;
+    for (int to = 0; to < 2; to++) {
+        snprintf(bound, sizeof bound, "%.3g%s", to ? 3 * value : value / 3, unit);
+        thud_form_over_add(form, to ? "up to" : "looked for from", "Of the value that is looked for, with its unit",
+                           bound);
+    }
+    form->done = ask;
+    thud_form_over_focus(form, GOAL, 0);
 }

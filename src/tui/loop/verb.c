@@ -9,9 +9,10 @@
 #include "io/file/file.h"
 #include "tui/document/command_work.h"
 #include "tui/document/session_log.h"
+#include "tui/loop/form_over.h"
 #include "tui/loop/loop.h"
 
-enum { WORDS_MAX = 60, OPTIONS_MAX = 80, NAME = 30, VALUE = 24 };
+enum { WORDS_MAX = 60 };
 
 /* Cuts a line into words as a shell would, in place; returns how many. */
 static int cut_words(char *text, char **word, int most)
@@ -117,18 +118,6 @@ void thud_tui_verb_look(struct thud_tui *tui)
 
 /* ---- the form ---- */
 
-struct form {
-    enum thud_command_id id;
-    int n, at, top;
-    const struct thud_option *option[OPTIONS_MAX]; /* (n); NULL: the program of THUD_WORD_PROGRAM */
-    struct thud_line value[OPTIONS_MAX];
-};
-
-static bool is_switch(const struct thud_option *option)
-{
-    return option && !option->argument;
-}
-
 /* Those that print for another program, or nothing at all, have no use here. */
 static bool has_use(const struct thud_option *option)
 {
@@ -147,100 +136,33 @@ static void put_quoted(char *text, size_t size, const char *value)
         snprintf(text + n, size - n, "%s%s%s", quote, value, quote);
 }
 
-static void run_form(struct thud_tui *tui)
+static void run_form(struct thud_tui *tui, struct thud_form_over *form)
 {
-    struct form *form = tui->dialog.own;
     char text[THUD_LINE_MAX * 2] = "";
+    const int id = form->id;
     for (int i = 0; i < form->n; i++) {
-        const struct thud_option *option = form->option[i];
+        const struct thud_option *option = form->row[i].of;
+        const char *value = form->row[i].value[0].text;
         size_t n = strlen(text);
-        if (!*form->value[i].text)
+        if (!*value)
             continue;
         if (option)
             snprintf(text + n, sizeof text - n, "%s%s%s%s", n ? " " : "", option->name[1] ? "--" : "-", option->name,
-                     is_switch(option)                  ? ""
+                     !option->argument                  ? ""
                      : thud_option_stands_alone(option) ? "="
                                                         : " ");
-        if (!is_switch(option))
-            put_quoted(text, sizeof text, form->value[i].text);
+        if (!option || option->argument)
+            put_quoted(text, sizeof text, value);
     }
     thud_tui_normal(tui);
-    thud_tui_verb(tui, (int)form->id, text);
+    thud_tui_verb(tui, id, text);
 }
 
-/* The next of the words that an option takes, after the last none. */
-static void next_choice(const struct thud_option *option, struct thud_line *line)
+/* A switch is said, or it is not. */
+static const char *choice_of(const struct thud_over_row *row, int i)
 {
-    const char *choice = thud_option_choice(option, 0);
-    for (int i = 0; (choice = thud_option_choice(option, i)) != NULL && *line->text; i++)
-        if (strcmp(choice, line->text) == 0) {
-            choice = thud_option_choice(option, i + 1);
-            break;
-        }
-    thud_line_set(line, choice ? choice : "");
-}
-
-static void form_key(struct thud_tui *tui, int key)
-{
-    struct form *form = tui->dialog.own;
-    const struct thud_option *option = form->option[form->at];
-    struct thud_line *line = &form->value[form->at];
-    enum thud_action action = thud_key_action(THUD_AT_NEW, key);
-    int step = action == THUD_DO_ACCEPT_NEXT || action == THUD_DO_ACCEPT_DOWN     ? 1
-               : action == THUD_DO_ACCEPT_PREVIOUS || action == THUD_DO_ACCEPT_UP ? -1
-                                                                                  : 0;
-    if (action == THUD_DO_CANCEL)
-        thud_tui_normal(tui);
-    else if (action == THUD_DO_ACCEPT)
-        run_form(tui);
-    else if (step)
-        form->at = (form->at + step + form->n) % form->n;
-    else if (is_switch(option)) {
-        if (key == ' ')
-            thud_line_set(line, *line->text ? "" : "yes");
-    } else if (key == ' ' && option && thud_option_choice(option, 0))
-        next_choice(option, line);
-    else
-        thud_line_key(line, key);
-}
-
-static void form_draw(struct thud_tui *tui, const struct thud_pane *area)
-{
-    struct form *form = tui->dialog.own;
-    char title[160], label[80], fitted[200];
-    snprintf(title, sizeof title, "thud %s: %s", thud_command_at(form->id)->name, thud_command_at(form->id)->summary);
-    thud_pane_blank(area);
-    struct thud_pane in = thud_pane_frame(area, title, true);
-    int rows = in.h > 1 ? in.h - 1 : 1, value = in.w < 2 * NAME ? in.w / 2 : NAME;
-    form->top = form->at < form->top ? form->at : form->at >= form->top + rows ? form->at - rows + 1 : form->top;
-    for (int i = form->top; i < form->n && i < form->top + rows; i++) {
-        const struct thud_option *option = form->option[i];
-        int y = i - form->top, room = in.w - value - VALUE - 2;
-        snprintf(label, sizeof label, "%s%s %s", option ? option->name[1] ? "--" : "-" : "",
-                 option ? option->name : "program", option && option->argument ? option->argument : "");
-        thud_pane_put(&in, 1, y, thud_look(THUD_ROLE_PLAIN, 0), thud_utf8_fit(label, value - 2, fitted, sizeof fitted));
-        if (i == form->at)
-            thud_pane_glyph(&in, value - 1, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x25b8);
-        if (i == form->at && !is_switch(option))
-            thud_line_draw(&form->value[i], &in, value, y, VALUE, thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
-        else
-            thud_pane_put(&in, value, y, thud_look(THUD_ROLE_VALUE, i == form->at ? THUD_REVERSE : 0),
-                          *form->value[i].text ? thud_utf8_fit(form->value[i].text, VALUE, fitted, sizeof fitted)
-                          : is_switch(option)  ? "no"
-                                               : "-");
-        if (option && room > 8)
-            thud_pane_put(&in, in.w - room, y, thud_look(THUD_ROLE_MUTED, 0),
-                          thud_utf8_fit(option->help, room, fitted, sizeof fitted));
-    }
-    const struct thud_option *here = form->option[form->at];
-    thud_pane_put(&in, 1, in.h - 1, thud_look(THUD_ROLE_PLAIN, 0),
-                  thud_utf8_fit(here ? here->help : "that the scene is written for", in.w - 2, fitted, sizeof fitted));
-}
-
-static struct thud_line *form_line(struct thud_tui *tui)
-{
-    struct form *form = tui->dialog.own;
-    return &form->value[form->at];
+    const struct thud_option *option = row->of;
+    return option->argument ? thud_option_choice(option, i) : i == 0 ? "yes" : i == 1 ? "" : NULL;
 }
 
 /* The files of the marked designs, of none those with names, but for what is open itself. */
@@ -261,31 +183,47 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
     thud_line_set(line, text);
 }
 
+/* Where it writes comes first, then the title block, then what is the command's own; what the scene says too is last. */
+static int rank_of(const struct thud_option *option)
+{
+    int count;
+    const struct thud_param *block = thud_group_params(THUD_GROUP_DOCUMENT, &count);
+    for (int i = 0; i < count; i++)
+        if (strcmp(block[i].name, option->name) == 0)
+            return 1;
+    return strcmp(option->name, "o") == 0 ? 0 : thud_option_belongs(option, THUD_COMMAND_RUN) ? 3 : 2;
+}
+
 void thud_tui_verb_form(struct thud_tui *tui, int id)
 {
-    static const struct thud_over over = {
-        .where = THUD_AT_NEW, .size = sizeof(struct form), .key = form_key, .draw = form_draw, .line = form_line};
-    char folder[THUD_NAME_MAX + 32];
-    struct form *form = thud_tui_over(tui, &over);
+    enum { RANKS = 4 };
+    char folder[THUD_NAME_MAX + 32], label[60];
+    const struct thud_command *command = thud_command_at((enum thud_command_id)id);
+    struct thud_form_over *form = thud_form_over_begin(tui);
     if (!form)
         return;
-    form->id = (enum thud_command_id)id;
-    snprintf(folder, sizeof folder, "%s-%s", tui->doc.scene.name, thud_command_at(form->id)->name);
-    if (thud_command_at(form->id)->word == THUD_WORD_PROGRAM)
-        thud_line_set(&form->value[form->n++], "opensees");
-    for (int rank = 0; rank < 3; rank++) /* where it writes comes first, what the scene says too comes last */
-        for (int i = 0; i < thud_option_count() && form->n < OPTIONS_MAX; i++) {
+    form->id = id;
+    form->done = run_form;
+    snprintf(form->title, sizeof form->title, "thud %s: %s", command->name, command->summary);
+    snprintf(folder, sizeof folder, "%s-%s", tui->doc.scene.name, command->name);
+    if (command->word == THUD_WORD_PROGRAM)
+        thud_form_over_add(form, "program", "that the scene is written for", "opensees");
+    for (int rank = 0; rank < RANKS; rank++)
+        for (int i = 0; i < thud_option_count() && form->n < THUD_OVER_ROWS; i++) {
             const struct thud_option *option = thud_option_at(i);
-            const int own = strcmp(option->name, "o") == 0 ? 0 : thud_option_belongs(option, THUD_COMMAND_RUN) ? 2 : 1;
-            if (own != rank || !thud_option_belongs(option, form->id) || !has_use(option))
+            if (rank_of(option) != rank || !thud_option_belongs(option, (enum thud_command_id)id) || !has_use(option))
                 continue;
-            if (rank == 0)
-                thud_line_set(&form->value[form->n], folder);
+            snprintf(label, sizeof label, "%s%s %s", option->name[1] ? "--" : "-", option->name,
+                     option->argument ? option->argument : "");
+            struct thud_over_row *row = thud_form_over_add(form, label, option->help, rank == 0 ? folder : "");
+            row->of = option;
+            row->only = !option->argument;
+            row->choice = row->only || thud_option_choice(option, 0) ? choice_of : NULL;
             if (strcmp(option->name, "beside") == 0)
-                designs_of_report(tui, &form->value[form->n]);
+                designs_of_report(tui, &row->value[0]);
             if (strcmp(option->name, "figures") == 0)
-                thud_line_set(&form->value[form->n], tui->files.for_report);
-            form->option[form->n++] = option;
+                thud_line_set(&row->value[0], tui->files.for_report);
         }
     tui->files.for_report[0] = '\0'; /* the next one may be of another scene */
+    thud_form_over_focus(form, 0, 0);
 }
