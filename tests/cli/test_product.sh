@@ -107,9 +107,9 @@ refused() {
     esac
 }
 # FILE:COLUMN without a word of its own in thud-output(5), as it goes with the column before
-allowed="fragility-curves.csv:annual_rate_low fragility-curves.csv:beta fragility-curves.csv:beta_high fragility-curves.csv:beta_low
+allowed="fragility-curves.csv:annual_rate fragility-curves.csv:annual_rate_high fragility-curves.csv:annual_rate_least fragility-curves.csv:annual_rate_low fragility-curves.csv:annual_rate_most fragility-curves.csv:beta fragility-curves.csv:beta_high fragility-curves.csv:beta_low
     fragility-curves.csv:deviance_p fragility-curves.csv:falling fragility-curves.csv:probability_50_years
-    fragility-curves.csv:probability_50_years_high fragility-curves.csv:probability_50_years_low fragility.csv:fitted_high fragility.csv:share_high
+    fragility-curves.csv:probability_50_years_high fragility-curves.csv:probability_50_years_least fragility-curves.csv:probability_50_years_low fragility-curves.csv:probability_50_years_most fragility.csv:fitted_high fragility.csv:share_high
     gap-rules.csv:clause gap-rules.csv:numbers gap-rules.csv:source contacts.csv:moment_upper_nm contacts.csv:shear_lower_n
     contacts.csv:shear_over_capacity contacts.csv:shear_upper_n contacts.csv:struck_columns sweep.csv:excursions sweep.csv:hysteretic_j
     sweep.csv:permanent_m sample-results.csv:case sample-results.csv:structure uncertainty.csv:below_1_share

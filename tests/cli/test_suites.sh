@@ -140,9 +140,9 @@ exactly() { awk -F, 'NR == FNR { if (FNR > 1 && $7 > m[$1]) m[$1] = $7; next }
     END { exit rows != 8 || bad }' "$tmp/needed.csv" "$tmp/fragility/fragility-curves.csv"; }
 is "pounding needs no fit: exact medians" exactly
 rates() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
-    $1 == "pounding" && $3 == "record.factor" { rows++; for (e = 0; e < 3; e++) { end = e == 0 ? "" : e == 1 ? "_low" : "_high"; r = $c["annual_rate" end]; p = $c["probability_50_years" end]
+    $1 == "pounding" && $3 == "record.factor" { rows++; for (e = 0; e < 3; e++) { end = e == 0 ? "" : e == 1 ? "_least" : "_most"; r = $c["annual_rate" end]; p = $c["probability_50_years" end]
         d = p - (1 - exp(-50 * r)); if ((r == "") != (p == "") || d * d > 1e-20) bad = 1 }
-        if ($c["annual_rate_low"] == "" || ($c["annual_rate_high"] != "" && $c["annual_rate_low"] > $c["annual_rate_high"])) bad = 1 } END { exit rows != 10 || bad }' "$tmp/fragility/fragility-curves.csv"; }
+        if ($c["annual_rate_least"] == "" || ($c["annual_rate_most"] != "" && $c["annual_rate_least"] > $c["annual_rate_most"])) bad = 1 } END { exit rows != 10 || bad }' "$tmp/fragility/fragility-curves.csv"; }
 is "annual rates and 50 years" rates
 # shellcheck disable=SC2086
 again() { "$THUD" fragility towers --records "$three" $grid --hazard "$tmp/hazard.csv" --quiet "$@" >"$tmp/out" 2>"$tmp/err"; }
@@ -272,18 +272,28 @@ sed '/^study:/,$d' presets/towers.yaml | cat - "$tmp/study" >"$tmp/events.yaml"
 is "a preset names its events" gives 0 fragility "$tmp/events.yaml" --records "$three" --csv --quiet
 is "which are counted, and no others" test "$(cut -d, -f1 "$tmp/out" | sed 1d | uniq | tr '\n' ' ')" = "drift:1 % pounding "
 is "refused: an unknown event of a preset" gives 2 fragility "$tmp/events.yaml" --records "$three" --set study.events=flood
+is "refused: an event of which no run has a value" gives 2 fragility towers --records "$three" --vary gap=5cm,10cm --cases none --event column:1
+is "by its name" says '^thud: --event column:1: no run of this study has a value for it: '
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
+printf 'factor,annual_rate\n0.1,0.1\n1,0.002\n2,0.0001\n' >"$tmp/factor.csv"
 sa() { "$THUD" fragility towers --records "$three" --vary record.sa=0.3g:1.5g:0.3g --set gap=9cm --cases none --event pounding --hazard "$tmp/$1" --json --quiet >"$tmp/out" 2>"$tmp/err"; }
 printf 'sa_cmps2,annual_rate\n98.0665,0.05\n490.3325,0.004\n2941.995,0.00002\n' >"$tmp/cm.csv"
 printf 'Sa (g);rate\n0.1;0.05\n0.5;0.004\n3;0.00002\n' >"$tmp/g.csv"
 printf '0.1,0.05\n0.5,0.004\n3,0.00002\n' >"$tmp/bare.csv"
 printf 'sa_g,rate\n0.1,0.05\nhalf,0.004\n3,0.00002\n' >"$tmp/words.csv"
 # without a curve the rate lies between those of the two values, which may miss by rounding of the unit
-rate_of() { sa "$1" && grep -o '"annual_rate_\(low\|high\)": [0-9.e-]*' "$tmp/out" | awk '{ printf "%.9e ", $2 }'; }
+rate_of() { sa "$1" && grep -o '"annual_rate_\(least\|most\)": [0-9.e-]*' "$tmp/out" | awk '{ printf "%.9e ", $2 }'; }
 is "a hazard curve in cm/s2 is that in g" test "$(rate_of cm.csv)" = "$(rate_of g.csv)" -a -n "$(rate_of g.csv)"
 is "a unit that is not said is asked for" sh -c "! \"\$THUD\" fragility towers --records $three --vary record.sa=0.3g,0.6g --cases none --hazard \"$tmp/bare.csv\" --quiet 2>\"$tmp/err\""
 is "by the first line" says "bare.csv:1: .*the unit of its intensity is not said"
+printf 'sa_g T=0.7s 5%%,annual_rate\n0.1,0.05\n3,0.00002\n' >"$tmp/named.csv"
+is "a hazard curve of another period is refused" gives 3 fragility towers --records "$three" --vary record.sa=0.3g,0.6g --period 0.5s --cases none --hazard "$tmp/named.csv"
+is "with both periods" says "named.csv:1: .*its period, 0.7 s, is not that of the study, 0.5 s"
+is "one of the study's is taken" gives 0 fragility towers --records "$three" --vary record.sa=0.3g,0.6g --period 0.7s --cases none --event pounding --hazard "$tmp/named.csv"
+is "and the table says which" shows "pounding against spectral acceleration at 0.7 s, 5 % damped (g), 3 ground motions"
+is "one that names no period says so" sh -c "'$THUD' fragility towers --records $three --vary record.sa=0.3g,0.6g --period 0.7s --cases none --event pounding --hazard '$tmp/g.csv' --quiet | grep -q 'does not name its period'"
+is "one motion has no annual rate" sh -c "'$THUD' fragility towers --vary record.factor=0.5,1,1.5 --cases none --event pounding --hazard '$tmp/factor.csv' --quiet >'$tmp/out' && ! grep -q 'e-0' '$tmp/out'"
 is "a line without numbers" sh -c "! \"\$THUD\" fragility towers --records $three --vary record.sa=0.3g,0.6g --cases none --hazard \"$tmp/words.csv\" --quiet 2>\"$tmp/err\""
 is "is not dropped" says "words.csv:3: "
 printf '0.1,0.1\n0.5,0.2\n' >"$tmp/hazard.csv"

@@ -34,11 +34,11 @@ struct thud_stripe_row {
     int motions, count;
     double share, share_low, share_high, fitted, fitted_low, fitted_high;
 };
-enum { THUD_RATES = 6 };
+enum { THUD_CURVE_RATES = 5 }; /* value, least, most, low, high */
 struct thud_curve_row {
     double beta, beta_low, beta_high;
     int falling; /* 0, 1 */
-    double deviance_p, rate[THUD_RATES];
+    double deviance_p, rate[THUD_CURVE_RATES], probability[THUD_CURVE_RATES];
 };
 
 /* At which factor on a ground motion contact begins. */

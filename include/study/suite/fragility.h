@@ -68,6 +68,12 @@ enum thud_status thud_events_parse(const char *list, struct thud_event *out, int
 bool thud_axis_is_drawn(const struct thud_sweep_axis *axis);
 /* Whether an intensity of the ground motion is varied. */
 bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
+/* Annual rate at which an intensity is exceeded; x rising, rate falling. Between its points it is a power of x. */
+struct thud_hazard {
+    size_t n;
+    double *x, *rate; /* (n) */
+    double period_s;  /* of its spectral acceleration, as it says; 0: it does not */
+};
 /* One event and case along one axis, at one setting of the others. */
 struct thud_fragility_ask {
     const struct thud_event *event;
@@ -75,6 +81,7 @@ struct thud_fragility_ask {
     int at[THUD_VARY_MAX]; /* places on the other axes */
     int samples;           /* of the bootstrap; 0: no band */
     unsigned long long seed;
+    const struct thud_hazard *hazard; /* along an intensity: for the band of the annual rate; NULL: none */
     bool
         first_contact; /* of pounding: the factor at which each motion begins to cause contact, by runs where need be */
 };
@@ -90,6 +97,7 @@ struct thud_fragility {
      * 0 and INFINITY where there are none, both NaN where the counts do not say. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
+    double rate_low, rate_high;                        /* 16 and 84 % of its annual rates; NaN without */
     /* Of pounding, which needs no fit: the least value at which each motion causes contact (along a gap: the least at
      * which it does not), sorted; NULL: not asked for, or not known. At which at least 16, 50 and 84 % of them do, and 5
      * and 95 % of the bootstrap of the middle one. */
@@ -107,14 +115,11 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
                                      struct thud_fragility *out, struct thud_error *err);
 void thud_fragility_clear(struct thud_fragility *fragility);
 
-/* Annual rate at which an intensity is exceeded; x rising, rate falling. Between its points it is a power of x. */
-struct thud_hazard {
-    size_t n;
-    double *x, *rate; /* (n) */
-};
-/* Annual rate of an event: a number where low and high are within a part in a hundred, else bounds. */
+/* Annual rate of an event: a number where the bounds of the hazard curve's range are within a part in a hundred, else
+ * bounds; and 16 and 84 % of the number by the bootstrap over the motions, NaN without. */
 struct thud_rate {
-    double low, value, high; /* value: NaN where there are only bounds; high: INFINITY where there is none */
+    double least, value, most; /* value: NaN where there are only bounds; most: INFINITY where there is none */
+    double low, high;
 };
 /* Of pounding the mean of the rates of each motion's exact value. Else int P |d lambda| of a curve whose median lies within the values that were tried, of counts that separate, and of
  * events that never or always happen. Where the hazard curve ends below, or begins above, where P has its weight, bounds:

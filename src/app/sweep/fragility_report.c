@@ -98,18 +98,21 @@ static void put_median(const struct thud_fragility_line *line, double unit, bool
 /* The annual rate and the probability in 50 years, or their bounds. */
 static void put_rate(const struct thud_rate *rate, struct thud_text *out)
 {
-    double least = 100 * thud_hazard_probability(rate->low, years),
-           most = 100 * thud_hazard_probability(rate->high, years);
-    if (isnan(rate->low))
+    double least = 100 * thud_hazard_probability(rate->least, years),
+           most = 100 * thud_hazard_probability(rate->most, years);
+    if (isnan(rate->least))
         return;
-    if (!isnan(rate->value))
+    if (!isnan(rate->value) && !isnan(rate->low))
+        thud_text_append(out, " %.2e (%.1e to %.1e) %.1f %%", rate->value, rate->low, rate->high,
+                         100 * thud_hazard_probability(rate->value, years));
+    else if (!isnan(rate->value))
         thud_text_append(out, " %.2e %5.1f %%", rate->value, 100 * thud_hazard_probability(rate->value, years));
-    else if (isinf(rate->high))
-        thud_text_append(out, " from %.1e %.1f %%", rate->low, least);
-    else if (rate->low > 0)
-        thud_text_append(out, " %.1e-%.1e %.1f-%.1f %%", rate->low, rate->high, least, most);
+    else if (isinf(rate->most))
+        thud_text_append(out, " from %.1e %.1f %%", rate->least, least);
+    else if (rate->least > 0)
+        thud_text_append(out, " %.1e-%.1e %.1f-%.1f %%", rate->least, rate->most, least, most);
     else
-        thud_text_append(out, " up to %.1e %.1f %%", rate->high, most);
+        thud_text_append(out, " up to %.1e %.1f %%", rate->most, most);
 }
 
 static void put_few(const struct thud_suite *suite, struct thud_text *out)
@@ -140,6 +143,30 @@ static void put_clearing(const struct thud_fragility_study *study, const struct 
                          thud_case_name(study->suite->plan->cases[line->k]), f->clearing, f->nexact, clear);
 }
 
+/* "spectral acceleration at 0.49 s, 5 % damped (g)". */
+static void put_axis(const struct thud_sweep_axis *axis, struct thud_text *out)
+{
+    const char *unit = axis->param->unit;
+    thud_text_append(out, "%s", axis->param->title);
+    if (strcmp(axis->key, "record.sa") == 0 && isnan(axis->period_s))
+        thud_text_append(out, " at the mean first period, 5 %% damped");
+    else if (strcmp(axis->key, "record.sa") == 0)
+        thud_text_append(out, " at %.3g s, 5 %% damped", axis->period_s);
+    if (unit && *unit)
+        thud_text_append(out, " (%s)", unit);
+}
+
+/* A spectral acceleration whose period the hazard curve does not name. */
+static void put_period(const struct thud_fragility_study *study, struct thud_text *out)
+{
+    const struct thud_sweep_plan *plan = study->suite->plan;
+    for (int a = 0; a < plan->naxes && study->hazard.n > 0 && !(study->hazard.period_s > 0); a++)
+        if (strcmp(plan->axis[a].key, "record.sa") == 0)
+            thud_text_append(out,
+                             "\nThe hazard curve does not name its period (sa_g T=0.49s 5%%): it is taken as that of "
+                             "the study.\n");
+}
+
 /* Where the other keys stand along a line; "-" where there are none. */
 static const char *place_of(const struct thud_fragility_study *study, const struct thud_fragility_line *line, char *at,
                             size_t size)
@@ -163,12 +190,12 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
         if (!thud_sweep_is_spread(plan, line->at, line->axis))
             continue;
         if (line->event != event || line->axis != axis) {
-            const char *unit = along->param->unit;
-            thud_text_append(out, "%s%s against %s%s%s%s, %d ground motions\n", event >= 0 ? "\n" : "",
-                             study->event[line->event].text, along->param->title, unit && *unit ? " (" : "",
-                             unit ? unit : "", unit && *unit ? ")" : "", study->suite->nrecords);
+            thud_text_append(out, "%s%s against ", event >= 0 ? "\n" : "", study->event[line->event].text);
+            put_axis(along, out);
+            thud_text_append(out, ", %d ground motion%s\n", study->suite->nrecords,
+                             study->suite->nrecords == 1 ? "" : "s");
             thud_text_append(out, "  %-7s %-*s %-28s %-*s%s\n", "case", width, "at", "50 % (90 % band)",
-                             hazard ? 8 : 10, "dispersion", hazard ? " a year    in 50 y" : "");
+                             hazard ? 8 : 10, "dispersion", hazard ? " a year (16 to 84 %)  in 50 y" : "");
         }
         event = line->event;
         axis = line->axis;
@@ -182,6 +209,7 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
     }
     for (size_t i = 0; i < study->n; i++)
         put_clearing(study, &study->line[i], out);
+    put_period(study, out);
     put_few(study->suite, out);
 }
 
@@ -274,16 +302,18 @@ static void median_cells(const struct thud_fragility *f, union thud_column_value
 static struct thud_curve_row curve_of(const struct thud_fragility_line *line)
 {
     const struct thud_fragility *f = &line->fragility;
-    const double rate[] = {line->rate.value, line->rate.low, isinf(line->rate.high) ? NAN : line->rate.high};
+    const double rate[THUD_CURVE_RATES] = {line->rate.value, line->rate.least,
+                                           isinf(line->rate.most) ? NAN : line->rate.most, line->rate.low,
+                                           line->rate.high};
     bool told = !isnan(f->theta); /* a median far outside comes with any dispersion */
     struct thud_curve_row row = {.beta = told ? f->curve.beta : NAN,
                                  .beta_low = told ? f->beta_low : NAN,
                                  .beta_high = told ? f->beta_high : NAN,
                                  .falling = thud_is_fitted(&f->curve) ? f->curve.falling : THUD_NO_COUNT,
                                  .deviance_p = f->curve.p};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < THUD_CURVE_RATES; i++) {
         row.rate[i] = rate[i];
-        row.rate[3 + i] = isnan(rate[i]) ? NAN : thud_hazard_probability(rate[i], years);
+        row.probability[i] = isnan(rate[i]) ? NAN : thud_hazard_probability(rate[i], years);
     }
     return row;
 }
@@ -386,7 +416,7 @@ static void put_json_line(const struct thud_fragility_study *study, const struct
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out)
 {
     thud_text_append(out, "{");
-    thud_json_head(out, study->suite->plan->scene.name);
+    thud_json_head_of(out, 2, study->suite->plan->scene.name); /* 2: annual_rate_low, _high are a band */
     thud_text_append(out, ", \"motions\": %d, \"independent\": %d, \"curves\": [", study->suite->nrecords,
                      study->suite->ndraws);
     for (size_t i = 0; i < study->n; i++) {

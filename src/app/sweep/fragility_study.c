@@ -70,6 +70,34 @@ static enum thud_status read_unit(const char *path, int line, const char *head, 
     return THUD_INPUT;
 }
 
+/* The period and damping that a first line names, `sa_g T=0.49s 5%`: those of the study, where that has a period. */
+static enum thud_status check_period(const char *path, int line, const char *head, const struct thud_sweep_axis *axis,
+                                     struct thud_hazard *out, struct thud_error *err)
+{
+    static const double close = 0.01, damping = 5;
+    const char *period = strstr(head, "T="), *percent = strchr(head, '%'), *end;
+    double said = 0;
+    if (strcmp(axis->key, "record.sa") != 0)
+        return THUD_OK;
+    if (period && (thud_number_parse(period + 2, &end, &said) != 0 || end[strspn(end, " ")] != 's' || !(said > 0)))
+        return refuse(path, line, "has a period that is no time, such as T=0.49s", err);
+    out->period_s = said;
+    while (percent && percent > head && strchr("0123456789. ", percent[-1]))
+        percent--;
+    if (percent && (thud_number_parse(percent + strspn(percent, " "), &end, &said) != 0 || said != damping)) {
+        thud_error_in(err, THUD_INPUT, path, line, "its damping is not that of the study");
+        thud_error_allow(err, "5 %%");
+        return THUD_INPUT;
+    }
+    if (out->period_s > 0 && fabs(out->period_s - axis->period_s) > close * axis->period_s) {
+        thud_error_in(err, THUD_INPUT, path, line, "its period, %.4g s, is not that of the study, %.4g s",
+                      out->period_s, axis->period_s);
+        thud_error_allow(err, "a hazard curve of that period, or --period %.4gs", out->period_s);
+        return THUD_INPUT;
+    }
+    return THUD_OK;
+}
+
 static enum thud_status add_point(const char *path, int number, double x, double rate, struct thud_hazard *out,
                                   struct thud_error *err)
 {
@@ -108,6 +136,8 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
         bool numbers = two_numbers(line, &x, &rate), first = isnan(factor);
         if (first)
             status = read_unit(path, number, numbers ? "" : line, axis, &factor, err);
+        if (status == THUD_OK && first)
+            status = check_period(path, number, numbers ? "" : line, axis, out, err);
         if (status == THUD_OK && numbers)
             status = add_point(path, number, x * factor, rate, out, err);
         else if (status == THUD_OK && !first)
@@ -139,7 +169,8 @@ static bool next_setting(const struct thud_sweep_plan *plan, int axis, int *at)
 /* The event `worse` asks for a bumper. */
 static bool is_asked(const struct thud_fragility_study *study, int event, int k)
 {
-    return study->event[event].measure != THUD_MEASURE_ACCELERATION_RATIO || study->suite->plan->cases[k] != THUD_CASE_NONE;
+    return study->event[event].measure != THUD_MEASURE_ACCELERATION_RATIO ||
+           study->suite->plan->cases[k] != THUD_CASE_NONE;
 }
 
 static size_t count_lines(const struct thud_fragility_study *study)
@@ -160,17 +191,50 @@ static enum thud_status add_lines(struct thud_fragility_study *study, int event,
     int at[THUD_VARY_MAX] = {0};
     do {
         struct thud_fragility_line *line = &study->line[study->n];
-        struct thud_fragility_ask ask = {&study->event[event], k, axis, {0}, study->samples, study->seed, true};
+        struct thud_fragility_ask ask = {.event = &study->event[event],
+                                         .k = k,
+                                         .axis = axis,
+                                         .samples = study->samples,
+                                         .seed = study->seed,
+                                         .hazard = study->hazard.n > 0 ? &study->hazard : NULL,
+                                         .first_contact = true};
         memcpy(ask.at, at, sizeof at);
-        *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN}};
+        *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN, NAN, NAN}};
         memcpy(line->at, at, sizeof at);
         enum thud_status status = thud_fragility_make(study->suite, &ask, &line->fragility, err);
         if (status != THUD_OK)
             return status;
         study->n++;
-        if (study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]))
+        if (study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]) &&
+            study->suite->ndraws >= THUD_SHARES_LEAST) /* of fewer motions the counts are all there is */
             line->rate = thud_hazard_rate(&study->hazard, &line->fragility);
     } while (next_setting(plan, axis, at));
+    return THUD_OK;
+}
+
+static bool has_result(const struct thud_suite *suite)
+{
+    for (int r = 0; r < suite->nrecords; r++)
+        for (long i = 0; i < suite->settings; i++)
+            for (int k = 0; k < suite->plan->ncases; k++)
+                if (!isnan(thud_suite_value(suite, r, i, k, THUD_MEASURE_IMPACTS, -1)))
+                    return true;
+    return false;
+}
+
+/* An event for which no run has a value, such as columns that no slab strikes, has no probability. */
+static enum thud_status check_events(const struct thud_fragility_study *study, struct thud_error *err)
+{
+    for (int e = 0; e < study->nevents; e++) {
+        int runs = 0, asked = 0;
+        for (size_t i = 0; i < study->n; i++)
+            for (size_t j = 0; study->line[i].event == e && j < study->line[i].fragility.n; j++, asked++)
+                runs += study->line[i].fragility.stripe[j].n;
+        if (asked > 0 && runs == 0)
+            return thud_error_refuse(err, THUD_USAGE, NULL, "events of which these scenes have a value",
+                                     "--event %s: no run of this study has a value for it: %s", study->event[e].text,
+                                     thud_measure_info(study->event[e].measure)->words);
+    }
     return THUD_OK;
 }
 
@@ -192,7 +256,7 @@ enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, s
                 if (status != THUD_OK)
                     return status;
             }
-    return THUD_OK;
+    return has_result(study->suite) ? check_events(study, err) : THUD_OK;
 }
 
 void thud_fragility_study_clear(struct thud_fragility_study *study)

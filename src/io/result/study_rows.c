@@ -92,11 +92,15 @@ static const struct thud_column curves[] = {
     CURVE(deviance_p, "deviance_p", "How likely a deviance as large would be if the curve held."),
     CURVE(rate[0], "annual_rate",
           "Of the event, a year, with --hazard; empty: there are bounds only, or nothing is known."),
-    CURVE(rate[1], "annual_rate_low", "At least."),
-    CURVE(rate[2], "annual_rate_high", "At most; empty: no bound."),
-    CURVE(rate[3], "probability_50_years", "Of at least one in 50 years."),
-    CURVE(rate[4], "probability_50_years_low", "At least."),
-    CURVE(rate[5], "probability_50_years_high", "At most.")};
+    CURVE(rate[3], "annual_rate_low", "16 % of its bootstrap over the ground motions; empty: no band."),
+    CURVE(rate[4], "annual_rate_high", "84 % of it."),
+    CURVE(rate[1], "annual_rate_least", "At least, by the range of the hazard curve."),
+    CURVE(rate[2], "annual_rate_most", "At most; empty: no bound."),
+    CURVE(probability[0], "probability_50_years", "Of at least one in 50 years."),
+    CURVE(probability[3], "probability_50_years_low", "By the 16 % of the rate."),
+    CURVE(probability[4], "probability_50_years_high", "By the 84 % of the rate."),
+    CURVE(probability[1], "probability_50_years_least", "At least."),
+    CURVE(probability[2], "probability_50_years_most", "At most.")};
 const struct thud_schema thud_curve_schema =
     THUD_SCHEMA("fragility-curves.csv of each curve",
                 "Behind the medians in\n.Pa fragility-curves.csv ,\nand in\n.Pa fragility.json .\n", curves);

@@ -332,6 +332,111 @@ static int happens_in(const struct thud_event *event, const struct thud_suite *s
     return value > event->limit;
 }
 
+/* ---- hazard ---- */
+
+/* lambda(x); INFINITY before the first point, where it is not known, and the last rate beyond the last one. */
+static double rate_at(const struct thud_hazard *h, double x)
+{
+    if (!(x >= h->x[0]))
+        return INFINITY;
+    for (size_t i = 0; i + 1 < h->n; i++)
+        if (x <= h->x[i + 1])
+            return h->rate[i] * pow(h->rate[i + 1] / h->rate[i], log(x / h->x[i]) / log(h->x[i + 1] / h->x[i]));
+    return h->rate[h->n - 1];
+}
+
+/* int P |d lambda| over lambda = lambda_0 (x / x_0)^-k from x_0 to x_1, by Gauss-Legendre in ln x on pieces over which
+ * neither factor changes much. */
+static double over_interval(const struct thud_lognormal *curve, double x0, double x1, double rate0, double k)
+{
+    enum { POINTS = 5, PIECES_MAX = 100000 };
+    static const double node[POINTS] = {-0.90617984593866399, -0.53846931010568309, 0, 0.53846931010568309,
+                                        0.90617984593866399},
+                        weight[POINTS] = {0.23692688505618909, 0.47862867049936647, 0.56888888888888889,
+                                          0.47862867049936647, 0.23692688505618909};
+    double length = log(x1 / x0), sum = 0;
+    double wanted = ceil(fmax(2 * length / curve->beta, 2 * k * length));
+    int pieces = (int)fmax(1, fmin(PIECES_MAX, wanted));
+    for (int i = 0; i < pieces; i++)
+        for (int j = 0; j < POINTS; j++) {
+            double s = length * (i + 0.5 + 0.5 * node[j]) / pieces;
+            sum += 0.5 * length / pieces * weight[j] * k * rate0 * exp(-k * s) * curve_at(curve, x0 * exp(s));
+        }
+    return sum;
+}
+
+/* What bounds may differ by, of the upper one, and be told as one number. */
+static const double told_as_one = 0.01;
+
+/* Of a rising curve. */
+static struct thud_rate rate_of_curve(const struct thud_hazard *h, const struct thud_lognormal *curve)
+{
+    size_t last = h->n - 1;
+    double inside = 0, k = 0;
+    for (size_t i = 0; i < last; i++) {
+        k = log(h->rate[i] / h->rate[i + 1]) / log(h->x[i + 1] / h->x[i]);
+        inside += k > 0 ? over_interval(curve, h->x[i], h->x[i + 1], h->rate[i], k) : 0;
+    }
+    double end = curve_at(curve, h->x[last]);
+    struct thud_rate out = {inside + end * h->rate[last], NAN, inside + h->rate[last], NAN, NAN};
+    /* before the first point the rate goes on as it does from there: it counts where that adds anything to speak of */
+    double first = log(h->rate[0] / h->rate[1]) / log(h->x[1] / h->x[0]);
+    double from = fmin(h->x[0], curve->theta * exp(-40 * curve->beta));
+    double before =
+        from < h->x[0] ? over_interval(curve, from, h->x[0], h->rate[0] * pow(from / h->x[0], -first), first) : 0;
+    out.most = before > told_as_one * out.most ? INFINITY : out.most + before;
+    if (isfinite(out.most) && out.most - out.least <= told_as_one * out.most)
+        out.value = 0.5 * (out.least + out.most);
+    return out;
+}
+
+/* Each motion is as likely: the mean of the rates at which their values are exceeded. */
+static struct thud_rate rate_of_exact(const struct thud_hazard *h, const double *exact, size_t n)
+{
+    struct thud_rate out = {0, NAN, 0, NAN, NAN};
+    for (size_t r = 0; r < n; r++) {
+        const double most = rate_at(h, exact[r]);
+        out.most += most / (double)n;
+        out.least += (exact[r] > h->x[h->n - 1] ? 0 : exact[r] < h->x[0] ? h->rate[0] : most) / (double)n;
+    }
+    if (isfinite(out.most) && out.most - out.least <= told_as_one * out.most)
+        out.value = 0.5 * (out.least + out.most);
+    return out;
+}
+
+static struct thud_rate rate_without_band(const struct thud_hazard *hazard, const struct thud_fragility *f)
+{
+    static const struct thud_rate unknown = {NAN, NAN, NAN, NAN, NAN};
+    if (hazard->n < 2)
+        return unknown;
+    if (f->nexact > 0 && f->clearing == 0)
+        return rate_of_exact(hazard, f->exact, (size_t)f->nexact);
+    if (thud_is_fitted(&f->curve))
+        return isnan(f->theta) || f->curve.falling ? unknown : rate_of_curve(hazard, &f->curve);
+    if (isnan(f->above) || (f->curve.fit == THUD_FIT_SEPARATED && f->curve.falling))
+        return unknown;
+    /* it begins above `none` and from `all` on it always happens */
+    double none = f->curve.fit == THUD_FIT_NEVER ? f->most : 0,
+           all = f->curve.fit == THUD_FIT_ALWAYS ? f->least : INFINITY;
+    for (size_t i = 0; f->curve.fit == THUD_FIT_SEPARATED && i < f->n; i++) {
+        const struct thud_stripe *s = &f->stripe[i];
+        none = s->n > 0 && s->count == 0 ? fmax(none, s->x) : none;
+        all = s->n > 0 && s->count == s->n ? fmin(all, s->x) : all;
+    }
+    double low = all > hazard->x[hazard->n - 1] ? 0 : all < hazard->x[0] ? hazard->rate[0] : rate_at(hazard, all);
+    return (struct thud_rate){low, NAN, none > 0 ? rate_at(hazard, none) : INFINITY, NAN, NAN};
+}
+
+struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *f)
+{
+    struct thud_rate rate = rate_without_band(hazard, f);
+    if (!isnan(rate.value)) {
+        rate.low = f->rate_low;
+        rate.high = f->rate_high;
+    }
+    return rate;
+}
+
 /* ---- counts over a suite ---- */
 
 /* 5 and 95 % of the numbers among n values, sorted in place; NaN where less than half are numbers. */
@@ -342,6 +447,14 @@ static void band(double *value, size_t n, double *low, double *high)
     *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.95, false) : NAN;
 }
 
+/* 16 and 84 % of the annual rate among the samples; NaN where less than half have a rate. */
+static void rate_band(double *rate, size_t samples, struct thud_fragility *f)
+{
+    const size_t m = thud_sort_numbers(rate, samples);
+    f->rate_low = 2 * m >= samples && m > 0 ? thud_quantile(rate, m, 0.16, false) : NAN;
+    f->rate_high = 2 * m >= samples && m > 0 ? thud_quantile(rate, m, 0.84, false) : NAN;
+}
+
 /* Draws motions with replacement, both signs of one together, and fits again. `happens`: (records x n). */
 static enum thud_status bootstrap(const signed char *happens, const struct thud_suite *suite,
                                   const struct thud_fragility_ask *ask, struct thud_fragility *f,
@@ -349,8 +462,8 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
 {
     size_t samples = (size_t)ask->samples, n = f->n;
     struct thud_stripe *stripe = malloc(n * sizeof *stripe);
-    double *value = malloc(((n + 2) * samples + n) * sizeof *value); /* curves at each x, then theta, then beta */
-    double *logs = value + (n + 2) * samples;
+    double *value = malloc(((n + 3) * samples + n) * sizeof *value); /* curves at each x, theta, beta, annual rate */
+    double *logs = value + (n + 3) * samples, *rate = value + (n + 2) * samples;
     struct thud_random random = {ask->seed};
     struct probit start = {NAN, NAN, NAN};
     if (!value || !stripe) {
@@ -388,11 +501,14 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
         /* the median of what never happens lies above every intensity, and below every gap */
         value[n * samples + b] = !none ? curve.theta : ever == f->curve.falling ? INFINITY : 0;
         value[(n + 1) * samples + b] = curve.beta;
+        rate[b] =
+            ask->hazard && thud_is_fitted(&curve) && !curve.falling ? rate_of_curve(ask->hazard, &curve).value : NAN;
     }
     for (size_t i = 0; i < n; i++)
         band(value + i * samples, samples, &f->low[i], &f->high[i]);
     band(value + n * samples, samples, &f->theta_low, &f->theta_high);
     band(value + (n + 1) * samples, samples, &f->beta_low, &f->beta_high);
+    rate_band(rate, samples, f);
     free(value);
     free(stripe);
     return THUD_OK;
@@ -534,7 +650,8 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
     f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
     if (ask->event->measure != THUD_MEASURE_IMPACTS || !(intensity ? ask->first_contact : is_gap(suite, axis)))
         return THUD_OK;
-    double *own = malloc((2 * n + samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n;
+    double *own = malloc((2 * n + 2 * samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n,
+           *rate = median + samples;
     struct thud_random random = {ask->seed};
     if (!own)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -557,9 +674,12 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
         }
         thud_sort_numbers(drawn, m);
         median[b] = thud_enough(drawn, m, 0.5, &count);
+        rate[b] = ask->hazard && intensity && f->clearing == 0 ? rate_of_exact(ask->hazard, drawn, m).value : NAN;
     }
-    if (samples > 0)
+    if (samples > 0) {
         band(median, samples, &f->exact_low, &f->exact_high);
+        rate_band(rate, samples, f);
+    }
     thud_sort_numbers(own, n);
     f->exact = own;
     f->nexact = suite->nrecords;
@@ -585,7 +705,9 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
                                    .theta_low = NAN,
                                    .theta_high = NAN,
                                    .beta_low = NAN,
-                                   .beta_high = NAN};
+                                   .beta_high = NAN,
+                                   .rate_low = NAN,
+                                   .rate_high = NAN};
     out->stripe = calloc(n, sizeof *out->stripe);
     out->low = malloc(4 * n * sizeof *out->low);
     signed char *happens = malloc((size_t)suite->nrecords * n);
@@ -634,101 +756,6 @@ void thud_fragility_clear(struct thud_fragility *fragility)
     free(fragility->exact);
     free(fragility->contact);
     *fragility = (struct thud_fragility){0};
-}
-
-/* ---- hazard ---- */
-
-/* lambda(x); INFINITY before the first point, where it is not known, and the last rate beyond the last one. */
-static double rate_at(const struct thud_hazard *h, double x)
-{
-    if (!(x >= h->x[0]))
-        return INFINITY;
-    for (size_t i = 0; i + 1 < h->n; i++)
-        if (x <= h->x[i + 1])
-            return h->rate[i] * pow(h->rate[i + 1] / h->rate[i], log(x / h->x[i]) / log(h->x[i + 1] / h->x[i]));
-    return h->rate[h->n - 1];
-}
-
-/* int P |d lambda| over lambda = lambda_0 (x / x_0)^-k from x_0 to x_1, by Gauss-Legendre in ln x on pieces over which
- * neither factor changes much. */
-static double over_interval(const struct thud_lognormal *curve, double x0, double x1, double rate0, double k)
-{
-    enum { POINTS = 5, PIECES_MAX = 100000 };
-    static const double node[POINTS] = {-0.90617984593866399, -0.53846931010568309, 0, 0.53846931010568309,
-                                        0.90617984593866399},
-                        weight[POINTS] = {0.23692688505618909, 0.47862867049936647, 0.56888888888888889,
-                                          0.47862867049936647, 0.23692688505618909};
-    double length = log(x1 / x0), sum = 0;
-    double wanted = ceil(fmax(2 * length / curve->beta, 2 * k * length));
-    int pieces = (int)fmax(1, fmin(PIECES_MAX, wanted));
-    for (int i = 0; i < pieces; i++)
-        for (int j = 0; j < POINTS; j++) {
-            double s = length * (i + 0.5 + 0.5 * node[j]) / pieces;
-            sum += 0.5 * length / pieces * weight[j] * k * rate0 * exp(-k * s) * curve_at(curve, x0 * exp(s));
-        }
-    return sum;
-}
-
-/* What bounds may differ by, of the upper one, and be told as one number. */
-static const double told_as_one = 0.01;
-
-/* Of a rising curve. */
-static struct thud_rate rate_of_curve(const struct thud_hazard *h, const struct thud_lognormal *curve)
-{
-    size_t last = h->n - 1;
-    double inside = 0, k = 0;
-    for (size_t i = 0; i < last; i++) {
-        k = log(h->rate[i] / h->rate[i + 1]) / log(h->x[i + 1] / h->x[i]);
-        inside += k > 0 ? over_interval(curve, h->x[i], h->x[i + 1], h->rate[i], k) : 0;
-    }
-    double end = curve_at(curve, h->x[last]);
-    struct thud_rate out = {inside + end * h->rate[last], NAN, inside + h->rate[last]};
-    /* before the first point the rate goes on as it does from there: it counts where that adds anything to speak of */
-    double first = log(h->rate[0] / h->rate[1]) / log(h->x[1] / h->x[0]);
-    double from = fmin(h->x[0], curve->theta * exp(-40 * curve->beta));
-    double before =
-        from < h->x[0] ? over_interval(curve, from, h->x[0], h->rate[0] * pow(from / h->x[0], -first), first) : 0;
-    out.high = before > told_as_one * out.high ? INFINITY : out.high + before;
-    if (isfinite(out.high) && out.high - out.low <= told_as_one * out.high)
-        out.value = 0.5 * (out.low + out.high);
-    return out;
-}
-
-/* Each motion is as likely: the mean of the rates at which their values are exceeded. */
-static struct thud_rate rate_of_exact(const struct thud_hazard *h, const struct thud_fragility *f)
-{
-    struct thud_rate out = {0, NAN, 0};
-    for (int r = 0; r < f->nexact; r++) {
-        double x = f->exact[r], most = rate_at(h, x);
-        out.high += most / f->nexact;
-        out.low += (x > h->x[h->n - 1] ? 0 : x < h->x[0] ? h->rate[0] : most) / f->nexact;
-    }
-    if (isfinite(out.high) && out.high - out.low <= told_as_one * out.high)
-        out.value = 0.5 * (out.low + out.high);
-    return out;
-}
-
-struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *f)
-{
-    static const struct thud_rate unknown = {NAN, NAN, NAN};
-    if (hazard->n < 2)
-        return unknown;
-    if (f->nexact > 0 && f->clearing == 0)
-        return rate_of_exact(hazard, f);
-    if (thud_is_fitted(&f->curve))
-        return isnan(f->theta) || f->curve.falling ? unknown : rate_of_curve(hazard, &f->curve);
-    if (isnan(f->above) || (f->curve.fit == THUD_FIT_SEPARATED && f->curve.falling))
-        return unknown;
-    /* it begins above `none` and from `all` on it always happens */
-    double none = f->curve.fit == THUD_FIT_NEVER ? f->most : 0,
-           all = f->curve.fit == THUD_FIT_ALWAYS ? f->least : INFINITY;
-    for (size_t i = 0; f->curve.fit == THUD_FIT_SEPARATED && i < f->n; i++) {
-        const struct thud_stripe *s = &f->stripe[i];
-        none = s->n > 0 && s->count == 0 ? fmax(none, s->x) : none;
-        all = s->n > 0 && s->count == s->n ? fmin(all, s->x) : all;
-    }
-    double low = all > hazard->x[hazard->n - 1] ? 0 : all < hazard->x[0] ? hazard->rate[0] : rate_at(hazard, all);
-    return (struct thud_rate){low, NAN, none > 0 ? rate_at(hazard, none) : INFINITY};
 }
 
 double thud_hazard_probability(double rate, double years)
