@@ -20,6 +20,11 @@ enum thud_status thud_record_taper(struct thud_record *record, double taper_s, s
 enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
                                   struct thud_record **out, struct thud_error *err);
 
+/* Keeps one sample in `every` (2 or more), from the first on, after a low pass at half of their rate: a sinc in a
+ * Blackman window, which shifts no phase. Beyond its ends the motion is 0. Errors: THUD_INPUT (fewer than two remain),
+ * THUD_MEMORY. */
+enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err);
+
 /* A new record at another step. It goes straight between the samples, as every run takes the record: at a whole
  * fraction of the step the motion is the same, at any other it loses what lies between. Errors: THUD_INPUT (a step that
  * is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */

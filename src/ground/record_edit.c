@@ -137,3 +137,42 @@ enum thud_status thud_record_resample(const struct thud_record *record, double d
     free(a);
     return status;
 }
+
+/* The low pass of record_thin: weights of the samples up to `half` away, whose sum is 1. */
+static void sinc_weights(int every, int half, double *weight)
+{
+    double sum = 0;
+    for (int k = 0; k <= half; k++) {
+        const double x = THUD_PI * k / every, at = THUD_PI * (k + half + 1) / (half + 1);
+        weight[k] = (k > 0 ? sin(x) / x : 1) * (0.42 - 0.5 * cos(at) + 0.08 * cos(2 * at));
+        sum += (k > 0 ? 2 : 1) * weight[k];
+    }
+    for (int k = 0; k <= half; k++)
+        weight[k] /= sum;
+}
+
+enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err)
+{
+    static const int crossings = 16; /* of 0 by the sinc to either side: the pass falls over a tenth of its corner */
+    const int half = crossings * every - 1;
+    const size_t step = (size_t)every, n = (record->samples - 1) / step + 1;
+    if (n < 2)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "fewer, or a longer part", "every %d of %zu samples leave one",
+                                 every, record->samples);
+    double *weight = malloc(((size_t)half + 1 + n) * sizeof *weight), *kept = weight + half + 1;
+    if (!weight)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for %zu samples", n);
+    sinc_weights(every, half, weight);
+    for (size_t i = 0; i < n; i++) {
+        const size_t at = i * step;
+        kept[i] = weight[0] * record->a_mps2[at];
+        for (size_t k = 1; k <= (size_t)half; k++)
+            kept[i] += weight[k] * ((at >= k ? record->a_mps2[at - k] : 0) +
+                                    (at + k < record->samples ? record->a_mps2[at + k] : 0));
+    }
+    memcpy(record->a_mps2, kept, n * sizeof *kept);
+    record->samples = n;
+    record->dt_s *= every;
+    free(weight);
+    return THUD_OK;
+}

@@ -131,7 +131,8 @@ static const struct {
     {"gap: 100 mm", "gap: 100 mm\n    gap: 2 m",
      "p:25:5: gap: the key is given twice (once; it is on line 24 already)"},
     {"gap: 100 mm", "gpa: 100 mm",
-     "p:24:5: interfaces.1.gpa: unknown key; did you mean \"gap\"? (gap, gap-by-level, levels, contact, bumper)"},
+     "p:24:5: interfaces.1.gpa: unknown key; did you mean \"gap\"? (gap, gap-by-level, levels, contact-levels, "
+     "contact, bumper)"},
     {"gap: 100 mm", "gap: -1 mm", "p:24:10: interfaces.1.gap: -1 mm is too small (0 cm to 500 cm)"},
     {"  - gap: 100 mm   # wide\n    contact", "  - contact",
      "p:24:5: interfaces.1.gap: gap is not given (a length in m, cm"},

@@ -158,6 +158,33 @@ START_TEST(a_sine_is_resampled)
 }
 END_TEST
 
+/* Thinned, what is slow is the resampled motion, and what is faster than half the new rate is gone. */
+START_TEST(thinning_keeps_what_is_slow)
+{
+    const double dt = 0.01;
+    const int every = _i;
+    struct thud_record *record = make(2001, dt), *plain;
+    struct thud_error err = {0};
+    for (size_t i = 0; i < record->samples; i++) {
+        const double t = dt * (double)i, away = (t - 10) / 3;
+        record->a_mps2[i] = exp(-away * away) * sin(2 * PI * 2 * t);
+    }
+    ck_assert_int_eq(thud_record_resample(record, every * dt, &plain, NULL), THUD_OK);
+    for (size_t i = 0; i < record->samples; i++) { /* 45 Hz, beside 25 Hz and less */
+        const double away = (dt * (double)i - 10) / 3;
+        record->a_mps2[i] += exp(-away * away) * sin(2 * PI * 45 * dt * (double)i);
+    }
+    ck_assert_int_eq(thud_record_thin(record, every, &err), THUD_OK);
+    ck_assert_uint_eq(record->samples, 2000 / (size_t)every + 1);
+    ck_assert_double_eq_tol(record->dt_s, every * dt, 1e-15);
+    for (size_t i = 0; i < record->samples && i < plain->samples; i++)
+        ck_assert_double_eq_tol(record->a_mps2[i], plain->a_mps2[i], 2e-3);
+    ck_assert_int_eq(thud_record_thin(record, 5000, &err), THUD_INPUT);
+    thud_record_free(record);
+    thud_record_free(plain);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -169,6 +196,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, polynomials_are_found);
     tcase_add_test(all, tapers_are_cosines);
     tcase_add_test(all, a_sine_is_resampled);
+    tcase_add_loop_test(all, thinning_keeps_what_is_slow, 2, 6);
     suite_add_tcase(suite, all);
     return suite;
 }

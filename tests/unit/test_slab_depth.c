@@ -331,6 +331,47 @@ START_TEST(one_level_that_can_strike)
 }
 END_TEST
 
+/* Floors named by contact-levels strike as they do where all others are 5 m apart. */
+START_TEST(contact_levels_that_can_strike)
+{
+    static struct thud_scene apart, named;
+    static const char *const level[] = {"[4]", "[3]", "[4, 3]"}, *const gaps[] = {"[5 m, 5 m, 5 m, 6 cm]",
+                                                                                  "[5 m, 5 m, 6 cm, 5 m]",
+                                                                                  "[5 m, 5 m, 6 cm, 6 cm]"};
+    static const int floor[][2] = {{4}, {3}, {3, 4}};
+    struct thud_error err = {0};
+    thud_test_towers(&apart);
+    apart.interface[0].has_bumper = false;
+    set(&apart, "gap", "6 cm");
+    named = apart;
+    set(&apart, "gap-by-level", gaps[_i]);
+    set(&named, "contact-levels", level[_i]);
+    struct thud_record *record = thud_test_motion(1);
+    struct thud_solution x, y;
+    ck_assert_int_eq(thud_scene_solve(&apart, record, NULL, &x, NULL), THUD_OK);
+    ck_assert_int_eq(thud_scene_solve(&named, record, NULL, &y, NULL), THUD_OK);
+    const struct thud_result *p = thud_run_result(x.run), *q = thud_run_result(y.run);
+    ck_assert_int_eq(q->ncontacts, _i < 2 ? 1 : 2);
+    for (int c = 0; c < q->ncontacts; c++) {
+        const struct thud_contact_result *one = &p->contact[floor[_i][c] - 1];
+        ck_assert_int_eq(q->contact[c].left_floor, floor[_i][c]);
+        ck_assert_int_gt(one->impacts, 0);
+        ck_assert_double_eq_tol(q->contact[c].force.value / one->force.value, 1, 1e-9);
+    }
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < p->structure[s].floors; i++)
+            ck_assert_double_eq_tol(
+                q->structure[s].floor[i].acceleration.value / p->structure[s].floor[i].acceleration.value, 1, 1e-9);
+    thud_solution_clear(&x);
+    thud_solution_clear(&y);
+    thud_record_free(record);
+    static const char *const wrong[] = {"[5]", "[4, 4]", "[2.5]"};
+    ck_assert_int_eq(thud_scene_set(&named, "contact-levels", wrong[_i], &err), THUD_OK);
+    ck_assert_int_eq(thud_scene_check(&named, &err), THUD_INPUT);
+    ck_assert_str_eq(err.key, "interfaces.1.contact-levels");
+}
+END_TEST
+
 /* A bumper at the top alone is where the bare laws have the bumper's clearance elsewhere too. */
 START_TEST(a_bumper_at_the_top_alone)
 {
@@ -378,6 +419,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, walls_and_bodies);
     tcase_add_loop_test(tcase, one_value_at_every_level, 0, 3);
     tcase_add_loop_test(tcase, one_level_that_can_strike, 0, 2);
+    tcase_add_loop_test(tcase, contact_levels_that_can_strike, 0, 3);
     tcase_add_test(tcase, a_bumper_at_the_top_alone);
     suite_add_tcase(suite, tcase);
     return suite;

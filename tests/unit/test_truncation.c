@@ -302,6 +302,37 @@ START_TEST(events_at_one_moment_do_not_stop_a_method)
 }
 END_TEST
 
+/* Modes of each building by its own key: those of all by analysis.modes, which its own key goes before. */
+START_TEST(a_building_has_modes_of_its_own)
+{
+    scene->interface[0].gap_m = 0.06;
+    struct thud_solution all = answer_of(2, false), whole = answer_of(0, false);
+    ck_assert_int_eq(thud_scene_set(scene, "structures.1.modes", "2", &error), THUD_OK);
+    ck_assert_int_eq(thud_scene_set(scene, "structures.2.modes", "2", &error), THUD_OK);
+    struct thud_solution each = answer_of(_i, false);
+    const struct thud_result *a = thud_run_result(all.run), *b = thud_run_result(each.run);
+    ck_assert_int_eq(each.model->left_out, 2 + 4);
+    for (int s = 0; s < 2; s++)
+        for (int i = 0; i < a->structure[s].floors; i++)
+            ck_assert_mem_eq(&a->structure[s].floor[i], &b->structure[s].floor[i], sizeof a->structure[s].floor[i]);
+    thud_solution_clear(&each);
+    scene->structure[1].modes = 0;
+    scene->interface[0].gap_m = 5; /* B alone: none of its modes is left out */
+    each = answer_of(0, false);
+    ck_assert_int_eq(each.model->left_out, 2);
+    scene->structure[0].modes = 0;
+    thud_solution_clear(&whole);
+    whole = answer_of(0, false);
+    a = thud_run_result(whole.run);
+    b = thud_run_result(each.run);
+    ck_assert_double_eq(a->structure[1].floor[5].acceleration.value, b->structure[1].floor[5].acceleration.value);
+    ck_assert_double_ne(a->structure[0].floor[3].acceleration.value, b->structure[0].floor[3].acceleration.value);
+    thud_solution_clear(&each);
+    thud_solution_clear(&whole);
+    thud_solution_clear(&all);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -316,6 +347,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, what_is_left_out_costs_nothing);
     tcase_add_test(tcase, other_methods_find_the_same);
     tcase_add_test(tcase, blows_that_few_modes_do_not_tell_apart);
+    tcase_add_loop_test(tcase, a_building_has_modes_of_its_own, 0, 3);
     tcase_add_test(tcase, events_at_one_moment_do_not_stop_a_method);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -187,6 +187,7 @@ struct thud_model_input {
         const double *stiffness_npm; /* (n) storey i between floors i - 1 and i; NULL: a free rigid body, or */
         const double *matrix_npm;    /* (n x n) a building by its lateral stiffness, symmetric, positive definite */
         double damping;              /* ratio in every mode (of the superstructure for an isolated building) */
+        int modes;                   /* its lowest ones, the others are left out; 0: as the model's input says */
         bool isolated;               /* floor 0 is the base slab, stiffness[0] the isolator */
         double isolation_damping;    /* of the isolator: c = 2 zeta sqrt(k total mass) */
         double velocity_mps;         /* of every floor at t = 0 */
@@ -216,7 +217,7 @@ struct thud_model_input {
         } struck;
     } * contact;
     unsigned traits; /* of elements beside those that it shows itself */
-    int modes; /* each structure's lowest ones, the others are left out; 0: all */
+    int modes;       /* each structure's lowest ones, the others are left out; 0: all */
     int nlinks;
     const struct thud_link_input {
         int left_structure, left_floor, right_structure, right_floor; /* floors from 1; 0: the ground */

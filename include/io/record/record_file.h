@@ -25,7 +25,7 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err);
 
-/* The part from `from` to `to`, then factor, peak and sign of the choice. Errors: THUD_INPUT (too short a part, zeros
- * cannot be scaled to a peak, or the result is not finite). */
+/* The part from `from` to `to`, then factor, peak and sign of the choice, and of the scaled samples every so many. Errors:
+ * THUD_INPUT (too short a part, zeros cannot be scaled to a peak, or the result is not finite), THUD_MEMORY. */
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err);

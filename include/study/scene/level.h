@@ -32,8 +32,12 @@ enum { THUD_CONTACT_PAIRS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 /* Of the interface (from 0), from below: how many, into out (THUD_CONTACT_PAIRS_MAX). Floors whose faces overlap, or whose
  * levels are within 1 cm of each other, or the middle of one within 1 cm of the other's face, meet. Any other floor whose face's middle lies in the clear height of a storey
  * of the neighbour strikes the columns there. What stands above the neighbour's top floor, below its ground, or within
- * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned. */
+ * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned, and only the floors of
+ * contact-levels meet where it is given. */
 int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out);
+
+/* By what `contact-levels` names a contact: its floor of the left building, of the right one where the left one is none. */
+int thud_contact_level(const struct thud_scene *scene, int interface, const struct thud_contact_pair *pair);
 
 /* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
 bool thud_slab_is_left(int left_floor, int struck);

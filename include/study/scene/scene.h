@@ -98,7 +98,9 @@ struct thud_structure {
     /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
     double system;                      /* enum thud_system */
     double area_m2;                     /* of a floor */
-    char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. The last member. */
+    char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. What stands behind it changes
+                                           the fingerprint of a scene only where it is given. */
+    int modes;                          /* its lowest ones alone; 0: analysis.modes */
 };
 /* The file of matrix or modes that a structure names; "" where it names none. */
 const char *thud_structure_file(const struct thud_structure *structure);
@@ -129,7 +131,8 @@ struct thud_by_level {
 struct thud_interface {
     double gap_m; /* concrete to concrete */
     struct thud_by_level gap;
-    double levels; /* enum thud_levels */
+    double levels;                       /* enum thud_levels */
+    struct thud_by_level contact_levels; /* floors (from 1) that can meet the neighbour; n 0: all */
     struct thud_law_choice contact;
     bool has_bumper;
     struct thud_law_choice bumper;
@@ -171,6 +174,7 @@ struct thud_record_choice {
     char channel[32];    /* file with several; empty: not given */
     int column;          /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
     int skip;            /* lines; -1: not given */
+    int every;           /* of the scaled samples one in so many, after a low pass; 0: all */
 };
 
 struct thud_analysis {

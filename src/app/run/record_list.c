@@ -11,8 +11,8 @@
 #include "io/record/record_file.h"
 
 /* Those that scale stand first. */
-static const char *const settings[] = {"peak", "sa", "period", "factor",  "sign",   "from",
-                                       "to",   "dt", "unit",   "channel", "column", "skip"};
+static const char *const settings[] = {"peak", "sa",   "period",  "factor", "sign", "from", "to",
+                                       "dt",   "unit", "channel", "column", "skip", "every"};
 enum { SCALES = 5 };
 enum { SETTINGS = sizeof settings / sizeof *settings };
 _Static_assert(sizeof settings / sizeof *settings <= THUD_RECORD_SETTINGS_MAX, "room for all of them");

@@ -23,7 +23,8 @@ static inline int thud_input_dofs(const struct thud_structure_input *in)
 /* Its modes that stay where `modes` are asked for. */
 static inline int thud_input_modes(const struct thud_structure_input *in, int modes)
 {
-    return modes > 0 && modes < thud_input_dofs(in) ? modes : thud_input_dofs(in);
+    const int kept = in->modes > 0 ? in->modes : modes;
+    return kept > 0 && kept < thud_input_dofs(in) ? kept : thud_input_dofs(in);
 }
 
 /* Adds a storey of this stiffness between two rows of k (n x n); below the lowest one (-1) nothing moves. */

@@ -248,10 +248,10 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         int value = node_at(s, key)->next;
         char path[PATH_BYTES];
         path_of(section, name, path, sizeof path);
-        bool nested = (section.group == THUD_GROUP_INTERFACE && strcmp(name, "gap") != 0 &&
-                       strcmp(name, "gap-by-level") != 0 && strcmp(name, "levels") != 0) ||
-                      (section.group == THUD_GROUP_STRUCTURE && is_nested(name)) ||
-                      (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
+        bool nested =
+            (section.group == THUD_GROUP_INTERFACE && (strcmp(name, "contact") == 0 || strcmp(name, "bumper") == 0)) ||
+            (section.group == THUD_GROUP_STRUCTURE && is_nested(name)) ||
+            (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
         if (nested) {
             stay++;
         } else if (!texts(s, path) || !*s->after ||

@@ -95,10 +95,9 @@ static void emit_scalar(struct thud_text *out, const char *text, bool flow)
 
 void thud_emit_value(struct thud_text *out, const char *path, const char *text, bool flow)
 {
-    bool list =
-        text[0] == '[' &&
-        (strncmp(path, "structures.", 11) == 0 || strncmp(path, "study.", 6) == 0 || strstr(path, "-by-level")) &&
-        strcmp(path + strlen(path) - 5, ".name") != 0;
+    bool list = text[0] == '[' &&
+                (strncmp(path, "structures.", 11) == 0 || strncmp(path, "study.", 6) == 0 || strstr(path, "-level")) &&
+                strcmp(path + strlen(path) - 5, ".name") != 0;
     if (list)
         thud_text_append(out, "%s", text);
     else

@@ -139,7 +139,7 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
     case THUD_YAML_SCALAR:
         return set_scalar(preset, path, node, err);
     case THUD_YAML_LIST:
-        if (param && (strncmp(path, "study.", 6) == 0 || strstr(path, "-by-level")))
+        if (param && (strncmp(path, "study.", 6) == 0 || strstr(path, "-level")))
             return set_joined(preset, path, node, err);
         if (floors && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure))
             return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);
@@ -383,13 +383,13 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
 
 static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
 {
-    static const char *const known[] = {"gap", "gap-by-level", "levels", "contact", "bumper"};
+    static const char *const known[] = {"gap", "gap-by-level", "levels", "contact-levels", "contact", "bumper"};
     struct thud_interface *interface = &preset->scene.interface[i];
     char path[PATH_BYTES], full[PATH_BYTES + 16];
     snprintf(path, sizeof path, "interfaces.%d", i + 1);
     thud_interface_init(interface);
     interface->gap_m = NAN;
-    enum thud_status status = check_keys(preset, node, path, known, 5, err);
+    enum thud_status status = check_keys(preset, node, path, known, sizeof known / sizeof *known, err);
     if (status != THUD_OK)
         return status;
     int gap = thud_yaml_find(&preset->tree, node, "gap", NULL),

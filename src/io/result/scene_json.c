@@ -51,7 +51,7 @@ static void put_list(struct writer *w, const struct thud_param *param, char *lis
 static void put_value(struct writer *w, struct thud_section section, const char *path, const char *key)
 {
     bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
-                 section.group == THUD_GROUP_STUDY || strstr(key, "-by-level");
+                 section.group == THUD_GROUP_STUDY || strstr(key, "-level");
     int floor;
     const struct thud_param *param = w->si ? thud_scene_param(w->scene, path, &floor) : NULL;
     char name[THUD_NAME_MAX];

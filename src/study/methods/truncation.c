@@ -33,6 +33,8 @@ enum thud_status thud_truncation_measure(const struct thud_scene *scene, const s
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *all = *scene;
     all->analysis.modes = 0;
+    for (int s = 0; s < all->nstructures; s++)
+        all->structure[s].modes = 0;
     enum thud_status status = thud_scene_solve(all, record, NULL, &whole, err);
     if (status == THUD_OK)
         status = compare(solution->run, whole.run, out, err);

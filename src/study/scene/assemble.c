@@ -100,6 +100,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     to->yield_m = a->yield_m[index];
     to->hardening = a->hardening[index];
     to->damping = thud_wall_gives(s) ? thud_wall_damping(s) : s->damping;
+    to->modes = s->modes;
     to->isolated = base;
     to->isolation_damping = isolator.damping;
     if (p_delta && n > 0)

@@ -160,9 +160,34 @@ void thud_interface_clearance_text(const struct thud_scene *scene, int interface
     }
 }
 
+/* Every floor of contact-levels meets something, and stands there once. */
+static enum thud_status check_contact_levels(const struct thud_scene *scene, int interface, struct thud_error *err)
+{
+    const struct thud_by_level *list = &scene->interface[interface].contact_levels;
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    const int n = list->n > 0 ? thud_interface_contact_pairs(scene, interface, pair) : 0;
+    for (int l = 0; l < list->n; l++) {
+        bool meets = false;
+        for (int i = 0; i < n; i++)
+            meets = meets || list->value_m[l] == thud_contact_level(scene, interface, &pair[i]);
+        for (int k = 0; k < l; k++)
+            meets = meets && list->value_m[k] != list->value_m[l];
+        if (meets)
+            continue;
+        thud_error_set(err, THUD_INPUT,
+                       "%g names no floor that can meet the neighbour, or one that stands there already",
+                       list->value_m[l]);
+        thud_error_allow(err, "floors of the left building, of the right one beside a wall or a body, each once");
+        return refuse(interface, "contact-levels", err);
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_levels_check(const struct thud_scene *scene, int interface, struct thud_error *err)
 {
     const struct thud_interface *at = &scene->interface[interface];
+    if (check_contact_levels(scene, interface, err) != THUD_OK)
+        return THUD_INPUT;
     const struct thud_by_level *const list[] = {&at->gap, &at->thickness};
     static const char *const key[] = {"gap-by-level", "bumper.thickness-by-level"};
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];

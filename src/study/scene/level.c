@@ -192,7 +192,7 @@ static int meet_building(const struct row *left, const struct row *right, struct
     return n;
 }
 
-int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out)
+static int all_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out)
 {
     struct row left, right;
     fill(&left, &scene->structure[interface]);
@@ -210,6 +210,26 @@ int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, 
     if (other->structure->kind == THUD_WALL)
         return meet_wall(building, other->structure, building_left, out);
     return meet_body(building, other->structure->height_m[0], building_left, out);
+}
+
+int thud_contact_level(const struct thud_scene *scene, int interface, const struct thud_contact_pair *pair)
+{
+    return thud_kind_is_building(scene->structure[interface].kind) ? pair->left_floor : pair->right_floor;
+}
+
+int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out)
+{
+    const struct thud_by_level *only = &scene->interface[interface].contact_levels;
+    const int all = all_contact_pairs(scene, interface, out);
+    int n = only->n > 0 ? 0 : all;
+    for (int i = 0; i < all && only->n > 0; i++) {
+        bool meets = false;
+        for (int k = 0; k < only->n && !meets; k++)
+            meets = only->value_m[k] == thud_contact_level(scene, interface, &out[i]);
+        if (meets)
+            out[n++] = out[i];
+    }
+    return n;
 }
 
 bool thud_slab_is_left(int left_floor, int struck)

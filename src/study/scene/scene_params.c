@@ -68,6 +68,8 @@ static const struct thud_param record_params[] = {
     {COUNT("column", "column", "Which column of a table, from 1; all: each line goes on where the last ended.", NAN),
      .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
     {COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
+    {COUNT("every", "samples kept", "Keeps every second sample (2), every third (3), ... of the scaled motion, after a low pass at half their rate.", NAN),
+     .least = 2, UP_TO(1000), ANY_USUAL},
 };
 #define AT(member) offsetof(struct thud_scene, record.member)
 static const struct thud_place record_places[] = {
@@ -85,6 +87,7 @@ static const struct thud_place record_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(channel), .size = 32},
     {.store = THUD_STORE_COUNT, .offset = AT(column), .none = 0},
     {.store = THUD_STORE_COUNT, .offset = AT(skip), .none = -1},
+    {.store = THUD_STORE_COUNT, .offset = AT(every), .none = 0},
 };
 #undef AT
 
@@ -120,6 +123,8 @@ static const struct thud_param structure_params[] = {
     {NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.", THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2},
     {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; by default that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
+    {COUNT("modes", "modes", "The building's lowest ones alone; where it is not given, as analysis.modes says.", NAN),
+     .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
     {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
     {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
     {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
@@ -154,6 +159,7 @@ static const struct thud_place structure_places[] = {
     {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = SPRINGS, .optional = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(gravity_n), .kinds = STOREYS, .optional = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
+    {.store = THUD_STORE_COUNT, .offset = AT(modes), .kinds = STOREYS},
     {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .absent = NAN, .kinds = ISOLATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .absent = NAN, .kinds = ISOLATED},
@@ -241,11 +247,14 @@ static const struct thud_param interface_params[] = {
     {NUMBER("gap-by-level", "gap by level", "A list, from the lowest pair that can meet up, for setbacks; none: that of `gap`.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
     CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
            levels, THUD_LEVELS_ALL),
+    {NUMBER("contact-levels", "levels that meet", "A list of floors of the left building, of the right one beside a wall or a body: only these can meet the neighbour; by default all.", THUD_NUMBER, "", NAN),
+     FROM(1), UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
 };
 static const struct thud_place interface_places[] = {
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, gap_m)},
     {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, gap)},
     {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, levels)},
+    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, contact_levels)},
 };
 static const struct thud_param contact_params[] = {
     WORD("law", "impact law of the bare contact", "One of `thud laws`; the keys after it are the law's own."),

@@ -197,7 +197,8 @@ static enum thud_status find_interface(const struct thud_scene *scene, int inter
         return n == 2 ? find_law_key(scene, interface, bumper, part[1], out, err) : wrong_depth(err);
     int i = find_in_group(THUD_GROUP_INTERFACE, part[0], 0);
     if (i < 0) {
-        static const struct thud_words words = {{"gap", "gap-by-level", "levels", "contact", "bumper"}, 5};
+        static const struct thud_words words = {
+            {"gap", "gap-by-level", "levels", "contact-levels", "contact", "bumper"}, 6};
         return thud_words_unknown(&words, "key", part[0], err);
     }
     fill(out, THUD_GROUP_INTERFACE, i,
@@ -255,8 +256,8 @@ static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
     static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "links",
                                              "analysis", "study", "document", "gap", "gap-by-level", "levels",
-                                             "contact", "bumper"},
-                                            14};
+                                             "contact-levels", "contact", "bumper"},
+                                            15};
     return thud_words_unknown(&words, "key", key, err);
 }
 

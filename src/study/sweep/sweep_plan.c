@@ -227,8 +227,9 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
 static bool is_outer(const char *key)
 {
     static const char *const contact[] = {"interfaces.", "contact.", "bumper."};
-    const char *last = strrchr(key, '.');
-    if (strcmp(last ? last + 1 : key, "levels") == 0) /* other contacts, whose motion relative to each other is read */
+    const char *last = strrchr(key, '.'), *name = last ? last + 1 : key;
+    /* other contacts, whose motion relative to each other is read */
+    if (strcmp(name, "levels") == 0 || strcmp(name, "contact-levels") == 0)
         return true;
     for (size_t i = 0; i < sizeof contact / sizeof *contact; i++)
         if (strncmp(key, contact[i], strlen(contact[i])) == 0)

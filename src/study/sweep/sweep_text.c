@@ -349,6 +349,7 @@ static unsigned long long hash_interface(unsigned long long h, const struct thud
     h = thud_hash(h, &i->gap_m, sizeof i->gap_m);
     h = hash_levels(h, &i->gap);
     h = thud_hash(h, &i->levels, sizeof i->levels);
+    h = hash_levels(h, &i->contact_levels);
     h = hash_choice(h, &i->contact);
     if (!i->has_bumper)
         return h;
@@ -381,6 +382,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
         const double *shape = thud_structure_shape(scene, s);
         /* zeros where nothing is given; what was read of a file follows */
         h = thud_hash(h, p, offsetof(struct thud_structure, file_sha256));
+        if (p->modes > 0)
+            h = thud_hash(h, &p->modes, sizeof p->modes);
         if (shape)
             h = thud_hash(h, shape, (size_t)(p->shape_rows * thud_shape_columns(p)) * sizeof *shape);
     }
