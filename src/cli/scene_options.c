@@ -41,19 +41,24 @@ static enum thud_status of_option(enum thud_status status, struct thud_error *er
     return THUD_USAGE;
 }
 
-/* A peak or spectral acceleration by an option, and a target that is the preset's. */
-static enum thud_status refuse_two_scales(const struct thud_args *args, const struct thud_session *session,
-                                          struct thud_error *err)
+/* Whether an option, or --set, gives this key of the record. */
+static bool gives_record(const struct thud_args *args, const char *setting)
 {
-    const char *own = thud_preset_scene(session->preset)->record.target;
-    if (!own[0] || strcmp(own, session->scene.record.target) != 0 ||
-        !(thud_args_value(args, "peak") || thud_args_value(args, "sa")))
-        return THUD_OK;
-    thud_error_refuse(err, THUD_USAGE, "record.target", "one of the two; --set record.target= leaves the preset's out",
-                      "the preset scales its ground motion to %.60s, and --%s asks for another size", own,
-                      thud_args_value(args, "peak") ? "peak" : "sa");
-    thud_preset_place(session->preset, "record.target", err);
-    return THUD_USAGE;
+    const char *assignment;
+    bool given = thud_args_value(args, setting);
+    for (int i = 0; !given && (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
+        given = thud_scan_word(&assignment, "record.") && thud_scan_word(&assignment, setting) && *assignment == '=' &&
+                assignment[1];
+    return given;
+}
+
+/* One that is given takes the place of all that the preset says. */
+static void drop_size(const struct thud_args *args, struct thud_record_choice *own)
+{
+    if (!gives_record(args, "peak") && !gives_record(args, "sa") && !gives_record(args, "target"))
+        return;
+    own->peak_mps2 = own->sa_mps2 = NAN;
+    own->target[0] = '\0';
 }
 
 /* What is said of a ground motion that is not there would have no effect. */
@@ -149,17 +154,12 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     for (int i = 0; (value = thud_args_repeated(args, "set", i)) != NULL; i++)
         if (thud_scan_word(&value, "record.file=") && strcmp(value, session->scene.record.file) != 0)
             thud_session_choose_record(session, value); /* before what else is said of it, in any order */
+    drop_size(args, &session->scene.record);
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
             status = of_option(thud_scene_set(&session->scene, key, value, err), err);
-    if (status == THUD_OK && thud_args_value(args, "sa") && !thud_args_value(args, "peak"))
-        session->scene.record.peak_mps2 = NAN; /* the preset's own */
-    if (status == THUD_OK && thud_args_value(args, "peak") && !thud_args_value(args, "sa"))
-        session->scene.record.sa_mps2 = NAN;
     if (status == THUD_OK)
         status = thud_scene_options_set(args, session, err);
-    if (status == THUD_OK)
-        status = refuse_two_scales(args, session, err);
     if (status == THUD_OK)
         status = thud_building_files_read(&session->scene, session->preset_path, err);
     if (status == THUD_OK)

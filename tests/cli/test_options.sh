@@ -133,9 +133,18 @@ order towers-linked study.vary= "links.1.damping=2 MN s/m" links.1.law=
 
 # what changes nothing, is nothing, or is asked for twice is told by its key
 sed 's/peak: 0.821 g/target: en1998:0.25g,B/' presets/towers.yaml >"$tmp/target.yaml"
-is "a peak beside the preset's target" gives 2 run "$tmp/target.yaml" --peak 0.3g
-is "names the preset's line" says "target.yaml:[0-9]*:[0-9]*: record.target: the preset scales its ground motion to en1998:0.25g,B, and --peak asks for another size"
-is "without the target it is taken" gives 0 run "$tmp/target.yaml" --peak 0.3g --set record.target= --to 5s --quiet
+"$THUD" run towers --peak 0.3g --to 5s --quiet --csv >"$tmp/peak.csv" 2>&1
+for size in "target: en1998:0.25g,B" "sa: 0.7 g"; do # a preset's own size gives way to the option, and to --set
+    sed "s/peak: 0.821 g/$size/" presets/towers.yaml >"$tmp/size.yaml"
+    is "a peak in place of $size" gives 0 run "$tmp/size.yaml" --peak 0.3g --to 5s --quiet --csv
+    is "is that peak" cmp "$tmp/out" "$tmp/peak.csv"
+    is "by --set too" gives 0 run "$tmp/size.yaml" --set record.peak=0.3g --to 5s --quiet --csv
+    is "is that peak" cmp "$tmp/out" "$tmp/peak.csv"
+done
+sed 's/sign: +/sign: "-"/' presets/towers.yaml >"$tmp/turned.yaml"
+"$THUD" run towers --record northridge-surrogate.csv --to 5s --quiet --csv >"$tmp/other.csv" 2>&1
+is "the preset's sign is of its own record" gives 0 run "$tmp/turned.yaml" --record northridge-surrogate.csv --to 5s --quiet --csv
+is "and not of another" cmp "$tmp/out" "$tmp/other.csv"
 for key in title structures.1.name document.author; do
     is "$key" gives 2 sweep towers --vary "$key=a,b"
     is "cannot be varied" says "^thud: $key: changes no result"

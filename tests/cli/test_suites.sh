@@ -103,6 +103,23 @@ is "the period is the mean of the buildings' without --period" sh -c "\"\$THUD\"
 is "a study varies it" gives 0 sweep towers --vary record.sa=0.2g,0.4g --vary gap=5cm,6cm --cases none --csv --quiet
 is "peak and sa together are refused" gives 3 run towers --peak 0.3g --sa 0.4g
 is "with the key" says "together"
+# whose setting holds: a motion's own, then the command line's, and the preset's never
+sed 's/peak: 0.821 g/target: en1998:0.3g,B\n  factor: 1.7\n  from: 1 s\n  to: 20 s/; s/sign: +/sign: "-"/' presets/towers.yaml >"$tmp/sized.yaml"
+k=records/kobe-surrogate.csv n=records/northridge-surrogate.csv
+same_needs() { # OPTIONS; MOTIONS: the same motions, told outright
+    # shellcheck disable=SC2086
+    "$THUD" gap "$tmp/sized.yaml" --csv $1 2>"$tmp/err" | cut -d, -f2- >"$tmp/told" && "$THUD" gap towers --quiet --csv --records "$2" | cut -d, -f2- | cmp - "$tmp/told"
+}
+is "its own peak goes before --peak" same_needs "--records $k:peak=0.3g,$n --peak 0.5g" "$k:peak=0.3g,$n:peak=0.5g"
+is "and before --sa and --factor" same_needs "--records $k:peak=0.3g,$n --sa 0.5g --factor 0.9" "$k:peak=0.3g,$n:sa=0.5g:factor=0.9"
+is "its own factor before --peak" same_needs "--records $k:factor=0.4,$n --peak 0.5g --sign -" "$k:factor=0.4:sign=-,$n:peak=0.5g:sign=-"
+is "a file's own before its folder's" same_needs "--records $tmp/folder/mine.list:sa=0.2g:period=0.5s" "$tmp/folder/a.csv:peak=0.3g,$tmp/folder/a.csv:peak=0.6g,$tmp/folder/b.csv:sa=0.2g:period=0.5s"
+is "and the preset's never" same_needs "--records $k,$n" "$k,$n"
+is "which a line says" says "^thud: warning: not used for these ground motions: record.factor 1.7, record.target en1998:0.3g,B, record.from 1 s, record.to 20 s, record.sign - (record"
+is "nor where the preset names motions" same_needs "--set study.records=$k,$n:peak=0.3g --peak 0.5g" "$k:peak=0.5g,$n:peak=0.3g"
+is "with the option that one has in place" says "^thud: warning: not used for these ground motions: --peak for 1 of them, record.factor 1.7"
+"$THUD" gap towers --csv --quiet --records "$n:peak=0.3g" | cut -d, -f2- >"$tmp/listed"
+is "and a motion of a list is that of a run" sh -c "\"\$THUD\" gap towers --csv --quiet --record $n --peak 0.3g | cut -d, -f2- | cmp - \"$tmp/listed\""
 is "an empty folder is refused" sh -c "mkdir \"$tmp/empty\"; ! \"\$THUD\" gap towers --records \"$tmp/empty\" 2>\"$tmp/err\""
 printf 'a.csv\nnowhere.csv\n' >"$tmp/folder/bad.list"
 is "a list says which line" gives 3 gap towers --records "$tmp/folder/bad.list"
@@ -450,8 +467,8 @@ is "with those there are" says "target: \"K\" is no ground type (A, B, C, D or E
 is "an acceleration without a unit" gives 3 suite "$tmp/motions" --target en1998:0.3,B
 is "a count without a target" gives 2 suite "$tmp/motions" --count 3
 is "no motions" gives 2 suite
-is "a single motion by record.target" gives 0 run towers --set record.peak= --set record.target=en1998:0.3g,B --case none
-is "not beside a peak" gives 3 run towers --set record.target=en1998:0.3g,B
+is "a single motion by record.target" gives 0 run towers --set record.target=en1998:0.3g,B --case none
+is "not beside a peak" gives 3 run towers --set record.peak=0.3g --set record.target=en1998:0.3g,B
 
 # what is wrong with a suite, wherever one is used, each once
 mkdir "$tmp/wrong"

@@ -247,8 +247,8 @@ struct thud_scene {
 void thud_scene_init(struct thud_scene *scene);
 /* No file, nothing said, nothing scaled. */
 void thud_record_choice_init(struct thud_record_choice *choice);
-/* Another file, as recorded: what was said of the one before (peak, factor, part, unit, ...) does not hold for it; the
- * sign stays. `file` may be empty. */
+/* Another file, as recorded: what was said of the one before (peak, factor, sign, part, unit, ...) does not hold for it.
+ * `file` may be empty. */
 void thud_record_choice_replace(struct thud_record_choice *choice, const char *file);
 /* Of a kind, with one storey where it has storeys; what must be given is NaN. The name is empty. */
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);

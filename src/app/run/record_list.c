@@ -91,6 +91,7 @@ static enum thud_status set(struct thud_scene *scene, const char *key, const cha
 struct reading {
     const struct thud_session *session;            /* NULL: each file is opened by the treatment */
     const struct thud_record_treatment *treatment; /* but for what a line chooses */
+    const struct thud_record_choice *common;       /* what holds for motions that do not say otherwise; NULL: nothing */
     struct thud_record_list *list;
     int room;
     bool both;
@@ -139,6 +140,19 @@ static enum thud_status tell_refusals(const struct refusals *refusals, const cha
     return THUD_INPUT;
 }
 
+/* Size is one choice: what a line says of it replaces what holds for the whole list, and that what the command line
+ * says. */
+static bool is_size(const char *key)
+{
+    return strcmp(key, "peak") == 0 || strcmp(key, "sa") == 0 || strcmp(key, "factor") == 0;
+}
+
+static bool same_size(const struct thud_record_choice *a, const struct thud_record_choice *b)
+{
+    return memcmp(&a->peak_mps2, &b->peak_mps2, sizeof(double)) == 0 &&
+           memcmp(&a->sa_mps2, &b->sa_mps2, sizeof(double)) == 0 && a->factor == b->factor; /* NaN is like NaN */
+}
+
 /* Takes `NAME:KEY=VALUE...` apart, in place, over what already holds for it. */
 static enum thud_status choose(struct thud_scene *scene, char *item, struct thud_error *err)
 {
@@ -152,6 +166,7 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
     snprintf(scene->record.file, sizeof scene->record.file, "%s", item);
     enum thud_status status = THUD_OK;
     const char *given[SETTINGS];
+    bool sized = false;
     for (int n = 0; key && status == THUD_OK; n++) {
         char *own = value;
         const char *next = cut_setting(value, &value);
@@ -160,6 +175,11 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
             if (given[i] == key)
                 return thud_error_refuse(err, THUD_USAGE, "--records", NULL, "%s is given twice for %.200s", key, item);
         given[n] = key; /* all differ, so that there are never more than SETTINGS */
+        if (is_size(key) && !sized) {
+            scene->record.peak_mps2 = scene->record.sa_mps2 = NAN;
+            scene->record.factor = 1;
+            sized = true;
+        }
         status = set(scene, key, own, err);
         key = next;
     }
@@ -284,6 +304,7 @@ static enum thud_status add_file(struct reading *r, const struct thud_scene *sce
         status = add(r, record, path, scene, err);
     if (status != THUD_OK)
         return status;
+    r->list->own_size += r->common && !same_size(r->common, &scene->record);
     name_apart(r->list, own);
     return r->both ? add_turned(r, path, scene, err) : THUD_OK;
 }
@@ -437,6 +458,7 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         thud_scene_init(scene + 1);
         for (int i = 0; i < ncommon && status == THUD_OK; i++)
             status = set(scene + 1, common[i][0], common[i][1], err);
+        r.common = &scene[1].record;
     }
     for (char *item = copy, *end; status == THUD_OK && item; item = end) {
         char own[THUD_TEXT_MAX] = "";

@@ -13,7 +13,9 @@ enum { THUD_RECORD_SETTINGS_MAX = 16 };
 const char *thud_record_setting(int i);
 
 struct thud_record_list {
-    int n, skipped;              /* the second: files that could not be read, and were to be left out */
+    int n;
+    int skipped;                 /* files that could not be read, and were to be left out */
+    int own_size;                /* files with a peak, sa or factor of their own, in place of what holds for all */
     struct thud_record **record; /* (n) each named in `file` as it was typed */
     char **path;                 /* (n) where its file was found */
     char **own; /* (n) how it was read, as a list says it, without what scales it: ":dt=0.005 s:unit=g", or "" */
@@ -27,9 +29,9 @@ void thud_record_put_quoted(struct thud_text *out, const char *text);
  * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value
  * may stand in quotation marks. The settings of a
  * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
- * list hold for all its files that do not say otherwise; `:unreadable=skip` leaves out those of them that cannot be
- * read; and `common` (n pairs key, value) for everything. `both`: each
- * motion also reversed, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
+ * list hold for all its files that do not say otherwise, and `common` (n pairs key, value) for everything; of peak, sa and
+ * factor, one that is given leaves out all of those that hold for more files. What the session's scene says of its own
+ * record holds for none of them. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also reversed, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
  * looked for as the session's own record is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY. */
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],

@@ -363,11 +363,9 @@ void thud_record_choice_init(struct thud_record_choice *choice)
 
 void thud_record_choice_replace(struct thud_record_choice *choice, const char *file)
 {
-    int sign = choice->sign;
     char name[THUD_TEXT_MAX];
     snprintf(name, sizeof name, "%s", file); /* it may be the choice's own */
     thud_record_choice_init(choice);
-    choice->sign = sign;
     memcpy(choice->file, name, strlen(name));
 }
 
