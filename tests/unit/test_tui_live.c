@@ -403,6 +403,52 @@ START_TEST(the_verdict_says_what_changed)
 }
 END_TEST
 
+/* ( and ) drag the gap from any field of Contact, a millimetre each, and the mouse where the buildings stand; movement
+ * and verdict follow, told against the state before the first step. */
+START_TEST(the_gap_is_dragged)
+{
+    const struct thud_interface *at = &f.tui->doc.scene.interface[0];
+    const double first = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 1, &(int){0});
+    char number[24];
+    fixture_keys(&f, "2<Down><Down>))");
+    ck_assert_double_eq_tol(at->gap_m, 0.022, 1e-12);
+    fixture_expect(&f, "At the largest impact");
+    fixture_expect(&f, "( gap 2.2 cm  clearance 1.2 cm )");
+    fixture_expect(&f, " at 2.2 cm: ");
+    fixture_expect(&f, thud_tui_number(1e-6 * first, number));
+    fixture_keys(&f, "(");
+    ck_assert_double_eq_tol(at->gap_m, 0.021, 1e-12);
+    fixture_keys(&f, "c");
+    fixture_expect(&f, "Force against indentation");
+    fixture_keys(&f, "<Size 130x40>"); /* both where there is room */
+    fixture_expect(&f, "Force against indentation");
+    fixture_expect(&f, "At the largest impact");
+    f.backend.click_x = 110;
+    f.backend.click_y = 12;
+    thud_tui_key(f.tui, THUD_KEY_CLICK);
+    f.backend.click_x = 114;
+    thud_tui_key(f.tui, THUD_KEY_DRAG);
+    fixture_keys(&f, "");
+    ck_assert_double_eq_tol(at->gap_m, 0.025, 1e-12);
+    fixture_keys(&f, "u");
+    ck_assert_double_eq_tol(at->gap_m, 0.021, 1e-12);
+}
+END_TEST
+
+/* What was said can be read again, and what is next goes once it was done. */
+START_TEST(messages_and_next_steps)
+{
+    fixture_expect_not(&f, "$ does nothing");
+    fixture_keys(&f, "$:set gap 3 cm<Enter><C-o>");
+    fixture_expect(&f, "$ does nothing here");
+    fixture_expect(&f, ":set gap 3 cm");
+    fixture_keys(&f, "<Esc>2");
+    fixture_expect(&f, "next: 6 finds the gap, U keeps this design, R reports");
+    fixture_keys(&f, "U<Esc>U<Esc>");
+    fixture_expect(&f, "next: 6 finds the gap, R reports");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -415,6 +461,8 @@ Suite *thud_suite(void)
     tcase_add_test(live, rounding_is_shown_as_nothing);
     tcase_add_test(live, changes_are_told_against_the_base);
     tcase_add_test(live, the_verdict_says_what_changed);
+    tcase_add_test(live, the_gap_is_dragged);
+    tcase_add_test(live, messages_and_next_steps);
     tcase_add_test(live, the_answer_in_one_line);
     tcase_add_test(live, no_old_number_after_a_failure);
     tcase_add_test(live, a_change_shows_as_an_arrow);

@@ -180,7 +180,6 @@ START_TEST(fields_say_what_they_are)
     fixture_expect_not(&f, "estimated: by area.");
     fixture_keys(&f, "<Esc>n");
     fixture_expect_not(&f, "estimated: by area.");
-    ck_assert_uint_eq(f.tui->canvas.cell[10 * 80].glyph, ' '); /* nor its frame */
     fixture_keys(&f, "<Esc>");
 }
 END_TEST
@@ -337,7 +336,7 @@ START_TEST(the_whole_plots_of_two_bodies)
                                    "|    ++-------+-------+-------+-------+-------+--||............................|\n"
                                    "|     0      0.2     0.4     0.6     0.8 Time (s)|| +---------+ 500 mm across  |\n"
                                    "+------------------------------------------------++----------------------------+\n"
-                                   "\n"
+                                   " next: 6 finds the gap, U keeps this design, R reports\n"
                                    " Time 0.008812 s:  no bumper 8.38 MN\n"
                                    " Space play  +/- speed  Left/Right time  n/N impact  L largest   ? help  q quit\n";
     fixture_close(&f);

@@ -8,12 +8,26 @@
 #include "base/scan.h"
 #include "tui/document/state.h"
 
+void thud_tui_keep_message(struct thud_tui *tui, const char *before, const char *text)
+{
+    enum { BYTES_MAX = 1 << 16 };
+    struct thud_text *all = &tui->messages;
+    if (all->size > BYTES_MAX) { /* the older half goes */
+        const char *half = strchr(all->data + all->size / 2, '\n');
+        all->size = half ? strlen(half + 1) : 0;
+        memmove(all->data, half ? half + 1 : "", all->size + 1);
+    }
+    thud_text_append(all, "%s%s\n", before, text);
+}
+
 void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
     vsnprintf(tui->said.text, sizeof tui->said.text, fmt, args);
     va_end(args);
+    if (*tui->said.text)
+        thud_tui_keep_message(tui, "", tui->said.text);
     tui->said.role = role;
     tui->redraw.wanted = true;
 }
@@ -170,6 +184,8 @@ void thud_tui_go(struct thud_tui *tui, int screen)
 {
     if (screen != tui->screen && tui->screen != THUD_SCREEN_HELP)
         tui->before = tui->screen;
+    if (screen < THUD_SCREENS)
+        tui->taken[THUD_ACTIONS + screen] += screen != tui->screen;
     tui->screen = screen;
     tui->form.screen = screen;
     thud_tui_hush(tui);

@@ -15,13 +15,18 @@ THUD_KEY(CONTACT, TOGGLE_BUMPER, 'B', 0, "B", "bumper", "put the bumper in or ta
 THUD_KEY(CONTACT, ADD_LINK, 'a', 0, "a", "link",
          "tie the two by one more link, a dashpot between their topmost common floors")
 THUD_KEY(CONTACT, DELETE_LINK, 'd', 0, "d", "", "take the link under the cursor away")
+THUD_KEY(CONTACT, NARROWER, '(', 0, "(", "~( ) drag the gap",
+         "the gap a millimetre narrower, held faster (the mouse: pull the buildings)")
+THUD_KEY(CONTACT, WIDER, ')', 0, ")", "", "the gap a millimetre wider")
+THUD_KEY(CONTACT, QUANTITY, 'c', 0, "c", "buildings",
+         "the buildings at the largest impact, or the curve of the law (both where there is room)")
 THUD_KEY(MODEL_CONTACT, PREVIOUS_PAIR, '[', 0, "[", "", "the pair of structures (the interface) to the left")
 THUD_KEY(MODEL_CONTACT, NEXT_PAIR, ']', 0, "]", "", "the pair of structures (the interface) to the right")
 THUD_KEY(RECORD, MARK, ' ', 0, "Space", "suite",
          "put the ground motion into the study's suite, or take it out; what is missing to read it is asked for")
 THUD_KEY(RECORD, FILTER, 'f', 0, "f", "filter", "show only the files whose name contains some text")
 THUD_KEY(RECORD, SIGN, 's', 0, "s", "sign", "flip the sign of the ground motion")
-THUD_KEY(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
+THUD_KEY_AGAIN(RECORD, QUANTITY, 'c', 0, "c", "curve", "acceleration, velocity, displacement or response spectrum")
 THUD_KEY(RESULTS, SORT, 's', 0, "s", "sort",
          "sort the impacts by time, force or floor; the floors by height, or the largest first")
 THUD_KEY_AGAIN(RESULTS, FILTER, 'f', 0, "f", "filter", "show only the rows that contain some text, such as A 4")
@@ -92,6 +97,7 @@ THUD_KEY(GENERAL, FIND, '/', THUD_CTRL('p'), "/", "find",
          "find anything by letters of its name (Ctrl-P too): fields, figures, screens, keys, commands, presets, ground "
          "motions, states, lines of the study and of the help")
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "+command", "a command line: set KEY VALUE, case, record, run, open, w, q, ...")
+THUD_KEY(GENERAL, MESSAGES, THUD_CTRL('o'), 0, "^O", "", "what was done and said so far")
 THUD_KEY(GENERAL, HELP, '?', THUD_KEY_F1, "?", "help", "the keys, and the model in short")
 THUD_KEY(GENERAL, QUIT, 'q', 0, "q", "quit", "back one level; at the top, quit (asks when something is unsaved)")
 THUD_KEY(GENERAL, BACK, THUD_KEY_ESC, 0, "Esc", "",

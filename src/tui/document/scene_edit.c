@@ -210,6 +210,19 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     return true;
 }
 
+/* What changes are told against stays while the same value is stepped. */
+bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text)
+{
+    const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision;
+    if (!thud_tui_set(tui, key, text))
+        return false;
+    if (tui->run.stepped != key)
+        snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", key);
+    tui->run.stepped_to = tui->doc.revision;
+    tui->run.stepping = more;
+    return true;
+}
+
 /* The value under the cursor, for every floor of its structure. */
 void thud_tui_all_floors(struct thud_tui *tui)
 {

@@ -17,12 +17,13 @@ void thud_tui_log(struct thud_tui *tui, const char *fmt, ...)
     va_end(args);
     line[strcspn(line, "\r\n")] = '\0';
     thud_text_append(&tui->log, "%s\n", line);
+    thud_tui_keep_message(tui, ":", line);
 }
 
 void thud_tui_show_log(struct thud_tui *tui)
 {
-    thud_tui_choose(tui, NULL, "What was done (:log FILE saves it, thud --play FILE plays it)");
-    for (const char *line = tui->log.data; line && *line;) {
+    thud_tui_choose(tui, NULL, "What was done and said (:log FILE saves it, thud --play FILE plays it)");
+    for (const char *line = tui->messages.data; line && *line;) {
         int n = (int)strcspn(line, "\n");
         thud_chooser_add(&tui->dialog.chooser, "", "%.*s", n, line);
         line += n + (line[n] == '\n');

@@ -72,6 +72,8 @@ struct thud_view {
     void (*read_at)(struct thud_tui *tui, double x);
     /* A click into a pane where no field and no chart is, with its place in the pane. */
     void (*click)(struct thud_tui *tui, int index, const struct thud_pane *pane, int x, int y);
+    /* The mouse was moved with its button down, in pane `index`; false: it means nothing there. */
+    bool (*drag)(struct thud_tui *tui, int index, int columns);
     /* Enter on that panel with the cursor in it; false: nothing can be done with what it reads. */
     bool (*take)(struct thud_tui *tui);
     /* What it needs of the live cases' motions. */
@@ -208,6 +210,7 @@ struct thud_tui {
     struct thud_dialog dialog;
     struct thud_files files;
     struct thud_text log;                           /* what was done, a command a line */
+    struct thud_text messages;                      /* and that with what was said, the oldest first */
     const struct thud_view *view[THUD_SCREENS + 1]; /* (screens) */
     void *own[THUD_SCREENS + 1];                    /* the state of each */
     int screens, screen, before;                    /* how many, the one shown, and the one shown before */
@@ -230,6 +233,9 @@ struct thud_tui {
     struct thud_chart_window window[THUD_SCREENS + 1]; /* what is shown of it */
     int dragged_x;                                     /* the column where the mouse was, while its button is down */
     bool mouse;
+    int taken[THUD_ACTIONS +
+              THUD_SCREENS]; /* how often an action was done, and a screen gone to: newcomers' next steps */
+    double busy_since_s;     /* a study or files; 0: nothing is being made */
     struct {
         bool wanted;         /* the screen must be drawn, */
         bool now;            /* at once: a case has ended, */
@@ -256,6 +262,7 @@ void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);
 /* An error in the terminal's words, what is quoted of a long text shortened. */
 const char *thud_tui_error_text(const struct thud_error *err, char *text, size_t size);
 void thud_tui_hush(struct thud_tui *tui);
+void thud_tui_keep_message(struct thud_tui *tui, const char *before, const char *text); /* in the list of messages */
 void thud_tui_redraw(struct thud_tui *tui, bool now);
 void thud_tui_drawn(struct thud_tui *tui);
 void thud_tui_normal(struct thud_tui *tui); /* nothing stands over the screen */
@@ -303,7 +310,8 @@ bool thud_tui_shows_old(const struct thud_tui *tui);
 enum thud_live_history thud_tui_wants_history(const struct thud_tui *tui);
 
 /* scene_edit.c: values; more than one value: scene_edit.h */
-bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text); /* with messages and warnings */
+bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text);      /* with messages and warnings */
+bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text); /* one more step of a value */
 /* Another ground motion, as recorded; where it cannot be found or read the one there is stays. False: it was refused.
  */
 bool thud_tui_choose_record(struct thud_tui *tui, const char *file);

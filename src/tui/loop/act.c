@@ -168,17 +168,12 @@ static bool files(struct thud_tui *tui, enum thud_action action)
 static bool named(struct thud_tui *tui, enum thud_action action)
 {
     static void (*const done_by[THUD_ACTIONS])(struct thud_tui * tui) = {
-        [THUD_DO_RUN] = thud_tui_run,
-        [THUD_DO_NEW] = thud_tui_new,
-        [THUD_DO_OPEN] = thud_tui_list_presets,
-        [THUD_DO_SAVE_AS] = thud_tui_save_as,
-        [THUD_DO_COPY] = thud_tui_copy,
-        [THUD_DO_SOLVE] = thud_tui_solve_field,
-        [THUD_DO_DESIGNS] = thud_tui_list_designs,
-        [THUD_DO_SHELF] = thud_tui_shelf,
-        [THUD_DO_REMARKS] = thud_tui_list_remarks,
-        [THUD_DO_FIND] = thud_tui_palette,
-        [THUD_DO_BACK] = back,
+        [THUD_DO_RUN] = thud_tui_run,           [THUD_DO_NEW] = thud_tui_new,
+        [THUD_DO_OPEN] = thud_tui_list_presets, [THUD_DO_SAVE_AS] = thud_tui_save_as,
+        [THUD_DO_COPY] = thud_tui_copy,         [THUD_DO_SOLVE] = thud_tui_solve_field,
+        [THUD_DO_MESSAGES] = thud_tui_show_log, [THUD_DO_DESIGNS] = thud_tui_list_designs,
+        [THUD_DO_SHELF] = thud_tui_shelf,       [THUD_DO_REMARKS] = thud_tui_list_remarks,
+        [THUD_DO_FIND] = thud_tui_palette,      [THUD_DO_BACK] = back,
     };
     if (done_by[action])
         done_by[action](tui);
@@ -236,6 +231,7 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
         return;
     }
     int before = tui->before;
+    tui->taken[action]++;
     if (action != THUD_DO_BACK && tui->screen != THUD_SCREEN_HELP)
         tui->before = tui->screen; /* it was not chosen by mistake */
     enum thud_reaction reaction = view->act ? view->act(tui, action) : THUD_NOT_MINE;
@@ -313,6 +309,14 @@ void thud_tui_drag(struct thud_tui *tui)
 {
     int x = tui->backend->click_x, y = tui->backend->click_y;
     const struct thud_chart_window *window = &tui->window[tui->screen];
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
+    const int panes = thud_tui_view(tui)->layout(tui, area, rect);
+    for (int i = 0; i < panes && tui->dialog.mode == THUD_MODE_NORMAL && thud_tui_view(tui)->drag; i++)
+        if (x >= rect[i].x && x < rect[i].x + rect[i].w && y >= rect[i].y && y < rect[i].y + rect[i].h &&
+            thud_tui_view(tui)->drag(tui, i, x - tui->dragged_x)) {
+            tui->dragged_x = x;
+            return;
+        }
     if (tui->dialog.mode != THUD_MODE_NORMAL || isnan(chart_at(tui, x, y)))
         return;
     if (window->to > window->from) {

@@ -145,17 +145,6 @@ static double first_value(const struct thud_tui *tui, const char *key)
     return NAN;
 }
 
-/* One more step of the same value leaves what changes are told against. */
-static void set_step(struct thud_tui *tui, const char *key, const char *text)
-{
-    const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision;
-    if (!thud_tui_set(tui, key, text))
-        return;
-    snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", key);
-    tui->run.stepped_to = tui->doc.revision;
-    tui->run.stepping = more;
-}
-
 /* A step is one in the second digit of the number as shown. */
 void thud_tui_step_value(struct thud_tui *tui, int steps)
 {
@@ -187,7 +176,7 @@ void thud_tui_step_value(struct thud_tui *tui, int steps)
     if (whole)
         *unit = '\0';
     snprintf(text, sizeof text, "%s%s%s", number, *unit ? " " : "", unit);
-    set_step(tui, key, text);
+    thud_tui_set_step(tui, key, text);
 }
 
 void thud_tui_toggle(struct thud_tui *tui)

@@ -192,6 +192,23 @@ static void fit_words(const struct thud_pane *lines, int rows, char *words)
     }
 }
 
+/* What newcomers can do next; each goes once it was done twice. */
+static void next_steps(const struct thud_tui *tui, char *text, size_t size)
+{
+    const struct {
+        int taken;
+        const char *words;
+    } step[] = {{tui->taken[THUD_ACTIONS + THUD_SCREEN_SWEEP], "6 finds the gap"},
+                {tui->taken[THUD_DO_DESIGNS], "U keeps this design"},
+                {tui->taken[THUD_DO_REPORT], "R reports"}};
+    *text = '\0';
+    for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
+        const size_t n = strlen(text);
+        if (step[i].taken < 2)
+            snprintf(text + n, size - n, "%s%s", n ? ", " : "next: ", step[i].words);
+    }
+}
+
 static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int rows)
 {
     struct thud_pane lines = thud_pane_inside(page, 0, page->h - rows, page->w, rows);
@@ -214,8 +231,13 @@ static void bottom_lines(struct thud_tui *tui, const struct thud_pane *page, int
                        thud_look(THUD_ROLE_VALUE, THUD_UNDERLINE));
     } else {
         int used = *tui->said.text ? thud_pane_wrap(&upper, 1, 0, upper.w - 2, said, tui->said.text) : 0;
-        if (used == 0 && upper.h > 1 && thud_utf8_columns(words) <= upper.w - 2)
+        if (used == 0 && upper.h > 1 && thud_utf8_columns(words) <= upper.w - 2) {
+            char next[80];
+            next_steps(tui, next, sizeof next);
+            if (tui->dialog.mode == THUD_MODE_NORMAL)
+                thud_pane_put(&upper, 1, 0, thud_look(THUD_ROLE_MUTED, 0), next);
             used = 1;
+        }
         fit_words(&upper, upper.h - used, words);
         if (used < upper.h)
             thud_pane_wrap(&upper, 1, used, upper.w - 2, muted, words);

@@ -90,6 +90,7 @@ void thud_tui_free(struct thud_tui *tui)
     thud_tui_over_free(tui);
     thud_base_clear(&tui->base);
     thud_text_clear(&tui->log);
+    thud_text_clear(&tui->messages);
     thud_model_free(tui->run.model);
     thud_doc_free(&tui->doc);
     thud_form_free(&tui->form);
@@ -369,9 +370,25 @@ static void keep_edits(struct thud_tui *tui)
     tui->end.keeping_failed = failed;
 }
 
+/* Who has gone to another window is told when what took long has ended. */
+static void notice(struct thud_tui *tui, bool making)
+{
+    static const double long_s = 10.0;
+    static const char ended[] = "\033]9;thud: the study has ended\a";
+    const double now_s = tui->backend->now(tui->backend);
+    if (making && tui->busy_since_s == 0.0)
+        tui->busy_since_s = now_s;
+    if (making || tui->busy_since_s == 0.0)
+        return;
+    if (now_s - tui->busy_since_s > long_s)
+        tui->backend->raw(tui->backend, ended, sizeof ended - 1);
+    tui->busy_since_s = 0.0;
+}
+
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
     thud_tui_follow(tui);
+    notice(tui, busy_view(tui) != NULL || tui->files.work || tui->files.command);
     const struct thud_view *view = thud_tui_view(tui);
     if (view->live && tui->run.on && !tui->run.live.running && !tui->run.was_running && !tui->end.quit)
         view->live(tui);

@@ -6,9 +6,10 @@
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
 #include "tui/screens/law_figure.h"
+#include "tui/screens/movement.h"
 #include "tui/widgets/chart.h"
 
-enum { FORM, CURVE, CHECK };
+enum { FORM, CURVE, CHECK, MOVE, WIDE = 120 };
 
 struct contact_state {
     struct thud_figure *figure; /* force-indentation loops of the interface shown */
@@ -16,6 +17,9 @@ struct contact_state {
     struct thud_error error;
     unsigned long revision, base; /* what they belong to; 0: nothing */
     int pair;
+    bool moves;    /* the buildings stand in place of the curve, where there is no room for both */
+    double held_s; /* when the gap was dragged last, */
+    int held;      /* and how many times without a pause */
 };
 
 static struct contact_state *state(const struct thud_tui *tui)
@@ -25,6 +29,15 @@ static struct contact_state *state(const struct thud_tui *tui)
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
+    if (area.w >= WIDE) { /* the buildings beside the rest */
+        const int form = area.w * 3 / 10 > 40 ? area.w * 3 / 10 : 40, curve = (area.w - form) / 2;
+        const int low = area.h >= 18 ? 7 : area.h / 3;
+        pane[FORM] = (struct thud_rect){area.x, area.y, form, area.h};
+        pane[CURVE] = (struct thud_rect){area.x + form, area.y, curve, area.h - low};
+        pane[CHECK] = (struct thud_rect){area.x + form, area.y + area.h - low, curve, low};
+        pane[MOVE] = (struct thud_rect){area.x + form + curve, area.y, area.w - form - curve, area.h};
+        return 4;
+    }
     (void)tui;
     int half = area.w / 2 < 62 ? area.w / 2 : 62, check = area.h >= 18 ? 7 : area.h / 3;
     pane[FORM] = (struct thud_rect){area.x, area.y, half, area.h};
@@ -33,10 +46,48 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 3;
 }
 
+static bool shows_buildings(const struct thud_tui *tui, int index)
+{
+    return index == MOVE || (index == CURVE && state(tui)->moves && tui->canvas.width < WIDE);
+}
+
+/* The case as it is written; the run that is shown of it, with its model: while it goes on that of before. NULL: none. */
+static const struct thud_run *shown_run(const struct thud_tui *tui, enum thud_live_which *which,
+                                        const struct thud_model **model)
+{
+    *which = tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const struct thud_live_case *c = &tui->run.live.which[*which];
+    const bool old = thud_live_is_old(&tui->run.live, *which);
+    const struct thud_run *run = old ? c->old : c->state == THUD_LIVE_DONE ? c->run : NULL;
+    *model = old ? c->old_model : c->model;
+    const struct thud_history *history = run ? thud_run_history(run) : NULL;
+    return history && history->rows > 0 && (*model)->nstructures == tui->doc.scene.nstructures ? run : NULL;
+}
+
+/* When the largest force of the interface shown acts, s. */
+static double time_of_largest(const struct thud_tui *tui, const struct thud_result *result)
+{
+    double most = -1.0, time_s = 0.0;
+    for (int i = 0; i < result->ncontacts; i++)
+        if (result->contact[i].interface == tui->interface + 1 && result->contact[i].force.value > most) {
+            most = result->contact[i].force.value;
+            time_s = result->contact[i].force.time_s;
+        }
+    return time_s;
+}
+
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int i = tui->interface;
+    if (shows_buildings(tui, index)) {
+        enum thud_live_which which;
+        const struct thud_model *model;
+        const struct thud_run *run = shown_run(tui, &which, &model);
+        snprintf(text, size, run ? "At the largest impact, t = %.3f s" : "The buildings",
+                 run ? time_of_largest(tui, thud_run_result(run)) : 0.0);
+        return;
+    }
     if (index == FORM && i + 1 < scene->nstructures)
         snprintf(text, size, "Between %s and %s (%d of %d)", scene->structure[i].name, scene->structure[i + 1].name,
                  i + 1, scene->nstructures - 1);
@@ -190,10 +241,74 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
     return y;
 }
 
+/* Both buildings at the largest impact, and the gap under them, which ( ) and the mouse move. */
+static int draw_buildings(struct thud_tui *tui, const struct thud_pane *pane)
+{
+    const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
+    enum thud_live_which which;
+    const struct thud_model *model;
+    const struct thud_run *run = shown_run(tui, &which, &model);
+    struct thud_pane upper = thud_pane_inside(pane, 0, 0, pane->w, pane->h - 1);
+    char text[80];
+    if (run)
+        thud_movement_draw(&upper, &tui->doc.scene, model, run, which == THUD_LIVE_BUMPER,
+                           time_of_largest(tui, thud_run_result(run)));
+    else
+        thud_field_note(pane, 0, "no motions to show");
+    snprintf(text, sizeof text, "( gap %.5g cm  clearance %.5g cm )", 100.0 * at->gap_m,
+             100.0 * thud_interface_clearance(at));
+    const int x = (pane->w - (int)strlen(text)) / 2;
+    thud_pane_put(pane, x > 0 ? x : 0, pane->h - 1, thud_look(THUD_ROLE_VALUE, THUD_BOLD), text);
+    return pane->h;
+}
+
+/* The gap so many mm wider, in the unit it is shown in. */
+static void drag_gap(struct thud_tui *tui, double mm)
+{
+    struct contact_state *c = state(tui);
+    const double gap_m = tui->doc.scene.interface[tui->interface].gap_m, next = fmax(0.0, gap_m + 1e-3 * mm);
+    char key[THUD_PATH_MAX], unit[48], text[96];
+    snprintf(key, sizeof key, "interfaces.%d.gap", tui->interface + 1);
+    thud_tui_shown_unit(tui, key, unit, sizeof unit);
+    thud_quantity_format(1e-3 * round(1e3 * next), unit, text, sizeof text);
+    c->moves = true;
+    thud_tui_set_step(tui, key, text);
+}
+
+/* A millimetre; held, faster. */
+static void drag(struct thud_tui *tui, int direction)
+{
+    static const double pause_s = 0.2;
+    enum { SLOW = 8, FAST = 5 };
+    struct contact_state *c = state(tui);
+    const double now_s = tui->backend->now(tui->backend);
+    c->held = now_s - c->held_s < pause_s ? c->held + 1 : 0;
+    c->held_s = now_s;
+    drag_gap(tui, direction * (c->held < SLOW ? 1.0 : FAST));
+}
+
+/* The mouse in the pane of the buildings: a millimetre a column. */
+static bool drag_by_mouse(struct thud_tui *tui, int index, int columns)
+{
+    if (!shows_buildings(tui, index) || tui->interface + 1 >= tui->doc.scene.nstructures)
+        return false;
+    if (columns != 0)
+        drag_gap(tui, columns);
+    return true;
+}
+
+/* Motions are kept for where the buildings stand. */
+static enum thud_live_history history(const struct thud_tui *tui)
+{
+    return tui->canvas.width >= WIDE || state(tui)->moves ? THUD_LIVE_LOOK : THUD_LIVE_NO_HISTORY;
+}
+
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
     if (tui->interface + 1 >= tui->doc.scene.nstructures)
         return 0;
+    if (shows_buildings(tui, index))
+        return draw_buildings(tui, pane);
     if (index == FORM)
         return draw_form(tui, pane);
     refresh(tui);
@@ -221,6 +336,10 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     if (action == THUD_DO_KEEP_FORCE)
         thud_tui_keep_force(tui);
+    else if (action == THUD_DO_NARROWER || action == THUD_DO_WIDER)
+        drag(tui, action == THUD_DO_WIDER ? 1 : -1);
+    else if (action == THUD_DO_QUANTITY)
+        state(tui)->moves = !state(tui)->moves;
     else if (action == THUD_DO_TOGGLE_BUMPER)
         thud_tui_toggle_bumper(tui, tui->interface);
     else if (action == THUD_DO_ADD_LINK)
@@ -238,7 +357,10 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
         return isnan(tui->kept.before_n) ? "There was no change of the exponent just now" : NULL;
     if (action == THUD_DO_DELETE_LINK && link_here(tui) < 0)
         return "The cursor is on no link";
-    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_ADD_LINK || action == THUD_DO_DELETE_LINK)
+    if (action == THUD_DO_QUANTITY && tui->canvas.width >= WIDE)
+        return "Curve and buildings stand beside each other";
+    if (action == THUD_DO_TOGGLE_BUMPER || action == THUD_DO_NARROWER || action == THUD_DO_WIDER ||
+        action == THUD_DO_QUANTITY || action == THUD_DO_ADD_LINK || action == THUD_DO_DELETE_LINK)
         return tui->interface + 1 < tui->doc.scene.nstructures ? NULL : "There is no interface";
     return thud_tui_cannot_change_interface(tui, action);
 }
@@ -252,7 +374,9 @@ static const struct thud_figure *figure(struct thud_tui *tui)
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
-    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && figure(tui) ? &state(tui)->figure->panel[0] : NULL;
+    return tui->form.pane[THUD_SCREEN_CONTACT] == CURVE && !shows_buildings(tui, CURVE) && figure(tui)
+               ? &state(tui)->figure->panel[0]
+               : NULL;
 }
 
 static void release(struct thud_tui *tui)
@@ -261,4 +385,5 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(contact, "Contact", CONTACT, .keys = "interfaces. links.", .size = sizeof(struct contact_state),
-          .free = release, .act = act, .cannot = cannot, .figure = figure, .read = read_panel);
+          .free = release, .act = act, .cannot = cannot, .figure = figure, .read = read_panel, .history = history,
+          .drag = drag_by_mouse);

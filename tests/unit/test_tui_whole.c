@@ -1,0 +1,81 @@
+/* Whole screens at three sizes, after an edit that has its effect in sight: what is kept in tests/screens/whole. With
+ * THUD_WHOLE_WRITE set they are written anew, to be looked at before they are kept. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "tui_fixture.h"
+
+static struct fixture f;
+
+static void setup(void)
+{
+    fixture_open(&f, "towers", 80, 24, true);
+}
+
+static void teardown(void)
+{
+    fixture_close(&f);
+}
+
+/* Model, Contact with the gap dragged, Record, Results, Plots, Sweep, the designs, the form of a report. */
+static const char *const shown[] = {"1", "2)", "3", "4", "5", "6", "2U", "<Esc>wR"};
+enum { SHOWN = sizeof shown / sizeof *shown };
+
+static const struct {
+    int width, height;
+} sizes[] = {{80, 24}, {130, 40}, {200, 60}};
+enum { SIZES = sizeof sizes / sizeof *sizes };
+
+/* Up to the folder of the test, whose name is another each time. */
+static void without_folder(char *text)
+{
+    for (char *at = text; (at = strstr(at, f.folder)) != NULL;)
+        memset(at, '.', strlen(f.folder));
+}
+
+START_TEST(whole_screens)
+{
+    char path[120], size[32], *line = NULL, *screen;
+    size_t room = 0;
+    snprintf(path, sizeof path, "tests/screens/whole/%dx%d.txt", sizes[_i].width, sizes[_i].height);
+    snprintf(size, sizeof size, "<Size %dx%d>", sizes[_i].width, sizes[_i].height);
+    const bool writes = getenv("THUD_WHOLE_WRITE") != NULL;
+    FILE *file = fopen(path, writes ? "w" : "r");
+    ck_assert_msg(file != NULL, "%s cannot be opened", path);
+    ck_assert_int_eq(chdir(f.folder), 0); /* whose files are listed */
+    fixture_keys(&f, size);
+    fixture_keys(&f, ":set gap 3 cm<Enter>");
+    for (int i = 0; i < SHOWN; i++) {
+        fixture_keys(&f, shown[i]);
+        screen = fixture_text(&f);
+        without_folder(screen);
+        if (writes)
+            fprintf(file, "%s", screen);
+        int number = 0;
+        for (char *at = screen, *end; !writes && *at && (end = strchr(at, '\n')) != NULL; at = end + 1) {
+            ck_assert_msg(getline(&line, &room, file) > 0, "%s ends before %s", path, shown[i]);
+            number++;
+            ck_assert_msg(strncmp(line, at, (size_t)(end - at) + 1) == 0, "%s: line %d of \"%s\" is\n%.*s\nnot\n%s",
+                          path, number, shown[i], (int)(end - at), at, line);
+        }
+        free(screen);
+    }
+    free(line);
+    fclose(file);
+}
+END_TEST
+
+Suite *thud_suite(void);
+Suite *thud_suite(void)
+{
+    Suite *suite = suite_create("tui whole");
+    TCase *whole = tcase_create("whole");
+    tcase_set_timeout(whole, 60.0);
+    tcase_add_checked_fixture(whole, setup, teardown);
+    tcase_add_loop_test(whole, whole_screens, 0, SIZES);
+    suite_add_tcase(suite, whole);
+    return suite;
+}
