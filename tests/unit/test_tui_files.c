@@ -894,7 +894,7 @@ START_TEST(designs_are_gone_to_named_and_compared)
     fixture_keys(&f, ":set gap 6 cm<Enter>");
     fixture_keys(&f, ":set gap 4 cm<Enter>"); /* twice the same is once */
     fixture_keys(&f, "U");
-    ck_assert_int_eq(f.tui->doc.designs.n, 3);
+    ck_assert_int_eq(f.tui->designs.n, 3);
     fixture_expect(&f, thud_tui_number(1e-6 * force, text));
     fixture_expect(&f, "*#2 gap 4 cm"); /* the one on the screen comes first, */
     fixture_expect(&f, "#3 gap 6 cm");  /* the others by what they have other than the first */
@@ -923,11 +923,11 @@ START_TEST(designs_are_gone_to_named_and_compared)
         snprintf(keys, sizeof keys, ":set gap %d mm<Enter>", 30 + i);
         fixture_keys(&f, keys);
     }
-    ck_assert_int_eq(f.tui->doc.designs.n, THUD_DESIGNS_MAX);
+    ck_assert_int_eq(f.tui->designs.n, THUD_DESIGNS_MAX);
     fixture_keys(&f, ":design wide<Enter>");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.06, 1e-15);
     fixture_keys(&f, "U<Down><Del><Esc>");
-    ck_assert_int_eq(f.tui->doc.designs.n, THUD_DESIGNS_MAX - 1);
+    ck_assert_int_eq(f.tui->designs.n, THUD_DESIGNS_MAX - 1);
 }
 END_TEST
 

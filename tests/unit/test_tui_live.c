@@ -363,7 +363,7 @@ START_TEST(changes_are_told_against_the_base)
     fixture_expect(&f, "before");
     fixture_keys(&f, "5");
     fixture_expect(&f, "bumper, before");
-    fixture_keys(&f, "2<Home>+++"); /* a series of steps is one change */
+    fixture_keys(&f, "2<Home>+++4"); /* a series of steps is one change */
     ck_assert_double_eq_tol(f.tui->doc.scene.interface[0].gap_m, 0.043, 1e-12);
     ck_assert(bumper_force(thud_tui_compared(f.tui)) == at_4cm);
     fixture_keys(&f, ":compare #1<Enter>:set record.factor 0.5<Enter>"); /* a design keeps its own motion */

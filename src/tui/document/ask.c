@@ -118,7 +118,6 @@ void thud_tui_choose(struct thud_tui *tui, thud_chosen_fn *chosen, const char *t
 {
     tui->dialog.mode = THUD_MODE_CHOOSING;
     tui->dialog.chosen = chosen;
-    tui->dialog.list_key = NULL;
     thud_chooser_begin(&tui->dialog.chooser, title);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/run/live_cases.h"
+#include "tui/document/designs.h"
 #include "tui/document/doc.h"
 
 struct thud_base {

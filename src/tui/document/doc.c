@@ -51,7 +51,6 @@ static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *
     take(doc, preset, path);
     doc->scene = doc->saved;
     thud_undo_clear(&doc->undo);
-    thud_designs_clear(&doc->designs);
     forget_record(doc);
     doc->revision++;
     doc->edits++;
@@ -92,7 +91,6 @@ void thud_doc_free(struct thud_doc *doc)
 {
     forget_record(doc);
     thud_undo_clear(&doc->undo);
-    thud_designs_clear(&doc->designs);
     thud_preset_free(doc->preset);
     doc->preset = NULL;
 }

@@ -5,7 +5,6 @@
 #include "io/file/paths.h"
 #include "io/preset/preset.h"
 #include "study/scene/scene.h"
-#include "tui/document/designs.h"
 #include "tui/document/undo.h"
 
 struct thud_stamp {
@@ -18,7 +17,6 @@ struct thud_doc {
     struct thud_preset *preset;
     struct thud_scene scene, saved;
     struct thud_undo undo;
-    struct thud_designs designs; /* what was run so far */
     struct thud_stamp stamp;
     unsigned long revision;                  /* grows with every change that changes a run */
     unsigned long edits;                     /* grows with every change */

@@ -48,6 +48,7 @@ void thud_tui_opened(struct thud_tui *tui)
     memset(tui->window, 0, sizeof tui->window);
     tui->interface = 0;
     tui->look_at.wanted = false;
+    thud_designs_clear(&tui->designs);
     thud_base_clear(&tui->base);
     tui->run.design = 0;
     tui->kept.before_n = NAN;
@@ -69,8 +70,8 @@ static void remember_before(struct thud_tui *tui)
     const bool step = tui->run.stepping && tui->run.stepped_to == tui->doc.revision;
     if (tui->base.chosen || (step && tui->base.scene.nstructures > 0))
         return;
-    for (int i = 0; i < tui->doc.designs.n; i++) {
-        const struct thud_design *d = &tui->doc.designs.item[i];
+    for (int i = 0; i < tui->designs.n; i++) {
+        const struct thud_design *d = &tui->designs.item[i];
         if (d->number == tui->run.design &&
             memcmp(&d->scene->record, &tui->doc.record_choice, sizeof d->scene->record) == 0)
             thud_base_take(&tui->base, d, tui->doc.record, false);

@@ -39,6 +39,7 @@ enum thud_reaction {
 struct thud_view {
     const char *title;
     int where;        /* its bit in the key table */
+    bool compares;    /* it shows what the scene is compared with, beside the result in one line */
     bool moved;       /* its figures are of the scene's ground motion */
     bool many;        /* and of many gaps */
     const char *keys; /* its fields are those of the scene that begin with one of these; the longest that fits holds */
@@ -134,10 +135,8 @@ typedef void thud_chosen_fn(struct thud_tui *tui, const char *value);
 
 struct thud_dialog {
     enum thud_mode mode;
-    const struct thud_prompt *prompt; /* NULL: the field `target` is typed */
-    thud_chosen_fn *chosen;           /* of the list; NULL: nothing is done */
-    /* A key of the list that means something else there; NULL: none does. */
-    bool (*list_key)(struct thud_tui *tui, int key, const char *value);
+    const struct thud_prompt *prompt;                  /* NULL: the field `target` is typed */
+    thud_chosen_fn *chosen;                            /* of the list; NULL: nothing is done */
     const struct thud_question *question, *after_save; /* the second: asked, and to be done once it is saved */
     const struct thud_over *over;
     void *own; /* the form's */
@@ -205,7 +204,8 @@ struct thud_tui {
     struct thud_canvas canvas;
     struct thud_doc doc;
     struct thud_running run;
-    struct thud_base base; /* the state that changes are told against */
+    struct thud_designs designs; /* what was run so far */
+    struct thud_base base;       /* the state that changes are told against */
     struct thud_form form;
     struct thud_dialog dialog;
     struct thud_files files;

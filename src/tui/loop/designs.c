@@ -19,13 +19,13 @@ struct list {
 static struct thud_design *present(struct thud_tui *tui)
 {
     const char *what = thud_undo_what(&tui->doc.undo, 0);
-    return thud_designs_note(&tui->doc.designs, &tui->doc.scene, what ? what : "as opened", NULL);
+    return thud_designs_note(&tui->designs, &tui->doc.scene, what ? what : "as opened", NULL);
 }
 
 /* The i-th row: the present state first, then the others, the newest first. */
 static struct thud_design *row_at(struct thud_tui *tui, int i)
 {
-    struct thud_designs *designs = &tui->doc.designs;
+    struct thud_designs *designs = &tui->designs;
     struct thud_design *now = present(tui);
     for (int k = designs->n; k >= 0; k--) {
         struct thud_design *d = k == designs->n ? now : &designs->item[k];
@@ -37,7 +37,7 @@ static struct thud_design *row_at(struct thud_tui *tui, int i)
 
 void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
 {
-    const struct thud_design *d = thud_designs_named(&tui->doc.designs, name);
+    const struct thud_design *d = thud_designs_named(&tui->designs, name);
     struct thud_error err = {0};
     char what[80], text[40];
     if (!d) {
@@ -67,7 +67,7 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
 /* Empty, or the one that is chosen already: changes are told against the state before them again. */
 void thud_tui_compare_with(struct thud_tui *tui, const char *name)
 {
-    struct thud_design *d = *name ? thud_designs_named(&tui->doc.designs, name) : NULL;
+    struct thud_design *d = *name ? thud_designs_named(&tui->designs, name) : NULL;
     struct thud_record *record = NULL;
     struct thud_error err = {0};
     char text[40];
@@ -105,7 +105,7 @@ static bool name_design(struct thud_tui *tui, struct thud_design *d, const char 
     struct thud_error err = {0};
     char path[600];
     thud_tui_design_path(tui, name, path, sizeof path);
-    struct thud_design *other = thud_designs_named(&tui->doc.designs, name);
+    struct thud_design *other = thud_designs_named(&tui->designs, name);
     if (!*name || strlen(name) >= sizeof d->name || strpbrk(name, "/#\\\"'") || (other && other != d) ||
         (!other && access(path, F_OK) == 0)) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\": a name that neither a design nor a preset here has", name);
@@ -129,7 +129,7 @@ void thud_tui_name_design(struct thud_tui *tui, const char *name)
 
 static void named(struct thud_tui *tui, const char *text)
 {
-    struct thud_design *d = thud_designs_named(&tui->doc.designs, tui->dialog.target);
+    struct thud_design *d = thud_designs_named(&tui->designs, tui->dialog.target);
     if (d && *text)
         name_design(tui, d, text);
 }
@@ -141,7 +141,7 @@ static void mark(struct thud_tui *tui, struct thud_design *d)
     for (int i = d->number; !*d->name && !d->marked && i < 10000; i++) {
         snprintf(name, sizeof name, "%.20s-%d", tui->doc.scene.name, i);
         thud_tui_design_path(tui, name, path, sizeof path);
-        if (!thud_designs_named(&tui->doc.designs, name) && access(path, F_OK) != 0 && !name_design(tui, d, name))
+        if (!thud_designs_named(&tui->designs, name) && access(path, F_OK) != 0 && !name_design(tui, d, name))
             return;
     }
     d->marked = !d->marked;
@@ -179,8 +179,8 @@ static double value_of(const struct thud_design *d, enum column which)
 /* What the others are coloured against, and told by their differences from: the chosen one, else the first there was. */
 static const struct thud_design *reference(struct thud_tui *tui)
 {
-    const struct thud_design *d = tui->base.chosen ? thud_designs_named(&tui->doc.designs, tui->base.name) : NULL;
-    return d ? d : tui->doc.designs.n > 0 ? &tui->doc.designs.item[0] : NULL;
+    const struct thud_design *d = tui->base.chosen ? thud_designs_named(&tui->designs, tui->base.name) : NULL;
+    return d ? d : tui->designs.n > 0 ? &tui->designs.item[0] : NULL;
 }
 
 static void draw_row(struct thud_tui *tui, const struct thud_design *d, const struct thud_pane *in, int y, bool here)
@@ -230,8 +230,8 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
         at -= column[c].width;
     }
     thud_pane_put(&in, 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), at > 24 ? "design and what it changes" : "design");
-    if (list->at >= tui->doc.designs.n)
-        list->at = tui->doc.designs.n > 0 ? tui->doc.designs.n - 1 : 0;
+    if (list->at >= tui->designs.n)
+        list->at = tui->designs.n > 0 ? tui->designs.n - 1 : 0;
     if (list->at < list->top)
         list->top = list->at;
     if (rows > 0 && list->at >= list->top + rows)
@@ -285,7 +285,7 @@ static void take_key(struct thud_tui *tui, int key)
         break;
     case THUD_DO_FORGET:
         if (d && !thud_doc_runs_alike(d->scene, &tui->doc.scene))
-            thud_designs_forget(&tui->doc.designs, d);
+            thud_designs_forget(&tui->designs, d);
         else
             thud_tui_say(tui, THUD_ROLE_WARN, "This design is on the screen");
         break;

@@ -116,8 +116,8 @@ void thud_tui_palette(struct thud_tui *tui)
     offer_actions(tui, where);
     offer_commands(tui);
     offer_presets(tui);
-    for (int i = 0; i < tui->doc.designs.n; i++) {
-        const struct thud_design *d = &tui->doc.designs.item[i];
+    for (int i = 0; i < tui->designs.n; i++) {
+        const struct thud_design *d = &tui->designs.item[i];
         char value[48], name[40];
         snprintf(value, sizeof value, "v %s", thud_design_called(d, name));
         thud_chooser_add(&tui->dialog.chooser, value, "design %s  %s", name, d->what);

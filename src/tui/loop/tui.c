@@ -89,6 +89,7 @@ void thud_tui_free(struct thud_tui *tui)
     }
     thud_tui_over_free(tui);
     thud_base_clear(&tui->base);
+    thud_designs_clear(&tui->designs);
     thud_text_clear(&tui->log);
     thud_text_clear(&tui->messages);
     thud_model_free(tui->run.model);
@@ -134,9 +135,6 @@ static void typing_key(struct thud_tui *tui, int key)
 static void choosing_key(struct thud_tui *tui, int key)
 {
     enum thud_action action = thud_key_action(thud_tui_where(tui), key);
-    const struct thud_choice *marked = thud_chooser_marked(&tui->dialog.chooser);
-    if (marked && tui->dialog.list_key && tui->dialog.list_key(tui, key, marked->value))
-        return;
     if (action == THUD_DO_CANCEL)
         thud_tui_normal(tui);
     else if (action == THUD_DO_ACCEPT)
@@ -273,7 +271,7 @@ static const struct thud_view *busy_view(struct thud_tui *tui)
 /* Whether the state to compare with is still to be run, or to be run with its histories. */
 static bool comparing(const struct thud_tui *tui)
 {
-    return tui->run.on && tui->run.revision == tui->doc.revision &&
+    return tui->run.on && tui->run.revision == tui->doc.revision && thud_tui_view(tui)->compares &&
            thud_base_busy(&tui->base, &tui->doc, thud_tui_wants_history(tui));
 }
 
@@ -286,7 +284,7 @@ static void ran(struct thud_tui *tui)
     thud_design_measure(&tui->doc.scene, &tui->run.live, &result);
     const struct thud_design *design =
         result.known && tui->run.revision == tui->doc.revision
-            ? thud_designs_note(&tui->doc.designs, &tui->doc.scene, what ? what : "as opened", &result)
+            ? thud_designs_note(&tui->designs, &tui->doc.scene, what ? what : "as opened", &result)
             : NULL;
     tui->run.design = design ? design->number : 0;
     tui->files.whole_wanted = THUD_DO_NOTHING;

@@ -170,10 +170,10 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
 {
     char text[THUD_LINE_MAX] = "", path[600];
     bool any = false;
-    for (int i = 0; i < tui->doc.designs.n; i++)
-        any = any || tui->doc.designs.item[i].marked;
-    for (int i = 0; i < tui->doc.designs.n; i++) {
-        const struct thud_design *d = &tui->doc.designs.item[i];
+    for (int i = 0; i < tui->designs.n; i++)
+        any = any || tui->designs.item[i].marked;
+    for (int i = 0; i < tui->designs.n; i++) {
+        const struct thud_design *d = &tui->designs.item[i];
         size_t n = strlen(text);
         thud_tui_design_path(tui, d->name, path, sizeof path);
         if (*d->name && (d->marked || !any) && strcmp(path, tui->doc.path) != 0 &&

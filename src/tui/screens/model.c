@@ -545,4 +545,4 @@ static void click(struct thud_tui *tui, int index, const struct thud_pane *pane,
     thud_form_focus_on(&tui->form, THUD_SCREEN_MODEL, key);
 }
 
-THUD_VIEW(model, "Model", MODEL, .keys = "structures.", .act = act, .click = click, .cannot = cannot);
+THUD_VIEW(model, "Model", MODEL, .compares = true, .keys = "structures.", .act = act, .click = click, .cannot = cannot);

@@ -375,7 +375,7 @@ static void release(struct thud_tui *tui)
     thud_figure_free(thud_plots(tui)->figure);
 }
 
-THUD_VIEW(plots, "Plots", PLOTS, .moved = true, .size = sizeof(struct thud_plots_state), .begin = begin,
-          .free = release, .offer = offer, .command = command, .place = place, .act = act, .cannot = cannot,
-          .figure = figure, .next_figure = next_figure, .read_at = thud_plots_set_time, .click = click,
-          .history = history, .words = words, .pause = thud_plots_pause, .tick = thud_plots_tick);
+THUD_VIEW(plots, "Plots", PLOTS, .compares = true, .moved = true, .size = sizeof(struct thud_plots_state),
+          .begin = begin, .free = release, .offer = offer, .command = command, .place = place, .act = act,
+          .cannot = cannot, .figure = figure, .next_figure = next_figure, .read_at = thud_plots_set_time,
+          .click = click, .history = history, .words = words, .pause = thud_plots_pause, .tick = thud_plots_tick);

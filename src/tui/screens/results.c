@@ -438,5 +438,6 @@ static void export_csv(struct thud_tui *tui)
     thud_text_clear(&impacts);
 }
 
-THUD_VIEW(results, "Results", RESULTS, .keys = "", .moved = true, .size = sizeof(struct results_state), .begin = begin,
-          .act = act, .cannot = cannot, .row = row, .export_csv = export_csv);
+THUD_VIEW(results, "Results", RESULTS, .compares = true, .keys = "", .moved = true,
+          .size = sizeof(struct results_state), .begin = begin, .act = act, .cannot = cannot, .row = row,
+          .export_csv = export_csv);
