@@ -250,6 +250,8 @@ static void set_isolators(struct thud_scene *next, int s, const char *text)
     snprintf(strength, sizeof strength, "%.4g kN", 1e-3 * 0.05 * all_kg * THUD_GRAVITY);
     snprintf(stiffness, sizeof stiffness, "%.4g MN/m", 1e-6 * all_kg * omega * omega);
     clear_group(next, s, THUD_GROUP_ISOLATOR, "isolator.");
+    set_each(next, s, "",
+             (const char *const[][2]){{"isolation-stiffness", strcmp(text, "linear") == 0 ? stiffness : ""}, {NULL}});
     if (strcmp(text, "lead-rubber") == 0)
         set_each(next, s, "isolator.",
                  (const char *const[][2]){

@@ -146,7 +146,8 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     static const struct thud_labelled gap[] = {{"gap", "gap"}, {"gap by level", "gap-by-level"}, {"levels", "levels"}},
                                       bumper[] = {{"thickness", "bumper.thickness"},
                                                   {"by level", "bumper.thickness-by-level"},
-                                                  {"cavity", "bumper.cavity"}};
+                                                  {"cavity", "bumper.cavity"}},
+                                      rest = {"levels that meet", "contact-levels"};
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
     char clearance[256], key[THUD_PATH_MAX];
     int y = thud_field_rows(tui, FORM, pane, 0, gap, 3);
@@ -162,7 +163,7 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     y++;
     if (at->has_bumper)
         y = law_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, bumper, 3), "bumper", at->bumper.law);
-    return link_rows(tui, pane, y);
+    return link_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, &rest, 1));
 }
 
 /* The loops, made anew where the scene or the pair changed. */

@@ -306,7 +306,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     return rows;
 }
 
-enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 3 };
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 4 };
 
 /* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
  * to the higher roof, so that floors at one level stand in one row. */
@@ -422,7 +422,7 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
 static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
 {
     static const struct thud_labelled row[] = {
-        {"base at", "base"}, {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}};
+        {"base at", "base"}, {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}, {"lowest modes", "modes"}};
     const bool soil = thud_structure_on_soil(&tui->doc.scene.structure[s]); /* its values have rows of their own */
     for (size_t i = 0; i < BELOW_ROWS; i++) {
         char key[THUD_PATH_MAX];
