@@ -59,6 +59,8 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
                                     asked, &by, err);
     if (status == THUD_OK)
         status = thud_gap_study_run(scene, &records, &code, thud_interrupt_watch(), &study, err);
+    if (status == THUD_OK && study.gap[0]->nlevels == 0)
+        status = thud_error_set(err, THUD_INPUT, "no floors of neighbours stand where they could touch");
     if (status == THUD_OK && !(thud_args_has(args, "csv") && !thud_args_has(args, "o")))
         status = thud_gap_study_rules(scene, &records, thud_interrupt_watch(), &study, err);
     if (status == THUD_OK && thud_args_has(args, "json"))

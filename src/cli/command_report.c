@@ -50,7 +50,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_text text = {0};
     struct thud_error no_pdf = {0};
     const char *folder = thud_args_value(args, "o");
-    int threads = 0;
+    int threads = 0, detail = 0;
     (void)scene;
     if (!folder)
         return thud_error_refuse(err, THUD_USAGE, NULL, "-o DIR", "thud report needs a folder to write into");
@@ -60,11 +60,13 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (status == THUD_OK)
         status = thud_args_integer(args, "j", 1, THUD_JOBS_MAX, 0, &threads, err);
     if (status == THUD_OK)
+        status = thud_args_integer(args, "detail", 1, 1000000, 0, &detail, err);
+    if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
     if (status != THUD_OK)
         return status;
     static const char *const asked[] = {"records", "signs",  "uncertain", "samples", "sampling",
-                                        "seed",    "beside", "figures",   NULL};
+                                        "seed",    "beside", "figures",   "detail",  NULL};
     struct thud_made_by by;
     status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
                                 records.n, asked, &by, err);
@@ -87,6 +89,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .pdf = !thud_args_has(args, "no-pdf"),
                                                .no_pdf = thud_args_has(args, "pdf") ? NULL : &no_pdf,
                                                .records = &records,
+                                               .detail = detail,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,
                                                .sampling = inputs.sampling,

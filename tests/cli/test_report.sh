@@ -187,6 +187,15 @@ is "and touch the bumper" in_text "under 2 of the 3 from $(begins 0.03 2) times,
 share=$("$THUD" uncertainty "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 20 --uncertain gap=10% --quiet 2>/dev/null | sed -n 's/^The bumper lowers the mean drift of Nr 14 in \([0-9]*\) % of 20 samples.*/\1/p')
 is "in which share of the samples, a ground motion for each, the bumper helps" in_text "the bumper lowers the mean drift of Nr 14 in $share % of 20 "
 is "their sizes are said" in_text 'gap +-10 %, stiffness of Nr .*12.* +-10 %, stiffness of Nr 14 +-10 %'
+# the verdict on the gap, and the table of rules, are those of `thud gap` over the suite; the motion in detail is a load case
+"$THUD" gap "$tmp/own.yaml" --json --records "$three" --factor 0.4 >"$tmp/gap.json" 2>"$tmp/err"
+ruled() { tr '{' '\n' <"$tmp/gap.json" | sed -n "s/.*\"rule\": \"$1\".*\"gap_m\": \([0-9.e+-]*\).*/\1/p" | awk -v add="${2:-0}" '{ x = 1000 * ($1 + add); n = int(x); printf "%.1f", (n + (x - n > 1e-9)) / 10 }'; }
+is "the first verdict is the gap that the code asks for over the suite" in_text "## Verdicts *[*][*]Table [0-9]*. What was asked, and what came out[*][*] *| question | result | |---|---| | gap between [^|]* | 8 cm given; $(ruled "EN 1998") cm required between bare faces by EN 1998-1:2004, 4.4.2.7(3), from the largest of 3 ground motions, $(ruled "EN 1998" 0.05) cm with the bumper between them. Exactly, "
+is "then what half of the motions and all need" in_text "Exactly, $(awk -v w="$widths" 'BEGIN { printf "%.1f", w }') cm is enough for 50 % of the motions, [0-9.]* cm for 84 %, $(ruled needed) cm for all; the gap given is used up under $(pounding 0.03) of 3"
+is "the table of rules has the same" in_text "| EN 1998 | [^|]* | [^|]* | $(ruled "EN 1998") |"
+is "of every rule" in_text "| ABS | [^|]* | [^|]* | $(ruled ABS) |"
+governing=$(awk -F, 'NR > 1 && $7 > m { m = $7; g = $1 } NR > 1 && $1 != before { n[$1] = ++k; before = $1 } END { print n[g] }' "$tmp/needs.csv")
+is "the motion in detail is that which needs the widest gap, with its factor" in_text "| ground motion shown in detail | load case $governing, which needs the widest gap, of which are the rows below: .* scaled by 0.4 |"
 is "every motion has its line" [ "$(grep -c -e '^| [1-3], surrogate for [^|]* |' "$tmp/r/report.md")" -eq 3 ]
 for figure in needed-gap fragility-pounding fragility-worse ida-none ida-bumper; do
     is "$figure is drawn" test -s "$tmp/r/$figure.svg"
@@ -196,6 +205,11 @@ rm -rf "$tmp/first"
 cp -r "$tmp/r" "$tmp/first"
 report 0 "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 20 --uncertain gap=10%
 is "and again the same bytes" diff -r "$tmp/first" "$tmp/r"
+is "another load case may be shown" report 0 "$tmp/own.yaml" --records "$three" --factor 0.4 --samples 0 --detail 2 --no-pdf
+is "as asked for" in_text "| ground motion shown in detail | load case 2, which was asked for, of which are the rows below: surrogate for Northridge"
+is "with its own numbers" in_text "| pounding without bumper | $(count --case none --record northridge-surrogate.csv --factor 0.4) impacts; at most $(force --case none --record northridge-surrogate.csv --factor 0.4) MN"
+is "one that is not there" report 2 "$tmp/own.yaml" --records "$three" --detail 4
+is "is refused" says 'detail: there is no load case 4, but 3'
 # isolators that yield, both polarities: what the periods are of, what is struck, which motions
 is "a report on a building on lead-rubber bearings" report 0 isolated-lead-rubber --samples 0 --records records/northridge-surrogate.csv --signs both
 mass=$(awk 'BEGIN { print 320 + 3 * 320 + 250 }')

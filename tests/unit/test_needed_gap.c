@@ -6,6 +6,7 @@
 
 #include "study/scene/first_contact.h"
 #include "study/scene/solution.h"
+#include "study/suite/gap_suite.h"
 #include "study_setup.h"
 
 static void set_up(void)
@@ -161,7 +162,7 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
     struct thud_fractiles f;
     for (int level = -1; level < gap->nlevels; level++)
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
-            ck_assert_int_eq(thud_gap_suite_fractiles(&suite, level, rule, &f, &error), THUD_OK);
+            ck_assert_int_eq(thud_gap_suite_fractiles(&suite, 0, level, rule, &f, &error), THUD_OK);
             double x =
                 level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
             if (rule == THUD_GAP_GB50011) { /* no intensity */
@@ -171,10 +172,10 @@ START_TEST(a_suite_of_one_motion_has_no_spread)
             ck_assert(f.n == 3 && f.p16 == x && f.median == x && f.p84 == x && f.most == x);
             ck_assert(f.share == 0 || f.share == 1);
         }
-    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
+    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, 0, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
     ck_assert(f.share == 0); /* the sum is never too little */
     suite.recordings = 2;    /* of which there are no fractiles */
-    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
+    ck_assert_int_eq(thud_gap_suite_fractiles(&suite, 0, -1, THUD_GAP_ABS, &f, &error), THUD_OK);
     ck_assert(isnan(f.p16) && f.median > 0 && isnan(f.p84));
     free(gap);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plot/figure/figure.h"
-#include "study/scene/needed_gap.h"
+#include "study/suite/gap_suite.h"
 
 /* `title` of the scene. NULL, or failed (thud_figure_check), when out of memory. */
 struct thud_figure *thud_figure_of_gaps(const struct thud_gap_suite *suite, const char *title);

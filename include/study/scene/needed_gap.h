@@ -2,7 +2,8 @@
  * a ground motion, beside what the rules of the codes estimate from the two largest displacements alone. */
 #pragma once
 
-#include "base/statistics.h"
+#include <math.h>
+
 #include "core/run/baseline.h"
 #include "ground/record.h"
 #include "study/scene/gap_rule.h"
@@ -26,22 +27,14 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
                                      struct thud_needed_gap **out, struct thud_error *err);
 /* The index of a level (from 0) among those of its interface. */
 int thud_needed_gap_level(const struct thud_gap_level *level, int i);
+/* Of several values the widest, where one that is not known stays. */
+static inline bool thud_gap_is_wider(double gap_m, double widest_m)
+{
+    return !isnan(widest_m) && !(gap_m <= widest_m);
+}
 /* The widest over the levels of an interface (0: of all); -1 where there are none, NaN where the rule has no value at
  * one. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
-
-/* Several ground motions on one scene. */
-struct thud_gap_suite {
-    int nrecords;
-    const char *const *record;          /* (nrecords) names */
-    struct thud_needed_gap *const *gap; /* (nrecords) with the same levels */
-    int recordings;                     /* that these motions are of (thud_motions_recordings) */
-};
-/* Over the ground motions at a level (from 0; -1: the widest over all levels): 16, 50 and 84 % are the narrowest gaps
- * that are enough for at least so many of them, order statistics. `share`: of the ground motions for which
- * the rule asks for less than is needed there, of those for which it has a value. Errors: THUD_MEMORY. */
-enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
-                                          struct thud_fractiles *out, struct thud_error *err);
 
 /* Damping ratio of a structure's first mode; 0: it has none. */
 double thud_gap_damping(const struct thud_model *model, int structure);

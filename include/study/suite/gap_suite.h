@@ -2,7 +2,21 @@
  * for. */
 #pragma once
 
+#include "base/statistics.h"
 #include "study/scene/needed_gap.h"
+
+/* Several ground motions on one scene. */
+struct thud_gap_suite {
+    int nrecords;
+    const char *const *record;          /* (nrecords) names */
+    struct thud_needed_gap *const *gap; /* (nrecords) with the same levels */
+    int recordings;                     /* that these motions are of (thud_motions_recordings) */
+};
+/* Over the ground motions at a level (from 0; -1: the widest over the levels of `interface`, from 1; 0: of all): 16, 50 and 84 % are the narrowest gaps
+ * that are enough for at least so many of them, order statistics. `share`: of the ground motions for which
+ * the rule asks for less than is needed there, of those for which it has a value. Errors: THUD_MEMORY. */
+enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int interface, int level, int rule,
+                                          struct thud_fractiles *out, struct thud_error *err);
 
 /* What a rule makes of a suite at an interface, and what becomes of buildings at that gap. */
 struct thud_gap_ruled {
@@ -15,6 +29,7 @@ struct thud_gap_ruled {
 /* A rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the ground
  * motions, or the largest ones where fewer than seven are independent (EN 1998-1:2004, 4.3.3.4.3(3)); what is needed:
  * the largest of all. Nothing pounds yet. */
+bool thud_gap_suite_means(const struct thud_gap_suite *suite); /* else the largest */
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
 /* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
  * value, at the scene's own gap: a run without bumpers, and none where there is no contact. Errors: those of

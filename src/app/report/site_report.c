@@ -169,8 +169,8 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
     tell(site, "samples of the uncertain inputs");
     const struct thud_record_list *suite = options->records;
     enum thud_status status = thud_uncertainty_create(
-        site->scene, site->record, suite ? (const struct thud_record *const *)suite->record : NULL,
-        suite && suite->n > 1 ? suite->n : 0, THUD_CASE_AS_WRITTEN, options->inputs, &site->uncertainty, &refused);
+        site->scene, site->record, (const struct thud_record *const *)suite->record, suite->n > 1 ? suite->n : 0,
+        THUD_CASE_AS_WRITTEN, options->inputs, &site->uncertainty, &refused);
     site->samples = (struct thud_uncertainty_study){.uncertainty = site->uncertainty,
                                                     .samples = options->samples,
                                                     .sampling = options->sampling,
@@ -208,13 +208,37 @@ static enum thud_status run_floors(struct site *site, struct thud_error *err)
     return thud_floor_spectra_run(site->scene, site->record, &ask, &site->floors, err);
 }
 
+/* The ground motion shown in detail: one of the load cases, with its factor; of several that which needs the widest gap. */
+static enum thud_status choose_motion(struct site *site, struct thud_error *err)
+{
+    const struct thud_record_list *records = site->options->records;
+    const atomic_int *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
+    double widest = -INFINITY;
+    if (site->options->detail > records->n)
+        return thud_error_refuse(err, THUD_USAGE, "--detail", NULL, "there is no load case %d, but %d",
+                                 site->options->detail, records->n);
+    if (records->n == 0)
+        return THUD_OK;
+    if (records->n > 1)
+        tell(site, "required gaps");
+    const enum thud_status status = thud_gap_study_run(site->scene, records, NULL, cancel, &site->gaps, err);
+    for (int r = 0; r < site->gaps.suite.nrecords && site->options->detail == 0; r++) {
+        const double needed = thud_needed_gap_widest(site->gaps.gap[r], 0, THUD_GAP_EXACT, NULL);
+        site->detail = needed > widest ? r : site->detail;
+        widest = fmax(widest, needed);
+    }
+    if (site->options->detail > 0)
+        site->detail = site->options->detail - 1;
+    site->record = records->record[site->detail];
+    site->gap = status == THUD_OK ? site->gaps.gap[site->detail] : NULL;
+    return status;
+}
+
 static enum thud_status compute(struct site *site, struct thud_error *err)
 {
     enum thud_status status = run_cases(site, err);
     if (status == THUD_OK)
         status = run_floors(site, err);
-    if (status == THUD_OK && site->record)
-        status = thud_needed_gap_run(site->scene, site->record, &site->gap, err);
     if (status == THUD_OK) {
         tell(site, "sensitivity");
         status =
@@ -229,7 +253,7 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
         status = run_reversed(site, err);
     if (status == THUD_OK)
         status = draw_samples(site, err);
-    if (status == THUD_OK && site->options->records && site->options->records->n > 1)
+    if (status == THUD_OK && site->options->records->n > 1)
         tell(site, "the suite of ground motions");
     if (status == THUD_OK)
         status = thud_site_suite_run(site, err);
@@ -282,7 +306,7 @@ static void clear(struct site *site)
         thud_solution_clear(&site->cases[i].solution);
         free(site->cases[i].scene);
     }
-    free(site->gap);
+    thud_gap_study_clear(&site->gaps);
     thud_floor_spectra_free(site->floors);
     thud_sensitivity_free(site->sensitivity);
     thud_uncertainty_study_clear(&site->samples);
@@ -305,10 +329,8 @@ enum thud_status thud_site_report(struct thud_session *session, const struct thu
     enum thud_status status = thud_scene_check(site->scene, err);
     if (status == THUD_OK)
         status = thud_site_drawn_read(site, err);
-    const bool by_suite = !session->scene.record.file[0] && options->records && options->records->n > 0;
-    if (status == THUD_OK && !by_suite)
-        status = thud_session_read_record(session, err);
-    site->record = by_suite ? options->records->record[0] : session->record;
+    if (status == THUD_OK)
+        status = choose_motion(site, err);
     if (status == THUD_OK)
         status = compute(site, err);
     if (status == THUD_OK)

@@ -14,6 +14,7 @@ struct thud_site_report_options {
     const char *beside;                     /* presets to compare with, with commas; NULL: none */
     const char *drawn;                      /* SVG files, or folders of them, for its end, likewise */
     const struct thud_record_list *records; /* the suite of ground motions; one of them or none: there is no suite */
+    int detail;                             /* its load case shown in detail, from 1; 0: the governing one */
     const struct thud_inputs *inputs;       /* that are uncertain */
     size_t samples;                         /* of them; 0: none are drawn */
     enum thud_sampling sampling;

@@ -31,7 +31,6 @@ struct site_suite {
     struct thud_sweep_plan plan; /* its axis: the factor on the motions */
     struct thud_suite *runs;     /* NULL: there is no suite */
     long as_given;               /* the setting with the motions as they were given */
-    struct thud_gap_study gaps;
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
     double *room;                                                  /* (nrecords) scratch */
@@ -50,11 +49,13 @@ struct site {
     const struct thud_site_report_options *options;
     struct thud_session *session;
     const struct thud_scene *scene; /* as written */
-    const struct thud_record *record;
+    const struct thud_record *record; /* shown in detail */
     int ncases;
     struct site_case cases[SITE_CASES];
     const struct site_case *own; /* the scene as written: with the bumper where it has one */
-    struct thud_needed_gap *gap;
+    struct thud_gap_study gaps;        /* of all ground motions */
+    const struct thud_needed_gap *gap; /* of the one shown in detail */
+    int detail;                        /* which of them that is, from 0: a load case of the suite */
     struct thud_floor_spectra *floors; /* of the floors struck hardest; NULL: nothing is struck */
     struct thud_sensitivity *sensitivity;
     enum thud_stiffness varied;
@@ -87,6 +88,7 @@ enum thud_status thud_site_write(struct site *site, struct thud_error *err);
 void thud_site_title_block(struct site *site);
 /* A row for each thing that is decided. */
 void thud_site_verdicts(struct site *site);
+void thud_site_verdict(struct site *site, const char *what, const char *found);
 /* The three cautions that matter most; the others. */
 void thud_site_foremost(struct site *site);
 void thud_site_cautions(struct site *site);
@@ -111,9 +113,19 @@ void thud_site_effect(const struct site *site, bool drifts, int count[3]);
 /* Runs it; nothing where there is one motion or none. Errors: those of the studies. */
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
 void thud_site_suite_clear(struct site *site);
+/* The rows of the verdicts that are over it. */
+void thud_site_suite_verdicts(struct site *site);
 /* Its part of the result, and its own section. */
 void thud_site_suite_summary(struct site *site);
 void thud_site_suite_section(struct site *site);
+
+/* ---- the required gap ---- */
+
+/* What a rule asks for over the ground motions at an interface (from 1; 0: of all), as `thud gap` tells it: THUD_GAP_EXACT
+ * is the largest of them. A gap of -1: nothing can touch. */
+struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, int rule);
+/* "of this one motion", "largest of 3 ground motions", "means of 14 ground motions, 7 recordings". */
+const char *thud_site_displacements(const struct site *site, char *text, size_t size);
 
 /* ---- variants ---- */
 

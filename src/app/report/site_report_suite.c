@@ -64,7 +64,7 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
     const atomic_int *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
-    if (!site->options->records || site->options->records->n < 2 || !site->gap || site->gap->nlevels == 0)
+    if (site->options->records->n < 2 || site->gap->nlevels == 0)
         return THUD_OK;
     enum thud_status status = make_plan(site, err);
     if (status == THUD_OK)
@@ -72,8 +72,6 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
     if (status == THUD_OK && !(suite->room = malloc((size_t)suite->runs->nrecords * sizeof *suite->room)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     suite->as_given = thud_suite_setting(&suite->plan, (const int[THUD_VARY_MAX]){AS_GIVEN});
-    if (status == THUD_OK)
-        status = thud_gap_study_run(site->scene, site->options->records, NULL, cancel, &suite->gaps, err);
     return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;
 }
 
@@ -83,7 +81,6 @@ void thud_site_suite_clear(struct site *site)
     for (size_t k = 0; k < sizeof suite->pounds / sizeof *suite->pounds; k++)
         thud_fragility_clear(&suite->pounds[k]);
     thud_fragility_clear(&suite->worsens);
-    thud_gap_study_clear(&suite->gaps);
     thud_suite_free(suite->runs);
     thud_sweep_plan_clear(&suite->plan);
     free(suite->room);
@@ -150,7 +147,7 @@ static void say_widths(struct site *site)
 {
     struct thud_document *d = &site->document;
     struct thud_fractiles f;
-    if (thud_gap_suite_fractiles(&site->suite.gaps.suite, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK) {
+    if (thud_gap_suite_fractiles(&site->gaps.suite, 0, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK) {
         d->failed = true;
         return;
     }
@@ -174,18 +171,23 @@ static double bumper_ratio(const struct site *site, int r, enum thud_measure mea
     return suite->plan.cases[0] == THUD_CASE_NONE ? of[1] : of[1] / of[0];
 }
 
+/* Its ratios over the motions; *helps: how many it lowers. */
+static struct thud_fractiles bumper_ratios(const struct site *site, int s, bool drift, int *helps)
+{
+    const struct site_suite *suite = &site->suite;
+    *helps = 0;
+    for (int r = 0; r < suite->runs->nrecords; r++) {
+        suite->room[r] = bumper_ratio(site, r, drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO, s);
+        *helps += suite->room[r] < 1 - equal;
+    }
+    return thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, suite->runs->ndraws, 1 + equal);
+}
+
 /* How many motions the bumper helps and harms. */
 static void say_bumper(struct site *site, int s, bool drift)
 {
-    const struct site_suite *suite = &site->suite;
-    enum thud_measure measure = drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO;
-    int helps = 0;
-    for (int r = 0; r < suite->runs->nrecords; r++) {
-        suite->room[r] = bumper_ratio(site, r, measure, s);
-        helps += suite->room[r] < 1 - equal;
-    }
-    struct thud_fractiles f =
-        thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, suite->runs->ndraws, 1 + equal);
+    int helps;
+    const struct thud_fractiles f = bumper_ratios(site, s, drift, &helps);
     char spread[64] = "";
     if (!isnan(f.p16))
         snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
@@ -215,6 +217,108 @@ void thud_site_suite_summary(struct site *site)
         }
 }
 
+/* ---- the verdicts ---- */
+
+/* Under how many motions the gaps of an interface (from 1) are used up when nothing else touches. */
+static int used_up(const struct site *site, int interface)
+{
+    int n = 0;
+    for (int r = 0; r < site->gaps.suite.nrecords; r++) {
+        const struct thud_needed_gap *gap = site->gaps.gap[r];
+        bool used = false;
+        for (int l = 0; l < gap->nlevels; l++) {
+            const struct thud_level_values at =
+                thud_interface_level(&site->scene->interface[interface - 1], thud_needed_gap_level(gap->level, l));
+            used = used || (gap->level[l].interface == interface &&
+                            thud_gap_falls_short(thud_level_clearance(&at), gap->level[l].relative_displacement_m));
+        }
+        n += used;
+    }
+    return n;
+}
+
+static void gap_verdict(struct site *site, int i)
+{
+    const struct thud_interface *f = &site->scene->interface[i - 1];
+    const struct thud_gap_rule *rule = thud_gap_rule_at(THUD_GAP_EN1998);
+    const struct thud_gap_ruled ruled = thud_site_ruled(site, i, THUD_GAP_EN1998);
+    const double out = f->gap_m - thud_interface_clearance(f);
+    struct thud_fractiles exact;
+    char what[200], text[600], given[64], from[80], bumper[64] = "";
+    if (!(ruled.gap_m >= 0))
+        return;
+    if (thud_gap_suite_fractiles(&site->gaps.suite, i, -1, THUD_GAP_EXACT, &exact, NULL) != THUD_OK) {
+        site->document.failed = true;
+        return;
+    }
+    snprintf(what, sizeof what, "gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
+    thud_interface_gap_text(f, given, sizeof given);
+    if (out > 0)
+        snprintf(bumper, sizeof bumper, ", %.1f cm with the bumper between them",
+                 thud_summary_gap_cm(ruled.gap_m + out));
+    size_t n =
+        (size_t)snprintf(text, sizeof text,
+                         "%s given; %.1f cm required between bare faces by %s, %s, from %s%s. Exactly, %.1f cm is "
+                         "enough for 50 %% of the motions, ",
+                         given, thud_summary_gap_cm(ruled.gap_m), rule->edition, rule->clause,
+                         thud_site_displacements(site, from, sizeof from), bumper, thud_summary_gap_cm(exact.median));
+    if (!isnan(exact.p84))
+        n += (size_t)snprintf(text + n, sizeof text - n, "%.1f cm for 84 %%, ", thud_summary_gap_cm(exact.p84));
+    snprintf(text + n, sizeof text - n, "%.1f cm for all; the gap given is used up under %d of %d%s",
+             thud_summary_gap_cm(exact.most), used_up(site, i), site->gaps.suite.nrecords,
+             site->scene->nstructures > 2 ? ", when nothing else touches" : "");
+    thud_site_verdict(site, what, text);
+}
+
+/* Of case k of the plan: how many motions, and the load case with the largest force. */
+static void pounding_verdict(struct site *site, int k)
+{
+    char what[96], text[200];
+    const struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
+    int worst = 0;
+    for (int r = 0; r < site->suite.runs->nrecords; r++) {
+        site->suite.room[r] = thud_suite_value(site->suite.runs, r, site->suite.as_given, k, THUD_MEASURE_FORCE, -1);
+        worst = site->suite.room[r] > site->suite.room[worst] || isnan(site->suite.room[worst]) ? r : worst;
+    }
+    const double most = site->suite.room[worst];
+    snprintf(what, sizeof what, "pounding %s", site->cases[SITE_NONE + k].words);
+    size_t n = (size_t)snprintf(text, sizeof text, "under %.0f of %zu ground motions", f.share * (double)f.n, f.n);
+    if (most > 0)
+        snprintf(text + n, sizeof text - n, "; at most %s MN, load case %d", thud_site_number(1e-6 * most, 3).text,
+                 worst + 1);
+    thud_site_verdict(site, what, text);
+}
+
+/* The mean accelerations, or drifts, that the bumper lowers and raises. */
+static void bumper_verdict(struct site *site, bool drift)
+{
+    struct thud_text text = {0};
+    for (int s = 0; s < site->scene->nstructures; s++) {
+        int helps;
+        if (drift ? !thud_site_is_building(site, s) : site->scene->structure[s].kind == THUD_WALL)
+            continue;
+        const struct thud_fractiles f = bumper_ratios(site, s, drift, &helps);
+        if (f.n > 0)
+            thud_text_append(&text, "%sof %s lower under %d of %zu ground motions and higher under %.0f",
+                             text.size > 0 ? "; " : "", thud_site_name(site, s), helps, f.n, f.share * (double)f.n);
+    }
+    if (text.size > 0)
+        thud_site_verdict(site, drift ? "mean drifts with the bumper" : "mean accelerations with the bumper",
+                          text.data);
+    site->document.failed = site->document.failed || text.failed;
+    thud_text_clear(&text);
+}
+
+void thud_site_suite_verdicts(struct site *site)
+{
+    for (int i = 1; i < site->scene->nstructures; i++)
+        gap_verdict(site, i);
+    for (int k = 0; k < site->suite.plan.ncases; k++)
+        pounding_verdict(site, k);
+    for (int drift = 0; drift < 2 && site->suite.plan.ncases > 1; drift++)
+        bumper_verdict(site, drift);
+}
+
 /* ---- its section ---- */
 
 static void add_motions(struct site *site)
@@ -238,7 +342,7 @@ static void add_motions(struct site *site)
         thud_record_title(suite->plan.record[r], motion, sizeof motion);
         thud_document_cells(d, "%d, %s\t%.3f\t%.4g\t%.1f", r + 1, motion,
                             thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY, suite->plan.record[r]->scale,
-                            thud_summary_gap_cm(thud_needed_gap_widest(suite->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
+                            thud_summary_gap_cm(thud_needed_gap_widest(site->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
         for (int k = 0; k < ncases; k++)
             thud_document_cell(
                 d, "%s",
@@ -297,7 +401,7 @@ static void add_figures(struct site *site)
     const char *note = thud_fragility_note(suite->runs->ndraws);
     for (int k = 0; k < suite->plan.ncases; k++)
         curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
-    thud_site_figure(site, thud_figure_of_gaps(&suite->gaps.suite, site->scene->title), 0.62,
+    thud_site_figure(site, thud_figure_of_gaps(&site->gaps.suite, site->scene->title), 0.62,
                      "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "How likely the buildings pound at this gap when all motions are so many times as strong.");

@@ -477,22 +477,49 @@ static void add_gap_cell(struct thud_document *d, double gap_m)
         thud_document_cell(d, "%.1f", thud_summary_gap_cm(gap_m));
 }
 
+struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, int rule)
+{
+    struct thud_gap_ruled ruled[THUD_STRUCTURES_MAX];
+    const int n = site->scene->nstructures - 1;
+    int widest = interface > 0 ? interface - 1 : 0;
+    thud_gap_suite_rule(&site->gaps.suite, rule, n, ruled);
+    for (int i = 1; interface == 0 && i < n; i++)
+        if (thud_gap_is_wider(ruled[i].gap_m, ruled[widest].gap_m))
+            widest = i;
+    return ruled[widest];
+}
+
+const char *thud_site_displacements(const struct site *site, char *text, size_t size)
+{
+    const struct thud_gap_suite *suite = &site->gaps.suite;
+    if (suite->nrecords < 2)
+        snprintf(text, size, "those of this one motion");
+    else if (thud_gap_suite_means(suite))
+        snprintf(text, size, "the means over %d ground motions of %d recordings", suite->nrecords, suite->recordings);
+    else
+        snprintf(text, size, "the largest of %d ground motions", suite->nrecords);
+    return text;
+}
+
 /* What every rule asks for at the level where it asks for most. */
 static void gap_rules(struct site *site)
 {
     struct thud_document *d = &site->document;
-    double needed = thud_needed_gap_widest(site->gap, 0, THUD_GAP_EXACT, NULL);
-    thud_document_table(d, "Required gap by rule, cm");
+    const bool suite = site->gaps.suite.nrecords > 1;
+    const double needed = thud_site_ruled(site, 0, THUD_GAP_EXACT).gap_m;
+    char displacements[80];
+    thud_site_displacements(site, displacements, sizeof displacements);
+    thud_document_table(d, suite ? "Required gap by rule over the suite, cm" : "Required gap by rule, cm");
     thud_document_head(d, "rule|clause|formula|cm");
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
         const struct thud_gap_rule *r = thud_gap_rule_at(rule);
-        int level = 0;
         struct thud_text numbers = {0};
-        double widest = thud_needed_gap_widest(site->gap, 0, rule, &level);
+        const struct thud_gap_ruled ruled = thud_site_ruled(site, 0, rule);
+        const double widest = ruled.gap_m;
         thud_document_cell(d, "%s", r->name);
         thud_document_cell(d, "%s%s%s%s%s%s%s", r->edition, *r->edition ? ", " : "", r->clause, *r->clause ? ": " : "",
                            r->title, *r->source ? "; " : "", r->source);
-        thud_gap_numbers(&site->gap->level[level], rule, &numbers);
+        thud_gap_numbers(&ruled.level, rule, &numbers);
         thud_document_cell(d, "%s%s%s", r->formula, isnan(widest) ? ": " : " = ",
                            isnan(widest)  ? r->lacks
                            : numbers.data ? numbers.data
@@ -503,20 +530,22 @@ static void gap_rules(struct site *site)
     }
     struct thud_text less = {0};
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
-        double ruled = thud_needed_gap_widest(site->gap, 0, rule, NULL);
+        const double ruled = thud_site_ruled(site, 0, rule).gap_m;
         if (thud_gap_falls_short(ruled, needed))
             thud_text_append(&less, "%s%s (%.1f cm)", less.size > 0 ? ", " : "", thud_gap_rule_at(rule)->name,
                              thud_summary_gap_cm(ruled));
     }
     if (less.size > 0)
-        thud_document_paragraph(d, "Less than the %.1f cm that this motion requires: %s.", thud_summary_gap_cm(needed),
-                                less.data);
+        thud_document_paragraph(d, "Less than the %.1f cm that %s: %s.", thud_summary_gap_cm(needed),
+                                suite ? "all of the suite require" : "this motion requires", less.data);
     d->failed = d->failed || less.failed;
     thud_text_clear(&less);
     thud_document_paragraph(
-        d, "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
-           "displacement from the property line, so that the gap is the sum. The codes take design "
-           "displacements; here they are those of this one motion.");
+        d,
+        "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
+        "displacement from the property line, so that the gap is the sum. The codes take design "
+        "displacements; here they are %s%s.",
+        displacements, suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means from seven recordings on)" : "");
 }
 
 static void gap(struct site *site)
@@ -531,7 +560,10 @@ static void gap(struct site *site)
         "motion without pounding: needed is the largest relative displacement itself; the rules know the two largest "
         "displacements alone. A bumper needs the part that it stands out besides. Required gaps are rounded up to a "
         "millimetre.");
-    thud_document_table(d, "Required gap, cm");
+    char caption[64] = "Required gap, cm";
+    if (site->suite.runs)
+        snprintf(caption, sizeof caption, "Required gap under load case %d, cm", site->detail + 1);
+    thud_document_table(d, caption);
     thud_document_cells(d, "floors\tleft moves\tright moves");
     for (int rule = THUD_GAP_EXACT; rule < (int)THUD_GAP_SHORT; rule++)
         thud_document_cell(d, "%s", thud_gap_rule_at(rule)->name);

@@ -12,7 +12,7 @@
 #include "io/preset/preset.h"
 #include "plot/figures/figures_scene.h"
 
-static void row(struct site *site, const char *what, const char *found)
+void thud_site_verdict(struct site *site, const char *what, const char *found)
 {
     thud_document_line(&site->document, "%s\t%s", what, found);
 }
@@ -34,10 +34,10 @@ void thud_site_title_block(struct site *site)
         if (!begun)
             thud_document_table(&site->document, "");
         begun = true;
-        row(site, line[i].what, line[i].value);
+        thud_site_verdict(site, line[i].what, line[i].value);
     }
     if (*b->checker)
-        row(site, "Signature", "");
+        thud_site_verdict(site, "Signature", "");
 }
 
 /* Whether there is contact at an interface (from 1) in a case. */
@@ -70,7 +70,7 @@ static void gap_rows(struct site *site, int i)
     snprintf(what, sizeof what, "gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
     if (!(needed >= 0)) {
         snprintf(text, sizeof text, "%.1f cm given", 100 * f->gap_m);
-        row(site, what, text);
+        thud_site_verdict(site, what, text);
         return;
     }
     if (f->gap.n > 0 || (f->has_bumper && f->thickness.n > 0)) { /* each level against its own */
@@ -90,7 +90,7 @@ static void gap_rows(struct site *site, int i)
         else
             snprintf(text, sizeof text, "%s given; at every level under this motion %s", given,
                      gap_verdict(site, i, true, true));
-        row(site, what, text);
+        thud_site_verdict(site, what, text);
         return;
     }
     size_t n =
@@ -101,7 +101,7 @@ static void gap_rows(struct site *site, int i)
                               thud_summary_gap_cm(needed + stands_out));
     snprintf(text + n, sizeof text - n, "%s: %s", site->scene->nstructures > 2 ? ", when nothing else touches" : "",
              gap_verdict(site, i, f->gap_m >= needed, f->gap_m >= needed + stands_out));
-    row(site, what, text);
+    thud_site_verdict(site, what, text);
 }
 
 static void pounding_row(struct site *site, const struct site_case *one)
@@ -119,7 +119,7 @@ static void pounding_row(struct site *site, const struct site_case *one)
         snprintf(text, sizeof text, "%d impact%s; at most %s MN, between %s at %.2f s", n, n == 1 ? "" : "s",
                  thud_site_number(1e-6 * most->force.value, 3).text, between, most->force.time_s);
     }
-    row(site, what, text);
+    thud_site_verdict(site, what, text);
 }
 
 static void bumper_row(struct site *site)
@@ -128,13 +128,14 @@ static void bumper_row(struct site *site)
     int a[3], d[3], impacts;
     char text[300];
     if (site->ncases <= SITE_BUMPER) {
-        row(site, "bumper of use", "there is none");
+        thud_site_verdict(site, "bumper of use", "there is none");
         return;
     }
     if (!thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
         bool in_contact = thud_contact_hardest(site->cases[SITE_BUMPER].result, &impacts) != NULL;
-        row(site, "bumper of use",
-            in_contact ? "no: there is no contact without it, and it is struck" : "no: there is no contact without it");
+        thud_site_verdict(site, "bumper of use",
+                          in_contact ? "no: there is no contact without it, and it is struck"
+                                     : "no: there is no contact without it");
         return;
     }
     thud_site_effect(site, false, a);
@@ -157,7 +158,7 @@ static void bumper_row(struct site *site)
         snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
                  thud_site_number(1e-6 * without->force.value, 3).text,
                  thud_site_number(1e-6 * with->force.value, 3).text);
-    row(site, "bumper of use", text);
+    thud_site_verdict(site, "bumper of use", text);
 }
 
 /* Of the scene as written; with which of its cases that is. */
@@ -191,7 +192,7 @@ static void governing_rows(struct site *site)
         char floor[THUD_NAME_MAX + 32];
         snprintf(text, sizeof text, "%s g, %s", thud_site_number(most / THUD_GRAVITY, 3).text,
                  thud_site_floor(site, at[0], at[1] + 1, floor, sizeof floor));
-        row(site, own_words(site, "largest acceleration", name, sizeof name), text);
+        thud_site_verdict(site, own_words(site, "largest acceleration", name, sizeof name), text);
     }
     if (drift > 0) {
         const struct thud_structure_result *b = &r->structure[under[0]];
@@ -202,7 +203,7 @@ static void governing_rows(struct site *site)
         if (b->storey && b->storey[f].yields)
             snprintf(text + n, sizeof text - (size_t)n, "; ductility %s",
                      thud_site_number(b->storey[f].ductility, 3).text);
-        row(site, own_words(site, "largest drift", name, sizeof name), text);
+        thud_site_verdict(site, own_words(site, "largest drift", name, sizeof name), text);
     }
 }
 
@@ -229,34 +230,33 @@ static void failing_row(struct site *site)
             n += (size_t)snprintf(text + n, sizeof text - n, "; the isolators of %.64s are displaced by up to %s mm",
                                   thud_site_name(site, s),
                                   thud_site_number(1e3 * r->structure[s].floor[0].drift.value, 3).text);
-    row(site, r->ncolumns > 0 ? "yielding storeys, failing columns" : "yielding storeys", text);
+    thud_site_verdict(site, r->ncolumns > 0 ? "yielding storeys, failing columns" : "yielding storeys", text);
 }
 
-/* Of a suite the ground motion with the widest required gap. */
-static void governing_motion(struct site *site)
+/* The ground motion of the rows, in a suite the load case that it is. */
+static void motion_row(struct site *site)
 {
-    const struct thud_gap_study *gaps = &site->suite.gaps;
-    double widest = 0;
-    int at = 0;
-    char text[400], motion[320];
-    for (int r = 0; r < gaps->suite.nrecords; r++) {
-        double needed = thud_needed_gap_widest(gaps->gap[r], 0, THUD_GAP_EXACT, NULL);
-        if (needed > widest) {
-            widest = needed;
-            at = r;
-        }
-    }
-    thud_site_motion(site->suite.plan.record[at], motion, sizeof motion);
-    snprintf(text, sizeof text, "load case %d, %s: %.1f cm required", at + 1, motion, thud_summary_gap_cm(widest));
-    row(site, "governing ground motion of the suite", text);
+    char text[600], peak[96], motion[320], which[96] = "";
+    if (!site->record)
+        return;
+    thud_record_peak_text(site->record, peak, sizeof peak);
+    thud_site_motion(site->record, motion, sizeof motion);
+    if (site->suite.runs)
+        snprintf(which, sizeof which, "load case %d, which %s, of which are the rows below: ", site->detail + 1,
+                 site->options->detail > 0 ? "was asked for" : "needs the widest gap");
+    snprintf(text, sizeof text, "%s%.280s, %s", which, motion, peak);
+    thud_site_verdict(site, site->suite.runs ? "ground motion shown in detail" : "ground motion", text);
 }
 
 void thud_site_verdicts(struct site *site)
 {
-    char text[600], peak[96];
     thud_document_heading(&site->document, "Verdicts");
     thud_document_table(&site->document, "What was asked, and what came out");
-    row(site, "question", "result");
+    thud_site_verdict(site, "question", "result");
+    if (site->suite.runs) {
+        thud_site_suite_verdicts(site);
+        motion_row(site);
+    }
     for (int i = 1; i < site->scene->nstructures; i++)
         gap_rows(site, i);
     for (int i = SITE_NONE; i < site->ncases; i++)
@@ -264,16 +264,8 @@ void thud_site_verdicts(struct site *site)
     bumper_row(site);
     governing_rows(site);
     failing_row(site);
-    if (site->record) {
-        char motion[320];
-        thud_record_peak_text(site->record, peak, sizeof peak);
-        thud_site_motion(site->record, motion, sizeof motion);
-        snprintf(text, sizeof text, "%.280s, %s%s", motion, peak,
-                 site->suite.runs ? ": the rows above are of this one; the suite has its own section" : "");
-        row(site, "ground motion", text);
-    }
-    if (site->suite.runs)
-        governing_motion(site);
+    if (!site->suite.runs)
+        motion_row(site);
 }
 
 /* ---- every input ---- */

@@ -169,6 +169,7 @@ static const struct thud_option options[] = {
     {"quiet", NULL, "no progress and no remarks", THUD_WORD_NONE, false, ALL & ~SCREEN},
     {"beside", "PRESET,...", "variants to stand in one table with the scene", THUD_WORD_FILE, false, REPORT},
     {"figures", "FILE|DIR,...", "SVG pictures drawn before, for its last pages", THUD_WORD_FILE, false, REPORT},
+    {"detail", "N", "the load case shown in detail, default the governing one", THUD_WORD_TEXT, false, REPORT},
     {"project", "TEXT", "of the title block of a report; and", THUD_WORD_TEXT, false, REPORT},
     {"author", "NAME", "who made it", THUD_WORD_TEXT, false, REPORT},
     {"checker", "NAME", "who checked it", THUD_WORD_TEXT, false, REPORT},

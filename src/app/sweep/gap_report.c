@@ -66,7 +66,7 @@ static enum thud_status fractiles(const struct thud_gap_suite *suite, int level,
 {
     enum thud_status status = THUD_OK;
     for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES && status == THUD_OK; rule++)
-        status = thud_gap_suite_fractiles(suite, level, rule, &f[rule + 1], err);
+        status = thud_gap_suite_fractiles(suite, 0, level, rule, &f[rule + 1], err);
     return status;
 }
 
@@ -224,7 +224,7 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
     }
     if (n > 1)
         thud_text_append(out, "\nuL and uR: %s of the %d ground motions.\n",
-                         study->suite.recordings >= THUD_DRAWS_LEAST ? "means" : "largest", n);
+                         thud_gap_suite_means(&study->suite) ? "means" : "largest", n);
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
     thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force.\n",

@@ -17,7 +17,7 @@ struct thud_gap_study {
 };
 
 /* One run without contact for each ground motion (one without, where the scene has none). `code`: NULL for its defaults.
- * Errors: those of thud_needed_gap_run; THUD_INPUT where nothing can touch; THUD_CANCELLED. */
+ * Where nothing can touch it has no levels. Errors: those of thud_needed_gap_run; THUD_CANCELLED. */
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const struct thud_gap_code *code, const atomic_int *cancel,
                                     struct thud_gap_study *out, struct thud_error *err);

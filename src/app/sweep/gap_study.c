@@ -106,8 +106,6 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
     out->suite.gap = out->gap;
     out->suite.recordings =
         thud_motions_recordings((const struct thud_record *const *)records->record, records->n, NULL);
-    if (status == THUD_OK && out->gap[0]->nlevels == 0)
-        status = thud_error_set(err, THUD_INPUT, "no floors of neighbours stand where they could touch");
     if (status == THUD_OK)
         status = run_periods(scene, records, cancel, out, err);
     if (status != THUD_OK)

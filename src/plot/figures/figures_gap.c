@@ -30,7 +30,7 @@ static bool add_levels(struct thud_panel *panel, const struct thud_gap_suite *su
         size_t m = 0;
         for (int l = 0; l < n; l++, m++) {
             struct thud_fractiles f;
-            if (thud_gap_suite_fractiles(suite, l, rule, &f, NULL) != THUD_OK)
+            if (thud_gap_suite_fractiles(suite, 0, l, rule, &f, NULL) != THUD_OK)
                 return false;
             if (l > 0 && first->level[l].interface != first->level[l - 1].interface) { /* no line to other buildings */
                 x[m] = y[m] = low[m] = high[m] = NAN;

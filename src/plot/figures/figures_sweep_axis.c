@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/statistics.h"
 #include "plot/figures/figures_run.h"
 #include "plot/figures/figures_sweep_internal.h"
 

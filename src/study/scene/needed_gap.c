@@ -173,7 +173,7 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
     double most = -1;
     for (int i = 0; i < gap->nlevels; i++) {
         double x = thud_gap_value(&gap->level[i], rule);
-        if ((interface != 0 && gap->level[i].interface != interface) || x <= most || isnan(most))
+        if ((interface != 0 && gap->level[i].interface != interface) || !thud_gap_is_wider(x, most))
             continue;
         most = x;
         if (level)
@@ -194,36 +194,4 @@ bool thud_gap_falls_short(double asked_m, double needed_m)
 {
     static const double rounding = 1e-9; /* the two come by different sums */
     return asked_m < needed_m * (1 - rounding);
-}
-
-/* Whether a rule asks for less than is needed. */
-static bool falls_short(const struct thud_needed_gap *gap, int level, int rule)
-{
-    if (level < 0)
-        return thud_gap_falls_short(thud_needed_gap_widest(gap, 0, rule, NULL),
-                                    thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL));
-    return thud_gap_falls_short(thud_gap_value(&gap->level[level], rule), gap->level[level].relative_displacement_m);
-}
-
-enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int level, int rule,
-                                          struct thud_fractiles *out, struct thud_error *err)
-{
-    double *value = malloc(((size_t)suite->nrecords + 1) * sizeof *value);
-    int shorter = 0;
-    if (!value)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int r = 0; r < suite->nrecords; r++) {
-        const struct thud_needed_gap *gap = suite->gap[r];
-        value[r] = level < 0 ? thud_needed_gap_widest(gap, 0, rule, NULL) : thud_gap_value(&gap->level[level], rule);
-        shorter += falls_short(gap, level, rule);
-    }
-    size_t count;
-    *out = thud_fractiles_of(value, (size_t)suite->nrecords, suite->recordings, INFINITY);
-    const size_t enough = isnan(out->p84) ? 0 : out->n;
-    out->p16 = thud_enough(value, enough, 0.16, &count);
-    out->median = thud_enough(value, out->n, 0.5, &out->half);
-    out->p84 = thud_enough(value, enough, 0.84, &out->most84);
-    out->share = out->n > 0 ? (double)shorter / (double)out->n : NAN;
-    free(value);
-    return THUD_OK;
 }

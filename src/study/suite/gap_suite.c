@@ -7,6 +7,35 @@
 #include "study/scene/solution.h"
 #include "study/suite/suite.h"
 
+/* What a rule asks for of one motion, at a level or at all levels of an interface. */
+static double of_motion(const struct thud_needed_gap *gap, int interface, int level, int rule)
+{
+    return level < 0 ? thud_needed_gap_widest(gap, interface, rule, NULL) : thud_gap_value(&gap->level[level], rule);
+}
+
+enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int interface, int level, int rule,
+                                          struct thud_fractiles *out, struct thud_error *err)
+{
+    double *value = malloc(((size_t)suite->nrecords + 1) * sizeof *value);
+    int shorter = 0;
+    if (!value)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int r = 0; r < suite->nrecords; r++) {
+        const struct thud_needed_gap *gap = suite->gap[r];
+        value[r] = of_motion(gap, interface, level, rule);
+        shorter += thud_gap_falls_short(value[r], of_motion(gap, interface, level, THUD_GAP_EXACT));
+    }
+    size_t count;
+    *out = thud_fractiles_of(value, (size_t)suite->nrecords, suite->recordings, INFINITY);
+    const size_t enough = isnan(out->p84) ? 0 : out->n;
+    out->p16 = thud_enough(value, enough, 0.16, &count);
+    out->median = thud_enough(value, out->n, 0.5, &out->half);
+    out->p84 = thud_enough(value, enough, 0.84, &out->most84);
+    out->share = out->n > 0 ? (double)shorter / (double)out->n : NAN;
+    free(value);
+    return THUD_OK;
+}
+
 /* A level with the displacements that a code designs for. */
 static struct thud_gap_level design_level(const struct thud_gap_suite *suite, int level, bool means)
 {
@@ -28,16 +57,21 @@ static struct thud_gap_level design_level(const struct thud_gap_suite *suite, in
     return out;
 }
 
+bool thud_gap_suite_means(const struct thud_gap_suite *suite)
+{
+    return suite->recordings >= THUD_DRAWS_LEAST;
+}
+
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out)
 {
-    bool means = suite->recordings >= THUD_DRAWS_LEAST;
+    const bool means = thud_gap_suite_means(suite);
     for (int i = 0; i < interfaces; i++)
         out[i] = (struct thud_gap_ruled){.gap_m = -1, .worst = -1};
     for (int l = 0; l < suite->gap[0]->nlevels; l++) {
         struct thud_gap_level level = design_level(suite, l, means);
         struct thud_gap_ruled *ruled = &out[level.interface - 1];
         double x = thud_gap_value(&level, rule);
-        if (x <= ruled->gap_m || isnan(ruled->gap_m))
+        if (!thud_gap_is_wider(x, ruled->gap_m))
             continue;
         ruled->gap_m = x;
         ruled->level = level;
