@@ -101,6 +101,7 @@ is "and figures" counted Figure
 is "a second method confirms it" in_text 'by the method "Dormand and Prince.*largest relative difference [0-9.]*e-\(0[6-9]\|1[0-9]\) '
 is "with equal impact counts" in_text 'all impact counts are equal'
 is "it says what it does not cover" in_text 'this one proves nothing about a gap'
+is "its first page names the program that computed it" in_text "^# .*| Computed by | $("$THUD" --version | sed -n '1s/$/, /p' | tr -d '\n')commit "
 is "no title block unless it is asked for" sh -c "! grep -q 'Prepared by' '$tmp/r/report.md'"
 is "peaks in the verdicts say with or without bumper" grep -q '^| largest acceleration, with the bumper | [0-9.]* g, floor' "$tmp/r/report.md"
 is "no word of the program in the prose" sh -c "! sed '/^## Inputs/,/^## Load cases/d;/^    /d' '$tmp/r/report.md' | grep -n -e 'kelvin-voigt' -e 'damping paper' -e '_n\\b' -e 'contact[.][0-9]' -e '[0-9]-c[0-9]' >&2"
@@ -132,10 +133,12 @@ report 0 "$tmp/own.yaml"
 is "once more gives the same bytes" diff -r "$tmp/first" "$tmp/r"
 sed '/    bumper:/,$d' "$tmp/own.yaml" >"$tmp/bare.yaml"
 # the title block: of the preset, and of the options, which say it of this report
-{ cat "$tmp/own.yaml" && printf 'document:\n  author: A. Author\n  revision: B\n'; } >"$tmp/block.yaml"
+{ cat "$tmp/own.yaml" && printf 'document:\n  author: A. Author\n  number: C-7\n  revision: B\n'; } >"$tmp/block.yaml"
 is "a title block" gives 0 report "$tmp/block.yaml" -o "$tmp/b" --samples 0 --checker 'C. <Checker>' --revision C
-is "has what the preset says" grep -q '^| Prepared by | A. Author |$' "$tmp/b/report.md"
-is "what the option says in its place, and room to sign" sh -c "tr '\\n' ' ' <'$tmp/b/report.md' | grep -q '| Revision | C |.*| Checked by | C. .<Checker.> | | Signature |'"
+is "has what the preset says" grep -q '^| Prepared by | A. Author |  |  |$' "$tmp/b/report.md"
+is "and the number of the document" grep -q '^| Document | C-7 |$' "$tmp/b/report.md"
+is "contents lead to every section" [ "$(grep -o 'href="#section-[0-9]*"' "$tmp/b/report.html" | sed 's/href="#/id="/' | grep -c -F -f - "$tmp/b/report.html")" -eq "$(grep -c '^## ' "$tmp/b/report.md")" ]
+is "what the option says in its place, and room to sign" sh -c "tr '\\n' ' ' <'$tmp/b/report.md' | grep -q '| Revision | C |.*| signatures | name | date | signature |.*| Checked by | C. .<Checker.> |  |  |.*| Approved by |  |  |  |'"
 is "the PDF is made of the page, and named" sh -c "grep -q '^%PDF-1.4 for tests' '$tmp/b/report.pdf' && grep -q '/report.pdf$' '$tmp/out'"
 is "without PDF" gives 0 report "$tmp/block.yaml" -o "$tmp/b" --samples 0 --replace --no-pdf
 is "no older one is left" sh -c "! test -e '$tmp/b/report.pdf' && ! grep -q pdf '$tmp/out'"

@@ -1,6 +1,7 @@
 /* Documents as HTML and Markdown: the structure of both, and that no text is taken for more than a text. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "app/report/document.h"
@@ -67,7 +68,8 @@ START_TEST(lists_and_tables_open_and_close)
                          "<thead><tr><th scope=\"col\">0|</th><th scope=\"col\">1|</th></tr></thead>\n<tbody>\n"
                          "<tr><th scope=\"row\" class=\"short\">2|</th><td>3|</td></tr>\n"
                          "<tr><th scope=\"row\" class=\"short\">4|</th><td>5|</td></tr>\n</tbody></table></div>\n"
-                         "<div><table>\n<caption>Table 2. Empty</caption>\n</table></div>\n<h2>Next</h2>\n<ul>\n<li>- "
+                         "<div><table>\n<caption>Table 2. Empty</caption>\n</table></div>\n<h2 id=\"section-1\">1 "
+                         "Next</h2>\n<ul>\n<li>- "
                          "three</li>\n</ul>\n"));
     ck_assert_str_eq(markdown.data,
                      "- one\n- two\n\n**Table 1. Peaks**\n\n| 0\\| | 1\\| |\n|---|---:|\n| 2\\| | 3\\| |\n"
@@ -131,32 +133,52 @@ START_TEST(sentences_in_tables_and_what_is_cut)
 }
 END_TEST
 
-/* A long table goes over a page's end between its three first and its three last rows; nothing ties it to what follows. A
- * hash that begins with a figure is no number. */
+/* A long table may go over a page's end, but not next to its first or last row; every page repeats its caption, which is
+ * a row of its head and stands there once. A hash that begins with a figure is no number. */
 START_TEST(no_row_of_a_long_table_stands_alone)
 {
+    enum { ROWS = 20 };
     thud_document_table(&document, "Rows");
     thud_document_head(&document, "n|hash");
-    for (int i = 0; i < 10; i++) {
-        thud_document_cell(&document, "%d", i);
-        thud_document_cell(&document, "4e2be59b149134ae3166f4fdeade931c");
-        thud_document_row(&document);
-    }
+    for (int i = 0; i < ROWS; i++)
+        thud_document_line(&document, "%d\t4e2be59b149134ae3166f4fdeade931c", i);
     write_both();
-    ck_assert(has(&html, "<table class=\"long\">") && has(&html, "tbody.whole { break-inside: avoid }"));
-    int rows[2] = {0, 0}, bodies = 0;
-    const char *at = strstr(html.data, "<tbody");
-    for (; at; at = strstr(at + 1, "<tbody"), bodies++) {
-        const bool whole = strncmp(at, "<tbody class=\"whole\">", 21) == 0;
-        for (const char *row = strstr(at, "<tr>"), *end = strstr(at, "</tbody>"); row && row < end;
-             row = strstr(row + 1, "<tr>"))
-            rows[whole]++;
+    ck_assert(has(&html, "<table class=\"long\">\n<thead><tr><th class=\"caption\" colspan=\"2\">Table 1. "
+                         "Rows</th></tr>\n<tr><th scope=\"col\">n</th>"));
+    ck_assert(!has(&html, "<caption>"));
+    ck_assert(has(&html, "tr.first { break-after: avoid } tr.last { break-before: avoid }"));
+    const char *at = html.data;
+    for (int i = 0; i < ROWS; i++) {
+        char opens[64];
+        at = strstr(at + 1, "<tr><th scope=\"row\"") && i >= 2 && i < ROWS - 2 ? strstr(at, "<tr><th scope=\"row\"")
+                                                                               : strstr(at, "<tr class=");
+        snprintf(opens, sizeof opens, "class=\"short\">%d</th>", i);
+        ck_assert_ptr_nonnull(at);
+        ck_assert(strstr(at, opens) && strstr(at, opens) - at < 64);
+        ck_assert_int_eq(strncmp(at, "<tr class=\"first\">", 18) == 0, i < 2);
+        ck_assert_int_eq(strncmp(at, "<tr class=\"last\">", 17) == 0, i >= ROWS - 2);
+        at++;
     }
-    ck_assert_int_eq(bodies, 3);
-    ck_assert_int_eq(rows[true], 6);
-    ck_assert_int_eq(rows[false], 4);
-    ck_assert(!strstr(html.data, "nth-"));
     ck_assert(has(&html, "<td class=\"words\">4e2be59b"));
+}
+END_TEST
+
+/* What says nothing of anything is no row; contents are of HTML alone, and their links lead to the sections. */
+START_TEST(rows_without_values_are_left_out)
+{
+    thud_document_contents(&document);
+    thud_document_heading(&document, "One & all");
+    thud_document_table(&document, "Values");
+    thud_document_head(&document, "of|a|b");
+    thud_document_line(&document, "nothing\t-\t-");
+    thud_document_line(&document, "half\t-\t1");
+    thud_document_heading(&document, "Two");
+    write_both();
+    ck_assert(has(&html, "<ol>\n<li><a href=\"#section-1\">1 One &amp; all</a></li>\n"
+                         "<li><a href=\"#section-2\">2 Two</a></li>\n</ol>"));
+    ck_assert(has(&html, "<h2 id=\"section-1\">1 One &amp; all</h2>") && has(&html, "<h2 id=\"section-2\">2 Two</h2>"));
+    ck_assert_str_eq(markdown.data, "## One \\& all\n\n**Table 1. Values**\n\n| of | a | b |\n|---|---:|---:|\n"
+                                    "| half | \\- | 1 |\n\n## Two\n");
 }
 END_TEST
 
@@ -194,6 +216,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, figures_are_inside_and_beside);
     tcase_add_test(tcase, sentences_in_tables_and_what_is_cut);
     tcase_add_test(tcase, no_row_of_a_long_table_stands_alone);
+    tcase_add_test(tcase, rows_without_values_are_left_out);
     tcase_add_test(tcase, lines_stay_as_they_are);
     tcase_add_test(tcase, numbers_have_three_digits);
     suite_add_tcase(suite, tcase);

@@ -222,7 +222,7 @@ struct thud_study_choice {
 
 /* The title block of a report; empty: not given. */
 struct thud_title_block {
-    char project[128], author[64], checker[64], date[32], revision[32];
+    char project[128], number[32], revision[32], date[32], author[64], checker[64], approver[64];
 };
 
 struct thud_scene {

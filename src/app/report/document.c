@@ -7,7 +7,7 @@
 
 #include "io/file/file.h"
 
-enum kind { TITLE, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
+enum kind { TITLE, CONTENTS, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
 
 struct thud_document_piece {
     enum kind kind;
@@ -38,6 +38,11 @@ static struct thud_document_piece *add(struct thud_document *d, enum kind kind, 
 void thud_document_title(struct thud_document *document, const char *text)
 {
     add(document, TITLE, text);
+}
+
+void thud_document_contents(struct thud_document *document)
+{
+    add(document, CONTENTS, "");
 }
 
 void thud_document_heading(struct thud_document *document, const char *text)
@@ -80,9 +85,24 @@ void thud_document_table(struct thud_document *document, const char *caption)
     add(document, TABLE, caption);
 }
 
+/* Whether the cells after the first one since a piece say that there is nothing to say. */
+static bool is_bare(const struct thud_document *document, size_t first)
+{
+    for (size_t i = first + 1; i < document->n; i++)
+        if (!document->piece[i].text.data || strcmp(document->piece[i].text.data, "-") != 0)
+            return false;
+    return first + 1 < document->n;
+}
+
 void thud_document_row(struct thud_document *document)
 {
-    add(document, ROW, "");
+    size_t first = document->n;
+    while (first > 0 && document->piece[first - 1].kind == CELL)
+        first--;
+    if (is_bare(document, first))
+        thud_document_cut(document, first);
+    else
+        add(document, ROW, "");
 }
 
 void thud_document_head(struct thud_document *document, const char *cells)
@@ -172,15 +192,21 @@ void thud_document_clear(struct thud_document *document)
     *document = (struct thud_document){0};
 }
 
-/* "Table 3. ", "Figure 1. ": tables and figures are counted each on their own. */
-static void put_number(const struct thud_document *document, size_t i, struct thud_text *out)
+/* Sections, tables and figures are counted each on their own; what has no caption is not counted. */
+static int number_of(const struct thud_document *document, size_t i)
 {
     int number = 0;
     for (size_t k = 0; k <= i; k++)
         number += document->piece[k].kind == document->piece[i].kind && document->piece[k].text.size > 0;
+    return number;
+}
+
+/* "Table 3. ", "Figure 1. " */
+static void put_number(const struct thud_document *document, size_t i, struct thud_text *out)
+{
     if (document->piece[i].text.size == 0)
         return;
-    thud_text_append(out, "%s %d. ", document->piece[i].kind == TABLE ? "Table" : "Figure", number);
+    thud_text_append(out, "%s %d. ", document->piece[i].kind == TABLE ? "Table" : "Figure", number_of(document, i));
 }
 
 static const char *text_of(const struct thud_document_piece *piece)
@@ -244,11 +270,14 @@ static const char style[] =
     "td.words, thead th.words { text-align: left } td:not(.words), th.short { white-space: nowrap }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
-    "thead th:first-child { font-weight: bold } table, tr, tbody.whole { break-inside: avoid } table.long { "
-    "break-inside: auto } caption, thead { break-after: avoid }\n"
+    "thead th:first-child { font-weight: bold } thead th.caption { border: 0; padding: 0 0 .3em; font-size: 1em }\n"
+    "table, tr { break-inside: avoid } table.long { break-inside: auto } caption, thead { break-after: avoid }\n"
+    "tr.first { break-after: avoid } tr.last { break-before: avoid }\n"
+    "nav ol { columns: 2; list-style: none; padding: 0 } nav a { color: inherit; text-decoration: none }\n"
+    "nav a::after { content: leader('.') target-counter(attr(href), page) }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
-    ".6em; white-space: pre-wrap; overflow-wrap: anywhere }\n"
+    ".6em; white-space: pre-wrap; overflow-wrap: anywhere; orphans: 12; widows: 12 }\n"
     "@media print { html { font-size: 9.5pt } body { margin: 0; padding: 0; max-width: none } figure img { max-height: "
     "120mm; object-fit: contain } pre { font-size: .7em; background: none; "
     "border: 1px solid #aaa } }\n";
@@ -282,11 +311,45 @@ static void html_element(struct thud_text *out, const char *open, const char *te
 /* The name of a row that is kept on one line. */
 enum { SHORT_MOST = 48 };
 
+/* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its head
+ * and at its foot stay together, so that no row stands alone. Its caption is a row of its head, which every page repeats. */
+enum { ROWS_TOGETHER = 16, ROWS_AT_END = 3 };
+
+static void html_caption(struct thud_text *out, const struct thud_document *document, size_t table, const char *open,
+                         const char *close)
+{
+    thud_text_append(out, "%s", open);
+    put_number(document, table, out);
+    html_element(out, "", text_of(&document->piece[table]), close);
+}
+
+static void html_row_opens(struct thud_text *out, const struct place *place, const struct thud_document *document)
+{
+    const bool goes_over = place->rows > ROWS_TOGETHER;
+    const int row = place->row + 1; /* from 1 */
+    char open[64];
+    int columns = 0;
+    if (place->body) {
+        thud_text_append(out, !goes_over                            ? "<tr>"
+                              : row < ROWS_AT_END                   ? "<tr class=\"first\">"
+                              : row > place->rows - ROWS_AT_END + 1 ? "<tr class=\"last\">"
+                                                                    : "<tr>");
+        return;
+    }
+    while (document->piece[place->at + 1 + (size_t)columns].kind == CELL)
+        columns++;
+    snprintf(open, sizeof open, "<tr><th class=\"caption\" colspan=\"%d\">", columns);
+    thud_text_append(out, "<thead>");
+    if (goes_over && *text_of(&document->piece[place->at]))
+        html_caption(out, document, place->at, open, "</th></tr>\n");
+    thud_text_append(out, "<tr>");
+}
+
 static void html_cell(struct thud_text *out, struct place *place, const struct thud_document *document,
                       const char *text)
 {
     if (place->column++ == 0)
-        thud_text_append(out, place->body ? "<tr>" : "<thead><tr>");
+        html_row_opens(out, place, document);
     if (!place->body)
         html_element(out,
                      column_is_words(document, place->at, place->column - 1) ? "<th scope=\"col\" class=\"words\">"
@@ -302,10 +365,6 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
                      text, "</td>");
 }
 
-/* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its head
- * and at its foot stay together, so that no row stands alone. */
-enum { ROWS_TOGETHER = 8, ROWS_AT_END = 3 };
-
 static int count_rows(const struct thud_document *document, size_t table)
 {
     int rows = -1; /* less the head */
@@ -318,15 +377,8 @@ static int count_rows(const struct thud_document *document, size_t table)
 /* Ends a row. */
 static void html_row(struct thud_text *out, struct place *place)
 {
-    static const char whole[] = "<tbody class=\"whole\">\n";
-    const int row = place->body ? ++place->row : 0;
-    thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n");
-    if (!place->body)
-        thud_text_append(out, place->rows > ROWS_TOGETHER ? whole : "<tbody>\n");
-    else if (place->rows > ROWS_TOGETHER && row == ROWS_AT_END)
-        thud_text_append(out, "</tbody>\n<tbody>\n");
-    else if (place->rows > ROWS_TOGETHER && row == place->rows - ROWS_AT_END)
-        thud_text_append(out, "</tbody>\n%s", whole);
+    thud_text_append(out, place->body ? "</tr>\n" : "</tr></thead>\n<tbody>\n");
+    place->row += place->body;
     place->body = true;
     place->column = 0;
 }
@@ -371,14 +423,33 @@ static bool html_columns(struct thud_text *out, const struct thud_document *docu
     return all > LINE;
 }
 
+/* A link for each section; where the pages of print are known their numbers stand behind. */
+static void html_contents(struct thud_text *out, const struct thud_document *document)
+{
+    thud_text_append(out, "<nav aria-label=\"Contents\">\n<ol>\n");
+    for (size_t i = 0; i < document->n; i++)
+        if (document->piece[i].kind == HEADING) {
+            const int number = number_of(document, i);
+            thud_text_append(out, "<li><a href=\"#section-%d\">%d ", number, number);
+            html_element(out, "", text_of(&document->piece[i]), "</a></li>\n");
+        }
+    thud_text_append(out, "</ol>\n</nav>\n");
+}
+
 static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
-    static const char *const tag[] = {[TITLE] = "h1", [HEADING] = "h2", [PARAGRAPH] = "p", [LINES] = "pre"};
+    static const char *const tag[] = {[TITLE] = "h1", [PARAGRAPH] = "p", [LINES] = "pre"};
     const struct thud_document_piece *piece = &document->piece[i];
     html_leave(out, place, piece->kind);
     switch (piece->kind) {
-    case TITLE:
+    case CONTENTS:
+        html_contents(out, document);
+        break;
     case HEADING:
+        thud_text_append(out, "<h2 id=\"section-%d\">%d ", number_of(document, i), number_of(document, i));
+        html_element(out, "", text_of(piece), "</h2>\n");
+        break;
+    case TITLE:
     case PARAGRAPH:
     case LINES:
         thud_text_append(out, "<%s>", tag[piece->kind]);
@@ -392,9 +463,9 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         break;
     case TABLE:
         *place = (struct place){.table = true, .at = i, .rows = count_rows(document, i)};
-        thud_text_append(out, "<div><table%s>\n<caption>", place->rows > ROWS_TOGETHER ? " class=\"long\"" : "");
-        put_number(document, i, out);
-        html_element(out, "", text_of(piece), "</caption>\n");
+        thud_text_append(out, "<div><table%s>\n", place->rows > ROWS_TOGETHER ? " class=\"long\"" : "");
+        if (place->rows <= ROWS_TOGETHER && *text_of(piece))
+            html_caption(out, document, i, "<caption>", "</caption>\n");
         place->shared = html_columns(out, document, i, place->rows);
         break;
     case CELL:
@@ -451,6 +522,8 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
 {
     const struct thud_document_piece *piece = &document->piece[i];
     const char *text = text_of(piece);
+    if (piece->kind == CONTENTS)
+        return;
     bool goes_on =
         (place->list && piece->kind == ITEM) || (place->table && (piece->kind == CELL || piece->kind == ROW));
     if (out->size > 0 && !goes_on)
@@ -500,6 +573,7 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
         put_number(document, i, out);
         break;
     case PARAGRAPH:
+    case CONTENTS:
         break;
     }
     escape_markdown(out, text);

@@ -16,6 +16,8 @@ struct thud_document {
 
 void thud_document_title(struct thud_document *document, const char *text);
 void thud_document_heading(struct thud_document *document, const char *text);
+/* The sections by their numbers, of HTML and print alone: a link each, in print with its page. */
+void thud_document_contents(struct thud_document *document);
 void thud_document_paragraph(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 /* Items that follow each other are one list. */
 void thud_document_item(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
@@ -25,7 +27,7 @@ void thud_document_take(struct thud_document *document, size_t n, size_t count);
 /* Lines as they are, in letters of one width. */
 void thud_document_lines(struct thud_document *document, const char *text);
 /* A table: its caption (numbered; empty: neither), cells from left to right, thud_document_row after each row. The first row is the head, the
- * first column the name of its row. Ends with whatever is no cell. */
+ * first column the name of its row. Ends with whatever is no cell. A row whose values are all "-" is left out. */
 void thud_document_table(struct thud_document *document, const char *caption);
 void thud_document_cell(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 /* Cells parted by tabs; a row of them; a row of plain ones, parted by `|`. */

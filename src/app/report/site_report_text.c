@@ -604,6 +604,7 @@ enum thud_status thud_site_write(struct site *site, struct thud_error *err)
     snprintf(title, sizeof title, "Pounding report: %s", name);
     thud_document_title(&site->document, title);
     thud_site_title_block(site);
+    thud_document_contents(&site->document);
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
         sections[i](site);
     if (site->pictures == THUD_CANCELLED) {

@@ -6,6 +6,7 @@
 #include "app/report/site_report_private.h"
 #include "app/run/run_cases.h"
 #include "app/run/summary_line.h"
+#include "base/version.h"
 #include "core/laws/law.h"
 #include "core/methods/method.h"
 #include "ground/identity.h"
@@ -20,24 +21,29 @@ void thud_site_verdict(struct site *site, const char *what, const char *found)
 void thud_site_title_block(struct site *site)
 {
     const struct thud_title_block *b = &site->scene->document;
+    struct thud_document *d = &site->document;
     const struct {
         const char *what, *value;
-    } line[] = {{"Project", b->project},
-                {"Revision", b->revision},
-                {"Date", b->date},
-                {"Prepared by", b->author},
-                {"Checked by", b->checker}};
-    bool begun = false;
-    for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
-        if (!*line[i].value)
-            continue;
-        if (!begun)
-            thud_document_table(&site->document, "");
-        begun = true;
-        thud_site_verdict(site, line[i].what, line[i].value);
-    }
-    if (*b->checker)
-        thud_site_verdict(site, "Signature", "");
+    } line[] = {{"Project", b->project}, {"Document", b->number}, {"Revision", b->revision}, {"Date", b->date}},
+      signs[] = {{"Prepared by", b->author}, {"Checked by", b->checker}, {"Approved by", b->approver}};
+    struct thud_text version = {0};
+    bool named = false;
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        named = named || *signs[i].value;
+    thud_version_name(&version);
+    thud_document_table(d, "");
+    thud_site_verdict(site, "Computed by", version.data ? version.data : "");
+    for (size_t i = 0; i < sizeof line / sizeof *line; i++)
+        if (*line[i].value)
+            thud_site_verdict(site, line[i].what, line[i].value);
+    d->failed = d->failed || version.failed;
+    thud_text_clear(&version);
+    if (!named)
+        return;
+    thud_document_table(d, "");
+    thud_document_head(d, "signatures|name|date|signature");
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        thud_document_line(d, "%s\t%s\t\t", signs[i].what, signs[i].value);
 }
 
 /* Whether there is contact at an interface (from 1) in a case. */

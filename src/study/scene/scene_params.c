@@ -346,6 +346,8 @@ static const struct thud_param document_params[] = {
     WORD("checker", "checker", "Who checked it, or has to."),
     WORD("date", "date", "Of the report, as it shall stand there."),
     WORD("revision", "revision", "Of the report."),
+    WORD("number", "number", "Of the report among the project's documents."),
+    WORD("approver", "approver", "Who approves it."),
 };
 #define AT(member) offsetof(struct thud_scene, document.member)
 static const struct thud_place document_places[] = {
@@ -354,6 +356,8 @@ static const struct thud_place document_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(checker), .size = 64},
     {.store = THUD_STORE_TEXT, .offset = AT(date), .size = 32},
     {.store = THUD_STORE_TEXT, .offset = AT(revision), .size = 32},
+    {.store = THUD_STORE_TEXT, .offset = AT(number), .size = 32},
+    {.store = THUD_STORE_TEXT, .offset = AT(approver), .size = 64},
 };
 #undef AT
 /* clang-format on */
