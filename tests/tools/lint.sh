@@ -1,12 +1,12 @@
 #!/bin/sh
 # Static analysis with whatever is installed; each tool that is not is named.  FLAGS: the compiler's flags.
-# usage: lint.sh MAKE [CHECK...]     checks: house shellcheck format mandoc copies cppcheck gcc clang tidy mutants; all when none is named
+# usage: lint.sh MAKE [CHECK...]     checks: house words shellcheck format mandoc copies cppcheck gcc clang tidy mutants; all when none is named
 # Sources that clang-tidy found clean are not read again before they or any header change (build/lint).
 # shellcheck disable=SC2317 # functions are called by name
 set -u
 make=$1
 shift
-wanted=${*:-house shellcheck format mandoc copies cppcheck gcc clang tidy mutants}
+wanted=${*:-house words shellcheck format mandoc copies cppcheck gcc clang tidy mutants}
 status=0
 kept=build/lint
 mkdir -p $kept
@@ -29,6 +29,7 @@ by_house() { # layers, purity, what must not stand in the tree, what nothing use
     tests/tools/check-includes.sh . && tests/tools/check-headers.sh . && tests/tools/check-pure.sh build/release/libthud-core.a && tests/tools/check-tree.sh . &&
         tests/tools/check-unused.sh build/release
 }
+by_words() { xargs perl tests/tools/check-words.pl tests/tools/words.txt; } # phrases that no engineer would write
 by_shellcheck() { xargs shellcheck -x; }
 by_format() { xargs clang-format --dry-run -Werror; }
 by_mandoc() { # its exit status passes over what is only style; our own pages are not installed yet; groff is what man(1) shows pages with
@@ -69,6 +70,8 @@ by_tidy() {
 
 sources=$(find src -name '*.c' | sort)
 lint house nm "$sources"
+# of what is written by hand; what the program says and comments follow
+lint words perl "$(ls README.md .github/CONTRIBUTING.md man/*.1 man/*.3 man/*.7)"
 lint shellcheck shellcheck "$(find tests .ci -name '*.sh' -o -path '.ci/*' | sort)"
 lint format clang-format "$(find src include tests -name '*.[ch]' | sort)"
 lint mandoc mandoc "$(find man -name '*.[1-8]' 2>/dev/null | sort)"
