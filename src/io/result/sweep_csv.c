@@ -113,7 +113,7 @@ static const struct thud_column storeys[] = {
      .only = COLLAPSES}};
 const struct thud_schema thud_sweep_storey_schema =
     THUD_SCHEMA("sweep.csv of storeys",
-                "At the end of each row, where storeys of the scene yield, and with P-Delta the last one.\n", storeys);
+                "At the end of each row, where storeys of the scene yield,\nand with P-Delta the last one.\n", storeys);
 
 /* ---- contacts ---- */
 
