@@ -39,25 +39,25 @@ machine 0 apt-get
 deps --print build
 is "apt" prints "$apt"
 deps --print test valgrind
-is "apt, for the tests and one more" prints "$apt check tmux procps locales valgrind"
+is "apt, for the tests and one more" prints "$apt check tmux procps locales poppler-utils weasyprint valgrind"
 machine 1000 dnf
 deps --print test
 is "dnf" prints "sudo dnf install -y gcc glibc-devel make pkgconf-pkg-config libyaml-devel libcsv-devel lapack-devel ncurses-devel zlib-devel gnuplot \
-dejavu-sans-fonts check-devel tmux procps-ng glibc-locale-source"
+dejavu-sans-fonts check-devel tmux procps-ng glibc-locale-source poppler-utils weasyprint"
 machine 1000 pacman
 deps --print test
-is "pacman" prints "sudo pacman -S --noconfirm --needed gcc glibc make pkgconf libyaml lapacke ncurses zlib gnuplot ttf-dejavu check tmux procps-ng"
+is "pacman" prints "sudo pacman -S --noconfirm --needed gcc glibc make pkgconf libyaml lapacke ncurses zlib gnuplot ttf-dejavu check tmux procps-ng poppler python-weasyprint"
 is "pacman: what it does not have is named" grep -q 'knows: libcsv$' "$tmp/err"
 machine 1000 zypper
 deps --print test
 is "zypper" prints "sudo zypper --non-interactive install gcc glibc-devel make pkgconf-pkg-config libyaml-devel libcsv-devel lapacke-devel \
-ncurses-devel zlib-devel gnuplot dejavu-fonts check-devel tmux procps glibc-i18ndata"
+ncurses-devel zlib-devel gnuplot dejavu-fonts check-devel tmux procps glibc-i18ndata poppler-tools"
 machine 0 apk
 deps --print test
-is "apk" prints "apk add gcc musl-dev make pkgconf yaml-dev lapack-dev ncurses-dev zlib-dev gnuplot font-dejavu check-dev tmux procps"
+is "apk" prints "apk add gcc musl-dev make pkgconf yaml-dev lapack-dev ncurses-dev zlib-dev gnuplot font-dejavu check-dev tmux procps poppler-utils weasyprint"
 machine 501 brew
 deps --print test
-is "brew, never by sudo" prints "brew install make pkgconf libyaml libcsv lapack ncurses gnuplot font-dejavu check tmux"
+is "brew, never by sudo" prints "brew install make pkgconf libyaml libcsv lapack ncurses gnuplot font-dejavu check tmux poppler weasyprint"
 machine 0
 deps test similarity-tester
 is "without any: the packages in words" grep -q 'C17 compiler, .*libyaml, libcsv, LAPACKE, .* ncurses .*gnuplot 5.4.*DejaVu.*Check.*similarity-tester$' "$tmp/err"

@@ -10,7 +10,7 @@ if [ "${1:-}" = --print ]; then
     shift
 fi
 packages="gcc libc6-dev make pkg-config libyaml-dev libcsv-dev liblapacke-dev libncurses-dev zlib1g-dev gnuplot-nox fonts-dejavu-core"
-if [ "${1:-build}" = test ]; then packages="$packages check tmux procps locales ${2:-}"; fi
+if [ "${1:-build}" = test ]; then packages="$packages check tmux procps locales poppler-utils weasyprint ${2:-}"; fi
 
 manager=""
 for m in apt-get dnf pacman zypper apk brew; do
@@ -39,6 +39,8 @@ check              check-devel         check       check-devel        check-dev 
 tmux               tmux                tmux        tmux               tmux        tmux                   tmux
 procps             procps-ng           procps-ng   procps             procps      -                      pgrep
 locales            glibc-locale-source -           glibc-i18ndata     -           -                      localedef
+poppler-utils      poppler-utils       poppler     poppler-tools      poppler-utils poppler              pdftotext
+weasyprint         weasyprint          python-weasyprint ?            weasyprint  weasyprint             weasyprint
 valgrind           valgrind            valgrind    valgrind           valgrind    -                      valgrind
 shellcheck         ShellCheck          shellcheck  ShellCheck         shellcheck  shellcheck             shellcheck
 clang              clang               clang       clang              clang       -                      clang

@@ -32,6 +32,7 @@ log=$build/soak.log
         echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
     "$build/agree" "${SOAK_AGREE:-2000}" >"$build/agree.log" && echo "ok - the factor of first contact by every way that tells it" ||
         echo "not ok - the factor of first contact by every way that tells it (see $build/agree.log)"
+    PAGES=full sh tests/cli/test_pages.sh
     PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
     for kind in rule remark preset screen; do sh tests/tools/stranger.sh "$build" "$kind"; done

@@ -271,6 +271,7 @@ static const char style[] =
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } thead th.caption { border: 0; padding: 0 0 .3em; font-size: 1em }\n"
+    "table.wide { font-size: .8em } table.wide th, table.wide td { padding: .15em .3em }\n"
     "table, tr { break-inside: avoid } table.long { break-inside: auto } caption, thead { break-after: avoid }\n"
     "tr.first { break-after: avoid } tr.last { break-before: avoid }\n"
     "nav ol { columns: 2; list-style: none; padding: 0 } nav a { color: inherit; text-decoration: none }\n"
@@ -315,6 +316,17 @@ enum { SHORT_MOST = 48 };
  * and at its foot stay together, so that no row stands alone. Its caption is a row of its head, which every page repeats. */
 enum { ROWS_TOGETHER = 16, ROWS_AT_END = 3 };
 
+/* A table of more columns than a page takes in the letters of others has smaller ones. */
+enum { COLUMNS_WIDE = 9 };
+
+static int count_columns(const struct thud_document *document, size_t table)
+{
+    size_t i = table + 1;
+    while (i < document->n && document->piece[i].kind == CELL)
+        i++;
+    return (int)(i - table - 1);
+}
+
 static void html_caption(struct thud_text *out, const struct thud_document *document, size_t table, const char *open,
                          const char *close)
 {
@@ -328,7 +340,6 @@ static void html_row_opens(struct thud_text *out, const struct place *place, con
     const bool goes_over = place->rows > ROWS_TOGETHER;
     const int row = place->row + 1; /* from 1 */
     char open[64];
-    int columns = 0;
     if (place->body) {
         thud_text_append(out, !goes_over                            ? "<tr>"
                               : row < ROWS_AT_END                   ? "<tr class=\"first\">"
@@ -336,9 +347,7 @@ static void html_row_opens(struct thud_text *out, const struct place *place, con
                                                                     : "<tr>");
         return;
     }
-    while (document->piece[place->at + 1 + (size_t)columns].kind == CELL)
-        columns++;
-    snprintf(open, sizeof open, "<tr><th class=\"caption\" colspan=\"%d\">", columns);
+    snprintf(open, sizeof open, "<tr><th class=\"caption\" colspan=\"%d\">", count_columns(document, place->at));
     thud_text_append(out, "<thead>");
     if (goes_over && *text_of(&document->piece[place->at]))
         html_caption(out, document, place->at, open, "</th></tr>\n");
@@ -463,7 +472,11 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         break;
     case TABLE:
         *place = (struct place){.table = true, .at = i, .rows = count_rows(document, i)};
-        thud_text_append(out, "<div><table%s>\n", place->rows > ROWS_TOGETHER ? " class=\"long\"" : "");
+        thud_text_append(out, "<div><table");
+        if (place->rows > ROWS_TOGETHER || count_columns(document, i) >= COLUMNS_WIDE)
+            thud_text_append(out, " class=\"%s%s\"", place->rows > ROWS_TOGETHER ? "long" : "",
+                             count_columns(document, i) >= COLUMNS_WIDE ? " wide" : "");
+        thud_text_append(out, ">\n");
         if (place->rows <= ROWS_TOGETHER && *text_of(piece))
             html_caption(out, document, i, "<caption>", "</caption>\n");
         place->shared = html_columns(out, document, i, place->rows);
