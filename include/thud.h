@@ -2,8 +2,10 @@
  * each function. SI units; floors, storeys and interfaces are counted from 1, buildings run from left to right.
  *
  * A function that can fail returns an enum thud_status and takes, last, where to put the message (NULL: nowhere); it
- * leaves its results as they were or NULL, but for thud_run with THUD_COLLAPSED. Nothing is printed, no signal is handled, there is no global state. A struct
- * thud is used by one thread at a time, different ones at the same time; results are not changed once they are there. */
+ * leaves its results as they were or NULL, but for thud_run with THUD_COLLAPSED. A pointer that must not be NULL gives
+ * THUD_USAGE, and a function without status NULL or 0. Nothing is printed, no signal is handled, there is no global
+ * state. A struct thud is used by one thread at a time, different ones at the same time; results are not changed once
+ * they are there. A struct with `size` may be that of an earlier version: what it does not have is 0. */
 #ifndef THUD_H
 #define THUD_H
 
@@ -58,13 +60,18 @@ struct thud;
 THUD_API enum thud_status thud_open(const char *preset, struct thud **out, struct thud_error *err);
 THUD_API enum thud_status thud_parse(const char *text, size_t size, const char *name, struct thud **out,
                                      struct thud_error *err);
+/* Another scene with the same values, ground motion and laws, whose `context` both then have. */
+THUD_API enum thud_status thud_copy(const struct thud *scene, struct thud **out, struct thud_error *err);
 THUD_API void thud_close(struct thud *scene); /* NULL is allowed */
 
 /* A value by its key of thud-preset(5), "gap" or "structures.1.mass.2", as text with its unit; and as a number in SI
- * (NaN: not given). Setting record.file takes another ground motion, as recorded. */
+ * (NaN: not given). Setting record.file takes another ground motion, as recorded. thud_get needs `size` bytes for the
+ * text and its NUL: with fewer THUD_USAGE, with the length in the message; thud_get_length gives it, without the NUL. */
 THUD_API enum thud_status thud_set(struct thud *scene, const char *key, const char *text, struct thud_error *err);
 THUD_API enum thud_status thud_get(const struct thud *scene, const char *key, char *text, size_t size,
                                    struct thud_error *err);
+THUD_API enum thud_status thud_get_length(const struct thud *scene, const char *key, size_t *length,
+                                          struct thud_error *err);
 THUD_API enum thud_status thud_set_number(struct thud *scene, const char *key, double value, struct thud_error *err);
 THUD_API enum thud_status thud_get_number(const struct thud *scene, const char *key, double *value,
                                           struct thud_error *err);
@@ -73,7 +80,7 @@ THUD_API int thud_unusual(const struct thud *scene, int n, struct thud_error *ou
 /* The scene as a preset's text, the comments of its own kept; NULL on errors. Valid until the next call. */
 THUD_API const char *thud_yaml(struct thud *scene, struct thud_error *err);
 
-/* The ground's acceleration, (samples) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...) hold for it
+/* The ground's acceleration, (samples, at least 1) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...) hold for it
  * when set afterwards. */
 THUD_API enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_t samples, double dt_s,
                                           struct thud_error *err);
@@ -90,7 +97,8 @@ struct thud_force {
     double D, r;
 };
 enum { THUD_CONTACT_MEMORY = 8 };
-/* A contact law of the caller's own. `memory` holds THUD_CONTACT_MEMORY numbers, all 0 before the first contact, which
+/* A contact law of the caller's own. A phase has one branch, or two with `ultimate`: no more; those of a phase that
+ * follows depend on what onset and reversal put into the memory. `memory` holds THUD_CONTACT_MEMORY numbers, all 0 before the first contact, which
  * onset and reversal alone change; mass_kg is the effective mass m1 m2/(m1 + m2). Sweeps call from several threads. */
 struct thud_contact_law {
     size_t size; /* sizeof (struct thud_contact_law) */
@@ -105,6 +113,10 @@ struct thud_contact_law {
     void (*onset)(void *context, double mass_kg, double v_mps, double *memory);
     /* Where approach and restitution differ: the velocity reverses at indentation d. NULL: they are the same. */
     void (*reversal)(void *context, double mass_kg, int restitution, double d_m, double *memory);
+    /* Indentation > 0 beyond which force_past holds in place of force, INFINITY: nowhere. Both or neither. */
+    double (*ultimate)(void *context, double mass_kg, const double *memory, int restitution);
+    void (*force_past)(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out);
+    int keeps_residual; /* the indentation at which the force comes to 0 widens the gap */
 };
 /* Of an interface, in place of contact.law; `context` has to stay until the scene is closed. */
 THUD_API enum thud_status thud_set_law(struct thud *scene, int interface_from_1, const struct thud_contact_law *law,
@@ -113,6 +125,15 @@ THUD_API enum thud_status thud_set_law(struct thud *scene, int interface_from_1,
 /* ---- runs and sweeps ---- */
 
 struct thud_results;
+
+/* A run at the end of a step; all arrays are valid until the function returns. */
+struct thud_moment {
+    size_t size; /* of this struct: later versions add fields at the end */
+    double time_s, ground_mps2;
+    size_t floors, contacts; /* the rows of the tables `floors` and `contacts` */
+    const double *displacement_m, *velocity_mps, *acceleration_mps2; /* (floors); the acceleration is the total one */
+    const double *force_n, *indentation_m;                           /* (contacts); below 0 they are that far apart */
+};
 
 /* How it is done; NULL stands for all of these 0. */
 struct thud_control {
@@ -123,6 +144,9 @@ struct thud_control {
     /* Now and then with the part that is done, 0 to 1, from the calling thread; other than 0 stops (THUD_CANCELLED). */
     int (*progress)(void *context, double part);
     void *context;
+    /* Of thud_run: at every committed step, with the same context and from the calling thread; other than 0 ends the run
+     * (THUD_CANCELLED). */
+    int (*step)(void *context, const struct thud_moment *moment);
 };
 
 /* THUD_COLLAPSED: *out has the results up to the collapse, peaks cut off there; the message says when, and which storey. */
@@ -151,6 +175,13 @@ THUD_API enum thud_status thud_table(const struct thud_results *results, const c
 /* (rows) values of one column. */
 THUD_API enum thud_status thud_column(const struct thud_results *results, const char *table, const char *column,
                                       const double **value, size_t *rows, struct thud_error *err);
+/* What a column of a table holds. */
+enum thud_kind {
+    THUD_KIND_NONE,   /* there is no such column */
+    THUD_KIND_NUMBER, /* numbers, which thud_column gives */
+    THUD_KIND_TEXT    /* texts, which thud_cell gives */
+};
+THUD_API enum thud_kind thud_column_kind(const struct thud_results *results, const char *table, const char *column);
 /* The text of a cell, by row and column from 0; NULL where there is none, as in histories. */
 THUD_API const char *thud_cell(const struct thud_results *results, const char *table, size_t row, size_t column);
 /* The table as the program's CSV; NULL for a table that there is not, and for histories. */

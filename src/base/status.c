@@ -87,7 +87,10 @@ void thud_error_allow(struct thud_error *err, const char *fmt, ...)
 
 char *thud_error_text(const struct thud_error *err, char *text, unsigned long size)
 {
-    if (size == 0)
+    if (!text || size == 0)
+        return text;
+    text[0] = '\0';
+    if (!err)
         return text;
     char place[640] = "";
     size_t n = 0;

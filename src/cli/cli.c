@@ -179,11 +179,35 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
     return status == THUD_OK ? THUD_OK : thud_scene_options_name(&args, status, err);
 }
 
+/* A setting of the ground motion that a message names by its key, `record.dt: 0.01 s`, is an option here: --dt "0.01 s". */
+static void name_options(char *text, size_t size)
+{
+    static const char section[] = "`record.";
+    for (char *at = text; (at = strstr(at, section)) != NULL; at++) {
+        char *name = at + sizeof section - 1, *end = strchr(name, '`'), rest[512], option[160];
+        if (!end)
+            return;
+        snprintf(rest, sizeof rest, "%s", end + 1);
+        *end = '\0';
+        char *value = strstr(name, ": ");
+        if (value)
+            *value = '\0';
+        const char *word = strcmp(name, "file") == 0 ? "record" : name;
+        const char *quote = value && strchr(value + 2, ' ') ? "\"" : "";
+        snprintf(option, sizeof option, "--%s%s%s%.100s%s", word, value ? " " : "", quote, value ? value + 2 : "",
+                 quote);
+        snprintf(at, size - (size_t)(at - text), "%s%s", option, rest);
+    }
+}
+
 /* A message about a file begins with the file, as compilers' do; any other with the program's name. */
 void thud_cli_complain(const struct thud_error *err)
 {
     char text[1600];
-    fprintf(stderr, "%s%s\n", err->file[0] ? "" : "thud: ", thud_error_text(err, text, sizeof text));
+    struct thud_error said = *err;
+    name_options(said.what, sizeof said.what);
+    name_options(said.allowed, sizeof said.allowed);
+    fprintf(stderr, "%s%s\n", said.file[0] ? "" : "thud: ", thud_error_text(&said, text, sizeof text));
 }
 
 void thud_cli_warn(const struct thud_error *what)

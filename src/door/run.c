@@ -14,17 +14,24 @@
 /* Segments of a run between two looks at the caller's wish to stop. */
 enum { SLICE = 20 };
 
-/* What the caller said, with zeros for what a program built against an earlier version does not know. */
-static enum thud_status read_control(const struct thud_control *given, struct thud_control *out, struct thud_error *err)
+/* What the caller said; nothing has come out yet. */
+static enum thud_status begin(const struct thud *scene, const struct thud_control *given, struct thud_control *control,
+                              struct thud_results **out, struct thud_error *err)
 {
-    *out = (struct thud_control){.size = sizeof *out};
-    if (!given)
-        return THUD_OK;
-    if (given->size == 0 || given->size > sizeof *out)
-        return thud_error_set(err, THUD_INPUT, "the size of struct thud_control is not one of this version's");
-    memcpy(out, given, given->size);
-    return THUD_OK;
+    enum thud_status status = THUD_NEED(err, scene, out);
+    *control = (struct thud_control){.size = sizeof *control};
+    if (status != THUD_OK)
+        return status;
+    *out = NULL;
+    return given ? thud_door_read(given, sizeof given->size, control, sizeof *control, "thud_control", err) : THUD_OK;
 }
+
+/* The tables of what a CSV's columns are. */
+#define SCHEMAS(...)                                                                                                   \
+    (const struct thud_schema *const[])                                                                                \
+    {                                                                                                                  \
+        __VA_ARGS__, NULL                                                                                              \
+    }
 
 static enum thud_status stopped(struct thud_error *err)
 {
@@ -51,7 +58,7 @@ static enum thud_status put_histories(const struct thud_report *report, struct t
     struct thud_history header = *report->history;
     struct thud_report no_rows = *report;
     thud_impacts_csv(report, &text);
-    enum thud_status status = thud_door_csv(results, "impacts", &text, err);
+    enum thud_status status = thud_door_csv(results, "impacts", &text, SCHEMAS(&thud_impact_schema), err);
     if (status != THUD_OK)
         return status;
     header.rows = 0;
@@ -73,12 +80,12 @@ static enum thud_status put_run(const struct thud_report *report, bool histories
     results->json = text.data;
     text = (struct thud_text){0};
     thud_result_csv(report, 1, &text);
-    enum thud_status status = thud_door_csv(results, "floors", &text, err);
+    enum thud_status status = thud_door_csv(results, "floors", &text, SCHEMAS(&thud_floor_schema), err);
     if (status != THUD_OK)
         return status;
     const struct thud_rows contacts = thud_contact_rows(report);
     thud_rows_csv(&contacts, &text);
-    status = thud_door_csv(results, "contacts", &text, err);
+    status = thud_door_csv(results, "contacts", &text, SCHEMAS(&thud_contact_schema), err);
     return status == THUD_OK && histories ? put_histories(report, results, err) : status;
 }
 
@@ -89,12 +96,14 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
     struct thud_run_options options;
     struct thud_solution solution = {0};
     struct thud_truncation truncation;
+    const struct thud_step_watch watch = {control->step, control->context};
     enum thud_status status = thud_session_case(&scene->session, which, cased, err);
     if (status == THUD_OK)
         status = thud_scene_options(cased, &options, err);
     if (status != THUD_OK)
         return status;
     options.keep_history = options.keep_impacts = control->histories != 0;
+    options.watch = control->step ? &watch : NULL;
     status = thud_scene_start(cased, scene->session.record, &options, &solution, err);
     if (status == THUD_OK)
         status = advance(solution.run, control, err);
@@ -128,8 +137,7 @@ enum thud_status thud_run(struct thud *scene, const struct thud_control *control
 {
     struct thud_control own;
     enum thud_case which = THUD_CASE_AS_WRITTEN;
-    *out = NULL;
-    enum thud_status status = read_control(control, &own, err);
+    enum thud_status status = begin(scene, control, &own, out, err);
     if (status == THUD_OK && own.which)
         status = thud_case_find(own.which, &which, err);
     if (status != THUD_OK)
@@ -220,9 +228,13 @@ static enum thud_status make_points(struct sweep *s, struct thud_results *result
                                          .context = s,
                                          .take = take,
                                          .progress = progress};
+    static const struct thud_schema *const schema[] = {&thud_sweep_floor_schema, &thud_sweep_contact_schema,
+                                                       &thud_need_schema};
+    struct thud_made_columns axes;
     enum thud_status status = thud_sweep_jobs_run(&jobs, err);
+    thud_axis_columns(&s->plan, NULL, &axes);
     for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
-        status = thud_door_csv(results, names[i], &s->text[i], err);
+        status = thud_door_csv(results, names[i], &s->text[i], SCHEMAS(schema[i], &axes.schema), err);
     return status;
 }
 
@@ -246,8 +258,7 @@ enum thud_status thud_sweep(struct thud *scene, const char *const *vary, const s
                             struct thud_results **out, struct thud_error *err)
 {
     struct thud_control own;
-    *out = NULL;
-    enum thud_status status = read_control(control, &own, err);
+    enum thud_status status = begin(scene, control, &own, out, err);
     if (status != THUD_OK)
         return status;
     locale_t before = thud_threads_numbers();

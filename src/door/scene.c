@@ -39,18 +39,22 @@ static enum thud_status make(const char *text, size_t size, const char *name, st
 
 enum thud_status thud_parse(const char *text, size_t size, const char *name, struct thud **out, struct thud_error *err)
 {
-    return make(text, size, name, out, err);
+    const enum thud_status status = THUD_NEED(err, text, name, out);
+    return status == THUD_OK ? make(text, size, name, out, err) : status;
 }
 
 enum thud_status thud_open(const char *preset, struct thud **out, struct thud_error *err)
 {
     struct thud_new_preset usual;
     struct thud_text text = {0};
-    if (preset)
+    enum thud_status status = THUD_NEED(err, out);
+    if (preset && status == THUD_OK)
         return make(NULL, 0, preset, out, err);
+    if (status != THUD_OK)
+        return status;
     *out = NULL;
     thud_new_preset_init(&usual);
-    enum thud_status status = thud_new_preset_text(&usual, &text, err);
+    status = thud_new_preset_text(&usual, &text, err);
     if (status == THUD_OK)
         status = make(text.data, text.size, "buildings.yaml", out, err);
     thud_text_clear(&text);
@@ -68,21 +72,105 @@ void thud_close(struct thud *scene)
     free(scene);
 }
 
+/* The preset as it was read, whose comments thud_yaml keeps, from its own bytes; the values of now; and what stands beside
+ * them. */
+static enum thud_status copy(const struct thud *from, struct thud *to, struct thud_error *err)
+{
+    const struct thud_session *session = &from->session;
+    char *text = NULL;
+    unsigned long size;
+    enum thud_status status = thud_preset_text(session->preset, thud_preset_scene(session->preset), &text, &size, err);
+    if (status == THUD_OK)
+        status = thud_session_parse(&to->session, text, size, session->preset_path, err);
+    free(text);
+    if (status == THUD_OK && session->given) {
+        const struct thud_record *given = session->given;
+        status = thud_record_create(given->a_mps2, given->samples, given->dt_s, &to->session.given, err);
+        if (status == THUD_OK)
+            snprintf(to->session.given->file, sizeof to->session.given->file, "%s", given->file);
+    }
+    if (status != THUD_OK)
+        return status;
+    to->session.scene = session->scene;
+    for (int i = 0; i < THUD_STRUCTURES_MAX - 1; i++) {
+        struct thud_law_choice *contact = &to->session.scene.interface[i].contact;
+        if (!from->law[i])
+            continue;
+        to->law[i] = malloc(sizeof *to->law[i]);
+        if (!to->law[i])
+            return thud_error_set(err, THUD_MEMORY, "out of memory");
+        *to->law[i] = *from->law[i];
+        to->law[i]->table.name = to->law[i]->table.title = to->law[i]->name;
+        if (contact->law == &from->law[i]->table)
+            contact->law = &to->law[i]->table;
+    }
+    return THUD_OK;
+}
+
+enum thud_status thud_copy(const struct thud *scene, struct thud **out, struct thud_error *err)
+{
+    enum thud_status status = THUD_NEED(err, scene, out);
+    if (status != THUD_OK)
+        return status;
+    locale_t before = thud_threads_numbers();
+    *out = calloc(1, sizeof **out);
+    status = *out ? copy(scene, *out, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status != THUD_OK) {
+        thud_close(*out);
+        *out = NULL;
+    }
+    thud_threads_numbers_back(before);
+    return status;
+}
+
 enum thud_status thud_set(struct thud *scene, const char *key, const char *text, struct thud_error *err)
 {
+    enum thud_status status = THUD_NEED(err, scene, key, text);
+    if (status != THUD_OK)
+        return status;
     if (strcmp(key, "record.file") == 0 && strcmp(text, scene->session.scene.record.file) != 0)
         thud_session_choose_record(&scene->session, text);
     locale_t before = thud_threads_numbers();
-    enum thud_status status = thud_scene_set(&scene->session.scene, key, text, err);
+    status = thud_scene_set(&scene->session.scene, key, text, err);
     thud_threads_numbers_back(before);
+    return status;
+}
+
+/* Its text, to be freed; NULL with the error. */
+static char *value_of(const struct thud *scene, const char *key, enum thud_status *status, struct thud_error *err)
+{
+    char *text = malloc(VALUE);
+    locale_t before = thud_threads_numbers();
+    *status = text ? thud_scene_get(&scene->session.scene, key, text, VALUE, err)
+                   : thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_threads_numbers_back(before);
+    if (*status == THUD_OK)
+        return text;
+    free(text);
+    return NULL;
+}
+
+enum thud_status thud_get_length(const struct thud *scene, const char *key, size_t *length, struct thud_error *err)
+{
+    enum thud_status status = THUD_NEED(err, scene, key, length);
+    char *text = status == THUD_OK ? value_of(scene, key, &status, err) : NULL;
+    if (text)
+        *length = strlen(text);
+    free(text);
     return status;
 }
 
 enum thud_status thud_get(const struct thud *scene, const char *key, char *text, size_t size, struct thud_error *err)
 {
-    locale_t before = thud_threads_numbers();
-    enum thud_status status = thud_scene_get(&scene->session.scene, key, text, size, err);
-    thud_threads_numbers_back(before);
+    enum thud_status status = THUD_NEED(err, scene, key, text);
+    char *value = status == THUD_OK ? value_of(scene, key, &status, err) : NULL;
+    const size_t length = value ? strlen(value) : 0;
+    if (value && length >= size)
+        status = thud_error_refuse(err, THUD_USAGE, key, "one byte more than that",
+                                   "its text has %zu bytes, %zu are given", length, size);
+    else if (value)
+        memcpy(text, value, length + 1);
+    free(value);
     return status;
 }
 
@@ -120,8 +208,11 @@ static enum thud_status set_number(struct thud *scene, const char *key, double v
 
 enum thud_status thud_set_number(struct thud *scene, const char *key, double value, struct thud_error *err)
 {
+    enum thud_status status = THUD_NEED(err, scene, key);
+    if (status != THUD_OK)
+        return status;
     locale_t before = thud_threads_numbers();
-    enum thud_status status = set_number(scene, key, value, err);
+    status = set_number(scene, key, value, err);
     thud_threads_numbers_back(before);
     return status;
 }
@@ -130,12 +221,9 @@ static enum thud_status get_number(const struct thud *scene, const char *key, do
 {
     const struct thud_param *param;
     enum thud_status status = find_number(scene, key, &param, err);
-    char *text = status == THUD_OK ? malloc(VALUE) : NULL;
-    if (status != THUD_OK)
-        return status;
+    char *text = status == THUD_OK ? value_of(scene, key, &status, err) : NULL;
     if (!text)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    thud_scene_get(&scene->session.scene, key, text, VALUE, NULL);
+        return status;
     struct thud_quantity quantity = {.value = NAN};
     if (text[0] == '[') {
         status = thud_error_set(err, THUD_INPUT, "it has a value for each floor");
@@ -154,14 +242,19 @@ static enum thud_status get_number(const struct thud *scene, const char *key, do
 
 enum thud_status thud_get_number(const struct thud *scene, const char *key, double *value, struct thud_error *err)
 {
+    enum thud_status status = THUD_NEED(err, scene, key, value);
+    if (status != THUD_OK)
+        return status;
     locale_t before = thud_threads_numbers();
-    enum thud_status status = get_number(scene, key, value, err);
+    status = get_number(scene, key, value, err);
     thud_threads_numbers_back(before);
     return status;
 }
 
 int thud_unusual(const struct thud *scene, int n, struct thud_error *out)
 {
+    if (!scene)
+        return 0;
     locale_t before = thud_threads_numbers();
     const struct thud_remark_scope scope = {.scene = &scene->session.scene};
     struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_SCENE);
@@ -176,10 +269,13 @@ int thud_unusual(const struct thud *scene, int n, struct thud_error *out)
 const char *thud_yaml(struct thud *scene, struct thud_error *err)
 {
     unsigned long size;
+    enum thud_status status = THUD_NEED(err, scene);
+    if (status != THUD_OK)
+        return NULL;
     locale_t before = thud_threads_numbers();
     free(scene->yaml);
     scene->yaml = NULL;
-    enum thud_status status = thud_preset_text(scene->session.preset, &scene->session.scene, &scene->yaml, &size, err);
+    status = thud_preset_text(scene->session.preset, &scene->session.scene, &scene->yaml, &size, err);
     thud_threads_numbers_back(before);
     return status == THUD_OK ? scene->yaml : NULL;
 }
@@ -188,7 +284,11 @@ enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_
                                  struct thud_error *err)
 {
     struct thud_record *record = NULL;
-    enum thud_status status = thud_record_create(a_mps2, samples, dt_s, &record, err);
+    enum thud_status status = THUD_NEED(err, scene, a_mps2);
+    if (status == THUD_OK && samples == 0)
+        status = thud_error_refuse(err, THUD_INPUT, NULL, "at least 1", "a ground motion has no samples");
+    if (status == THUD_OK)
+        status = thud_record_create(a_mps2, samples, dt_s, &record, err);
     if (status != THUD_OK)
         return status;
     snprintf(record->file, sizeof record->file, "%s", array);
@@ -203,8 +303,11 @@ enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_
 enum thud_status thud_motion(struct thud *scene, const double **a_mps2, size_t *samples, double *dt_s,
                              struct thud_error *err)
 {
+    enum thud_status status = THUD_NEED(err, scene, a_mps2, samples, dt_s);
+    if (status != THUD_OK)
+        return status;
     locale_t before = thud_threads_numbers();
-    enum thud_status status = thud_session_read_record(&scene->session, err);
+    status = thud_session_read_record(&scene->session, err);
     thud_threads_numbers_back(before);
     const struct thud_record *record = scene->session.record;
     *a_mps2 = status == THUD_OK && record ? record->a_mps2 : NULL;

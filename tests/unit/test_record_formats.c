@@ -249,7 +249,7 @@ START_TEST(cosmos_by_columns)
     reads(text, "COSMOS V2", 0.01, 3, three);
     cosmos(text, sizeof text, "-999.000000",
            "   3 acceleration pts, approx 0 secs, units=cm/sec2(04),Format=(1E15.6)\n   10\n  -20\n   30\n");
-    refuses(text, 0, "dt", "--dt");
+    refuses(text, 0, "dt", "`record.dt");
     choice.dt_s = 0.01;
     reads(text, "COSMOS V2", 0.01, 3, three);
     cosmos(text, sizeof text, "10.0",

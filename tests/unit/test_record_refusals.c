@@ -68,14 +68,14 @@ END_TEST
 
 START_TEST(asked_for_by_name)
 {
-    refuses("0.1\n0.2\n0.3\n", 0, "dt", "--dt");
+    refuses("0.1\n0.2\n0.3\n", 0, "dt", "`record.dt");
     choice.dt_s = 0.01;
-    refuses("0.1\n0.2\n0.3\n", 0, "unit", "--unit");
+    refuses("0.1\n0.2\n0.3\n", 0, "unit", "`record.unit");
     strcpy(choice.unit, "furlong");
     refuses("0.1\n0.2\n0.3\n", 0, "unit", "cm/s2");
     strcpy(choice.unit, "g");
-    refuses("0.1 0.2\n0.3 0.2\n", 1, "column", "--column");
-    refuses("0.1 0.2 0.5\n0.3 0.2 0.5\n", 1, "column", "--column all");
+    refuses("0.1 0.2\n0.3 0.2\n", 1, "column", "`record.column");
+    refuses("0.1 0.2 0.5\n0.3 0.2 0.5\n", 1, "column", "`record.column: all`");
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "2 x (g), 3 y (g)");
     strcpy(choice.channel, "z");
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "channel", "y (g)");
@@ -85,11 +85,11 @@ START_TEST(asked_for_by_name)
     choice.column = 4;
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "no column 4");
     choice.column = 0;
-    refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "skip", "--skip 1");
-    refuses("4 0.02\n1\n2\n3\n4\n", 2, "skip", "--skip 1 --dt \"0.02 s\" when line 1 tells of 4 samples");
-    refuses("0.02 4\n1\n2\n3\n4\n", 2, "skip", "--skip 1 --dt \"0.02 s\" when line 1 tells of 4 samples");
-    refuses("5 0.02\n1 2 3\n4 5\n", 2, "skip", "--skip 1 --dt \"0.02 s\"");
-    refuses("1 2 3\n4 5 6\n7 8", 1, "column", "--column"); /* cut off: no line end */
+    refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "skip", "`record.skip: 1`");
+    refuses("4 0.02\n1\n2\n3\n4\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s` when line 1 tells of 4 samples");
+    refuses("0.02 4\n1\n2\n3\n4\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s` when line 1 tells of 4 samples");
+    refuses("5 0.02\n1 2 3\n4 5\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s`");
+    refuses("1 2 3\n4 5 6\n7 8", 1, "column", "`record.column"); /* cut off: no line end */
     choice.column = 1;
     refuses("1 2 3\n4 5 6\n7 8\n", 3, "", "2 values in the last line");
     choice.column = 0;
@@ -108,10 +108,10 @@ START_TEST(units_that_are_not_known)
     char text[200];
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         snprintf(text, sizeof text, "# units: g\ntime;acc %s\n0;0.1\n5;-0.2\n10;0.3\n", units[i]);
-        refuses(text, 2, "unit", "--unit");
+        refuses(text, 2, "unit", "`record.unit");
         ck_assert_ptr_nonnull(strstr(err.what, "is not known"));
     }
-    refuses("time;acc milli g\n0;0.1\n5;-0.2\n10;0.3\n", 0, "unit", "--unit");
+    refuses("time;acc milli g\n0;0.1\n5;-0.2\n10;0.3\n", 0, "unit", "`record.unit");
     for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
         snprintf(text, sizeof text, "%s;acc (g)\n0;0.1\n5;-0.2\n10;0.3\n", times[i]);
         refuses(text, 1, "dt", "is not known");
@@ -128,7 +128,7 @@ START_TEST(what_the_file_says_stands)
 {
     const char *at2 = "PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2\n";
     choice.dt_s = 0.02;
-    refuses(at2, 4, "", "0.01 s, --dt says 0.02 s");
+    refuses(at2, 4, "", "0.01 s, `record.dt` says 0.02 s");
     choice.dt_s = 0.01;
     strcpy(choice.unit, "m/s2");
     refuses(at2, 3, "", "another unit");
@@ -141,8 +141,8 @@ START_TEST(what_the_file_says_stands)
     reads("# dt=0.01 for the other file; Acc. in m/s2\n1\n2\n", "plain columns", 0.02, 2, b);
     choice.dt_s = NAN;
     refuses("# dt=0.01\ntime_s,acceleration_mps2\n0,1\n0.02,2\n0.04,3\n", 1, "dt", "0.01 s, the time column of 0.02 s");
-    refuses("# Acc. in m/s2\n# acc. in cm/s2, dt = 1 s\n1\n2\n", 0, "unit", "--unit");
-    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "resample", "--resample \"0.01 s\"");
+    refuses("# Acc. in m/s2\n# acc. in cm/s2, dt = 1 s\n1\n2\n", 0, "unit", "`record.unit");
+    refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "resample", "`record.resample: 0.01 s`");
 }
 END_TEST
 
@@ -157,7 +157,7 @@ static void overwrite(char *text, const char *what, const char *with)
 START_TEST(counts_that_differ)
 {
     refuses("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1 2 3\n", 4, "", "4 samples, the file holds 3 (cut off?)");
-    refuses("PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2 3\n", 4, "", "--skip 4");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2 3\n", 4, "", "`record.skip: 4`");
     refuses("PEER\nA\nUNITS OF G\nNPTS= 99999999999, DT= .01 SEC\n1 2 3\n", 4, "", "has only");
     refuses("PEER\nA\nUNITS OF G\nNPTS= -3, DT= .01 SEC\n1 2 3\n", 4, "", "-3 samples");
     refuses("PEER\nA\nUNITS OF G\nNPTS= 2.5, DT= .01 SEC\n1 2 3\n", 4, "", "2.5 samples");
@@ -165,7 +165,7 @@ START_TEST(counts_that_differ)
     refuses("PEER\nA\nUNITS OF G\nNPTS= 3, DT= -1 SEC\n1 2 3\n", 4, "", "time step of -1 s");
     refuses("PEER\nA\nUNITS OF G\nNPTS=, DT= SEC\n1 2 3\n", 4, "", "no numbers");
     refuses("PEER\nA\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 3, DT= .01 SEC\n1 2 3\n", 3, "", "velocities");
-    refuses("PEER\nA\nno unit\nNPTS= 3, DT= .01 SEC\n1 2 3\n", 0, "unit", "--unit");
+    refuses("PEER\nA\nno unit\nNPTS= 3, DT= .01 SEC\n1 2 3\n", 0, "unit", "`record.unit");
     choice.skip = 4;
     const double a[] = {G(1), G(2), G(3)}; /* the skipped lines still tell unit and step */
     reads("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1\n2\n3\n", "plain columns", 0.01, 3, a);

@@ -114,7 +114,7 @@ START_TEST(asks_by_name)
     ck_assert_int_eq(thud_record_file_read(path, &choice, &record, &err), THUD_INPUT);
     ck_assert_ptr_null(record);
     ck_assert_str_eq(err.key, silent[_i].key);
-    snprintf(option, sizeof option, "--%s", silent[_i].key);
+    snprintf(option, sizeof option, "`record.%s", silent[_i].key);
     ck_assert_msg(strstr(err.what, option) || strstr(err.allowed, option), "%s", err.what);
 }
 END_TEST

@@ -20,6 +20,9 @@
  *                  else no force acts until the same branch would push again. Reversals meanwhile are not told
  *     separation   d = 0: the contact is open
  *
+ * A phase has at most two branches, one on either side of the ultimate compression; those of the next phase may be
+ * others, as the memory says. A third line in one loading would need another such bound.
+ *
  * Memory is the law's own: eight numbers that nobody else reads. All are 0 before the first contact; they last from
  * contact to contact, and onset and reversal alone change them, only where the run commits: a trial writes to a copy.
  *

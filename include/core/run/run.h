@@ -8,6 +8,7 @@
 #include "core/model/floor_spectra.h"
 #include "core/model/model.h"
 #include "core/model/result.h"
+#include "core/model/step_watch.h"
 #include "ground/record.h"
 
 struct thud_run;
@@ -27,6 +28,7 @@ struct thud_run_options {
     double history_look_s;
     /* Oscillators on floors; NULL: none. Read by thud_run_create alone. Only for the exact method. */
     const struct thud_floor_spectra_choice *floor_spectra;
+    const struct thud_step_watch *watch; /* has to outlive the run; NULL: nobody */
     bool unjudged; /* energy unaccounted for does not end the run: for studies of how methods fail */
 };
 void thud_run_options_init(struct thud_run_options *options);

@@ -7,10 +7,11 @@
 #include "core/observe/observe_floors.h"
 #include "core/observe/observe_history.h"
 #include "core/observe/observe_peaks.h"
+#include "core/observe/observe_steps.h"
 #include "core/run/early_end.h"
 #include "core/run/run.h"
 
-enum { THUD_OBSERVERS_MAX = 9 };
+enum { THUD_OBSERVERS_MAX = 10 };
 
 /* Events at one moment without end: see run.c. */
 struct thud_progress {
@@ -52,6 +53,7 @@ struct thud_run {
     struct thud_history_rows rows;
     struct thud_ledger ledger;
     struct thud_floor_oscillators floors;
+    struct thud_steps steps;
 
     struct thud_work work;
     struct thud_result result;

@@ -219,6 +219,10 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
         status = thud_floor_oscillators_init(&run->floors, m, run->options.floor_spectra, err);
         thud_run_observe(run, &thud_observe_floors, &run->floors);
     }
+    if (status == THUD_OK && run->options.watch) {
+        status = thud_steps_init(&run->steps, m, run->options.watch, err);
+        thud_run_observe(run, &thud_observe_steps, &run->steps);
+    }
     return status;
 }
 
@@ -293,6 +297,7 @@ void thud_run_free(struct thud_run *run)
     thud_ledger_clear(&run->ledger);
     thud_floor_oscillators_clear(&run->floors);
     free(run->end);
+    thud_steps_clear(&run->steps);
     free(run->contact_work);
     free(run->result_block);
     free(run);

@@ -119,7 +119,8 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     if (!status && raw->count != count) {
         record_refuse(source, header.number, 0, err, "the header tells of %zu samples, the file holds %zu%s", count,
                       raw->count, raw->count < count ? " (cut off?)" : "");
-        thud_error_allow(err, "--skip %d with --dt and --unit reads what is there", header.number);
+        thud_error_allow(err, "`record.skip: %d` with `record.dt` and `record.unit` reads what is there",
+                         header.number);
         return THUD_INPUT;
     }
     return status;

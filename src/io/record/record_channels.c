@@ -45,7 +45,7 @@ static enum thud_status ask(const struct record_source *source, const struct rec
     if (wanted[0])
         record_refuse(source, 0, 0, err, "there is no channel \"%s\"", wanted);
     else
-        record_refuse(source, 0, 0, err, "%d channels, and --channel does not say which", channels->count);
+        record_refuse(source, 0, 0, err, "%d channels, and `record.channel` does not say which", channels->count);
     thud_error_key(err, "channel");
     thud_error_allow(err, "%s", list);
     return THUD_INPUT;

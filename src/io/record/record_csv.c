@@ -82,7 +82,8 @@ static enum thud_status refuse_comma(const struct record_source *source, char se
         thud_error_allow(err, "write 0.5, not 0,5: `sed 's/,/./g' FILE`; the semicolons stay");
     else
         thud_error_allow(
-            err, "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; --column N where it is");
+            err,
+            "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; `record.column: N` where it is");
     return THUD_INPUT;
 }
 

@@ -59,7 +59,7 @@ static const struct record_format *find_format(const struct record_source *sourc
 static enum thud_status ask(const struct record_source *source, const char *option, const char *example,
                             const char *what, const char *allowed, struct thud_error *err)
 {
-    record_refuse(source, 0, 0, err, "%s: give it with --%s %s", what, option, example);
+    record_refuse(source, 0, 0, err, "%s: give it with `record.%s: %s`", what, option, example);
     thud_error_key(err, "%s", option);
     thud_error_allow(err, "%s", allowed);
     return THUD_INPUT;
@@ -79,27 +79,28 @@ static enum thud_status decide(const struct record_source *source, const struct 
         return thud_error_refuse(err, THUD_INPUT, "unit", record_unit_allowed, "\"%s\" is not a unit of acceleration",
                                  choice->unit);
     if (!isnan(unit) && !isnan(raw->factor) && !raw->factor_from_prose && !same(unit, raw->factor))
-        return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than --unit %s",
+        return record_refuse(source, raw->factor_line, 0, err, "the file states another unit than `record.unit: %s`",
                              choice->unit);
     if (!isnan(choice->dt_s) && !isnan(raw->dt_s) && !raw->dt_from_prose && !same(choice->dt_s, raw->dt_s))
-        return record_refuse(source, raw->dt_line, 0, err,
-                             "the file states a time step of %.9g s, --dt says %.9g s (leave it out; of several files, "
-                             "FILE:dt=0.005s says it for one)",
-                             raw->dt_s, choice->dt_s);
+        return record_refuse(
+            source, raw->dt_line, 0, err,
+            "the file states a time step of %.9g s, `record.dt` says %.9g s (leave it out; of several files, "
+            "FILE:dt=0.005s says it for one)",
+            raw->dt_s, choice->dt_s);
     if (!isnan(unit))
         raw->factor = unit;
     if (!isnan(choice->dt_s) && (raw->dt_from_prose || isnan(raw->dt_s)))
         raw->dt_s = choice->dt_s;
     if (isnan(raw->dt_s))
-        return ask(source, "dt", "\"0.01 s\"", "the file does not say its time step", "a time", err);
+        return ask(source, "dt", "0.01 s", "the file does not say its time step", "a time", err);
     if (!(raw->dt_s > 0) || !isfinite(raw->dt_s))
         return record_refuse(source, raw->dt_line, 0, err, "a time step of %g s", raw->dt_s);
     if (isnan(raw->factor) && raw->unknown_unit[0]) {
         record_refuse(source, raw->factor_line, 0, err,
-                      "the unit of the accelerations, \"%s\", is not known: give it with --unit UNIT",
+                      "the unit of the accelerations, \"%s\", is not known: give it with `record.unit: UNIT`",
                       raw->unknown_unit);
         thud_error_key(err, "unit");
-        thud_error_allow(err, "%s; --factor multiplies what is left", record_unit_allowed);
+        thud_error_allow(err, "%s; `record.factor` multiplies what is left", record_unit_allowed);
         return THUD_INPUT;
     }
     if (isnan(raw->factor))

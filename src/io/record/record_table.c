@@ -55,11 +55,12 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
         if (table->columns == 2 && samples >= 2 && samples == floor(samples) && dt > 0 && dt < 1) {
             int first = (int)table->lines.value[0];
             thud_error_key(err, "skip");
-            thud_error_allow(err, "--skip %d --dt \"%g s\" when line %d tells of %.0f samples, one every %g s", first,
-                             dt, first, samples, dt);
+            thud_error_allow(
+                err, "`record.skip: %d` and `record.dt: %g s` when line %d tells of %.0f samples, one every %g s",
+                first, dt, first, samples, dt);
         } else if (table->rows < 10 && count > table->columns) { /* a line of another kind before the samples */
             thud_error_key(err, "skip");
-            thud_error_allow(err, "--skip %d when the samples begin here", odd - 1);
+            thud_error_allow(err, "`record.skip: %d` when the samples begin here", odd - 1);
         }
         return THUD_INPUT;
     }
@@ -207,7 +208,7 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         if (!table->unequal) {
             record_refuse(table->source, (int)table->lines.value[odd], 0, err, "the times do not climb in equal steps");
             thud_error_key(err, "resample");
-            thud_error_allow(err, "`thud record convert --resample \"0.01 s\"` goes straight between the samples; --dt "
+            thud_error_allow(err, "`record.resample: 0.01 s` goes straight between the samples; `record.dt` "
                                   "when they are equally spaced all the same");
             return THUD_INPUT;
         }
@@ -217,10 +218,10 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         named(table, (size_t)column) ? record_name_seconds(table->name[column], unknown, sizeof unknown) : 1;
     if (factor == 0 && isnan(choice->dt_s) && !table->prose.dt_line) {
         record_refuse(table->source, table->names_line, 0, err,
-                      "the unit of the times in the column \"%s\" is not known: give the time step with --dt",
+                      "the unit of the times in the column \"%s\" is not known: give the time step with `record.dt`",
                       table->name[column]);
         thud_error_key(err, "dt");
-        thud_error_allow(err, "s, ms, us, min in the name of the column, or --dt \"0.01 s\"");
+        thud_error_allow(err, "s, ms, us, min in the name of the column, or `record.dt: 0.01 s`");
         return THUD_INPUT;
     }
     if (factor == 0)
@@ -238,7 +239,7 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         record_refuse(table->source, table->prose.dt_line, 0, err,
                       "this line tells of a time step of %.6g s, the time column of %.6g s", told, step);
         thud_error_key(err, "dt");
-        thud_error_allow(err, "--dt says which");
+        thud_error_allow(err, "`record.dt` says which");
         return THUD_INPUT;
     }
     return THUD_OK;
@@ -260,9 +261,10 @@ static enum thud_status ask_column(const struct record_table *table, int time, s
                   "which of the %zu columns is the acceleration is not said%s", table->columns, list);
     thud_error_key(err, "column");
     if (time < 0)
-        thud_error_allow(err, "--column N, or --column all when each line goes on where the one before ended");
+        thud_error_allow(
+            err, "`record.column: N`, or `record.column: all` when each line goes on where the one before ended");
     else
-        thud_error_allow(err, "--column N");
+        thud_error_allow(err, "`record.column: N`");
     return THUD_INPUT;
 }
 

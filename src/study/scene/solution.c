@@ -136,7 +136,7 @@ enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const s
         return THUD_OK;
     return thud_error_refuse(
         err, THUD_INPUT, "record.file",
-        "--record FILE, or `record: {file: ...}` in the preset; `thud record list` shows those at hand",
+        "`record.file: FILE`, in a preset `record: {file: ...}`; `thud record list` shows those at hand",
         "nothing moves: %s, and no body has a velocity",
         record ? "the ground motion is 0 throughout" : "there is no ground motion");
 }

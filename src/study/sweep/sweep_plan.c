@@ -287,8 +287,9 @@ static enum thud_status check_axis(const struct thud_sweep_plan *plan, const str
     for (size_t i = 0; i < sizeof scaling / sizeof *scaling; i++)
         scales |= strcmp(axis->key, scaling[i]) == 0;
     if (strncmp(axis->key, "record.", 7) == 0 && !scales)
-        return refuse(err, axis->key, "cannot be varied",
-                      "record.peak, record.sa, record.factor, record.sign; other records by --records");
+        return refuse(
+            err, axis->key, "cannot be varied",
+            "record.peak, record.sa, record.factor, record.sign; other ground motions by the study's `records`");
     if (strncmp(axis->key, "study.", 6) == 0 || strncmp(axis->key, "analysis.", 9) == 0)
         return refuse(err, axis->key, "cannot be varied", "keys of structures, interfaces and record.peak");
     for (int i = 0; i < plan->naxes; i++)
