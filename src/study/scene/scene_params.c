@@ -362,9 +362,12 @@ static const struct thud_place document_places[] = {
 #undef AT
 /* clang-format on */
 
+/* A parameter without its place does not compile: no array of -1. */
+#define LENGTH(list)        (sizeof(list) / sizeof *(list))
+#define AS_MANY(one, other) (0 * sizeof(char[LENGTH(one) == LENGTH(other) ? 1 : -1]))
 #define GROUP(word, key)                                                                                               \
     {                                                                                                                  \
-        key, word##_params, word##_places, sizeof word##_params / sizeof *word##_params                                \
+        key, word##_params, word##_places, LENGTH(word##_params) + AS_MANY(word##_params, word##_places)               \
     }
 static const struct {
     const char *key;
