@@ -271,7 +271,7 @@ static void drag_gap(struct thud_tui *tui, double mm)
     char key[THUD_PATH_MAX], unit[48], text[96];
     snprintf(key, sizeof key, "interfaces.%d.gap", tui->interface + 1);
     thud_tui_shown_unit(tui, key, unit, sizeof unit);
-    thud_quantity_format(1e-3 * round(1e3 * next), unit, text, sizeof text);
+    thud_quantity_format(round(1e3 * next) / 1e3, unit, text, sizeof text); /* 0.102, not 102 times 1e-3 */
     c->moves = true;
     thud_tui_set_step(tui, key, text);
 }
