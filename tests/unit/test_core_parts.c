@@ -1,4 +1,4 @@
-/* The core's mathematical parts against closed forms: modes, quadrature, Radau points, complementarity problems. */
+/* The core's mathematical parts against closed forms: modes, quadrature, Lobatto points, complementarity problems. */
 #include <check.h>
 #include <math.h>
 #include <stdint.h>
@@ -8,8 +8,8 @@
 #include "base/quantity.h"
 #include "core/model/modes.h"
 #include "core/numerics/lcp.h"
+#include "core/numerics/poly.h"
 #include "core/numerics/quadrature.h"
-#include "core/numerics/radau.h"
 #include "march.h"
 
 /* Uniform shear building: omega_j = 2 sqrt(k/m) sin((2 j - 1) pi / (2 (2 n + 1))). */
@@ -92,42 +92,39 @@ START_TEST(quadrature_is_exact_to_degree_15)
 }
 END_TEST
 
-/* Radau IIA with 2 and 3 stages has its points in closed form; with n points polynomials to degree 2 n - 2 are
- * integrated exactly. */
-START_TEST(radau_points)
+/* Lobatto's points: the ends and the roots of P'_(n-1), in closed form for 4 and 5; with n points polynomials to degree
+ * 2 n - 3 are integrated exactly, and the polynomials through them are 1 at one and 0 at the others. */
+START_TEST(lobatto_points)
 {
-    double node[10], coefficient[100];
-    thud_radau_nodes(2, node);
-    ck_assert_double_eq_tol(node[0], 1.0 / 3, 1e-15);
-    thud_radau_nodes(3, node);
-    ck_assert_double_eq_tol(node[0], (4 - sqrt(6)) / 10, 1e-15);
-    ck_assert_double_eq_tol(node[1], (4 + sqrt(6)) / 10, 1e-15);
-    for (int n = 1; n <= 9; n++) {
-        thud_radau_nodes(n, node);
+    double node[THUD_LOBATTO_INNER + 2] = {0}, coefficient[100];
+    ck_assert_double_eq_tol(thud_lobatto_of(4)->node[0], 0.5 - 0.5 * sqrt(1.0 / 5), 1e-15);
+    ck_assert_double_eq_tol(thud_lobatto_of(5)->node[0], 0.5 - 0.5 * sqrt(3.0 / 7), 1e-15);
+    for (int rule = 0; rule < THUD_LOBATTO_RULES; rule++) {
+        const struct thud_lobatto *by = &thud_lobatto[rule];
+        const int n = by->inner + 2;
+        ck_assert_ptr_eq(thud_lobatto_of(n), by);
+        ck_assert_int_eq(by->order, 2 * n - 2);
+        for (int i = 0; i < by->inner; i++)
+            node[i + 1] = by->node[i];
+        node[n - 1] = 1;
+        for (int degree = 0; degree <= by->order; degree++) {
+            double sum = by->end_weight * ((degree == 0) + 1);
+            for (int i = 0; i < by->inner; i++)
+                sum += by->weight[i] * pow(by->node[i], degree);
+            double error = fabs(sum * (degree + 1) - 1);
+            if (degree < by->order)
+                ck_assert_double_lt(error, 2e-15);
+            else
+                ck_assert_double_gt(error, 1e-12);
+        }
         thud_lagrange_coefficients(n, node, coefficient);
-        for (int i = 0; i < n; i++) {
-            ck_assert(node[i] > (i > 0 ? node[i - 1] : 0));
-            for (int j = 0; j < n; j++) { /* Lagrange polynomial i is 1 at point i and 0 at the others */
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++) {
                 double value = 0;
                 for (int m = n - 1; m >= 0; m--)
                     value = value * node[j] + coefficient[m * n + i];
                 ck_assert_double_eq_tol(value, i == j, 1e-9);
             }
-        }
-        for (int degree = 0; degree <= 2 * n - 1; degree++) {
-            double sum = 0;
-            for (int i = 0; i < n; i++) {
-                double weight = 0;
-                for (int m = 0; m < n; m++)
-                    weight += coefficient[m * n + i] / (m + 1);
-                sum += weight * pow(node[i], degree);
-            }
-            double error = fabs(sum * (degree + 1) - 1);
-            if (degree <= 2 * n - 2)
-                ck_assert_double_lt(error, 1e-10);
-            else if (n <= 5)
-                ck_assert_double_gt(error, 1e-7);
-        }
     }
 }
 END_TEST
@@ -265,7 +262,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, the_papers_buildings);
     tcase_add_test(tc, isolated_damping);
     tcase_add_test(tc, quadrature_is_exact_to_degree_15);
-    tcase_add_test(tc, radau_points);
+    tcase_add_test(tc, lobatto_points);
     tcase_add_test(tc, complementarity_small);
     tcase_add_test(tc, complementarity_of_dependent_rows);
     tcase_add_test(tc, complementarity_random);

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/motion/nodes.h"
 #include "core/numerics/poly.h"
 #include "core/run/run_private.h"
 #include "march.h"
@@ -20,28 +19,6 @@ static double random_part(void)
 {
     return 2.0 * rand() / RAND_MAX - 1;
 }
-
-START_TEST(places_against_horner)
-{
-    enum { STRIDE = 3, COUNT = 5 };
-    const double at[COUNT] = {0.03, 0.2, 0.5, 0.77, 1}, scale = 0.6;
-    double c[STRIDE * THUD_SEGMENT_TERMS], plain[THUD_SEGMENT_TERMS], value[THUD_BATCH], want[3];
-    struct thud_nodes places;
-    srand(1);
-    for (int terms = 2; terms <= THUD_SEGMENT_TERMS; terms++) {
-        thud_nodes_set(&places, COUNT, at, scale, terms);
-        for (int k = 0; k < terms; k++)
-            c[STRIDE * k] = plain[k] = random_part();
-        thud_nodes_values(&places, c, STRIDE, terms, value);
-        for (int i = 0; i < COUNT; i++) {
-            thud_poly_value3(plain, terms, scale * at[i], want);
-            ck_assert_double_eq_tol(value[i], want[0], 1e-14);
-        }
-        for (int i = COUNT; i < THUD_BATCH; i++)
-            ck_assert_double_eq(value[i], plain[0]);
-    }
-}
-END_TEST
 
 /* Peaks so far of one quantity of one floor, all others out of reach. */
 static void set_peaks(struct thud_run *run, int floor, int quantity, double value)
@@ -200,7 +177,6 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("exact parts");
     TCase *tc = tcase_create("shortcuts");
     tcase_add_loop_test(tc, an_indentation_starts_with_the_same_bits_both_ways, 0, 9);
-    tcase_add_test(tc, places_against_horner);
     tcase_add_test(tc, no_state_passes_what_its_energy_allows);
     tcase_add_test(tc, slices_change_no_bit);
     tcase_add_test(tc, coupled_modes_and_one_contact);

@@ -442,11 +442,25 @@ START_TEST(numbers_without_bounds_do_not_pass_for_forces)
 }
 END_TEST
 
+/* Powers by tables and a series against the library's. */
+START_TEST(powers_by_tables)
+{
+    static const double exponent[] = {0.25, 0.9, 1.825, 2.65, 4};
+    struct thud_powers powers;
+    thud_powers_fill(&powers, exponent[_i]);
+    for (double d = 1e-25; d < 1e4; d *= 1.0137) {
+        double want = pow(d, exponent[_i]);
+        ck_assert_double_eq_tol(thud_power(&powers, d), want, 1e-14 * want);
+    }
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("laws");
     TCase *tests = tcase_create("laws");
     tcase_set_timeout(tests, 0);
+    tcase_add_loop_test(tests, powers_by_tables, 0, 5);
     tcase_add_test(tests, list);
     tcase_add_test(tests, tables);
     tcase_add_test(tests, defaults);

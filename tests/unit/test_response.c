@@ -1,25 +1,25 @@
-/* Motion at the points of a step, read from tables: against the power series, piece by piece from kink to kink. */
+/* Motion at the points of a step, read from tables: against the power series. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "core/motion/response.h"
 #include "core/numerics/poly.h"
-#include "core/numerics/radau.h"
+#include "core/numerics/quadrature.h"
 #include "core/run/run_private.h"
 #include "march.h"
 
-enum { NODES = THUD_NODES, LEVELS = 6, CONTACTS_MAX = 8 };
+enum { NODES = THUD_NODES_MAX, POINTS = THUD_POINTS_MAX, LEVELS = 6, CONTACTS_MAX = 8 };
 
 static const int towers[] = {4, 6};
 
-/* A step over several kinks of the ground motion, and the same points by series. */
+/* A step from between two samples of the ground motion, whose line it follows, and the same points by series. */
 struct fixture {
     struct thud_model *model;
     struct thud_record *record;
     struct march m;
     struct thud_responses *responses;
-    double point[THUD_POINTS], h_top;
+    double point[POINTS], h_top;
     int contact[CONTACTS_MAX], n;
     const struct thud_response *response[CONTACTS_MAX * CONTACTS_MAX];
 };
@@ -41,11 +41,14 @@ static void set_up(struct fixture *f, bool isolated)
     state->grid = 100;
     state->offset_s = 0.3 * state->grid_dt_s;
     f->h_top = 1.8 / f->model->fastest_radps;
-    thud_radau_nodes(NODES, f->point);
-    for (int i = NODES; i < THUD_POINTS; i++)
-        f->point[i] = 0.17 * (i - NODES);
+    f->point[0] = 0;
+    for (int i = 0; i < NODES - 2; i++)
+        f->point[i + 1] = thud_lobatto_of(NODES)->node[i];
+    f->point[NODES - 1] = 1;
+    for (int i = NODES; i < POINTS; i++)
+        f->point[i] = 0.17 * (i - NODES + 1);
     thud_lagrange_coefficients(NODES, f->point, lagrange);
-    ck_assert_int_eq(thud_responses_create(f->model, f->point, lagrange, f->h_top, 1e-10, &f->responses, NULL),
+    ck_assert_int_eq(thud_responses_create(f->model, NODES, POINTS, f->point, lagrange, f->h_top, &f->responses, NULL),
                      THUD_OK);
     f->n = f->model->ncontacts;
     for (int c = 0; c < f->n; c++)
@@ -60,57 +63,31 @@ static void tear_down(struct fixture *f)
     thud_record_free(f->record);
 }
 
-/* The state `after_s` later, by one series for each interval of the ground motion. */
-static void march_to(const struct thud_state *state, struct thud_segment *seg, double after_s, double *q, double *qd)
-{
-    int n = state->model->nmodes;
-    long grid = state->grid;
-    double offset = state->offset_s, left = after_s;
-    for (int j = 0; j < n; j++) {
-        q[j] = state->q[j];
-        qd[j] = state->qd[j];
-    }
-    while (left > 0) {
-        double h = fmin(left, state->grid_dt_s - offset);
-        struct thud_state at = *state;
-        at.grid = grid;
-        at.offset_s = offset;
-        thud_segment_begin(&at, seg, h);
-        thud_taylor_given(state->model, seg, q, qd);
-        thud_segment_state(seg, n, 1, q, qd);
-        left -= h;
-        offset = 0;
-        grid++;
-    }
-}
-
-START_TEST(a_step_across_kinks_is_the_steps_between_them)
+START_TEST(a_step_without_forces_is_the_series)
 {
     struct fixture f;
-    double d[CONTACTS_MAX * THUD_POINTS], v[CONTACTS_MAX * THUD_POINTS], q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
-    double moved = 0;
+    thud_vec2 start[CONTACTS_MAX * POINTS], out[CONTACTS_MAX * POINTS];
+    double q[MARCH_FLOORS_MAX], qd[MARCH_FLOORS_MAX];
     set_up(&f, _i);
-    struct thud_state *state = &f.m.run->state;
-    state->grid_dt_s = f.h_top / 3; /* so many kinks */
-    state->offset_s = 0.3 * state->grid_dt_s;
+    const struct thud_state *state = &f.m.run->state;
+    struct thud_segment *seg = &f.m.run->seg;
+    for (int c = 0; c < f.n; c++)
+        start[c * POINTS] = thud_vec2_set(thud_contact_indentation(state, c), thud_contact_rate(state, c));
     for (int level = 0; level < LEVELS; level++) {
-        double h = ldexp(f.h_top, -level);
         ck_assert_int_eq(thud_responses_make(f.responses, level, f.contact, f.n, f.response, NULL), THUD_OK);
-        thud_responses_unforced(f.responses, state, level, INFINITY, f.contact, f.n, d, v);
-        for (int i = 0; i < THUD_POINTS; i++) {
-            march_to(state, &f.m.run->seg, f.point[i] * h, q, qd);
+        thud_responses_unforced(f.responses, state, level, f.contact, f.n, start, out);
+        thud_segment_begin(state, seg, ldexp(f.h_top, -level));
+        seg->terms = THUD_SEGMENT_TERMS;
+        thud_taylor_given(state->model, seg, state->q, state->qd);
+        for (int i = 0; i < POINTS; i++) {
+            thud_segment_state(seg, state->model->nmodes, f.point[i], q, qd);
             for (int c = 0; c < f.n; c++) {
                 double indentation = thud_model_gap_sum(f.model, c, q) - thud_state_clearance(state, c);
-                ck_assert_double_eq_tol(d[c * THUD_POINTS + i], indentation, 1e-13);
-                ck_assert_double_eq_tol(v[c * THUD_POINTS + i], thud_model_gap_sum(f.model, c, qd), 1e-11);
+                ck_assert_double_eq_tol(out[c * POINTS + i][0], indentation, 1e-13);
+                ck_assert_double_eq_tol(out[c * POINTS + i][1], thud_model_gap_sum(f.model, c, qd), 1e-11);
             }
         }
-        /* no kink behind the end of the step counts, and those before it do */
-        thud_responses_unforced(f.responses, state, level, 0, f.contact, f.n, q, qd);
-        for (int c = 0; c < f.n; c++)
-            moved = fmax(moved, fabs(q[c * THUD_POINTS + NODES - 1] - d[c * THUD_POINTS + NODES - 1]));
     }
-    ck_assert_double_gt(moved, 1e-9);
     tear_down(&f);
 }
 END_TEST
@@ -139,11 +116,12 @@ START_TEST(a_constant_force_moves_contacts_as_the_series_does)
                 const struct thud_response *r = f.response[a * f.n + b];
                 thud_segment_indentation(state, seg, a, d);
                 d[0] = 0;
-                for (int i = 0; i < THUD_POINTS; i++) {
+                for (int i = 0; i < POINTS; i++) {
                     double moved = 0, rate = 0, want[3], largest = 1e6 / 250e3 * seg->h_s * seg->h_s;
+                    const int row = (NODES + 1) / 2 * 2;
                     for (int k = 0; k < NODES; k++) {
-                        moved += 1e6 * r->indentation[k * THUD_POINTS + i];
-                        rate += 1e6 * r->rate[k * THUD_POINTS + i];
+                        moved += 1e6 * r->motion[2 * i * row + k];
+                        rate += 1e6 * r->motion[(2 * i + 1) * row + k];
                     }
                     thud_poly_value3(d, seg->terms, f.point[i], want);
                     ck_assert_double_eq_tol(moved, want[0], 1e-12 * largest);
@@ -160,7 +138,7 @@ Suite *thud_suite(void)
 {
     Suite *s = suite_create("response");
     TCase *t = tcase_create("tables");
-    tcase_add_loop_test(t, a_step_across_kinks_is_the_steps_between_them, 0, 2);
+    tcase_add_loop_test(t, a_step_without_forces_is_the_series, 0, 2);
     tcase_add_loop_test(t, a_constant_force_moves_contacts_as_the_series_does, 0, 2);
     suite_add_tcase(s, t);
     return s;

@@ -45,6 +45,7 @@
 #define THUD_LAW_MEMORY_MAX    8
 
 struct thud_branch {
+    const struct thud_powers *powers; /* tables of d^p; NULL: none */
     double f0_n, k_npm, c_nspm;
     double K, p;            /* K d^p, p > 0 */
     double D, r;            /* D d^r v, r > 0 */
@@ -133,6 +134,14 @@ void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup)
 /* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0.
  * At d = 0 the derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0).
  */
+/* Tables of d^p for one p, and that power to 1e-14 of itself. */
+enum { THUD_POWER_CELLS = 128, THUD_POWER_LEAST = -64, THUD_POWER_OCTAVES = 72, THUD_POWER_TERMS = 7 };
+struct thud_powers {
+    double p, binomial[THUD_POWER_TERMS], inverse[THUD_POWER_CELLS], cell[THUD_POWER_CELLS], octave[THUD_POWER_OCTAVES];
+};
+void thud_powers_fill(struct thud_powers *powers, double p);
+double thud_power(const struct thud_powers *powers, double d);
+
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
 
 /* ---- a law and the columns that are struck ----

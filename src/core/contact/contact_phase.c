@@ -14,6 +14,10 @@ void thud_contact_renew_branch(const struct thud_state *state, int c, struct thu
 {
     s->branch = thud_law_branch(thud_contact_law(state, c), thud_contact_setup(state, c), &s->memory, s->phase,
                                 s->past_ultimate);
+    const double p = s->branch.p;
+    if (s->branch.K != 0 && p != 1 && p != 1.5 && state->powers->p == 0)
+        thud_powers_fill(state->powers, p);
+    s->branch.powers = state->powers->p != 0 ? state->powers : NULL;
     assert(!thud_branch_fault(thud_contact_law(state, c), &s->branch, s->phase));
 }
 

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/largest.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/vec.h"
 
@@ -18,7 +19,7 @@
  *     sign           +1: p comes from below; -1: from above; 0 in the table: by the phase or the side of the branch
  *     suppressed     number of lowest coefficients of p that are taken as 0, as the last event has put p
  *                    there and rounding may not decide which way it goes; `order` of the event that follows
- *     d_bound, v_bound  bounds of |d(s) - d(0)| and |d'(s) - d'(0)| h in the segment
+ *     low, high      bounds of d and d' in the segment
  *     s_end, limit   how far the segment counts; no later than the first event found so far
  *
  * Deactivation: a guard with suppressed > 0 whose lowest coefficient that is left points away does not fire before p
@@ -77,8 +78,8 @@ struct view {
     const struct thud_state *state;
     const struct thud_segment *seg;
     int c;
-    const double *d;         /* indentation; its lowest orders are 0 where rounding alone has left them */
-    double d_bound, v_bound; /* how far it may be from its start, and its rate from the rate there */
+    const double *d; /* indentation; its lowest orders are 0 where rounding alone has left them; NULL: not read yet */
+    thud_vec2 low, high; /* bounds of indentation and rate */
     struct thud_suppressed suppressed;
 };
 
@@ -204,40 +205,56 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     return s->past_ultimate ? -1 : 1;
 }
 
-/* Whether what a guard watches keeps its sign by the bounds of the indentation and its rate alone: most do. */
-static bool stays(const struct view *v, const struct guard *guard, int sign)
+/* Whether what a guard watches, f + k d + c d', keeps its sign by the bounds of indentation and rate alone: most do.
+ */
+static bool stays(const struct view *v, enum watched watched, int sign)
 {
     const struct thud_contact_state *s = &v->state->contact[v->c];
     const struct thud_branch *b = &s->branch;
-    const double rate = 1 / v->seg->h_s;
-    switch (guard->watched) {
+    const bool line = b->K == 0 && b->D == 0; /* as force_function has it */
+    double f = 0, k = 0, c = 0;
+    int suppressed = 0;
+    switch (watched) {
     case INDENTATION:
-        return v->suppressed.indentation == 0 && sign * v->d[0] + v->d_bound < 0;
+        suppressed = v->suppressed.indentation;
+        k = 1;
+        break;
     case RATE:
-        return v->suppressed.rate == 0 && sign * v->d[1] + v->v_bound < 0;
+        suppressed = v->suppressed.rate;
+        c = 1;
+        break;
     case BRANCH:
-        return v->suppressed.branch == 0 && sign * (v->d[0] - s->ultimate_m) + v->d_bound < 0;
-    case FORCE: /* as force_function has it */
-        if (v->suppressed.force > 0)
-            return false;
-        if (b->K == 0 && b->D == 0)
-            return sign * (b->f0_n + b->k_npm * v->d[0] + b->c_nspm * rate * v->d[1]) + fabs(b->k_npm) * v->d_bound +
-                       fabs(b->c_nspm) * rate * v->v_bound <
-                   0;
-        return sign * ((b->K != 0 ? b->K : b->k_npm) + b->D * rate * v->d[1]) + fabs(b->D) * rate * v->v_bound < 0;
+        suppressed = v->suppressed.branch;
+        f = -s->ultimate_m;
+        k = 1;
+        break;
+    case FORCE:
+        suppressed = v->suppressed.force;
+        f = line ? b->f0_n : b->K != 0 ? b->K : b->k_npm;
+        k = line ? b->k_npm : 0;
+        c = line ? b->c_nspm : b->D;
+        break;
     case CONSTRAINT_LOW:
     case CONSTRAINT_HIGH:
         return false;
     }
-    return false;
+    if (suppressed > 0)
+        return false;
+    k *= sign;
+    c *= sign;
+    return sign * f + k * (k > 0 ? v->high : v->low)[0] + c * (c > 0 ? v->high : v->low)[1] < 0;
 }
 
 /* s in [0, s_end] at which a guard fires. */
-static double guard_fires(const struct view *v, const struct guard *guard, double s_end, int *order)
+static double guard_fires(struct view *v, const struct guard *guard, double s_end, int *order)
 {
     double p[THUD_SEGMENT_TERMS];
     int n, suppressed, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
-    if (stays(v, guard, sign) || !watched_function(v, guard->watched, p, &n, &suppressed))
+    if (stays(v, guard->watched, sign))
+        return INFINITY;
+    if (!v->d)
+        v->d = thud_segment_read(v->state, v->seg, v->c);
+    if (!watched_function(v, guard->watched, p, &n, &suppressed))
         return INFINITY;
     *order = suppressed;
     if (guard->watched == FORCE || guard->watched == RATE)
@@ -263,25 +280,58 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-/* The contact as its guards see it, but for its bounds. `copy` (terms) may take its indentation. */
+/* Bounds by the nodes of a collocated step: between two of them d' lies off the straight line through them by widest^2/8
+ * times the largest d''' at most, of which the modes have a bound; and d off the nearest by half that distance times the
+ * largest d'. */
+static void see_nodes(struct view *v)
+{
+    const struct thud_segment_nodes *nodes = v->seg->nodes;
+    const thud_vec2 *motion = nodes->motion + nodes->at[v->c] * nodes->points;
+    const double h = v->seg->h_s;
+    double third = 0;
+    int structure[2], n = thud_model_row_structures(v->state->model, v->c, structure);
+    for (int i = 0; i < n; i++)
+        third += v->seg->notes->thirds[structure[i]];
+    v->low = v->high = motion[0];
+    for (int i = 1; i < nodes->count; i++) {
+        v->low = thud_vec2_choose((thud_vec2_bits)(motion[i] < v->low), motion[i], v->low);
+        v->high = thud_vec2_choose((thud_vec2_bits)(motion[i] > v->high), motion[i], v->high);
+    }
+    const double rate = nodes->widest * nodes->widest / 8 * third / h,
+                 way = 0.5 * nodes->widest * h * (thud_larger(-v->low[1], v->high[1]) + rate);
+    v->low -= thud_vec2_set(way, rate);
+    v->high += thud_vec2_set(way, rate);
+}
+
+/* The contact as its guards see it. `copy` (terms) may take its indentation. */
 static struct view view_of(const struct thud_state *state, const struct thud_segment *seg, int c, double *copy)
 {
     const struct thud_contact_state *s = &state->contact[c];
-    int suppressed = thud_segment_contact(state, seg, c);
-    struct view v = {state, seg, c, thud_segment_read(seg, c), 0, 0, s->suppressed};
-    if (s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED))
-        return v; /* only where the contact has just begun or ended */
-    if (s->mode == THUD_CLOSED) {
-        if (suppressed > 0) { /* a stiff contact would make a force of what rounding has left there */
-            memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
-            memset(copy, 0, (size_t)suppressed * sizeof *copy);
-            v.d = copy;
-        }
-        if (s->suppressed.rate > 0)
-            suppressed = unresolved(state, v.d, seg->terms, suppressed);
-        v.suppressed.rate = larger(s->suppressed.rate, suppressed - 1);
+    const bool moved = s->suppressed.indentation == 0 || (s->mode != THUD_OPEN && s->mode != THUD_CLOSED);
+    struct view v = {.state = state, .seg = seg, .c = c, .suppressed = s->suppressed};
+    if (moved && seg->nodes && seg->nodes->at[c] >= 0) {
+        see_nodes(&v);
+        return v;
     }
-    v.suppressed.indentation = larger(s->suppressed.indentation, suppressed);
+    int suppressed = thud_segment_contact(state, seg, c);
+    v.d = thud_segment_read(state, seg, c);
+    if (!moved) { /* the contact has just begun or ended */
+        if (s->mode == THUD_CLOSED) {
+            if (suppressed > 0) { /* a stiff contact would make a force of what rounding has left there */
+                memcpy(copy, v.d, (size_t)seg->terms * sizeof *copy);
+                memset(copy, 0, (size_t)suppressed * sizeof *copy);
+                v.d = copy;
+            }
+            if (s->suppressed.rate > 0)
+                suppressed = unresolved(state, v.d, seg->terms, suppressed);
+            v.suppressed.rate = larger(s->suppressed.rate, suppressed - 1);
+        }
+        v.suppressed.indentation = larger(s->suppressed.indentation, suppressed);
+    }
+    double d_rest, v_rest;
+    d_rest = thud_poly_move(v.d, seg->terms, &v_rest);
+    v.low = thud_vec2_set(v.d[0] - d_rest, (v.d[1] - v_rest) / seg->h_s);
+    v.high = thud_vec2_set(v.d[0] + d_rest, (v.d[1] + v_rest) / seg->h_s);
     return v;
 }
 
@@ -365,8 +415,7 @@ static double storey_fires(const struct thud_state *state, const struct thud_seg
         if (now + most <= bound)
             return INFINITY;
     }
-    thud_segment_contact(state, seg, row);
-    const double *d = thud_segment_read(seg, row);
+    const double *d = thud_segment_read(state, seg, row);
     if (s->direction != 0) {
         for (int i = 0; i + 1 < n; i++)
             p[i] = (i + 1) * d[i + 1];
@@ -402,7 +451,6 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
-        v.d_bound = thud_poly_move(v.d, seg->terms, &v.v_bound);
         double limit = fmin(s_end, first);
         for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
             double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit, &suppressed) : INFINITY;

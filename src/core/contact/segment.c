@@ -26,7 +26,7 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     size_t n = (size_t)model->nmodes, nc = (size_t)model->nrows, ns = (size_t)model->nstructures,
            terms = THUD_SEGMENT_TERMS;
     *seg = (struct thud_segment){0};
-    seg->block = calloc((terms + 1) * n + 2 * terms * nc + 2 * ns + 1, sizeof *seg->block);
+    seg->block = calloc((terms + 2) * n + 2 * terms * nc + 3 * ns + 1, sizeof *seg->block);
     seg->row = calloc(2 * nc + 1, sizeof *seg->row);
     struct thud_segment_notes *notes = seg->notes = calloc(1, sizeof *notes);
     if (!seg->block || !seg->row || !notes) {
@@ -36,10 +36,11 @@ enum thud_status thud_segment_init(struct thud_segment *seg, const struct thud_m
     notes->cached = seg->row + nc;
     seg->q = seg->block;
     notes->bound = seg->q + terms * n;
-    seg->force = notes->bound + n;
+    seg->force = notes->bound + 2 * n;
     notes->indentation = seg->force + terms * nc;
     notes->floors = notes->indentation + terms * nc;
     notes->drifts = notes->floors + ns;
+    notes->thirds = notes->drifts + ns;
     return THUD_OK;
 }
 
@@ -58,14 +59,18 @@ static void forget(const struct thud_segment *seg, int nrows)
         seg->notes->cached[c] = -1;
 }
 
-/* Largest |q_j(s) - q_j(0)| of two modes, or one: the sum of the sizes of their terms. */
+/* Largest |q_j(s) - q_j(0)| of two modes, or one, and third derivative: sums of the sizes of their terms. */
 static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
     const double *q = seg->q + nmodes + j;
-    thud_vec2 sum = {0, 0};
-    for (int k = 1; k < seg->terms; k++, q += nmodes)
-        sum += thud_vec2_abs(thud_vec2_some(q, single));
+    thud_vec2 sum = {0, 0}, third = {0, 0}, k = {1, 1};
+    for (int order = 1; order < seg->terms; order++, q += nmodes, k += 1) {
+        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(q, single));
+        sum += size;
+        third += k * (k - 1) * (k - 2) * size;
+    }
     thud_vec2_put_some(sum, seg->notes->bound + j, single);
+    thud_vec2_put_some(third, seg->notes->bound + nmodes + j, single);
 }
 
 void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model *model)
@@ -80,6 +85,7 @@ void thud_segment_bounds(const struct thud_segment *seg, const struct thud_model
         const double *bound = seg->notes->bound + p->first_mode;
         seg->notes->floors[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound);
         seg->notes->drifts[s] = thud_dot(p->modes, model->mode_max + n + p->first_mode, bound);
+        seg->notes->thirds[s] = thud_dot(p->modes, model->mode_max + p->first_mode, bound + n);
     }
 }
 
@@ -168,6 +174,7 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
     seg->interpolates = false;
     seg->start = seg->end = NULL;
+    seg->nodes = NULL;
     constant_forces(state, seg);
     forget(seg, state->model->nrows);
 }

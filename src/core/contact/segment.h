@@ -5,6 +5,8 @@
 #include <assert.h>
 
 #include "core/contact/state.h"
+#include "core/numerics/quadrature.h"
+#include "core/numerics/vec.h"
 
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
 
@@ -21,6 +23,18 @@ struct thud_segment_notes {
     int *cached;             /* (nrows) its lowest orders that are no motion; -1 where it has not been read */
     double *bound;           /* (nmodes) largest displacement of each mode in it: thud_segment_bounds */
     double *floors, *drifts; /* (nstructures) and so of any floor, and the largest change of any storey's drift */
+    double *thirds;          /* (nstructures) largest third derivative by s of any floor, where the segment has nodes */
+};
+
+/* Rows at the nodes of a collocated step: the first at its start, the last at its end. */
+struct thud_segment_nodes {
+    const struct thud_lobatto *rule; /* their quadrature; NULL where it is not good enough for works */
+    int count;
+    double widest;           /* distance between two of them */
+    const int *at;           /* (nrows) place of a row in what follows; -1: it has no force */
+    const thud_vec2 *motion; /* (points apart) indentation and its rate */
+    const double *force;     /* (row apart) */
+    int points, row;
 };
 
 /* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays unchanged. */
@@ -35,6 +49,7 @@ struct thud_segment {
         *end;          /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
     double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
+    const struct thud_segment_nodes *nodes; /* NULL: not a collocated step */
 
     int rows, *row; /* (rows) those that may have a force, but for a stepping method: set where it begins */
     struct thud_segment_notes *notes;
@@ -78,10 +93,10 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
 /* Reads the indentation of contact c, once, into its notes; returns how many of its lowest orders are no motion (see
  * thud_segment_indentation). */
 int thud_segment_contact(const struct thud_state *state, const struct thud_segment *seg, int c);
-/* That indentation's coefficients, where it has been read. */
-static inline const double *thud_segment_read(const struct thud_segment *seg, int c)
+/* That indentation's coefficients. */
+static inline const double *thud_segment_read(const struct thud_state *state, const struct thud_segment *seg, int c)
 {
-    assert(seg->notes->cached[c] >= 0);
+    thud_segment_contact(state, seg, c);
     return seg->notes->indentation + c * THUD_SEGMENT_TERMS;
 }
 /* Fills the bounds of the notes. */

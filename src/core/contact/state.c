@@ -31,7 +31,8 @@ enum thud_status thud_state_init(struct thud_state *state, const struct thud_mod
     state->contact = calloc((size_t)model->ncontacts + 1, sizeof *state->contact);
     state->storey = calloc((size_t)model->nstoreys + 1, sizeof *state->storey);
     state->set_now = calloc(2 * nc + 1, sizeof *state->set_now);
-    if (!room || !state->contact || !state->storey || !state->set_now) {
+    state->powers = calloc(1, sizeof *state->powers);
+    if (!room || !state->contact || !state->storey || !state->set_now || !state->powers) {
         thud_state_clear(state);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
@@ -49,6 +50,7 @@ void thud_state_clear(struct thud_state *state)
     free(state->contact);
     free(state->storey);
     free(state->set_now);
+    free(state->powers);
     *state = (struct thud_state){0};
 }
 

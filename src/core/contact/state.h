@@ -78,12 +78,13 @@ struct thud_state {
     double speed_mps; /* velocity scale for rounding tests: largest initial speed of a floor plus that of the ground */
     double fastest_radps; /* of the model */
 
-    struct thud_work *work; /* counters */
-    double *free_mps2;      /* (nmodes + nrows) workspace of state.c */
-    int *set_now;           /* (2 nrows) and */
-    double *collide;        /* workspace of impulse.c */
-    double *force_now;      /* (nrows) workspace of the functions that switch a contact */
-    double *delassus;       /* (nrows x nrows), and as much as thud_lcp_work asks for: workspace of state.c */
+    struct thud_work *work;     /* counters */
+    double *free_mps2;          /* (nmodes + nrows) workspace of state.c */
+    int *set_now;               /* (2 nrows) and */
+    double *collide;            /* workspace of impulse.c */
+    struct thud_powers *powers; /* of one exponent that is none of the published ones, once a branch has it */
+    double *force_now;          /* (nrows) workspace of the functions that switch a contact */
+    double *delassus;           /* (nrows x nrows), and as much as thud_lcp_work asks for: workspace of state.c */
     void *block;
 };
 

@@ -1,6 +1,7 @@
 #include "core/laws/law.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "core/laws/law_check.h"
@@ -40,9 +41,48 @@ void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup)
         setup->value[i] = i < law->nparams ? law->params[i].fallback : 0;
 }
 
-/* d^p for d > 0, without pow for the exponents of the published laws. */
-static double power(double d, double p)
+/* The middle of cell i of [1, 2). */
+static double middle_of(int i)
 {
+    return 1 + (i + 0.5) / THUD_POWER_CELLS;
+}
+
+void thud_powers_fill(struct thud_powers *t, double p)
+{
+    *t = (struct thud_powers){.p = p, .binomial = {1}};
+    for (int k = 1; k < THUD_POWER_TERMS; k++)
+        t->binomial[k] = t->binomial[k - 1] * (p - k + 1) / k;
+    for (int i = 0; i < THUD_POWER_CELLS; i++) {
+        t->inverse[i] = 1 / middle_of(i);
+        t->cell[i] = pow(middle_of(i), p);
+    }
+    for (int i = 0; i < THUD_POWER_OCTAVES; i++)
+        t->octave[i] = pow(2, (i + THUD_POWER_LEAST) * p);
+}
+
+/* With d = 2^e c (1 + x), c the middle of a cell and |x| <= 1/256: (2^e)^p c^p (1 + x)^p, the last by the binomial series,
+ * whose next term is below 1e-16 for the powers that occur. */
+double thud_power(const struct thud_powers *t, double d)
+{
+    uint64_t bits;
+    memcpy(&bits, &d, sizeof bits);
+    const int octave = (int)(bits >> 52) - 1023 - THUD_POWER_LEAST, cell = (bits >> 45) % THUD_POWER_CELLS;
+    if (octave < 0 || octave >= THUD_POWER_OCTAVES)
+        return pow(d, t->p);
+    bits = (bits & 0xfffffffffffff) | (uint64_t)1023 << 52;
+    double m, sum = 0;
+    memcpy(&m, &bits, sizeof m);
+    const double x = (m - middle_of(cell)) * t->inverse[cell];
+    for (int k = THUD_POWER_TERMS - 1; k >= 0; k--)
+        sum = sum * x + t->binomial[k];
+    return t->octave[octave] * t->cell[cell] * sum;
+}
+
+/* d^p for d > 0, without pow for the exponents of the published laws. */
+static double power(const struct thud_powers *powers, double d, double p)
+{
+    if (powers && p == powers->p)
+        return thud_power(powers, d);
     if (p == 1.5)
         return d * sqrt(d);
     if (p == 1)
@@ -75,7 +115,7 @@ static struct series own_indentation(const struct thud_branch *b, double d)
 {
     enum { MOST = 60 };
     static const double last_step = 5e-5; /* relative: its fourth power is below rounding */
-    double c = b->K / b->column_npm, p = b->p, x = d, part = c * power(d, p);
+    double c = b->K / b->column_npm, p = b->p, x = d, part = c * power(b->powers, d, p);
     if (part > d) {
         x = pow(d / c, 1 / p);
         part = d;
@@ -92,7 +132,7 @@ static struct series own_indentation(const struct thud_branch *b, double d)
             part *= 1 - p * step * (1 - (p - 1) / 2 * step * (1 - (p - 2) / 3 * step));
             break;
         }
-        part = c * power(x, p);
+        part = c * power(b->powers, x, p);
     }
     return (struct series){.x = x, .force = b->column_npm * part};
 }
@@ -141,9 +181,9 @@ double thud_branch_force(const struct thud_branch *branch, double d_m, double v_
     if (branch->column_npm > 0 && d_m > 0)
         return series_force(branch, d_m, v_mps, df_dd, df_dv);
     const bool by_power = d_m > 0 && (branch->K != 0 || branch->D != 0);
-    const double dp = by_power ? power(d_m, branch->p) : 0,
-                 dr = by_power && branch->r != branch->p ? power(d_m, branch->r) : dp, elastic = branch->K * dp,
-                 damper = branch->D * dr;
+    const double dp = by_power ? power(branch->powers, d_m, branch->p) : 0,
+                 dr = by_power && branch->r != branch->p ? power(branch->powers, d_m, branch->r) : dp,
+                 elastic = branch->K * dp, damper = branch->D * dr;
     if (df_dd) {
         *df_dd = branch->k_npm;
         if (by_power)

@@ -61,11 +61,12 @@ static void committed(const struct thud_state *state, void *own, const struct th
                       bool switched)
 {
     bool onset = false;
+    (void)seg;
     if (!own)
         return;
     for (int c = 0; c < state->model->ncontacts && switched; c++)
         onset |= state->contact[c].mode == THUD_CLOSED && state->contact[c].suppressed.indentation > 0;
-    thud_collocation_committed(state, own, seg, tau_s, switched, onset);
+    thud_collocation_committed(state, own, tau_s, switched, onset);
 }
 
 const struct thud_method thud_method_exact = {
@@ -73,7 +74,7 @@ const struct thud_method thud_method_exact = {
     .title = "Exact propagation with located events",
     .reference = "contact-free response: Nigam and Jennings, Bulletin of the Seismological Society of America 59 "
                  "(1969) 909-922; "
-                 "nonlinear contact, Radau IIA collocation: Hairer and Wanner, Solving Ordinary Differential Equations "
+                 "nonlinear contact, Lobatto collocation: Hairer and Wanner, Solving Ordinary Differential Equations "
                  "II, Springer (1996)",
     .summary =
         "modes advanced in closed form, contacts located, nonlinear contact forces by collocation to the tolerance",

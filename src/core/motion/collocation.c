@@ -6,76 +6,87 @@
 #include <string.h>
 
 #include "base/largest.h"
-#include "core/motion/nodes.h"
 #include "core/motion/response.h"
 #include "core/numerics/poly.h"
-#include "core/numerics/radau.h"
+#include "core/numerics/quadrature.h"
 #include "core/numerics/tolerance.h"
 
 /* Glossary, for one step of length h from the state at t0; a, b are active contacts, i, j points of the step.
  *
- *     s_i            points in [0, 1]: the NODES Radau points first, then the points where the error is measured
- *     F_b(s_j)       x->force, unknown at the nodes; between them the polynomial of degree NODES - 1 through them
- *     d0_a, v0_a     x->d0, x->v0: indentation and rate without the forces of the active contacts
+ *     s_i            points in [0, 1]: n Lobatto points first, then those where the error is measured
+ *     F_b(s_j)       x->force: known at the start of the step (see `begins`), unknown at the other nodes; between them the
+ *                    polynomial of degree n - 1 through them
+ *     d0_a, v0_a     x->free: indentation and rate without the forces of the active contacts
  *     R_ab,ij        x->response: d_a(s_i) by F_b(s_j), below 0 where the force pushes apart; R' of v_a(s_i)
- *     d_a, v_a       x->d, x->v = d0 + R F, v0 + R' F
- *     law_a          x->law, at (d_a, v_a); law_d, law_v its derivatives
+ *     d_a, v_a       x->motion: x->free and what the forces do
  *     level l        h = h_top/2^l, so that R is made once for each size that occurs
  *     contraction    by which a Gauss-Seidel sweep reduces the change of the forces
  *     x->h           size asked for next; h_onset: that of the last step that began at an onset
  *
  * The equations are F_a(s_i) = law_a(d_a(s_i), v_a(s_i)), and v_a(s_i) = 0 where a sticks. */
-enum { NODES = THUD_NODES, LEVELS = 48 };
-enum { LAST = THUD_POINTS - THUD_BATCH }; /* a batch that ends with the last point begins here */
+enum { NODES_MAX = THUD_NODES_MAX, POINTS_MAX = THUD_POINTS_MAX, CHECKS = POINTS_MAX - NODES_MAX, LEVELS = 48 };
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 enum { REPEATS = 2 };                    /* shorter steps with no smaller error: it is rounding */
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
+static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
+static const double least_of_four = 3e-4;      /* tolerance from which on four nodes are enough, as a rule */
 static const double step_part = 0.1;           /* of the run's tolerance, for the error of a step */
 static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
 static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
 static const double same_error = 0.95, near_tolerance = 100;
 
-/* A step: the forces as polynomials over h from the state that it began at, valid across kinks of the ground motion. The
- * run takes it piece by piece, up to one kink or event at a time. */
+/* The last step: the forces as polynomials over h from the state that it began at. */
 struct step {
-    bool goes_on;        /* nothing has switched since, and something is left of it */
     double h, done_s;    /* length, and how far the state has come since its start */
-    double *coefficient; /* (nc x THUD_BATCH) by order */
+    int n;               /* nodes */
+    double *coefficient; /* (nc x NODES_MAX) by order */
     struct branch_name { /* (nc) what each force belongs to */
         bool known;      /* it is in the step and nothing has switched there since */
         enum thud_contact_mode mode;
         enum thud_phase phase;
         bool past_ultimate;
     } * of;
-    double ahead_s; /* from its start to where no step goes on: the end of the ground motion, which may be a jump */
+};
+
+/* Points of a step, and the tables for them. */
+struct scheme {
+    int n, points; /* nodes; and with those behind them where the error is measured */
+    int row;       /* forces of a contact: n, and a 0 where that is odd */
+    double point[POINTS_MAX];
+    double lagrange[NODES_MAX]
+                   [NODES_MAX];        /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
+    double between[NODES_MAX][CHECKS]; /* and its values where the error is measured */
+    double back
+        [NODES_MAX]; /* [k]: value at the start of the polynomial that is 1 at node k, 0 at the others but the first */
+    struct thud_responses *responses;
+    struct thud_segment_nodes nodes; /* of the segment */
 };
 
 struct thud_collocation {
-    double point[THUD_POINTS];          /* nodes, and behind them where the error is measured */
-    double lagrange[NODES][THUD_BATCH]; /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others, */
-    double last[NODES][THUD_BATCH];     /* and its values at the last points */
-    struct thud_responses *responses;
-    double h_top; /* step of level 0 */
+    struct scheme few, many, *by; /* the one at hand */
+    double h_top;                 /* step of level 0 */
     double h, h_onset;
     int steady;         /* steps since one that let the next be longer */
     double contraction; /* of the fixed-point iteration, as last measured and with a margin */
     bool at_onset;
     struct step step;
     int nc;
-    /* The system: unknowns are the forces of the active contacts at the nodes; values at the points of a contact stand
-     * THUD_POINTS apart */
+    /* The system: unknowns are the forces of the active contacts at the nodes but the first */
     double *largest_n; /* (nc) force so far: scale on which errors count */
-    int *active;       /* (nc) */
+    int *active, *at;  /* (nc); place of a row among them, or -1 */
     int nactive, capacity;
     const struct thud_response **response; /* (nactive x nactive) of one to the force of the other */
-    double *force, *d0, *v0, *d, *v;       /* (nactive x THUD_POINTS) */
-    double *law, *law_d, *law_v;           /* (nactive x THUD_BATCH) force by the law, and its derivatives */
-    double *part; /* (nactive x THUD_BATCH) of a force's difference from the law that it has to change by */
-    double *residual, *matrix; /* (nactive x nodes); square */
-    double *scale, *change;    /* (nactive) 1 over that on which a change of the force counts; the last one */
+    double *force;                         /* (nactive x row) */
+    thud_vec2 *free, *motion;              /* (nactive x points); of the motion, at the start already */
+    struct beginning {
+        double force, by_d, by_v; /* the law at the start */
+        bool rough;               /* what follows does not go on smoothly from there */
+    } * begins;                   /* (nactive) */
+    double *residual, *matrix;    /* (unknowns); square */
+    double *scale;                /* (nactive) 1 over that on which a change of the force counts */
     lapack_int *pivot;
 };
 
@@ -93,38 +104,30 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
 {
     int c = x->active[a];
     double scale = x->largest_n[c];
-    for (int i = 0; i < NODES; i++)
-        scale = thud_larger(scale, fabs(x->force[a * THUD_POINTS + i]));
+    for (int i = 0; i < x->by->n; i++)
+        scale = thud_larger(scale, fabs(x->force[a * x->by->row + i]));
     const struct thud_contact_state *contact = thud_row_contact(state, c);
     if (contact && contact->phase == THUD_APPROACH)
         scale = thud_larger(scale, contact->expected_force_n);
     return thud_larger(scale, thud_contact_least_force(state, c));
 }
 
-/* The law (N) and its derivatives at points `from` to n - 1. At d <= 0 the linear part alone counts: a power below 1
- * has no slope at d = 0 that Newton's method could use. */
-static void law_at_points(const struct thud_branch *b, int from, int n, const double *d, const double *v, double *force,
-                          double *df_dd, double *df_dv)
+/* The law (N) and its derivatives at a motion. At d <= 0 the linear part alone counts: a power below 1 has no slope at
+ * d = 0 that Newton's method could use. */
+static inline double law_at(const struct thud_branch *b, thud_vec2 motion, double *by_d, double *by_v)
 {
-    for (int i = from; i < n; i++) {
-        force[i] = thud_branch_force(b, d[i], v[i], &df_dd[i], &df_dv[i]);
-        if (!(d[i] > 0))
-            df_dd[i] = b->k_npm;
-    }
-}
-
-/* Indentation at the state, as the step takes it: at contact onset the contact has not moved yet. */
-static double indentation_now(const struct thud_state *state, int c)
-{
-    return thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
+    const double force = thud_branch_force(b, motion[0], motion[1], by_d, by_v);
+    if (!(motion[0] > 0))
+        *by_d = b->k_npm;
+    return force;
 }
 
 /* Whether a contact is so young that its force has no smooth past: most of the indentation at the end of the step is
  * made in it, with the speed hardly lost. */
-static bool has_just_begun(const struct thud_state *state, const struct thud_collocation *x, int a)
+static bool has_just_begun(const struct thud_collocation *x, int a)
 {
-    int c = x->active[a], end = a * THUD_POINTS + NODES - 1;
-    return indentation_now(state, c) < 0.5 * x->d[end] && x->v[end] > 0.5 * thud_contact_rate(state, c);
+    const thud_vec2 *start = x->motion + a * x->by->points, *end = start + x->by->n - 1;
+    return (*start)[0] < 0.5 * (*end)[0] && (*end)[1] > 0.5 * (*start)[1];
 }
 
 /* How far rounding alone may put a force off, by the displacements and rates that an indentation and its rate are
@@ -138,21 +141,6 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
     return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
 }
 
-/* What the polynomial misses of contact a's force at the start of the step, where the contact opens before the first
- * point: behind it the law is 0 everywhere, and the polynomial 0 would have no error. */
-static double start_difference(const struct thud_state *state, const struct thud_collocation *x, int a)
-{
-    const int c = x->active[a];
-    const double d = indentation_now(state, c);
-    if (d <= 0 || x->d[a * THUD_POINTS + NODES] > 0)
-        return 0;
-    double force = 0;
-    for (int k = 0; k < NODES; k++)
-        force += x->force[a * THUD_POINTS + k] * x->lagrange[k][0];
-    state->work->force_evaluations++;
-    return fabs(thud_row_force(state, c, d, thud_contact_rate(state, c)) - force);
-}
-
 /* Largest difference between the polynomial of contact a's force and the law, between the nodes; of one above `small`,
  * what rounding may have made is taken off. */
 static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
@@ -160,24 +148,20 @@ static double force_difference(const struct thud_state *state, const struct thud
 {
     int c = x->active[a];
     double worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    const double *d = x->d + a * THUD_POINTS, *v = x->v + a * THUD_POINTS;
-    const double *force = x->force + a * THUD_POINTS;
-    double law[THUD_BATCH] = {0}, law_d[THUD_BATCH], law_v[THUD_BATCH];
-    if (thud_row_sticks(state, c)) { /* the force that would undo the rate in one step, but for rounding */
-        for (int i = NODES; i < THUD_POINTS; i++)
-            worst = thud_larger(worst, mass * thud_larger(fabs(v[i]) - THUD_TOL_STICKING_M / h, 0) / h);
-        return worst;
-    }
-    worst = start_difference(state, x, a);
-    law_at_points(thud_row_branch(state, c), NODES - LAST, THUD_BATCH, d + LAST, v + LAST, law, law_d, law_v);
-    struct thud_batch difference = thud_batch_at(law);
-    for (int k = 0; k < NODES; k++)
-        thud_batch_add(&difference, -force[k], x->last[k]);
-    thud_batch_put(&difference, law);
-    for (int i = NODES - LAST; i < THUD_BATCH; i++) {
-        double most = fabs(law[i]);
-        if (most > thud_larger(worst, small))
-            most -= force_noise(state, c, law_d[i], law_v[i]);
+    const thud_vec2 *motion = x->motion + a * x->by->points + x->by->n;
+    const double *force = x->force + a * x->by->row;
+    for (int i = 0; i < CHECKS; i++) {
+        double by_d, by_v, most;
+        if (thud_row_sticks(state, c)) { /* the force that would undo the rate in one step, but for rounding */
+            most = mass * thud_larger(fabs(motion[i][1]) - THUD_TOL_STICKING_M / h, 0) / h;
+        } else {
+            most = law_at(thud_row_branch(state, c), motion[i], &by_d, &by_v);
+            for (int k = 0; k < x->by->n; k++)
+                most -= force[k] * x->by->between[k][i];
+            most = fabs(most);
+            if (most > thud_larger(worst, small))
+                most -= force_noise(state, c, by_d, by_v);
+        }
         worst = thud_larger(worst, most);
     }
     return worst;
@@ -194,7 +178,7 @@ static double contact_error(const struct thud_state *state, const struct thud_co
     double mass = state->model->contact[c].setup.mass_kg, scale = force_scale(state, x, a),
            difference = force_difference(state, x, a, h, 1e-2 * tolerance * scale);
     double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
-    if (is_approach(s) && has_just_begun(state, x, a)) {
+    if (is_approach(s) && has_just_begun(x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
         double speed = s->onset_mps < 1e-7 * ground ? ground : s->onset_mps; /* pushed, or thrown */
         if (speed > 0)
@@ -203,41 +187,68 @@ static double contact_error(const struct thud_state *state, const struct thud_co
     return error;
 }
 
+/* Motion of contact a at a point under all forces. */
+static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i, const int row)
+{
+    const struct thud_response *const *r = x->response + a * x->nactive;
+    thud_vec2 d = {0, 0}, v = {0, 0};
+    for (int b = 0; b < x->nactive; b++) {
+        const double *by_d = r[b]->motion + 2 * i * row, *by_v = by_d + row, *force = x->force + b * row;
+        for (int k = 0; k < row; k += 2) {
+            d += thud_vec2_at(force + k) * thud_vec2_at(by_d + k);
+            v += thud_vec2_at(force + k) * thud_vec2_at(by_v + k);
+        }
+    }
+    return x->free[a * x->by->points + i] + thud_vec2_set(thud_vec2_sum(d), thud_vec2_sum(v));
+}
+
 static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
                             double tolerance)
 {
     double worst = 0;
-    for (int a = 0; a < x->nactive; a++)
+    for (int a = 0; a < x->nactive; a++) {
+        for (int i = x->by->n; i < x->by->points; i++)
+            x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
         worst = thud_larger(worst, contact_error(state, x, a, h, tolerance));
-    state->work->force_evaluations += x->nactive * (THUD_POINTS - NODES);
+    }
+    state->work->force_evaluations += x->nactive * CHECKS;
     return worst;
 }
 
-/* The error is measured in the middle between nodes; a law is dear, and most of the error lies in the first half. */
-static void set_points(struct thud_collocation *x, double *lagrange)
+/* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. */
+static enum thud_status set_points(const struct thud_state *state, const struct thud_collocation *x, int n,
+                                   struct scheme *by, struct thud_error *err)
 {
-    static const int interval[THUD_POINTS - NODES] = {0, 1, 3};
-    thud_radau_nodes(NODES, x->point);
-    thud_lagrange_coefficients(NODES, x->point, lagrange);
-    for (int i = NODES; i < THUD_POINTS; i++) {
-        int right = interval[i - NODES];
-        x->point[i] = 0.5 * (x->point[right] + (right > 0 ? x->point[right - 1] : 0));
+    const int last = n - 1, interval[CHECKS] = {0, last / 2};
+    double lagrange[NODES_MAX * NODES_MAX];
+    *by = (struct scheme){.n = n, .points = n + CHECKS, .row = (n + 1) / 2 * 2};
+    const struct thud_lobatto *rule = thud_lobatto_of(n);
+    by->nodes = (struct thud_segment_nodes){
+        .rule = n < NODES_MAX ? rule : NULL, .count = n, .at = x->at, .points = by->points, .row = by->row};
+    for (int i = 1; i < last; i++)
+        by->point[i] = rule->node[i - 1];
+    by->point[last] = 1;
+    for (int i = 0; i < last; i++)
+        by->nodes.widest = thud_larger(by->nodes.widest, by->point[i + 1] - by->point[i]);
+    thud_lagrange_coefficients(last, by->point + 1, lagrange);
+    for (int k = 1; k <= last; k++)
+        by->back[k] = lagrange[k - 1];
+    thud_lagrange_coefficients(n, by->point, lagrange);
+    for (int i = 0; i < CHECKS; i++)
+        by->point[n + i] = 0.5 * (by->point[interval[i]] + by->point[interval[i] + 1]);
+    for (int k = 0; k < n; k++) {
+        for (int p = 0; p < n; p++)
+            by->lagrange[k][p] = lagrange[p * n + k];
+        for (int i = 0; i < CHECKS; i++)
+            by->between[k][i] = thud_poly_value(by->lagrange[k], n, by->point[n + i]);
     }
-    for (int k = 0; k < NODES; k++) {
-        for (int p = 0; p < NODES; p++)
-            x->lagrange[k][p] = lagrange[p * NODES + k];
-        for (int i = 0; i < THUD_BATCH; i++)
-            x->last[k][i] = thud_poly_value(x->lagrange[k], NODES, x->point[LAST + i]);
-    }
+    return thud_responses_create(state->model, n, by->points, by->point, lagrange, x->h_top, &by->responses, err);
 }
 
-/* The longest step: intervals of the ground motion, or parts of one, that a series is enough for. */
+/* The longest step: an interval of the ground motion, or a part of one that a series is enough for. */
 static double longest_step(const struct thud_state *state)
 {
-    const double dt = state->grid_dt_s, intervals = longest_angle / (state->fastest_radps * dt);
-    if (intervals < 1)
-        return dt / ceil(1 / intervals);
-    return intervals >= 4 ? 4 * dt : intervals >= 2 ? 2 * dt : dt;
+    return state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / longest_angle));
 }
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,
@@ -250,15 +261,16 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     x->nc = m->nrows;
     x->h = x->h_top = longest_step(state);
     x->contraction = slowest_contraction;
-    double lagrange[NODES * NODES];
-    set_points(x, lagrange);
     size_t nc = (size_t)m->nrows;
-    x->step.coefficient = calloc(THUD_BATCH * nc + 1, sizeof(double));
+    x->step.coefficient = calloc(NODES_MAX * nc + 1, sizeof(double));
     x->step.of = calloc(nc + 1, sizeof *x->step.of);
-    x->active = calloc(nc + 1, sizeof(int));
+    x->active = calloc(2 * nc + 1, sizeof(int));
+    x->at = x->active + nc;
     x->largest_n = calloc(nc + 1, sizeof *x->largest_n);
+    x->by = &x->few;
     if (!x->step.coefficient || !x->step.of || !x->active || !x->largest_n ||
-        thud_responses_create(m, x->point, lagrange, x->h_top, state->tolerance, &x->responses, err) != THUD_OK) {
+        set_points(state, x, state->tolerance >= least_of_four ? 4 : 5, &x->few, err) != THUD_OK ||
+        set_points(state, x, NODES_MAX, &x->many, err) != THUD_OK) {
         thud_collocation_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -273,12 +285,15 @@ void thud_collocation_free(struct thud_collocation *x)
 {
     if (!x)
         return;
-    thud_responses_free(x->responses);
+    thud_responses_free(x->few.responses);
+    thud_responses_free(x->many.responses);
     free(x->step.coefficient);
     free(x->step.of);
     free(x->active);
     free(x->largest_n);
     free(x->response);
+    free(x->free);
+    free(x->begins);
     free(x->force);
     free(x->matrix);
     free(x->pivot);
@@ -303,30 +318,13 @@ static void forget_switched(const struct thud_state *state, struct thud_collocat
     }
 }
 
-/* Raises the largest forces by those of the piece of a segment that the state has just come through. */
-static void raise_largest(struct thud_collocation *x, const struct thud_model *m, const struct thud_segment *seg,
-                          double s)
+void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x, double moved_s,
+                                bool switched, bool onset)
 {
-    double p[THUD_SEGMENT_TERMS], where;
-    for (int i = 0; i < seg->rows && seg->loaded > 0; i++) {
-        const int c = seg->row[i];
-        for (int k = 0; k < seg->loaded; k++)
-            p[k] = seg->force[k * m->nrows + c];
-        if (c < m->ncontacts)
-            x->largest_n[c] = thud_poly_peak(p, seg->loaded, s, x->largest_n[c], &where);
-    }
-}
-
-void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *x,
-                                const struct thud_segment *seg, double moved_s, bool switched, bool onset)
-{
-    if (moved_s > 0)
-        raise_largest(x, state->model, seg, moved_s / seg->h_s);
     x->step.done_s += moved_s;
     x->at_onset = onset;
     if (!switched)
         return;
-    x->step.goes_on = false;
     forget_switched(state, x);
     x->contraction = slowest_contraction;
 }
@@ -336,35 +334,34 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    size_t contacts = (size_t)n, size = contacts * THUD_POINTS, batch = contacts * THUD_BATCH,
-           unknowns = contacts * (size_t)NODES;
-    double *block = calloc(5 * size + 4 * batch + unknowns + 2 * contacts + 1, sizeof *block),
+    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1);
+    thud_vec2 *motion = calloc(2 * contacts * POINTS_MAX + 1, sizeof *motion);
+    double *block = calloc(contacts * (NODES_MAX + 1) + unknowns + contacts + 1, sizeof *block),
            *matrix = calloc(unknowns * unknowns + 1, sizeof *matrix);
     const struct thud_response **response = calloc(contacts * contacts + 1, sizeof *response);
     lapack_int *pivot = calloc(unknowns + 1, sizeof *pivot);
-    if (!block || !matrix || !response || !pivot) {
+    struct beginning *begins = calloc(contacts + 1, sizeof *begins);
+    if (!begins || !motion || !block || !matrix || !response || !pivot) {
+        free(begins);
+        free(motion);
         free(block);
         free(matrix);
         free(response);
         free(pivot);
         return false;
     }
+    free(x->free);
+    free(x->begins);
     free(x->force);
     free(x->matrix);
     free(x->response);
     free(x->pivot);
+    x->free = motion;
+    x->begins = begins;
+    x->motion = motion + contacts * POINTS_MAX;
     x->force = block;
-    x->d0 = block + size;
-    x->v0 = block + 2 * size;
-    x->d = block + 3 * size;
-    x->v = block + 4 * size;
-    x->law = block + 5 * size;
-    x->law_d = x->law + batch;
-    x->law_v = x->law_d + batch;
-    x->part = x->law_v + batch;
-    x->residual = x->part + batch;
+    x->residual = x->force + contacts * (NODES_MAX + 1);
     x->scale = x->residual + unknowns;
-    x->change = x->scale + n;
     x->matrix = matrix;
     x->response = response;
     x->pivot = pivot;
@@ -372,130 +369,61 @@ static bool reserve(struct thud_collocation *x, int n)
     return true;
 }
 
-/* Indentation and rate of the active contacts at the first batch of points, or those behind it, under all forces: out of
- * what they are without. */
-static void motion_under_forces(const struct thud_collocation *x)
+/* The forces at the start: as they are, or where the polynomials through the other nodes come to. */
+static void set_starts(struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
-        struct thud_batch d = thud_batch_at(x->d0 + a * THUD_POINTS), v = thud_batch_at(x->v0 + a * THUD_POINTS);
-        for (int b = 0; b < x->nactive; b++) {
-            const struct thud_response *r = x->response[a * x->nactive + b];
-            for (int j = 0; j < NODES; j++) {
-                double force = x->force[b * THUD_POINTS + j];
-                thud_batch_add(&d, force, r->indentation + j * THUD_POINTS);
-                thud_batch_add(&v, force, r->rate + j * THUD_POINTS);
-            }
-        }
-        thud_batch_put(&d, x->d + a * THUD_POINTS);
-        thud_batch_put(&v, x->v + a * THUD_POINTS);
+        double *force = x->force + a * x->by->row, at_start = 0;
+        for (int k = 1; k < x->by->n; k++)
+            at_start += x->by->back[k] * force[k];
+        force[0] = x->begins[a].rough ? at_start : x->begins[a].force;
     }
-}
-
-static void motion_behind(const struct thud_collocation *x)
-{
-    for (int a = 0; a < x->nactive; a++) {
-        for (int i = THUD_BATCH; i < THUD_POINTS; i += 2) {
-            thud_vec2 d = thud_vec2_at(x->d0 + a * THUD_POINTS + i), v = thud_vec2_at(x->v0 + a * THUD_POINTS + i);
-            for (int b = 0; b < x->nactive; b++) {
-                const struct thud_response *r = x->response[a * x->nactive + b];
-                for (int j = 0; j < NODES; j++) {
-                    double force = x->force[b * THUD_POINTS + j];
-                    d += force * thud_vec2_at(r->indentation + j * THUD_POINTS + i);
-                    v += force * thud_vec2_at(r->rate + j * THUD_POINTS + i);
-                }
-            }
-            thud_vec2_put(d, x->d + a * THUD_POINTS + i);
-            thud_vec2_put(v, x->v + a * THUD_POINTS + i);
-        }
-    }
-}
-
-/* The laws and their derivatives along the motion under the last forces. */
-static void evaluate_laws(const struct thud_state *state, struct thud_collocation *x)
-{
-    for (int a = 0; a < x->nactive; a++) {
-        const int c = x->active[a];
-        int at = a * THUD_BATCH, point = a * THUD_POINTS;
-        if (!thud_row_sticks(state, c))
-            law_at_points(thud_row_branch(state, c), 0, NODES, x->d + point, x->v + point, x->law + at, x->law_d + at,
-                          x->law_v + at);
-    }
-    state->work->force_evaluations += x->nactive * NODES;
 }
 
 /* Residual of the force equations and their derivative by the forces (column-major). */
 static void linearize(const struct thud_state *state, struct thud_collocation *x)
 {
-    int n = x->nactive * NODES;
-    evaluate_laws(state, x);
-    for (int a = 0; a < x->nactive; a++) {
-        bool sticks = thud_row_sticks(state, x->active[a]);
-        for (int i = 0; i < NODES; i++) {
-            int row = a * NODES + i, at = a * THUD_POINTS + i, in_batch = a * THUD_BATCH + i;
-            double fd = sticks ? 0 : x->law_d[in_batch], fv = sticks ? -1 : x->law_v[in_batch];
-            x->residual[row] = sticks ? x->v[at] : x->force[at] - x->law[in_batch];
-            for (int b = 0; b < x->nactive; b++) {
-                const struct thud_response *r = x->response[a * x->nactive + b];
-                double *column = x->matrix + (size_t)(b * NODES) * (size_t)n + row;
-                for (int j = 0; j < NODES; j++, column += n)
-                    *column = -fd * r->indentation[j * THUD_POINTS + i] - fv * r->rate[j * THUD_POINTS + i];
-            }
-            x->matrix[(size_t)row * (size_t)n + (size_t)row] += sticks ? 0 : 1;
+    const int n = x->by->n, each = n - 1, all = x->nactive * each;
+    set_starts(x);
+    for (int row = 0; row < all; row++) {
+        const int a = row / each, i = row % each + 1;
+        const bool sticks = thud_row_sticks(state, x->active[a]);
+        const thud_vec2 motion = x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
+        double by_d = 0, by_v = -1;
+        x->residual[row] =
+            sticks ? motion[1]
+                   : x->force[a * x->by->row + i] - law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
+        for (int column = 0; column < all; column++) {
+            const int b = column / each, k = column % each + 1;
+            const double *r = x->response[a * x->nactive + b]->motion + 2 * i * x->by->row,
+                         back = x->begins[b].rough ? x->by->back[k] : 0;
+            x->matrix[column * all + row] = -by_d * (r[k] + back * r[0]) -
+                                            by_v * (r[x->by->row + k] + back * r[x->by->row]) +
+                                            (column == row && !sticks);
         }
     }
+    state->work->force_evaluations += all;
 }
 
-/* Contact a's law as a straight line f0 + law_d d + law_v v, of which law keeps f0. */
-static void straighten_law(struct thud_collocation *x, int a)
+/* One sweep over the nodes of the step, earliest first: each force takes a step of Newton's method by itself, under the
+ * newest of the others (nonlinear Gauss-Seidel). Returns the largest change of a force, over the force scale. */
+static inline double sweep_nodes(const struct thud_state *state, struct thud_collocation *x, const int n)
 {
-    const struct thud_response *self = x->response[a * x->nactive + a];
-    const struct thud_batch d = thud_batch_at(x->d + a * THUD_POINTS), v = thud_batch_at(x->v + a * THUD_POINTS);
-    const struct thud_batch by_d = thud_batch_at(x->law_d + a * THUD_BATCH),
-                            by_v = thud_batch_at(x->law_v + a * THUD_BATCH),
-                            own_d = thud_batch_at(self->own_indentation), own_v = thud_batch_at(self->own_rate);
-    struct thud_batch law = thud_batch_at(x->law + a * THUD_BATCH), part;
-    for (int i = 0; i < THUD_BATCH / 2; i++) {
-        law.pair[i] -= by_d.pair[i] * d.pair[i] + by_v.pair[i] * v.pair[i];
-        part.pair[i] = 1 / (1 - by_d.pair[i] * own_d.pair[i] - by_v.pair[i] * own_v.pair[i]);
-    }
-    thud_batch_put(&law, x->law + a * THUD_BATCH);
-    thud_batch_put(&part, x->part + a * THUD_BATCH);
-}
-
-/* All contacts at all points feel the changes of the forces at point j. */
-static void spread(struct thud_collocation *x, int j)
-{
-    const struct thud_response *const *r = x->response;
-    for (int b = 0; b < x->nactive; b++) {
-        struct thud_batch d = thud_batch_at(x->d + b * THUD_POINTS), v = thud_batch_at(x->v + b * THUD_POINTS);
-        for (int a = 0; a < x->nactive; a++, r++) {
-            thud_batch_add(&d, x->change[a], (*r)->indentation + j * THUD_POINTS);
-            thud_batch_add(&v, x->change[a], (*r)->rate + j * THUD_POINTS);
-        }
-        thud_batch_put(&d, x->d + b * THUD_POINTS);
-        thud_batch_put(&v, x->v + b * THUD_POINTS);
-    }
-}
-
-/* One step of Newton's method, its linear system by one Gauss-Seidel sweep over the nodes of the step, earliest first.
- * Returns the largest change of a force, over the force scale. */
-static double renew_forces(const struct thud_state *state, struct thud_collocation *x)
-{
+    const int row = (n + 1) / 2 * 2;
     double most = 0;
-    evaluate_laws(state, x);
-    for (int a = 0; a < x->nactive; a++)
-        straighten_law(x, a);
-    for (int j = 0; j < NODES; j++) {
+    set_starts(x);
+    for (int j = 1; j < n; j++)
         for (int a = 0; a < x->nactive; a++) {
-            int i = a * THUD_BATCH + j, at = a * THUD_POINTS + j;
-            double law = x->law[i] + x->law_d[i] * x->d[at] + x->law_v[i] * x->v[at];
-            double change = (law - x->force[at]) * x->part[i];
-            x->force[at] += change;
-            x->change[a] = change;
+            double by_d, by_v, *force = &x->force[a * row + j];
+            const double *r = x->response[a * x->nactive + a]->motion + 2 * j * row + j;
+            const thud_vec2 own = thud_vec2_set(r[0], r[row]), motion = motion_at(x, a, j, row);
+            const double law = law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
+            const double change = (law - *force) / (1 - by_d * own[0] - by_v * own[1]);
+            *force += change;
+            x->motion[a * x->by->points + j] = motion + change * own;
             most = thud_larger(most, fabs(change) * x->scale[a]);
         }
-        spread(x, j);
-    }
+    state->work->force_evaluations += x->nactive * (n - 1);
     return most;
 }
 
@@ -510,9 +438,10 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
             return false;
         x->scale[a] = 1 / force_scale(state, x, a);
     }
-    motion_under_forces(x);
     for (int iteration = 0; iteration < ITERATIONS_MAX; iteration++) {
-        double change = renew_forces(state, x);
+        const double change = x->by->n == 4   ? sweep_nodes(state, x, 4)
+                              : x->by->n == 5 ? sweep_nodes(state, x, 5)
+                                              : sweep_nodes(state, x, NODES_MAX);
         if (iteration > 0)
             x->contraction = fmin(slowest_contraction, 4 * change / before);
         if (change * x->contraction <= tolerance) {
@@ -530,28 +459,25 @@ static bool iterate(const struct thud_state *state, struct thud_collocation *x, 
 /* Newton's method for the forces. */
 static bool solve(const struct thud_state *state, struct thud_collocation *x, double tolerance)
 {
-    int n = x->nactive * NODES;
+    const int each = x->by->n - 1, n = x->nactive * each;
     double before = INFINITY;
     for (int iteration = 0; iteration < NEWTON_MAX; iteration++) {
-        motion_under_forces(x);
         linearize(state, x);
         if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, n, 1, x->matrix, n, x->pivot, x->residual, n) != 0)
             return false;
         double change = 0;
         for (int a = 0; a < x->nactive; a++) {
             double scale = force_scale(state, x, a);
-            for (int i = 0; i < NODES; i++) {
-                x->force[a * THUD_POINTS + i] -= x->residual[a * NODES + i];
-                change = thud_larger(change, fabs(x->residual[a * NODES + i]) / scale);
+            for (int i = 0; i < each; i++) {
+                x->force[a * x->by->row + i + 1] -= x->residual[a * each + i];
+                change = thud_larger(change, fabs(x->residual[a * each + i]) / scale);
             }
         }
         if (!isfinite(change))
             return false;
         if (change <= tolerance ||
-            (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) { /* or no better for rounding */
-            motion_under_forces(x);
+            (change < THUD_TOL_COLLOCATION_STALL && change >= 0.5 * before)) /* or no better for rounding */
             return true;
-        }
         before = change;
     }
     return false;
@@ -561,41 +487,61 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, do
 static void extrapolate(const struct thud_collocation *x, int c, double h, double *force)
 {
     const struct step *last = &x->step;
-    const double *coefficient = last->coefficient + c * THUD_BATCH;
     const double from = last->done_s / last->h, part = h / last->h;
-    struct thud_batch f = {0}, at;
-    for (int i = 0; i < THUD_BATCH / 2; i++)
-        at.pair[i] = from + part * thud_vec2_at(x->point + 2 * i);
-    for (int k = NODES - 1; k >= 0; k--)
-        for (int i = 0; i < THUD_BATCH / 2; i++)
-            f.pair[i] = f.pair[i] * at.pair[i] + coefficient[k];
-    thud_batch_put(&f, force);
+    for (int i = 1; i < x->by->n; i++)
+        force[i] = thud_poly_value(last->coefficient + c * NODES_MAX, last->n, from + part * x->by->point[i]);
 }
 
-/* The force now; where the contact goes deeper, at least half of what the law makes of the indentation going on
- * at half its rate. */
-static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int c, double h,
-                        double *force)
+/* Where the contact goes deeper, at least half of what the law makes of the indentation going on at half its rate; else
+ * the force now, which stands at the start. */
+static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int a, double h)
 {
-    double now, d[THUD_BATCH], v[THUD_BATCH], fd[THUD_BATCH], fv[THUD_BATCH];
-    double place = thud_contact_indentation(state, c), rate = thud_contact_rate(state, c);
-    if (thud_row_sticks(state, c)) {
-        thud_contact_forces(state, state->force_now);
-        now = state->force_now[c];
-    } else {
-        now = thud_row_force(state, c, place, rate);
+    const int c = x->active[a];
+    double *force = x->force + a * x->by->row;
+    const double now = x->begins[a].force, place = x->motion[a * x->by->points][0],
+                 rate = x->motion[a * x->by->points][1];
+    const bool deeper = is_approach(thud_row_contact(state, c));
+    for (int i = 1; i < x->by->n; i++) {
+        const double d = place + 0.5 * rate * h * x->by->point[i];
+        force[i] =
+            deeper ? thud_larger(now, 0.5 * thud_branch_force(thud_row_branch(state, c), d, rate, NULL, NULL)) : now;
     }
-    if (is_approach(thud_row_contact(state, c))) {
-        for (int i = 0; i < THUD_BATCH; i++) {
-            d[i] = place + 0.5 * rate * h * x->point[i];
-            v[i] = rate;
-        }
-        law_at_points(thud_row_branch(state, c), 0, THUD_BATCH, d, v, force, fd, fv);
-        for (int i = 0; i < THUD_BATCH; i++)
-            force[i] = thud_larger(now, 0.5 * force[i]);
-    } else {
-        for (int i = 0; i < THUD_BATCH; i++)
-            force[i] = now;
+}
+
+/* Motions and forces at the start: by the laws, or the constraint of those that stick. At contact onset a contact has not
+ * moved yet, whatever rounding says. */
+static void start_forces(const struct thud_state *state, struct thud_collocation *x)
+{
+    bool sticking = false;
+    for (int a = 0; a < x->nactive; a++)
+        sticking |= thud_row_sticks(state, x->active[a]);
+    if (sticking)
+        thud_contact_forces(state, state->force_now);
+    for (int a = 0; a < x->nactive; a++) {
+        const int c = x->active[a];
+        struct beginning *begins = &x->begins[a];
+        const double d = thud_row_starts_at_zero(state, c) ? 0 : thud_contact_indentation(state, c);
+        x->motion[a * x->by->points] = thud_vec2_set(d, thud_contact_rate(state, c));
+        *begins = (struct beginning){0};
+        begins->force = thud_row_sticks(state, c) ? state->force_now[c]
+                                                  : law_at(thud_row_branch(state, c), x->motion[a * x->by->points],
+                                                           &begins->by_d, &begins->by_v);
+        x->largest_n[c] = thud_larger(x->largest_n[c], fabs(begins->force));
+    }
+}
+
+/* Whether the forces of a step of length h go on from those at its start: not where a contact is so stiff that what its
+ * force was comes to rest in the step, nor from an onset with a power below 1 of the indentation, which is a jump. */
+static void judge_starts(const struct thud_state *state, struct thud_collocation *x, double h)
+{
+    for (int a = 0; a < x->nactive; a++) {
+        const int c = x->active[a];
+        const struct thud_branch *b = thud_row_branch(state, c);
+        const bool jumps = thud_row_starts_at_zero(state, c) && ((b->K != 0 && b->p < 1) || (b->D != 0 && b->r < 1));
+        struct beginning *begins = &x->begins[a];
+        const double stiffness =
+            state->model->delassus[c * x->nc + c] * h * (0.5 * h * fabs(begins->by_d) + fabs(begins->by_v));
+        begins->rough = jumps || stiffness > stiff;
     }
 }
 
@@ -605,12 +551,11 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
     static const double farthest = 32; /* times the last step: its sixth power is 1e9 */
     const struct step *last = &x->step;
     for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        double *force = x->force + a * THUD_POINTS;
+        const int c = x->active[a];
         if (last->of[c].known && last->done_s + h <= farthest * last->h)
-            extrapolate(x, c, h, force);
+            extrapolate(x, c, h, x->force + a * x->by->row);
         else
-            begin_force(state, x, c, h, force);
+            begin_force(state, x, a, h);
     }
 }
 
@@ -620,60 +565,43 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
     for (int c = 0; c < x->nc; c++)
         x->step.of[c] = name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
-        struct thud_batch f = {0};
-        for (int k = 0; k < NODES; k++)
-            thud_batch_add(&f, x->force[a * THUD_POINTS + k], x->lagrange[k]);
-        thud_batch_put(&f, x->step.coefficient + x->active[a] * THUD_BATCH);
+        double *to = x->step.coefficient + x->active[a] * NODES_MAX;
+        for (int p = 0; p < x->by->n; p++)
+            to[p] = 0;
+        for (int k = 0; k < x->by->n; k++)
+            for (int p = 0; p < x->by->n; p++)
+                to[p] += x->force[a * x->by->row + k] * x->by->lagrange[k][p];
     }
+    x->step.n = x->by->n;
     x->step.h = h;
     x->step.done_s = 0;
 }
 
-/* Forces of the step over the next h seconds of the state. */
-static void write_forces(const struct thud_collocation *x, double h, double *force)
-{
-    const struct step *step = &x->step;
-    double from = step->done_s / step->h, part = h / step->h;
-    for (int a = 0; a < x->nactive; a++) {
-        int c = x->active[a];
-        double p[NODES], scale = 1;
-        for (int k = 0; k < NODES; k++)
-            p[k] = step->coefficient[c * THUD_BATCH + k];
-        for (int i = 0; i + 1 < NODES && from > 0; i++) /* p(from + s) by Horner's scheme */
-            for (int k = NODES - 2; k >= i; k--)
-                p[k] += from * p[k + 1];
-        for (int k = 0; k < NODES; k++, scale *= part)
-            force[k * x->nc + c] = scale * p[k];
-    }
-}
-
-/* What of the step comes before the next kink. */
+/* The motion under the forces of the step. */
 static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x)
 {
-    double left = x->step.h - x->step.done_s, remaining = thud_state_remaining(state);
-    double h = left > remaining * (1 - THUD_TOL_SEGMENT_END) ? remaining : left;
-    double least = fmax(THUD_TOL_SERIES, 1e-4 * state->tolerance);
+    const double h = x->step.h, least = fmax(THUD_TOL_SERIES, 1e-4 * state->tolerance);
     thud_segment_begin(state, seg, h);
     seg->terms = thud_segment_terms(state->fastest_radps * h, least);
-    seg->loaded = NODES;
-    write_forces(x, h, seg->force);
+    seg->loaded = x->by->n;
+    for (int a = 0; a < x->nactive; a++)
+        for (int k = 0; k < x->by->n; k++)
+            seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * NODES_MAX + k];
     thud_taylor_given(state->model, seg, state->q, state->qd);
+    x->by->nodes.motion = x->motion;
+    x->by->nodes.force = x->force;
+    seg->nodes = &x->by->nodes;
 }
 
 static void find_active(const struct thud_state *state, struct thud_collocation *x)
 {
     x->nactive = 0;
-    for (int c = 0; c < x->nc; c++)
-        if (thud_row_acts(state, c))
-            x->active[x->nactive++] = c;
-}
-
-/* Time to the end of the run or, before it, of the ground motion, which may end with a jump. */
-static double time_ahead(const struct thud_state *state)
-{
-    double ahead = state->end_s - thud_state_now(state);
-    long left = state->record ? (long)state->record->samples - 1 - state->grid : 0;
-    return left > 0 ? fmin(ahead, (double)left * state->grid_dt_s - state->offset_s) : ahead;
+    for (int c = 0; c < x->nc; c++) {
+        const bool acts = thud_row_acts(state, c);
+        x->at[c] = acts ? x->nactive : -1;
+        x->active[x->nactive] = c;
+        x->nactive += acts;
+    }
 }
 
 /* Smallest level whose step is at most `want`, but no shorter than needed to reach what ends the step. */
@@ -700,6 +628,15 @@ static enum thud_status too_short(const struct thud_state *state, const struct t
                           thud_state_now(state));
 }
 
+/* Few nodes are cheap, of many the steps are long: few where those of the longest step are more than enough. */
+static void choose_scheme(struct thud_collocation *x)
+{
+    if (x->h < 0.5 * x->h_top)
+        x->by = &x->many;
+    else if (x->h >= 3 * x->h_top)
+        x->by = &x->few;
+}
+
 /* The first step size of a step: that of the last, no longer than the last that began at an onset where it does so too;
  * and now and then twice as long, as the error of a longer step may be the smaller one where contacts are stiff. */
 static void choose_size(struct thud_collocation *x)
@@ -714,18 +651,18 @@ static void choose_size(struct thud_collocation *x)
 
 /* The forces of a step of one level: *error is theirs, INFINITY where they could not be found. Errors: THUD_MEMORY. */
 static enum thud_status solve_level(const struct thud_state *state, struct thud_collocation *x, int level,
-                                    double tolerance, double ahead, double *error, struct thud_error *err)
+                                    double tolerance, double *error, struct thud_error *err)
 {
     const double h = ldexp(x->h_top, -level), least = solution_part * tolerance;
     *error = INFINITY;
-    enum thud_status status = thud_responses_make(x->responses, level, x->active, x->nactive, x->response, err);
+    enum thud_status status = thud_responses_make(x->by->responses, level, x->active, x->nactive, x->response, err);
     if (status != THUD_OK)
         return status;
-    thud_responses_unforced(x->responses, state, level, ahead, x->active, x->nactive, x->d0, x->v0);
+    thud_responses_unforced(x->by->responses, state, level, x->active, x->nactive, x->motion, x->free);
+    judge_starts(state, x, h);
     guess(state, x, h);
     if (iterate(state, x, least) || solve(state, x, least)) {
         keep_step(state, x, h); /* should it be too long, a shorter one begins with these forces */
-        motion_behind(x);
         *error = error_of_step(state, x, h, tolerance);
     } else {
         memset(x->step.of, 0, (size_t)x->nc * sizeof *x->step.of);
@@ -733,12 +670,12 @@ static enum thud_status solve_level(const struct thud_state *state, struct thud_
     return THUD_OK;
 }
 
-/* The size at which the error would be the tolerance: it falls with h^NODES. */
-static double next_size(double h, double error, double tolerance)
+/* The size at which the error would be the tolerance: it falls with h^n. */
+static double next_size(const struct thud_collocation *x, double h, double error, double tolerance)
 {
     if (!isfinite(error))
         return h * unsolved;
-    const double factor = safety * pow(tolerance / thud_larger(error, least_error * tolerance), 1.0 / NODES);
+    const double factor = safety * pow(tolerance / thud_larger(error, least_error * tolerance), 1.0 / x->by->n);
     return h * fmin(most_growth, thud_larger(most_shrink, factor));
 }
 
@@ -763,21 +700,23 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
 {
     if (!reserve(x, x->nactive))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    const double tolerance = thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION), ahead = time_ahead(state);
+    const double tolerance = thud_larger(step_part * state->tolerance, THUD_TOL_COLLOCATION),
+                 ahead = thud_state_remaining(state);
     double before = INFINITY, error;
     choose_size(x);
+    choose_scheme(x);
+    start_forces(state, x);
     for (int same = 0;;) {
         const int level = level_for(x, x->h, ahead);
         const double want = x->h, h = ldexp(x->h_top, -level);
-        enum thud_status status = solve_level(state, x, level, tolerance, ahead, &error, err);
+        enum thud_status status = solve_level(state, x, level, tolerance, &error, err);
         if (status != THUD_OK)
             return status;
         same = error > same_error * before && error <= near_tolerance * tolerance ? same + 1 : 0;
         before = error;
-        x->h = same >= REPEATS ? most_growth * h : next_size(h, error, tolerance);
+        x->h = same >= REPEATS ? most_growth * h : next_size(x, h, error, tolerance);
         if (error <= tolerance || same >= REPEATS) {
             accept(x, level, h, want);
-            x->step.ahead_s = ahead;
             return THUD_OK;
         }
         x->h = fmin(x->h, 0.5 * h);
@@ -787,24 +726,12 @@ static enum thud_status make_step(const struct thud_state *state, struct thud_co
     }
 }
 
-/* Whether what is left of the step is worth a piece of its own: it reaches the next kink. */
-static bool goes_on(const struct thud_state *state, const struct step *step)
-{
-    double left = step->h - step->done_s, remaining = thud_state_remaining(state);
-    bool at_kink = state->offset_s == 0;
-    if (step->done_s >= step->ahead_s * (1 - THUD_TOL_SEGMENT_END))
-        return false;
-    return step->goes_on && left > (at_kink ? remaining * (1 - THUD_TOL_SEGMENT_END) : THUD_TOL_TIME * step->h);
-}
-
 enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
                                        struct thud_collocation *x, struct thud_error *err)
 {
     find_active(state, x);
-    enum thud_status status = goes_on(state, &x->step) ? THUD_OK : make_step(state, x, err);
-    if (status != THUD_OK)
-        return status;
-    x->step.goes_on = true;
-    write_segment(state, seg, x);
-    return THUD_OK;
+    enum thud_status status = make_step(state, x, err);
+    if (status == THUD_OK)
+        write_segment(state, seg, x);
+    return status;
 }

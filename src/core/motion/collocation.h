@@ -1,7 +1,7 @@
 /* Nonlinear and sticking contacts. The structures' motion under any force polynomial is known exactly, so only the contact
- * forces are unknown: each is a polynomial in time that satisfies its law at the Radau points of the step (or d' = 0
- * where the contact sticks). Implicit, stiffly accurate, of order 2 n - 1 at the step's end; the force equation's own
- * residual between the points is the error measure. */
+ * forces are unknown: each is a polynomial in time that satisfies its law at the Lobatto points of the step (or d' = 0
+ * where the contact sticks), the first of which is the state itself. The force equation's own residual between the points
+ * is the error measure. A step goes on to the next kink of the ground motion at most. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,11 +16,11 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
                                          struct thud_error *err);
 void thud_collocation_free(struct thud_collocation *collocation);
 
-/* The next piece of a step that is accurate to the run's tolerance, up to a kink of the ground motion at most: of the
- * one that goes on, else of a new one. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */
+/* A step that is accurate to the run's tolerance; it may be longer than what is left of the interval of the ground motion,
+ * whose line it then follows. Errors: THUD_DIVERGED (no step is small enough), THUD_MEMORY. */
 enum thud_status thud_collocation_step(const struct thud_state *state, struct thud_segment *seg,
                                        struct thud_collocation *collocation, struct thud_error *err);
 /* Told after the run committed so much of this segment; `onset`: a contact has just closed, so that the next step has
  * to be short. */
-void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation,
-                                const struct thud_segment *seg, double moved_s, bool switched, bool onset);
+void thud_collocation_committed(const struct thud_state *state, struct thud_collocation *collocation, double moved_s,
+                                bool switched, bool onset);

@@ -1,27 +1,26 @@
 /* How contacts move at the points of a step: without contact forces, and under each other's. Both are sums over modes with
- * factors that depend on the step size alone: tables, made when first needed. */
+ * factors that depend on the step size alone: tables, made when first needed. A motion is an indentation and its rate. */
 #pragma once
 
 #include "core/contact/state.h"
-#include "core/motion/nodes.h"
+#include "core/numerics/vec.h"
 
 struct thud_responses;
 
-/* Points of a step: the nodes, at which forces are unknown, and others behind them; the first of those is in one batch
- * with the nodes, as far as an iteration for the forces goes. */
-enum { THUD_NODES = THUD_BATCH - 1, THUD_POINTS = THUD_BATCH + 2 };
+/* Points of a step: n nodes, at which its forces are given, the first at its start, and others behind them. */
+enum { THUD_NODES_MAX = 7, THUD_POINTS_MAX = THUD_NODES_MAX + 2 };
 
-/* To the force at a node of another contact, or of the contact itself: (THUD_NODES x THUD_POINTS). */
+/* To the force at each node of another contact, or of the contact itself: (points x 2 x n, an even number), of the
+ * indentation and of its rate. */
 struct thud_response {
-    double *indentation, *rate;
-    double *own_indentation, *own_rate; /* (THUD_BATCH) at each node to the force there; 0 behind them */
-    bool shared;                        /* the memory is another's */
+    double *motion;
+    bool shared; /* the memory is another's */
 };
 
-/* point (THUD_POINTS); lagrange (THUD_NODES x THUD_NODES): coefficients of the polynomials through the nodes. Steps:
- * h_top / 2^level. tolerance: of the forces, relative. Errors: THUD_MEMORY. */
-enum thud_status thud_responses_create(const struct thud_model *model, const double *point, const double *lagrange,
-                                       double h_top, double tolerance, struct thud_responses **out,
+/* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Steps: h_top / 2^level. Errors:
+ * THUD_MEMORY. */
+enum thud_status thud_responses_create(const struct thud_model *model, int n, int points, const double *point,
+                                       const double *lagrange, double h_top, struct thud_responses **out,
                                        struct thud_error *err);
 void thud_responses_free(struct thud_responses *responses);
 
@@ -30,8 +29,7 @@ void thud_responses_free(struct thud_responses *responses);
 enum thud_status thud_responses_make(struct thud_responses *responses, int level, const int *contact, int n,
                                      const struct thud_response **out, struct thud_error *err);
 
-/* Indentations and rates of these contacts at the points of a step from the state on, if no contact force acted: d, v
- * (n x THUD_POINTS). Kinks of the ground motion before end_s lie inside the step. Only once responses of the level are
- * made. */
-void thud_responses_unforced(struct thud_responses *responses, const struct thud_state *state, int level, double end_s,
-                             const int *contact, int n, double *d, double *v);
+/* Motions of these contacts at the points of a step from the state on, if no contact force acted and the ground went on as
+ * it does now: out (n x points), of which start has those at its start. Only once responses of the level are made. */
+void thud_responses_unforced(struct thud_responses *responses, const struct thud_state *state, int level,
+                             const int *contact, int n, const thud_vec2 *start, thud_vec2 *out);

@@ -288,3 +288,22 @@ double thud_poly_peak(const double *c, int n, double s_end, double least, double
         *where = f.where;
     return f.best;
 }
+
+void thud_lagrange_coefficients(int n, const double *node, double *out)
+{
+    for (int i = 0; i < n; i++) {
+        double c[16] = {1};
+        int degree = 0;
+        double scale = 1;
+        for (int k = 0; k < n; k++) {
+            if (k == i)
+                continue;
+            degree++;
+            for (int m = degree; m >= 0; m--)
+                c[m] = (m > 0 ? c[m - 1] : 0) - node[k] * c[m];
+            scale *= node[i] - node[k];
+        }
+        for (int m = 0; m < n; m++)
+            out[m * n + i] = c[m] / scale;
+    }
+}

@@ -20,3 +20,7 @@ double thud_poly_above(const double *c, int n, double s_end);
 
 /* Largest |p| on [0, s_end] if it is above `least`, else `least`; *where (left alone in that case) gets its s. */
 double thud_poly_peak(const double *c, int n, double s_end, double least, double *where);
+
+/* Coefficients of the Lagrange polynomials of n nodes, at most 16, out (n x n): out[m * n + i] belongs to s^m of polynomial
+ * i. */
+void thud_lagrange_coefficients(int n, const double *node, double *out);

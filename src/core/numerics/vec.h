@@ -1,5 +1,4 @@
-/* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once, and batches of
- * eight. Left to themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
+/* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once. Left to themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
  * summing them. + - * / < > work on vec2 by element; the rest is here. */
 #pragma once
 
@@ -115,32 +114,4 @@ static inline double thud_energy_sum(int n, const double *w, const double *q, co
     }
     double sum = thud_vec2_sum(strain + kinetic);
     return j < n ? sum + (w[j] * (q[j] * q[j]) + v[j] * v[j]) : sum;
-}
-
-/* A batch: values at all nodes of a step. */
-enum { THUD_BATCH = 8 };
-
-struct thud_batch {
-    thud_vec2 pair[THUD_BATCH / 2];
-};
-
-static inline struct thud_batch thud_batch_at(const double *x)
-{
-    struct thud_batch batch;
-    for (int i = 0; i < THUD_BATCH / 2; i++)
-        batch.pair[i] = thud_vec2_at(x + 2 * i);
-    return batch;
-}
-
-static inline void thud_batch_put(const struct thud_batch *batch, double *x)
-{
-    for (int i = 0; i < THUD_BATCH / 2; i++)
-        thud_vec2_put(batch->pair[i], x + 2 * i);
-}
-
-/* sum += factor x */
-static inline void thud_batch_add(struct thud_batch *sum, double factor, const double *x)
-{
-    for (int i = 0; i < THUD_BATCH / 2; i++)
-        sum->pair[i] += factor * thud_vec2_at(x + 2 * i);
 }

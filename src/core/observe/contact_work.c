@@ -27,7 +27,7 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
     static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
     const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
     const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 0 ? half : thud_quadrature_weight;
-    const double *d = thud_segment_read(o->seg, c), rate = 1 / o->seg->h_s;
+    const double *d = thud_segment_read(o->state, o->seg, c), rate = 1 / o->seg->h_s;
     double work = 0;
     for (int i = 0; i < count; i += 2) {
         const thud_vec2 s = o->s * thud_vec2_at(node + i);
@@ -47,6 +47,21 @@ static double law_work(const struct thud_observation *o, int c, const double *fo
     return work;
 }
 
+/* Work of a whole collocated step, by its nodes, where its force is the law's. */
+static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, double *impulse)
+{
+    const thud_vec2 *motion = nodes->motion + nodes->at[c] * nodes->points;
+    const double *force = nodes->force + nodes->at[c] * nodes->row;
+    double work = 0;
+    for (int i = 0; i < nodes->count; i++) {
+        const double part =
+            force[i] * (i > 0 && i + 1 < nodes->count ? nodes->rule->weight[i - 1] : nodes->rule->end_weight);
+        work += part * motion[i][1];
+        *impulse += part;
+    }
+    return work;
+}
+
 /* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
  * that was applied, and of what the law's differs from it by. */
 static double contact_work(const struct thud_observation *o, int c, double *impulse)
@@ -54,7 +69,9 @@ static double contact_work(const struct thud_observation *o, int c, double *impu
     const struct thud_segment *seg = o->seg;
     const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates,
                applies = !asks || !seg->interpolates;
-    const double *d = thud_segment_read(seg, c), s = o->s;
+    if (seg->nodes && seg->nodes->rule && o->s == 1)
+        return work_at_nodes(seg->nodes, c, impulse);
+    const double *d = thud_segment_read(o->state, seg, c), s = o->s;
     const int orders = !applies ? 0 : asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
     double force[THUD_SEGMENT_TERMS], part[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], work = 0, power = 1;
     static const double one = 1;

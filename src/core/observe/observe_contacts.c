@@ -27,14 +27,18 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
     struct thud_impact *impact = &log->now[c];
     struct thud_peak *peak = &log->contact[c].indentation;
     const struct thud_segment *seg = o->seg;
-    const double *d = thud_segment_read(seg, c);
-    if (o->state->locates) {
-        raise_both(seg, peak, &impact->indentation_m, d, seg->terms, o->s);
+    if (o->state->locates &&
+        !(seg->nodes && seg->nodes->at[c] >= 0 && o->state->model->contact[c].law->flags & THUD_LAW_REVERSES)) {
+        raise_both(seg, peak, &impact->indentation_m, thud_segment_read(o->state, seg, c), seg->terms, o->s);
         return;
     }
-    for (int end = 0; end <= 1; end++) /* the step may reach far out of contact, to the other side of 0 */
-        raise_to(peak, &impact->indentation_m, thud_poly_value(d, seg->terms, end * o->s),
-                 seg->start_s + end * o->s * seg->h_s);
+    /* d' keeps its sign up to the next event; or the step may reach far out of contact, to the other side of 0 */
+    const thud_vec2 *place = seg->nodes ? seg->nodes->motion + seg->nodes->at[c] * seg->nodes->points : NULL;
+    raise_to(peak, &impact->indentation_m, place ? place[0][0] : thud_contact_indentation(o->state, c), seg->start_s);
+    raise_to(peak, &impact->indentation_m,
+             place && o->s == 1 ? place[seg->nodes->count - 1][0]
+                                : thud_model_gap_sum(o->state->model, c, o->q) - thud_state_clearance(o->state, c),
+             seg->start_s + o->s * seg->h_s);
 }
 
 /* A power series has no forces beyond. */

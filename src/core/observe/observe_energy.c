@@ -113,10 +113,12 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
 {
     const struct thud_model *m = o->state->model;
     const struct thud_segment *seg = o->seg;
-    const int degree = 2 * (seg->terms - 2), rule = degree < thud_lobatto[0].order ? 0 : THUD_LOBATTO_RULES - 1;
-    const struct thud_lobatto *by = &thud_lobatto[rule];
+    const int last = THUD_LOBATTO_RULES - 1, degree = 2 * (seg->terms - 2);
+    const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : last];
+    if (seg->nodes)
+        by = thud_lobatto_of(seg->nodes->count);
     struct thud_rate_powers scaled;
-    const struct thud_rate_powers *power = &l->power[rule];
+    const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
     struct powers sum = {0};
     double start, end, rate = 1 / seg->h_s;
     if (o->s != 1) {
@@ -125,6 +127,10 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
     }
     if (by->inner == 2)
         add_all_modes(m, seg, power, 2, l->rates, &sum);
+    else if (by->inner == 3)
+        add_all_modes(m, seg, power, 3, l->rates, &sum);
+    else if (by->inner == 5)
+        add_all_modes(m, seg, power, 5, l->rates, &sum);
     else
         add_all_modes(m, seg, power, THUD_LOBATTO_INNER, l->rates, &sum);
     double loss = by->end_weight * (end_loss(m, seg->q + m->nmodes, rate, seg->a0, &start) +

@@ -19,7 +19,7 @@ struct thud_contact_work {
 /* A segment, read up to s. */
 struct thud_observation {
     const struct thud_state *state; /* at its start */
-    const struct thud_segment *seg; /* the indentations of its contacts have been read */
+    const struct thud_segment *seg;
     double s;
     const double *q, *qd;                 /* (nmodes) modal state at s */
     bool switches;                        /* a contact will, or may, switch there */

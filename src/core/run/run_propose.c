@@ -16,13 +16,8 @@ static const double crowd_part = 0.01;
 /* The first event of the proposed segment, where events are located: its s, else INFINITY. */
 static double next_event(struct thud_run *run, struct thud_proposal *p)
 {
-    if (run->state.locates)
-        return thud_event_first(&run->state, &run->seg, p->limit, &p->contact, &p->event, &p->order);
-    if (!run->state.inside)
-        return INFINITY;
-    for (int c = 0; c < run->state.model->ncontacts; c++)
-        thud_segment_contact(&run->state, &run->seg, c);
-    return INFINITY;
+    return run->state.locates ? thud_event_first(&run->state, &run->seg, p->limit, &p->contact, &p->event, &p->order)
+                              : INFINITY;
 }
 
 /* A method that can blow up has its step looked at before anything is read from it. */
