@@ -760,6 +760,31 @@ START_TEST(settings_come_from_a_file)
 }
 END_TEST
 
+/* Designs over a suite: the larger of two single runs. */
+START_TEST(designs_over_a_suite)
+{
+    double force[2];
+    int impacts[2];
+    char keys[80], number[24];
+    for (int i = 0; i < 2; i++) {
+        snprintf(keys, sizeof keys, ":set record.peak %s<Enter>", i ? "0.3 g" : "0.5 g");
+        fixture_keys(&f, keys);
+        force[i] = thud_live_force(&f.tui->run.live, THUD_LIVE_BUMPER, 0, &impacts[i]);
+    }
+    fixture_keys(&f, "Us");
+    fixture_expect(&f, "The study has no ground motions");
+    fixture_keys(&f, "<Esc>:records pulse.csv:peak=0.5g,pulse.csv:peak=0.3g<Enter>Us");
+    fixture_expect(&f, "over 2 ground motions");
+    const struct thud_design *d = &f.tui->designs.item[0];
+    ck_assert(force[0] != force[1]);
+    ck_assert_double_eq_tol(d->suite.force_n[0], fmax(force[0], force[1]), 1e-6 * force[0]);
+    ck_assert_int_eq(d->suite.impacts[0], impacts[0] > impacts[1] ? impacts[0] : impacts[1]);
+    fixture_expect(&f, thud_tui_number(1e-6 * fmax(force[0], force[1]), number));
+    fixture_keys(&f, "s");
+    fixture_expect(&f, "* on the screen");
+}
+END_TEST
+
 /* The state on the screen is the one that is named, whether it was run or not. */
 START_TEST(the_state_on_the_screen_is_named)
 {
@@ -940,6 +965,7 @@ Suite *thud_suite(void)
     tcase_add_checked_fixture(files, setup, teardown);
     tcase_add_test(files, saving_keeps_comments);
     tcase_add_test(files, a_scene_from_nothing);
+    tcase_add_test(files, designs_over_a_suite);
     tcase_add_test(files, the_state_on_the_screen_is_named);
     tcase_add_test(files, a_bumper_that_is_out_is_saved);
     tcase_add_test(files, a_deleted_preset_is_said_to_be_deleted);

@@ -21,7 +21,7 @@ struct thud_design {
     char name[40]; /* empty: none was given */
     char what[64]; /* the change that led to it; empty: none did */
     bool marked;   /* goes into the report */
-    struct thud_design_result result;
+    struct thud_design_result result, suite; /* the second: the largest over the study's ground motions */
 };
 struct thud_designs {
     struct thud_design item[THUD_DESIGNS_MAX]; /* (n) as they came */

@@ -158,6 +158,8 @@ THUD_KEY(DESIGNS, COMPARE, THUD_KEY_TAB, 'c', "Tab", "compare",
 THUD_KEY_AGAIN(DESIGNS, MARK, ' ', 0, "Space", "mark",
                "put the design into the report, as a preset of its own, or take it out")
 THUD_KEY(DESIGNS, NAME, THUD_KEY_F2, 'n', "F2", "name", "give the design a name, and save it so as a preset")
+THUD_KEY(DESIGNS, SUITE, 's', 0, "s", "suite",
+         "every design over the ground motions of the study, the largest of each; again: over the scene's own")
 THUD_KEY(DESIGNS, FORGET, THUD_KEY_DELETE, 'd', "Del", "forget", "forget the design")
 THUD_KEY_AGAIN(DESIGNS, REPORT, 'R', 0, "R", "report", "the form of the report, with the marked designs")
 THUD_KEY_AGAIN(DESIGNS, SAVE, 'w', 0, "w", "", "save the preset, of which the report is")

@@ -8,11 +8,15 @@
 
 #include "app/run/command.h"
 #include "app/run/summary_line.h"
+#include "app/sweep/sweep_jobs.h"
+#include "study/suite/suite.h"
+#include "tui/document/motions.h"
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 
 struct list {
     int at, top; /* the row with the cursor, and the first shown */
+    int motions; /* the results are the largest over so many; 0: of the scene's own */
 };
 
 /* The state on the screen, also while it is being run or where live is off; NULL: there is no room for it. */
@@ -147,6 +151,74 @@ static void mark(struct thud_tui *tui, struct thud_design *d)
     d->marked = !d->marked;
 }
 
+/* ---- over the study's ground motions ---- */
+
+/* The largest over the motions, without (case 0) and with (the last case) bumper and links. The required gap is told for
+ * one gap alone. */
+static void largest(const struct thud_suite *suite, const struct thud_scene *scene, struct thud_design_result *out)
+{
+    const int with = suite->plan->ncases - 1;
+    const bool one = scene->nstructures == 2 && scene->interface[0].gap.n == 0;
+    *out = (struct thud_design_result){.known = true, .acceleration_mps2 = {NAN, NAN}, .drift_m = {NAN, NAN}};
+    for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
+        out->need_m[i] = out->force_n[i] = NAN;
+    for (int r = 0; r < suite->nrecords; r++) {
+        out->force_n[0] = fmax(out->force_n[0], thud_suite_value(suite, r, 0, with, THUD_MEASURE_FORCE, -1));
+        out->impacts[0] = (int)fmax(out->impacts[0], thud_suite_value(suite, r, 0, with, THUD_MEASURE_IMPACTS, -1));
+        if (one)
+            out->need_m[0] = fmax(out->need_m[0],
+                                  scene->interface[0].gap_m + thud_suite_value(suite, r, 0, 0, THUD_MEASURE_SHORT, -1));
+        for (int k = 0; k < 2; k++) {
+            const int which = k ? with : 0;
+            out->acceleration_mps2[k] =
+                fmax(out->acceleration_mps2[k], thud_suite_value(suite, r, 0, which, THUD_MEASURE_ACCELERATION, -1));
+            out->drift_m[k] = fmax(out->drift_m[k], thud_suite_value(suite, r, 0, which, THUD_MEASURE_DRIFT, -1));
+        }
+    }
+}
+
+static enum thud_status run_suite(struct thud_design *d, const struct thud_record_list *motions, struct thud_error *err)
+{
+    struct thud_sweep_plan plan;
+    struct thud_suite *suite = NULL;
+    thud_sweep_plan_init(&plan, d->scene);
+    plan.nrecords = motions->n;
+    plan.record = (const struct thud_record *const *)motions->record;
+    enum thud_status status =
+        thud_sweep_cases(&plan, thud_scene_has_measure(d->scene) ? "none,as-written" : "none", err);
+    if (status == THUD_OK)
+        status = thud_sweep_suite_run(&plan, 0, NULL, &suite, err);
+    if (status == THUD_OK)
+        largest(suite, d->scene, &d->suite);
+    thud_suite_free(suite);
+    thud_sweep_plan_clear(&plan);
+    return status;
+}
+
+/* Every design over the motions of the study, or back to the scene's own. */
+static void change_motions(struct thud_tui *tui, struct list *list)
+{
+    struct thud_record_list motions = {0};
+    struct thud_error err = {0};
+    if (list->motions > 0) {
+        list->motions = 0;
+        return;
+    }
+    if (!*tui->doc.scene.study.records) {
+        thud_tui_say(tui, THUD_ROLE_WARN, "The study has no ground motions: Space on Record puts them together");
+        return;
+    }
+    enum thud_status status =
+        thud_doc_motions(&tui->doc, tui->doc.scene.study.records, tui->doc.scene.study.both_signs, &motions, &err);
+    for (int i = 0; i < tui->designs.n && status == THUD_OK; i++)
+        status = run_suite(&tui->designs.item[i], &motions, &err);
+    if (status == THUD_OK)
+        list->motions = motions.n;
+    else
+        thud_tui_say_error(tui, &err);
+    thud_record_list_clear(&motions);
+}
+
 /* ---- the list ---- */
 
 /* Columns of numbers, from the right: head, width, what stands there. */
@@ -157,9 +229,9 @@ static const struct {
 } column[COLUMNS] = {{"needs cm", 9}, {"impacts", 8}, {"MN", 6}, {"m/s2", 6}, {"with", 6}, {"mm", 6}, {"with", 6}};
 
 /* In the unit of its column; NaN: not known. */
-static double value_of(const struct thud_design *d, enum column which)
+static double value_of(const struct list *list, const struct thud_design *d, enum column which)
 {
-    const struct thud_design_result *r = &d->result;
+    const struct thud_design_result *r = list->motions > 0 ? &d->suite : &d->result;
     double need_m = NAN, force_n = NAN;
     int impacts = 0;
     if (!r->known)
@@ -183,14 +255,15 @@ static const struct thud_design *reference(struct thud_tui *tui)
     return d ? d : tui->designs.n > 0 ? &tui->designs.item[0] : NULL;
 }
 
-static void draw_row(struct thud_tui *tui, const struct thud_design *d, const struct thud_pane *in, int y, bool here)
+static void draw_row(struct thud_tui *tui, const struct list *list, const struct thud_design *d,
+                     const struct thud_pane *in, int y, bool here)
 {
     const struct thud_design *of = reference(tui);
     const int attr = here ? THUD_REVERSE : 0;
     char name[40], words[400], fitted[200], number[24];
     int at = in->w;
     for (int c = COLUMNS - 1; c >= 0; c--) {
-        const double value = value_of(d, (enum column)c), old = of ? value_of(of, (enum column)c) : NAN;
+        const double value = value_of(list, d, (enum column)c), old = of ? value_of(list, of, (enum column)c) : NAN;
         const int role = of == d || !(fabs(value - old) > 5e-3 * fabs(old)) ? THUD_ROLE_RESULT
                          : value < old                                      ? THUD_ROLE_GOOD
                                                                             : THUD_ROLE_WARN;
@@ -223,7 +296,10 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
 {
     struct list *list = tui->dialog.own;
     thud_pane_blank(area);
-    struct thud_pane in = thud_pane_frame(area, "Designs: * on the screen, = compared with, + in the report", true);
+    char title[120] = "Designs: * on the screen, = compared with, + in the report";
+    if (list->motions > 0)
+        snprintf(title, sizeof title, "Designs: the largest over %d ground motions", list->motions);
+    struct thud_pane in = thud_pane_frame(area, title, true);
     int at = in.w, rows = in.h - 2;
     for (int c = COLUMNS - 1; c >= 0; c--) {
         thud_pane_right(&in, at, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), column[c].head);
@@ -238,7 +314,7 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
         list->top = list->at - rows + 1;
     const struct thud_design *d;
     for (int i = 0; i < rows && (d = row_at(tui, list->top + i)) != NULL; i++)
-        draw_row(tui, d, &in, 1 + i, list->top + i == list->at);
+        draw_row(tui, list, d, &in, 1 + i, list->top + i == list->at);
     const struct thud_design *here = row_at(tui, list->at), *of = reference(tui);
     char words[500] = "";
     if (here && of && here != of)
@@ -288,6 +364,9 @@ static void take_key(struct thud_tui *tui, int key)
             thud_designs_forget(&tui->designs, d);
         else
             thud_tui_say(tui, THUD_ROLE_WARN, "This design is on the screen");
+        break;
+    case THUD_DO_SUITE:
+        change_motions(tui, list);
         break;
     case THUD_DO_SAVE:
         thud_tui_act(tui, THUD_DO_SAVE);
