@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "io/record/target_file.h"
 
 /* Samples of the uncertain inputs: a share of them is known to about 5 %. */
 enum { SAMPLES = 100 };
@@ -41,6 +42,29 @@ static void put_command(const struct thud_args *args, struct thud_text *out)
     }
 }
 
+/* What the conclusion is held against: the code, the design spectrum of the suite (its kind is none where there is no
+ * such), and limits with commas between. */
+struct criteria {
+    struct thud_target target;
+    struct thud_text limits;
+};
+
+static enum thud_status read_criteria(const struct thud_args *args, struct thud_session *session,
+                                      struct criteria *criteria, struct thud_error *err)
+{
+    const char *code = thud_args_value(args, "code"), *target = thud_args_value(args, "target"), *limit;
+    for (int i = 0; (limit = thud_args_repeated(args, "limit", i)) != NULL; i++)
+        thud_text_append(&criteria->limits, "%s%s", i > 0 ? "," : "", limit);
+    if (criteria->limits.failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = code ? thud_scene_set(&session->scene, "document.code", code, err) : THUD_OK;
+    if (!target && *session->scene.record.target)
+        target = session->scene.record.target;
+    if (status == THUD_OK && target && (status = thud_target_read(target, &criteria->target, err)) != THUD_OK)
+        thud_args_key("target", err);
+    return status;
+}
+
 static enum thud_status report(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                                struct thud_error *err)
 {
@@ -48,6 +72,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     struct thud_inputs_choice inputs;
     struct thud_record_list records = {0};
     struct thud_text text = {0};
+    struct criteria criteria = {0};
     struct thud_error no_pdf = {0};
     const char *folder = thud_args_value(args, "o");
     int threads = 0, detail = 0;
@@ -62,25 +87,19 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
     if (status == THUD_OK)
         status = thud_args_integer(args, "detail", 1, 1000000, 0, &detail, err);
     if (status == THUD_OK)
+        status = read_criteria(args, session, &criteria, err);
+    if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
-    if (status != THUD_OK)
-        return status;
-    static const char *const asked[] = {"records", "signs",  "uncertain", "samples", "sampling",
-                                        "seed",    "beside", "figures",   "detail",  NULL};
+    static const char *const asked[] = {"records", "signs",   "uncertain", "samples", "sampling", "seed",
+                                        "beside",  "figures", "detail",    "target",  "limit",    NULL};
     struct thud_made_by by;
-    status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
-                                records.n, asked, &by, err);
-    if (status != THUD_OK) {
-        thud_record_list_clear(&records);
-        return status;
-    }
+    if (status == THUD_OK)
+        status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
+                                    records.n, asked, &by, err);
     picture.options.cancel = thud_interrupt_watch();
     put_command(args, &text);
-    if (text.failed) {
-        thud_text_clear(&text);
-        thud_record_list_clear(&records);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    if (status == THUD_OK && text.failed)
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
     struct thud_site_report_options options = {.by = &by,
                                                .command = text.data,
                                                .beside = thud_args_value(args, "beside"),
@@ -90,14 +109,19 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .no_pdf = thud_args_has(args, "pdf") ? NULL : &no_pdf,
                                                .records = &records,
                                                .detail = detail,
+                                               .limits = criteria.limits.data ? criteria.limits.data : "",
+                                               .target =
+                                                   criteria.target.kind == THUD_TARGET_NONE ? NULL : &criteria.target,
                                                .inputs = &inputs.inputs,
                                                .samples = inputs.samples,
                                                .sampling = inputs.sampling,
                                                .seed = inputs.seed,
                                                .pictures = &picture.options,
                                                .progress = thud_progress_start(args) ? thud_progress_what : NULL};
-    status = thud_site_report(session, &options, err);
+    if (status == THUD_OK)
+        status = thud_site_report(session, &options, err);
     thud_record_list_clear(&records);
+    thud_text_clear(&criteria.limits);
     thud_text_clear(&text);
     thud_progress_end();
     if (status != THUD_OK)

@@ -197,6 +197,18 @@ is "the first verdict is the gap that the code asks for over the suite" in_text 
 is "then what half of the motions and all need" in_text "Exactly, $(awk -v w="$widths" 'BEGIN { printf "%.1f", w }') cm is enough for 50 % of the motions, [0-9.]* cm for 84 %, $(ruled needed) cm for all; the gap given is used up under $(pounding 0.03) of 3"
 is "the table of rules has the same" in_text "| EN 1998 | [^|]* | [^|]* | $(ruled "EN 1998") |"
 is "of every rule" in_text "| ABS | [^|]* | [^|]* | $(ruled ABS) |"
+# the conclusion: the code's gap and the criteria, against the study of gaps and a run of each motion
+each() { # FIELD [DIVISOR]: the largest of a column of the runs over the suite, as written
+    for motion in $(echo "$three" | tr ',' ' '); do "$THUD" run "$tmp/own.yaml" --record "$(basename "$motion")" --factor 0.4 --csv 2>/dev/null; done |
+        awk -F, -v f="$1" -v d="${2:-1}" '{ for (i = 1; i <= NF; i++) if ($i == f) c = i } $c + 0 > m { m = $c + 0 } END { x = m / d; printf x < 10 ? "%.2f" : x < 100 ? "%.1f" : "%.0f", x }'
+}
+forces() { for motion in $(echo "$three" | tr ',' ' '); do force --record "$(basename "$motion")" --factor 0.4; echo; done | sort -g | tail -1; }
+unrounded=$(tr '{' '\n' <"$tmp/gap.json" | sed -n 's/.*"rule": "EN 1998".*"gap_m": \([0-9.e+-]*\).*/\1/p' | awk '{ x = 1e4 * ($1 + 0.05); n = int(x); printf "%.2f", (n + (x - n > 1e-9)) / 100 }')
+is "the conclusion comes first, with the code's gap, the bumper and 1 cm" in_text "# Pounding report[^#]*## Conclusion *Recommended gap between [^:]*: $(echo "$unrounded" | awk '{ n = int($1); print n + ($1 > n) }') cm ($unrounded cm: .* by EN 1998-1:2004, 4.4.2.7(3), from the largest of 3 ground motions, and 5.00 cm that the bumper stands out). Given: 8 cm"
+is "the gap is the first criterion" in_text "| criterion | limit | value | ratio | met? | governing load case | section | |[-:|]*| | gap between [^|]* | 8 cm | $unrounded cm | "
+is "the largest force" in_text "| largest force | no limit given | $(forces) MN | "
+is "the largest acceleration" in_text "| largest acceleration | no limit given | $(each acceleration_mps2 9.80665) g | "
+is "the largest drift over the height" in_text "| largest drift over height | no limit given | $(each drift_m 0.032) % | "
 governing=$(awk -F, 'NR > 1 && $7 > m { m = $7; g = $1 } NR > 1 && $1 != before { n[$1] = ++k; before = $1 } END { print n[g] }' "$tmp/needs.csv")
 is "the motion in detail is that which needs the widest gap, with its factor" in_text "| ground motion shown in detail | load case $governing, which needs the widest gap, of which are the rows below: .* scaled by 0.4 |"
 is "every motion has its line" [ "$(grep -c -e '^| [1-3], surrogate for [^|]* |' "$tmp/r/report.md")" -eq 3 ]
@@ -213,6 +225,20 @@ is "as asked for" in_text "| ground motion shown in detail | load case 2, which 
 is "with its own numbers" in_text "| pounding without bumper | $(count --case none --record northridge-surrogate.csv --factor 0.4) impacts; at most $(force --case none --record northridge-surrogate.csv --factor 0.4) MN"
 is "one that is not there" report 2 "$tmp/own.yaml" --records "$three" --detail 4
 is "is refused" says 'detail: there is no load case 4, but 3'
+printf 'document:\n  code: exact84\n  limits: {drift: 1 cm, force: 5 MN}\n' | cat "$tmp/own.yaml" - >"$tmp/limits.yaml"
+is "limits of the preset and of an option" report 0 "$tmp/limits.yaml" --records "$three" --factor 0.4 --samples 0 --no-pdf --limit force=1MN --limit drift=5%
+is "stand beside their values, the option's in place of the preset's" in_text "| largest force | 1MN | [0-9.]* MN | [0-9.]* | no | .*| largest drift over height | 5% | [0-9.]* % | 0.[0-9]* | yes | "
+is "and the gap is that of the code that is named" in_text "by the exact relative displacement, what is enough for 84 % of 3 ground motions"
+more() { "$THUD" fragility "$tmp/own.yaml" --records "$three" --factor 0.4 --event "strain:$(sed -n 's/^| largest strain of a bumper | [^|]* | \([0-9.]*\) %.*/\1/p' "$tmp/r/report.md" | awk -v f="$1" '{ print $1 * f }')%" --vary gap=8cm,9cm --cases as-written --csv 2>/dev/null | awk -F, '$4 == 0.08 { print $6 }'; }
+is "a limit below the value that is enough for 84 % is passed by a motion of a fragility" [ "$(more 0.98)" -ge 1 ]
+is "one above it by none" [ "$(more 1.02)" -eq 0 ]
+is "an unknown limit" report 2 "$tmp/own.yaml" --limit sway=1
+is "is refused with those there are" says 'limit: "sway=1" is no limit (force=5MN, acceleration=1g, drift=3cm, drift=1%, ductility=2, permanent=1cm, isolator=30cm, column=1, strain=80%)'
+sed 's/force: 5 MN/sway: 5 MN/' "$tmp/limits.yaml" >"$tmp/sway.yaml"
+is "and one of a preset" report 3 "$tmp/sway.yaml"
+is "at its line" says 'sway.yaml:[0-9]*:[0-9]*: document.limits: "sway:5 MN" is no limit'
+is "a code that there is not" report 3 "$tmp/own.yaml" --code nzs
+is "is refused with those there are" says 'document.code: "nzs" is no code for the gap (en1998, asce7, exact84)'
 # isolators that yield, both polarities: what the periods are of, what is struck, which motions
 is "a report on a building on lead-rubber bearings" report 0 isolated-lead-rubber --samples 0 --records records/northridge-surrogate.csv --signs both
 mass=$(awk 'BEGIN { print 320 + 3 * 320 + 250 }')

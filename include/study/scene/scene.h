@@ -223,6 +223,7 @@ struct thud_study_choice {
 /* The title block of a report; empty: not given. */
 struct thud_title_block {
     char project[128], number[32], revision[32], date[32], author[64], checker[64], approver[64];
+    char code[32], limits[256]; /* of the conclusion: whose gap is recommended, "drift:1 %, force:5 MN" */
 };
 
 struct thud_scene {

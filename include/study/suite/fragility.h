@@ -62,6 +62,8 @@ struct thud_event {
 };
 /* "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
+/* "drift=1 %", "force: 5 MN": the limit of a measure by the word of its event. Errors: THUD_USAGE. */
+enum thud_status thud_limit_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
 /* Whether a fragility may be against it: numbers, and more than one. */

@@ -26,6 +26,7 @@ enum thud_measure {
     THUD_MEASURE_PERMANENT, /* largest size of the permanent drift of those, m */
     THUD_MEASURE_ISOLATOR,  /* largest displacement of its isolators, m; NaN: it has none */
     THUD_MEASURE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
+    THUD_MEASURE_STRAIN,    /* largest compression of a bumper over its thickness; NaN: there is none */
     THUD_MEASURE_COLLAPSED, /* 1: the drift of a storey comes to where it collapses */
     THUD_MEASURES
 };

@@ -330,6 +330,8 @@ enum thud_status thud_site_report(struct thud_session *session, const struct thu
     if (status == THUD_OK)
         status = thud_site_drawn_read(site, err);
     if (status == THUD_OK)
+        status = thud_site_criteria_read(site, err);
+    if (status == THUD_OK)
         status = choose_motion(site, err);
     if (status == THUD_OK)
         status = compute(site, err);

@@ -19,6 +19,8 @@ struct thud_site_report_options {
     size_t samples;                         /* of them; 0: none are drawn */
     enum thud_sampling sampling;
     unsigned long long seed;
+    const char *limits;               /* of criteria, "drift=1%,force=5MN"; "": none */
+    const struct thud_target *target; /* design spectrum of the suite; NULL: not given */
     int threads;               /* 0: the processors that are online */
     bool pdf;                  /* report.pdf too */
     struct thud_error *no_pdf; /* why none could be made, where it need not be; NULL: it has to be */

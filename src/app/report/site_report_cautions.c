@@ -60,7 +60,7 @@ static int tell_weight(struct site *site, const struct thud_remarks *of_scene, c
 /* What weighs most first. Returns how many. */
 static int tell(struct site *site)
 {
-    const bool suite = site->suite.runs != NULL; /* whose section tells what is to be said of its motions */
+    const bool suite = site->suite.leads; /* whose section tells what is to be said of its motions */
     struct thud_remarks of_case[SITE_CASES] = {{0}};
     const struct thud_remark_scope scope = {.scene = site->scene,
                                             .record = suite ? site->suite.plan.record : &site->record,

@@ -33,7 +33,7 @@ static unsigned facts_of(const struct site *site)
 {
     unsigned facts = (thud_site_storeys(site, NULL) > 0 ? YIELDS : 0) |
                      (site->own->result->ncolumns > 0 ? COLUMNS : 0) | (site->scene->p_delta ? P_DELTA : 0) |
-                     (site->scene->nlinks > 0 ? LINKS : 0) | (site->suite.runs ? SUITE : 0) |
+                     (site->scene->nlinks > 0 ? LINKS : 0) | (site->suite.leads ? SUITE : 0) |
                      (site->record ? MOTION : 0) | (site->uncertainty ? SAMPLES : 0);
     for (int c = 0; c < site->own->result->ncontacts; c++)
         facts |= thud_contact_struck(&site->own->result->contact[c]) ? IMPULSES : 0;

@@ -28,8 +28,9 @@ struct site_case {
 /* The suite of ground motions: every one at several scales, without and with bumper. Case k of the plan is SITE_NONE + k
  * of the report. */
 struct site_suite {
-    struct thud_sweep_plan plan; /* its axis: the factor on the motions */
-    struct thud_suite *runs;     /* NULL: there is no suite */
+    struct thud_sweep_plan plan; /* its axis: the factor on the motions; of one motion it has none */
+    struct thud_suite *runs;
+    bool leads; /* there is more than one ground motion */
     long as_given;               /* the setting with the motions as they were given */
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
@@ -64,6 +65,8 @@ struct site {
     struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;
+    const struct site_code *code;           /* whose gap is recommended */
+    struct thud_event limit[THUD_MEASURES]; /* by measure; an empty text: none */
     struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
     int nvariants;                                  /* 0: none are asked for */
     struct thud_text drawn[SITE_DRAWN_MAX];         /* (ndrawn) SVG pictures that were drawn before */
@@ -86,6 +89,10 @@ enum thud_status thud_site_write(struct site *site, struct thud_error *err);
 
 /* Project, author, checker, date and revision, where they are given. */
 void thud_site_title_block(struct site *site);
+/* Code and limits that are asked for. Errors: THUD_INPUT with the preset's line, THUD_USAGE. */
+enum thud_status thud_site_criteria_read(struct site *site, struct thud_error *err);
+/* The gap that the code asks for, and each criterion against its limit. */
+void thud_site_conclusion(struct site *site);
 /* A row for each thing that is decided. */
 void thud_site_verdicts(struct site *site);
 void thud_site_verdict(struct site *site, const char *what, const char *found);
@@ -110,7 +117,7 @@ void thud_site_effect(const struct site *site, bool drifts, int count[3]);
 
 /* ---- the suite ---- */
 
-/* Runs it; nothing where there is one motion or none. Errors: those of the studies. */
+/* Runs it, or the one motion as it is. Errors: those of the studies. */
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
 void thud_site_suite_clear(struct site *site);
 /* The rows of the verdicts that are over it. */
@@ -124,6 +131,9 @@ void thud_site_suite_section(struct site *site);
 /* What a rule asks for over the ground motions at an interface (from 1; 0: of all), as `thud gap` tells it: THUD_GAP_EXACT
  * is the largest of them. A gap of -1: nothing can touch. */
 struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, int rule);
+/* The same of the report's code, and where it is from. */
+double thud_site_gap_by_code(const struct site *site, int interface);
+const char *thud_site_gap_source(const struct site *site, char *text, size_t size);
 /* "of this one motion", "largest of 3 ground motions", "means of 14 ground motions, 7 recordings". */
 const char *thud_site_displacements(const struct site *site, char *text, size_t size);
 

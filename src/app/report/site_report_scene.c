@@ -171,7 +171,7 @@ void thud_site_loads(struct site *site)
     static const double damping = 0.05;
     if (!site->record)
         return;
-    const struct thud_record *const *suite = site->suite.runs ? site->suite.plan.record : &site->record;
+    const struct thud_record *const *suite = site->suite.leads ? site->suite.plan.record : &site->record;
     struct thud_intensity m = thud_intensity_of(site->record);
     char peak[96], motion[320];
     thud_record_peak_text(site->record, peak, sizeof peak);
@@ -179,7 +179,7 @@ void thud_site_loads(struct site *site)
     thud_document_heading(d, "Load cases");
     thud_document_paragraph(d, "Ground motion along the line of the buildings, the same under all of them. Vertical "
                                "loads act by P-Delta alone, where it is switched on (input p-delta).");
-    add_load_cases(site, suite, site->suite.runs ? site->suite.plan.nrecords : 1);
+    add_load_cases(site, suite, site->suite.leads ? site->suite.plan.nrecords : 1);
     thud_document_paragraph(
         d,
         "Ground motion: %s, %zu samples every %.4g s, %.4g s long; %s at %.4g s, largest velocity %.3g m/s, Arias "

@@ -28,9 +28,10 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
     struct thud_scene *scene = &suite->plan.scene;
     thud_sweep_plan_init(&suite->plan, site->scene);
     scene->record.factor = 1; /* the motions are scaled already */
-    suite->plan.record = (const struct thud_record *const *)site->options->records->record;
-    suite->plan.nrecords = site->options->records->n;
-    enum thud_status status = thud_sweep_vary(&suite->plan, scales, err);
+    suite->plan.record =
+        suite->leads ? (const struct thud_record *const *)site->options->records->record : &site->record;
+    suite->plan.nrecords = suite->leads ? site->options->records->n : site->record != NULL;
+    enum thud_status status = suite->leads ? thud_sweep_vary(&suite->plan, scales, err) : THUD_OK;
     const bool links = site->scene->nlinks > 0; /* they stand in both cases, as in those of one motion */
     if (status == THUD_OK)
         status = thud_sweep_cases(&suite->plan,
@@ -49,7 +50,7 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
     enum thud_status status = THUD_OK;
     thud_event_parse("pounding", &suite->pounding, NULL);
     thud_event_parse("worse", &suite->worse, NULL);
-    for (int k = 0; k < suite->plan.ncases && status == THUD_OK; k++) {
+    for (int k = 0; k < suite->plan.ncases && status == THUD_OK && suite->leads; k++) {
         struct thud_fragility_ask ask = {
             .event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed, .first_contact = true};
         status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
@@ -64,8 +65,7 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
     const atomic_int *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
-    if (site->options->records->n < 2 || site->gap->nlevels == 0)
-        return THUD_OK;
+    suite->leads = site->options->records->n > 1 && site->gap->nlevels > 0;
     enum thud_status status = make_plan(site, err);
     if (status == THUD_OK)
         status = thud_sweep_suite_run(&suite->plan, site->options->threads, cancel, &suite->runs, err);
@@ -201,7 +201,7 @@ static void say_bumper(struct site *site, int s, bool drift)
 
 void thud_site_suite_summary(struct site *site)
 {
-    if (!site->suite.runs)
+    if (!site->suite.leads)
         return;
     thud_document_paragraph(&site->document, "Over the suite of %d ground motions:", site->suite.runs->nrecords);
     for (int k = 0; k < site->suite.plan.ncases; k++) {
@@ -240,12 +240,11 @@ static int used_up(const struct site *site, int interface)
 static void gap_verdict(struct site *site, int i)
 {
     const struct thud_interface *f = &site->scene->interface[i - 1];
-    const struct thud_gap_rule *rule = thud_gap_rule_at(THUD_GAP_EN1998);
-    const struct thud_gap_ruled ruled = thud_site_ruled(site, i, THUD_GAP_EN1998);
+    const double required = thud_site_gap_by_code(site, i);
     const double out = f->gap_m - thud_interface_clearance(f);
     struct thud_fractiles exact;
-    char what[200], text[600], given[64], from[80], bumper[64] = "";
-    if (!(ruled.gap_m >= 0))
+    char what[200], text[600], given[64], from[240], bumper[64] = "";
+    if (!(required >= 0))
         return;
     if (thud_gap_suite_fractiles(&site->gaps.suite, i, -1, THUD_GAP_EXACT, &exact, NULL) != THUD_OK) {
         site->document.failed = true;
@@ -254,14 +253,12 @@ static void gap_verdict(struct site *site, int i)
     snprintf(what, sizeof what, "gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
     thud_interface_gap_text(f, given, sizeof given);
     if (out > 0)
-        snprintf(bumper, sizeof bumper, ", %.1f cm with the bumper between them",
-                 thud_summary_gap_cm(ruled.gap_m + out));
-    size_t n =
-        (size_t)snprintf(text, sizeof text,
-                         "%s given; %.1f cm required between bare faces by %s, %s, from %s%s. Exactly, %.1f cm is "
-                         "enough for 50 %% of the motions, ",
-                         given, thud_summary_gap_cm(ruled.gap_m), rule->edition, rule->clause,
-                         thud_site_displacements(site, from, sizeof from), bumper, thud_summary_gap_cm(exact.median));
+        snprintf(bumper, sizeof bumper, ", %.1f cm with the bumper between them", thud_summary_gap_cm(required + out));
+    size_t n = (size_t)snprintf(text, sizeof text,
+                                "%s given; %.1f cm required between bare faces by %s%s. Exactly, %.1f cm is "
+                                "enough for 50 %% of the motions, ",
+                                given, thud_summary_gap_cm(required), thud_site_gap_source(site, from, sizeof from),
+                                bumper, thud_summary_gap_cm(exact.median));
     if (!isnan(exact.p84))
         n += (size_t)snprintf(text + n, sizeof text - n, "%.1f cm for 84 %%, ", thud_summary_gap_cm(exact.p84));
     snprintf(text + n, sizeof text - n, "%.1f cm for all; the gap given is used up under %d of %d%s",
@@ -423,7 +420,7 @@ void thud_site_suite_section(struct site *site)
 {
     struct thud_document *d = &site->document;
     char heading[64];
-    if (!site->suite.runs)
+    if (!site->suite.leads)
         return;
     snprintf(heading, sizeof heading, "Over %d ground motion%s", site->suite.runs->nrecords,
              site->suite.runs->nrecords == 1 ? "" : "s");

@@ -430,7 +430,8 @@ static void results(struct site *site)
     thud_site_suite_summary(site);
     if (site->record) {
         thud_site_motion(site->record, motion, sizeof motion);
-        thud_document_paragraph(d, "%s %s:", site->suite.runs ? "In detail under one ground motion," : "Under", motion);
+        thud_document_paragraph(d, "%s %s:", site->suite.leads ? "In detail under one ground motion," : "Under",
+                                motion);
     }
     say_results(site);
     for (int s = 0; s < site->scene->nstructures; s++)
@@ -561,7 +562,7 @@ static void gap(struct site *site)
         "displacements alone. A bumper needs the part that it stands out besides. Required gaps are rounded up to a "
         "millimetre.");
     char caption[64] = "Required gap, cm";
-    if (site->suite.runs)
+    if (site->suite.leads)
         snprintf(caption, sizeof caption, "Required gap under load case %d, cm", site->detail + 1);
     thud_document_table(d, caption);
     thud_document_cells(d, "floors\tleft moves\tright moves");
@@ -580,21 +581,14 @@ static void gap(struct site *site)
 }
 
 typedef void section(struct site *site);
-static section *const sections[] = {thud_site_verdicts,
-                                    thud_site_foremost,
-                                    thud_site_scene,
-                                    thud_site_inputs,
-                                    thud_site_loads,
-                                    thud_site_method,
-                                    results,
-                                    thud_site_variants,
-                                    gap,
-                                    thud_site_suite_section,
-                                    thud_site_sure_section,
-                                    thud_site_drawn,
-                                    thud_site_cautions,
-                                    thud_site_checks,
-                                    thud_site_unmade,
+static section *const sections[] = {thud_site_conclusion,    thud_site_verdicts,
+                                    thud_site_foremost,      thud_site_scene,
+                                    thud_site_inputs,        thud_site_loads,
+                                    thud_site_method,        results,
+                                    thud_site_variants,      gap,
+                                    thud_site_suite_section, thud_site_sure_section,
+                                    thud_site_drawn,         thud_site_cautions,
+                                    thud_site_checks,        thud_site_unmade,
                                     thud_site_provenance};
 
 enum thud_status thud_site_write(struct site *site, struct thud_error *err)

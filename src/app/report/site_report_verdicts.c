@@ -247,11 +247,11 @@ static void motion_row(struct site *site)
         return;
     thud_record_peak_text(site->record, peak, sizeof peak);
     thud_site_motion(site->record, motion, sizeof motion);
-    if (site->suite.runs)
+    if (site->suite.leads)
         snprintf(which, sizeof which, "load case %d, which %s, of which are the rows below: ", site->detail + 1,
                  site->options->detail > 0 ? "was asked for" : "needs the widest gap");
     snprintf(text, sizeof text, "%s%.280s, %s", which, motion, peak);
-    thud_site_verdict(site, site->suite.runs ? "ground motion shown in detail" : "ground motion", text);
+    thud_site_verdict(site, site->suite.leads ? "ground motion shown in detail" : "ground motion", text);
 }
 
 void thud_site_verdicts(struct site *site)
@@ -259,7 +259,7 @@ void thud_site_verdicts(struct site *site)
     thud_document_heading(&site->document, "Verdicts");
     thud_document_table(&site->document, "What was asked, and what came out");
     thud_site_verdict(site, "question", "result");
-    if (site->suite.runs) {
+    if (site->suite.leads) {
         thud_site_suite_verdicts(site);
         motion_row(site);
     }
@@ -270,7 +270,7 @@ void thud_site_verdicts(struct site *site)
     bumper_row(site);
     governing_rows(site);
     failing_row(site);
-    if (!site->suite.runs)
+    if (!site->suite.leads)
         motion_row(site);
 }
 

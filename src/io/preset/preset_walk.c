@@ -129,6 +129,24 @@ static enum thud_status set_joined(struct thud_preset *preset, const char *path,
     return status == THUD_OK ? set_text(preset, path, node, list.text, err) : status;
 }
 
+/* "drift:1 %, force:5 MN" of keys with their values. */
+static enum thud_status set_pairs(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
+{
+    const struct thud_yaml *tree = &preset->tree;
+    struct joined pairs = {.n = 0};
+    for (int i = tree->node[node].first; i >= 0; i = tree->node[tree->node[i].next].next) {
+        const int value = tree->node[i].next;
+        if (kind_of(preset, value) != THUD_YAML_SCALAR)
+            return refuse(preset, value, path, "a list or keys stand where one value is wanted", NULL, err);
+        join(&pairs, pairs.n > 0 ? ", " : "");
+        join(&pairs, thud_yaml_text(tree, i));
+        join(&pairs, ":");
+        join(&pairs, thud_yaml_text(tree, value));
+    }
+    return pairs.n >= sizeof pairs.text ? refuse(preset, node, path, "there is too much in it", NULL, err)
+                                        : set_text(preset, path, node, pairs.text, err);
+}
+
 static enum thud_status set_value(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
 {
     int floor, structure;
@@ -145,6 +163,8 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
             return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);
         return refuse(preset, node, path, "a list stands where one value is wanted", NULL, err);
     case THUD_YAML_KEYS:
+        if (strcmp(path, "document.limits") == 0)
+            return set_pairs(preset, path, node, err);
         break;
     }
     return refuse(preset, node, path, "keys stand where a value is wanted", NULL, err);

@@ -140,8 +140,8 @@ static void put_scene(const struct thud_scene *scene, const char *file, int inde
     if (scene->study.nvary > 0 || scene->study.ncases > 0 || scene->study.sensitivity > 0)
         put_group(&w, THUD_GROUP_STUDY, true);
     const struct thud_title_block *block = &scene->document;
-    const char *const given[] = {block->project, block->number,  block->revision, block->date,
-                                 block->author,  block->checker, block->approver};
+    const char *const given[] = {block->project, block->number,   block->revision, block->date,  block->author,
+                                 block->checker, block->approver, block->code,     block->limits};
     bool any = false;
     for (size_t i = 0; i < sizeof given / sizeof *given; i++)
         any = any || *given[i];

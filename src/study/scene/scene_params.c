@@ -348,6 +348,8 @@ static const struct thud_param document_params[] = {
     WORD("revision", "revision", "Of the report."),
     WORD("number", "number", "Of the report among the project's documents."),
     WORD("approver", "approver", "Who approves it."),
+    WORD("code", "code", "Whose gap the report recommends: en1998, asce7, or exact84, what is enough for 84 % of the ground motions; by default the code of its target spectrum, else en1998."),
+    WORD("limits", "limits", "Of the criteria of the report, by the words of events: {drift: 1 %, ductility: 4, force: 5 MN}."),
 };
 #define AT(member) offsetof(struct thud_scene, document.member)
 static const struct thud_place document_places[] = {
@@ -358,6 +360,8 @@ static const struct thud_place document_places[] = {
     {.store = THUD_STORE_TEXT, .offset = AT(revision), .size = 32},
     {.store = THUD_STORE_TEXT, .offset = AT(number), .size = 32},
     {.store = THUD_STORE_TEXT, .offset = AT(approver), .size = 64},
+    {.store = THUD_STORE_TEXT, .offset = AT(code), .size = 32},
+    {.store = THUD_STORE_TEXT, .offset = AT(limits), .size = 256},
 };
 #undef AT
 /* clang-format on */

@@ -247,29 +247,34 @@ static void median_bounds(const struct thud_stripe *stripe, size_t n, bool falli
 
 /* ---- events ---- */
 
-static enum thud_status refuse_event(const char *text, struct thud_error *err)
+/* `between` a word and its limit; of limits alone `=`. */
+static enum thud_status refuse_event(const char *text, char between, struct thud_error *err)
 {
+    const bool limits = between == '=';
     struct thud_text allowed = {0};
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
-        if (info->event.word)
-            thud_text_append(&allowed, "%s%s%s%s", allowed.size ? ", " : "", info->event.word,
-                             info->event.example ? ":" : "", info->event.example ? info->event.example : "");
+        if (info->event.word && info->event.example)
+            thud_text_append(&allowed, "%s%s%c%s", allowed.size ? ", " : "", info->event.word, between,
+                             info->event.example);
+        else if (info->event.word && !limits)
+            thud_text_append(&allowed, "%s%s", allowed.size ? ", " : "", info->event.word);
     }
-    enum thud_status status = thud_error_refuse(err, THUD_USAGE, "--event", allowed.failed ? "" : allowed.data,
-                                                "\"%.60s\" is no event", text);
+    enum thud_status status =
+        thud_error_refuse(err, THUD_USAGE, limits ? "--limit" : "--event", allowed.failed ? "" : allowed.data,
+                          limits ? "\"%.60s\" is no limit" : "\"%.60s\" is no event", text);
     thud_text_clear(&allowed);
     return status;
 }
 
-enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err)
+static enum thud_status parse(const char *text, char between, struct thud_event *out, struct thud_error *err)
 {
-    size_t word = strcspn(text, ":");
+    const size_t word = strcspn(text, between == '=' ? ":=" : ":");
     for (enum thud_measure m = 0; m < THUD_MEASURES && strlen(text) < sizeof out->text; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         struct thud_quantity q = {.value = info->event.limit};
         const char *own = info->event.word, *limit = info->event.example;
-        if (!own || strlen(own) != word || strncmp(text, own, word) != 0 || (limit != NULL) != (text[word] == ':'))
+        if (!own || strlen(own) != word || strncmp(text, own, word) != 0 || (limit != NULL) != (text[word] != '\0'))
             continue;
         if (limit && (thud_quantity_parse(text + word + 1, info->kind, NULL, &q, NULL) != THUD_OK || !(q.value > 0)))
             continue;
@@ -277,7 +282,18 @@ enum thud_status thud_event_parse(const char *text, struct thud_event *out, stru
         snprintf(out->text, sizeof out->text, "%s", text);
         return THUD_OK;
     }
-    return refuse_event(text, err);
+    return refuse_event(text, between, err);
+}
+
+enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err)
+{
+    return parse(text, ':', out, err);
+}
+
+enum thud_status thud_limit_parse(const char *text, struct thud_event *out, struct thud_error *err)
+{
+    enum thud_status status = parse(text, '=', out, err);
+    return status == THUD_OK && !thud_measure_info(out->measure)->event.example ? refuse_event(text, '=', err) : status;
 }
 
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err)

@@ -115,6 +115,23 @@ static double impacts(const struct thud_measured_run *run, const struct thud_mea
     return sum;
 }
 
+static double bumper_strain(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    const struct thud_sweep_point *p = run->point;
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(p, 0, run->k);
+    const struct thud_gap_level *level = thud_sweep_levels(p, p->which[run->k]);
+    double most = NAN;
+    (void)of_run;
+    for (int c = 0; c < p->ncontacts; c++) {
+        struct thud_interface cased = run->scene->interface[level[c].interface - 1];
+        thud_interface_case(&cased, p->which[run->k]);
+        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(level, c));
+        if (at.thickness_m > 0)
+            most = thud_measure_larger(info, most, contact[c].indentation_m / at.thickness_m);
+    }
+    return most;
+}
+
 static double column_shear(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
 {
     const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
@@ -222,6 +239,8 @@ static const struct thud_measure_info infos[THUD_MEASURES] = {
     [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
                               .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0, 5), .event = {"column", "1"},
                               .read = over_capacity, CONTACT(capacity_ratio)},
+    [THUD_MEASURE_STRAIN] = {"bumper_strain", "largest strain of a bumper", THUD_RATIO, .event = {"strain", "80%"},
+                             .read = bumper_strain},
     [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event = {"collapse"}, .read = collapsed}};
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure)

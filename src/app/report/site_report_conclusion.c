@@ -1,0 +1,300 @@
+/* The conclusion of a report: the gap that the code asks for, and every criterion against its limit, with the load case
+ * that governs it. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "app/report/site_report_private.h"
+#include "app/run/summary_line.h"
+#include "ground/identity.h"
+#include "ground/target.h"
+#include "io/preset/preset.h"
+#include "study/scene/level.h"
+
+/* How a code makes one number of several ground motions, and of its gap. */
+struct site_code {
+    const char *name;
+    int rule;   /* for the gap */
+    bool by_84; /* what is enough for 84 % of the motions, in place of the mean or the largest */
+};
+static const struct site_code codes[] = {
+    {"en1998", THUD_GAP_EN1998, false}, {"asce7", THUD_GAP_ASCE7, false}, {"exact84", THUD_GAP_EXACT, true}};
+enum { CODES = sizeof codes / sizeof *codes };
+
+/* The criteria of every report whose scene has them; others stand there with a limit alone. */
+static const enum thud_measure criteria[] = {THUD_MEASURE_DRIFT_ANGLE, THUD_MEASURE_DUCTILITY,
+                                             THUD_MEASURE_COLUMNS,     THUD_MEASURE_STRAIN,
+                                             THUD_MEASURE_FORCE,       THUD_MEASURE_ACCELERATION};
+
+/* ---- what is asked for ---- */
+
+/* By the preset's key, else by the code of the target spectrum; ASCE 7-22 has the gap of ASCE 7-16. */
+static enum thud_status read_code(struct site *site, struct thud_error *err)
+{
+    const char *own = site->scene->document.code;
+    const struct thud_target *target = site->options->target;
+    site->code = &codes[0];
+    for (int i = 0; i < CODES; i++) {
+        if (strcmp(own, codes[i].name) == 0 ||
+            (!*own && target && strncmp(thud_target_code(target)->name, codes[i].name, strlen(codes[i].name)) == 0)) {
+            site->code = &codes[i];
+            return THUD_OK;
+        }
+    }
+    if (!*own)
+        return THUD_OK;
+    thud_error_refuse(err, THUD_INPUT, "document.code", "en1998, asce7, exact84", "\"%.30s\" is no code for the gap",
+                      own);
+    if (strcmp(thud_preset_scene(site->session->preset)->document.code, own) == 0) /* no option's */
+        thud_preset_place(site->session->preset, "document.code", err);
+    return THUD_INPUT;
+}
+
+/* "drift:1 %, force=5 MN": a limit takes the place of one before it of the same name. */
+static enum thud_status read_limits(struct site *site, const char *list, struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    char text[64];
+    for (size_t n; status == THUD_OK && *list; list += n + (list[n] == ',')) {
+        struct thud_event limit;
+        list += strspn(list, " ");
+        n = strcspn(list, ",");
+        snprintf(text, sizeof text, "%.*s", (int)n, list);
+        status = thud_limit_parse(text, &limit, err);
+        for (enum thud_measure m = 0; status == THUD_OK && m < THUD_MEASURES; m++) {
+            const char *word = thud_measure_info(m)->event.word;
+            if (word && strcmp(word, thud_measure_info(limit.measure)->event.word) == 0)
+                site->limit[m].text[0] = '\0';
+        }
+        if (status == THUD_OK)
+            site->limit[limit.measure] = limit;
+    }
+    return status;
+}
+
+enum thud_status thud_site_criteria_read(struct site *site, struct thud_error *err)
+{
+    enum thud_status status = read_code(site, err);
+    if (status == THUD_OK && (status = read_limits(site, site->scene->document.limits, err)) == THUD_USAGE) {
+        thud_error_key(err, "document.limits");
+        thud_preset_place(site->session->preset, "document.limits", err);
+        status = THUD_INPUT;
+        if (err)
+            err->status = status;
+    }
+    return status == THUD_OK ? read_limits(site, site->options->limits, err) : status;
+}
+
+/* ---- one number of several ground motions ---- */
+
+/* Of the suite's room, which it sorts: the mean or the largest of a code, or what is enough for 84 %. A value that is not
+ * known makes the number unknown. */
+static double decided(const struct site *site)
+{
+    const size_t n = (size_t)site->suite.runs->nrecords;
+    double most = -INFINITY, sum = 0;
+    size_t count;
+    for (size_t r = 0; r < n; r++) {
+        sum += site->suite.room[r];
+        most = fmax(most, site->suite.room[r]);
+    }
+    if (isnan(sum))
+        return NAN;
+    if (!site->code->by_84)
+        return thud_gap_suite_means(&site->gaps.suite) ? sum / (double)n : most;
+    const struct thud_fractiles f = thud_fractiles_of(site->suite.room, n, site->suite.runs->ndraws, 0);
+    return isnan(f.p84) ? most : thud_enough(site->suite.room, n, 0.84, &count);
+}
+
+/* "means over 14 ground motions of 7 recordings", "enough for 84 % of 8 ground motions" */
+static const char *decided_words(const struct site *site, char *text, size_t size)
+{
+    const struct thud_gap_suite *suite = &site->gaps.suite;
+    if (!site->code->by_84 || suite->recordings < THUD_SHARES_LEAST)
+        return thud_site_displacements(site, text, size);
+    snprintf(text, size, "what is enough for 84 %% of %d ground motions", suite->nrecords);
+    return text;
+}
+
+double thud_site_gap_by_code(const struct site *site, int interface)
+{
+    struct thud_fractiles f;
+    if (!site->code->by_84)
+        return thud_site_ruled(site, interface, site->code->rule).gap_m;
+    if (thud_gap_suite_fractiles(&site->gaps.suite, interface, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK)
+        return NAN;
+    return isnan(f.p84) ? f.most : f.p84;
+}
+
+const char *thud_site_gap_source(const struct site *site, char *text, size_t size)
+{
+    const struct thud_gap_rule *rule = thud_gap_rule_at(site->code->rule);
+    char of[80];
+    decided_words(site, of, sizeof of);
+    if (site->code->by_84)
+        snprintf(text, size, "the exact relative displacement, %s", of);
+    else
+        snprintf(text, size, "%s, %s, from %s", rule->edition, rule->clause, of);
+    return text;
+}
+
+/* ---- the gap ---- */
+
+/* How far a bumper stands out at an interface (from 1). */
+static double stands_out(const struct site *site, int interface)
+{
+    const struct thud_interface *f = &site->scene->interface[interface - 1];
+    return f->gap_m - thud_interface_clearance(f);
+}
+
+static void recommend(struct site *site, int i)
+{
+    const double bare = thud_site_gap_by_code(site, i), out = stands_out(site, i);
+    char source[240], given[64], bumper[80] = "", rest[120] = "";
+    int more = 0;
+    if (!(bare >= 0))
+        return;
+    for (int r = 0; r < site->gaps.suite.nrecords; r++) /* of the rounded gap */
+        more += thud_gap_falls_short(0.01 * ceil(100 * (bare + out) - 1e-9) - out,
+                                     thud_needed_gap_widest(site->gaps.gap[r], i, THUD_GAP_EXACT, NULL));
+    if (out > 0)
+        snprintf(bumper, sizeof bumper, ", and %s cm that the bumper stands out", thud_site_number(100 * out, 3).text);
+    if (more > 0 && site->gaps.suite.nrecords > 1)
+        snprintf(rest, sizeof rest, " Under %d of the %d ground motions more would be needed.", more,
+                 site->gaps.suite.nrecords);
+    else if (more > 0)
+        snprintf(rest, sizeof rest, " This ground motion itself needs more.");
+    thud_interface_gap_text(&site->scene->interface[i - 1], given, sizeof given);
+    thud_document_paragraph(
+        &site->document, "Recommended gap between %s and %s: %.0f cm (%.2f cm: %.2f cm by %s%s). Given: %s.%s%s",
+        thud_site_name(site, i - 1), thud_site_name(site, i), ceil(100 * (bare + out) - 1e-9),
+        thud_table_gap_cm(bare + out), thud_table_gap_cm(bare), thud_site_gap_source(site, source, sizeof source),
+        bumper, given, rest, site->scene->nstructures > 2 ? " This holds when nothing else touches." : "");
+}
+
+/* ---- the criteria ---- */
+
+static void governing_cell(struct site *site, int r)
+{
+    char motion[320];
+    if (!site->record) {
+        thud_document_cell(&site->document, "-");
+        return;
+    }
+    thud_record_title(site->suite.plan.record[r], motion, sizeof motion);
+    thud_document_cell(&site->document, "%d, %s", r + 1, motion);
+}
+
+/* A limit of NaN: there is none. */
+static void add_criterion(struct site *site, const char *limit, double value, double least, const char *shown, int r,
+                          const char *section)
+{
+    struct thud_document *d = &site->document;
+    const double ratio = least > 0 ? value / least : NAN;
+    thud_document_cells(d, "%s\t%s\t%s\t%s", limit, shown, thud_site_number(ratio, 3).text,
+                        isnan(least) || isnan(value) ? "-"
+                        : value <= least             ? "yes"
+                                                     : "no");
+    governing_cell(site, r);
+    thud_document_cell(d, "%s", section);
+    thud_document_row(d);
+}
+
+static void gap_criterion(struct site *site, int i)
+{
+    const double value = thud_site_gap_by_code(site, i) + stands_out(site, i);
+    const struct thud_interface *f = &site->scene->interface[i - 1];
+    char given[64], shown[32];
+    double widest = -1, least, most;
+    int governing = 0;
+    if (!(value >= stands_out(site, i)))
+        return;
+    for (int r = 0; r < site->gaps.suite.nrecords; r++) {
+        const double needed = thud_needed_gap_widest(site->gaps.gap[r], i, THUD_GAP_EXACT, NULL);
+        governing = needed > widest ? r : governing;
+        widest = fmax(widest, needed);
+    }
+    thud_interface_gaps(f, &least, &most);
+    thud_interface_gap_text(f, given, sizeof given);
+    snprintf(shown, sizeof shown, "%.2f cm", thud_table_gap_cm(value));
+    thud_document_cell(&site->document, "gap between %s and %s, by %s", thud_site_name(site, i - 1),
+                       thud_site_name(site, i), site->code->name);
+    add_criterion(site, given, value, least, shown, governing, "Required gap");
+}
+
+/* In the unit of documents. */
+static const char *value_text(const struct thud_measure_info *info, double value, char *text, size_t size)
+{
+    static const struct {
+        double size;
+        const char *name;
+    } unit[THUD_DIMENSIONS] = {[THUD_RATIO] = {0.01, " %"},
+                               [THUD_LENGTH] = {1e-3, " mm"},
+                               [THUD_FORCE] = {1e6, " MN"},
+                               [THUD_ACCELERATION] = {THUD_GRAVITY, " g"}};
+    const double own = unit[info->kind].size > 0 ? unit[info->kind].size : 1;
+    snprintf(text, size, "%s%s", thud_site_number(value / own, 3).text,
+             unit[info->kind].name && !isnan(value) ? unit[info->kind].name : "");
+    return text;
+}
+
+/* Of the scene as written, the largest of its structures. */
+static void criterion(struct site *site, enum thud_measure measure)
+{
+    const struct thud_measure_info *info = thud_measure_info(measure);
+    const struct thud_event *limit = &site->limit[measure];
+    const int own = site->suite.plan.ncases - 1;
+    double *room = site->suite.room;
+    char shown[32];
+    int governing = 0;
+    bool any = false;
+    for (int r = 0; r < site->suite.runs->nrecords; r++) {
+        room[r] = thud_suite_value(site->suite.runs, r, site->suite.as_given, own, measure, -1);
+        governing = room[r] > room[governing] || isnan(room[governing]) ? r : governing;
+        any = any || !isnan(room[r]);
+    }
+    if (!any && !*limit->text)
+        return;
+    const double value = decided(site);
+    thud_document_cell(&site->document, "%s", info->words);
+    add_criterion(site, *limit->text ? limit->text + strcspn(limit->text, ":=") + 1 : "no limit given", value,
+                  *limit->text ? limit->limit : NAN, value_text(info, value, shown, sizeof shown), governing,
+                  "Results");
+}
+
+/* Whether a measure stands among the criteria: always, unless another of its name has the limit, or by its limit. */
+static bool is_criterion(const struct site *site, enum thud_measure measure)
+{
+    const char *word = thud_measure_info(measure)->event.word;
+    bool always = false;
+    for (size_t i = 0; i < sizeof criteria / sizeof *criteria; i++)
+        always = always || criteria[i] == measure;
+    for (enum thud_measure m = 0; word && m < THUD_MEASURES; m++) {
+        const char *other = thud_measure_info(m)->event.word;
+        always = always && !(m != measure && other && strcmp(other, word) == 0 && *site->limit[m].text);
+    }
+    return always || *site->limit[measure].text;
+}
+
+void thud_site_conclusion(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    char of[96], caption[240];
+    if (!site->suite.runs)
+        return;
+    thud_document_heading(d, "Conclusion");
+    for (int i = 1; site->gap && i < site->scene->nstructures; i++)
+        recommend(site, i);
+    decided_words(site, of, sizeof of);
+    if (site->record)
+        snprintf(caption, sizeof caption, "Criteria, %s: %s", site->own->words, of);
+    else
+        snprintf(caption, sizeof caption, "Criteria, %s", site->own->words);
+    thud_document_table(d, caption);
+    thud_document_head(d, "criterion|limit|value|ratio|met?|governing load case|section");
+    for (int i = 1; site->gap && i < site->scene->nstructures; i++)
+        gap_criterion(site, i);
+    for (enum thud_measure m = 0; m < THUD_MEASURES; m++)
+        if (is_criterion(site, m))
+            criterion(site, m);
+}
