@@ -145,7 +145,7 @@ while read -r key; do
     esac
     gives 3 run "$preset" --set "$key=@" && ! says "unknown key" || wrong="$wrong $key"
 done <"$tmp/keys"
-is "there are those of every part of a scene" [ "$(sed 's/\..*//' "$tmp/keys" | sort -u | tr '\n' ' ')" = "analysis bumper contact document gap gap-by-level levels links p-delta record structures study title " ]
+is "there are those of every part of a scene" [ "$(sed 's/\..*//' "$tmp/keys" | sort -u | tr '\n' ' ')" = "analysis bumper contact contact-levels document gap gap-by-level levels links p-delta record structures study title " ]
 is "the keys are keys of a scene${wrong:+:$wrong}" [ -z "$wrong" ]
 wrong=""
 while read -r case; do "$THUD" run "$([ "$case" = link ] && echo towers-linked || echo rigid-bumper)" --case "$case" --quiet 2>"$tmp/err" || wrong="$wrong $case"; done <"$tmp/cases"

@@ -377,6 +377,11 @@ void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, uns
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
 
+/* How many numbers have to be known to describe the structures, interfaces and links: values that are the same at every
+ * floor are one, and of a building whose modes are left out no more than period and modal mass of each mode that stays,
+ * and its shape at the floors that meet a neighbour. */
+int thud_scene_inputs(const struct thud_scene *scene);
+
 /* ---- cases ---- */
 
 /* To a scene for reading alone: without the structures, and what comes with them, beyond those in use: a tenth of the

@@ -3,6 +3,7 @@
 #include "io/result/bench_rows.h"
 #include "io/result/list_rows.h"
 #include "io/result/result_rows.h"
+#include "io/result/simplify_rows.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 
@@ -26,7 +27,8 @@ static const struct thud_schema *const schemas[] = {
     &thud_tried_schema,          &thud_suite_row_schema,      &thud_median_schema,
     &thud_drawn_schema,          &thud_sampled_motion_schema, &thud_series_schema,
     &thud_gap_fractile_schema,   &thud_gap_range_schema,      &thud_used_motion_schema,
-    &thud_first_contact_schema,  &thud_bench_cost_schema,     &thud_stability_summary_schema};
+    &thud_first_contact_schema,  &thud_bench_cost_schema,     &thud_stability_summary_schema,
+    &thud_simplify_schema};
 
 const struct thud_schema *thud_schema_at(int i)
 {

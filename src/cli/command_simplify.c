@@ -1,0 +1,139 @@
+/* thud simplify: what a scene needs. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/run/figure_files.h"
+#include "app/sweep/simplify_report.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "io/building/building_file.h"
+#include "io/file/file.h"
+#include "io/file/paths.h"
+#include "io/preset/preset.h"
+#include "io/result/simplify_rows.h"
+
+static enum thud_status read_ask(const struct thud_args *args, struct thud_simplify_ask *ask, struct thud_error *err)
+{
+    struct thud_quantity within = {.value = 0.05};
+    const char *text = thud_args_value(args, "within"), *cases = thud_args_value(args, "cases");
+    if (text && (thud_quantity_parse(text, THUD_RATIO, NULL, &within, NULL) != THUD_OK ||
+                 !(within.value > 0 && within.value <= 1))) {
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is no accuracy", text);
+        thud_args_key("within", err);
+        thud_error_allow(err, "above 0, at most 100 %%");
+        return THUD_USAGE;
+    }
+    *ask = (struct thud_simplify_ask){.within = within.value};
+    while (cases && *cases) {
+        char name[32];
+        const size_t n = strcspn(cases, ",");
+        snprintf(name, sizeof name, "%.*s", (int)(n < sizeof name ? n : sizeof name - 1), cases);
+        if (ask->ncases == THUD_SIMPLIFY_CASES)
+            return thud_error_set(err, THUD_USAGE, "--cases: too many");
+        if (thud_case_find(name, &ask->cases[ask->ncases++], err) != THUD_OK) {
+            thud_args_key("cases", err);
+            err->status = THUD_USAGE;
+            return THUD_USAGE;
+        }
+        cases += n + (cases[n] == ',');
+    }
+    return THUD_OK;
+}
+
+/* The ground motion's file as the preset in the folder finds it; where it would not, by its whole path. */
+static void move_record(const struct thud_session *session, const char *to, struct thud_scene *scene)
+{
+    char here[4096], there[4096];
+    const char *file = session->scene.record.file;
+    if (!file[0] || thud_paths_record(&session->paths, session->preset_path, file, here, sizeof here, NULL) != THUD_OK)
+        return;
+    if (strcmp(here, file) != 0 && thud_paths_record(&session->paths, to, file, there, sizeof there, NULL) == THUD_OK &&
+        strcmp(here, there) == 0)
+        return;
+    char *whole = realpath(here, NULL);
+    if (whole && strlen(whole) < sizeof scene->record.file)
+        snprintf(scene->record.file, sizeof scene->record.file, "%s", whole);
+    free(whole);
+}
+
+static enum thud_status write_preset(const struct thud_session *session, const struct thud_simplify *found,
+                                     const struct thud_simplify_suite *suite, const char *folder,
+                                     struct thud_error *err)
+{
+    struct thud_scene *scene = malloc(sizeof *scene);
+    struct thud_text text = {0};
+    char path[4096], *preset = NULL;
+    unsigned long size;
+    if (!scene)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    *scene = *thud_simplify_scene(found);
+    snprintf(path, sizeof path, "%s/simplest.yaml", folder);
+    thud_building_files_move(scene, session->preset_path, path);
+    move_record(session, path, scene);
+    enum thud_status status = thud_preset_text(session->preset, scene, &preset, &size, err);
+    if (status == THUD_OK) {
+        thud_simplify_comments(found, suite, &text);
+        thud_text_bytes(&text, preset, size);
+        status = thud_text_write_in(&text, folder, "simplest.yaml", err);
+    }
+    thud_text_clear(&text);
+    free(preset);
+    free(scene);
+    return status;
+}
+
+static enum thud_status save(const struct thud_args *args, const struct thud_session *session,
+                             const struct thud_simplify *found, const struct thud_simplify_suite *suite,
+                             struct thud_error *err)
+{
+    const char *folder = thud_args_value(args, "o");
+    const struct thud_rows rows = thud_simplify_table_rows(found);
+    struct thud_text text = {0};
+    thud_rows_csv(&rows, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, "simplifications.csv", err);
+    thud_text_clear(&text);
+    return status == THUD_OK ? write_preset(session, found, suite, folder, err) : status;
+}
+
+static enum thud_status simplify(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
+                                 struct thud_error *err)
+{
+    struct thud_record_list records = {0};
+    struct thud_simplify *found = NULL;
+    struct thud_simplify_suite suite;
+    struct thud_simplify_ask ask;
+    struct thud_made_by by;
+    struct thud_text text = {0};
+    static const char *const asked[] = {"within", "cases", "records", NULL};
+    *scene = session->scene;
+    enum thud_status status = read_ask(args, &ask, err);
+    if (status == THUD_OK)
+        status = thud_records_option_read(args, session, &records, err);
+    if (status == THUD_OK)
+        status = thud_scene_check_motion(scene, records.n > 0 ? records.record[0] : NULL, err);
+    if (status == THUD_OK)
+        status = thud_made_by_scene_file(args, "simplify", session, scene, asked, &by, err);
+    const bool begun = status == THUD_OK;
+    if (status == THUD_OK)
+        status = thud_simplify_search(scene, &records, &ask, thud_interrupt_watch(), &found, &suite, err);
+    const struct thud_rows rows = status == THUD_OK ? thud_simplify_table_rows(found) : (struct thud_rows){0};
+    if (status == THUD_OK && thud_args_has(args, "o"))
+        status = save(args, session, found, &suite, err);
+    if (status == THUD_OK && thud_args_has(args, "json"))
+        thud_simplify_json(found, &suite, scene->name, &text);
+    else if (status == THUD_OK && thud_args_has(args, "csv"))
+        thud_rows_csv(&rows, &text);
+    else if (status == THUD_OK)
+        thud_simplify_report(found, &suite, &text);
+    status = thud_cli_print_as(args, &text, status, err);
+    thud_simplify_free(found);
+    thud_record_list_clear(&records);
+    return begun ? thud_made_by_finish(args, &by, status, err) : status;
+}
+
+enum thud_status thud_command_simplify(const struct thud_args *args, struct thud_error *err)
+{
+    return thud_scene_options_with(args, simplify, err);
+}
