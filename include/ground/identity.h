@@ -20,6 +20,11 @@ int thud_records_synthetic(const struct thud_record *const *record, int n);
 /* A vertical component, by its own words or those of its file's name: UP, U-D, UD, VERT, a channel code such as HNZ, and
  * components 3 and 6 of KiK-net. */
 bool thud_record_is_vertical(const struct thud_record *record);
+/* Degrees from north towards east by what a component is called: NS, E-W, HNE, N28W, 090, 90 DEG; NaN: it does not say. */
+double thud_record_azimuth(const struct thud_record *record);
+/* Called so, or on the same axis. */
+bool thud_component_is(const char *name, const char *wanted);
+bool thud_component_is_vertical(const char *name);
 /* Of one event, or of one station in it, as both say; false where one does not say. */
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b);
 bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b);

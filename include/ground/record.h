@@ -18,6 +18,7 @@ struct thud_record {
     char event[96];
     char licence[96];              /* under which its file may be passed on; empty: its file does not say */
     char sha256[THUD_SHA256_TEXT]; /* of its file, unpacked; empty: it is of none */
+    int parts;                     /* motions that its file holds; 0: one */
     char note[160];                /* how the samples were found in the file, for a person to see; may be empty */
     double dt_s;
     size_t samples;

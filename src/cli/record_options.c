@@ -135,6 +135,8 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
     if (!status)
         status = word(args, "channel", choice->channel, sizeof choice->channel, err);
     if (!status)
+        status = word(args, "component", choice->component, sizeof choice->component, err);
+    if (!status)
         status = places(args, choice, err);
     if (!status)
         status = filter(args, &treatment->filter, err);

@@ -1,5 +1,6 @@
 #include "ground/identity.h"
 
+#include "base/ascii.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -87,6 +88,66 @@ static bool says_vertical(const char *text)
         text += n > 0 ? n : 1;
     }
     return false;
+}
+
+/* Degrees from north of one word: NS, E-W, HNE, N28W, 090, 90 DEG. NaN: none. */
+static double azimuth_of_word(const char *w, size_t n, const char *behind)
+{
+    char word[12] = "", *end;
+    size_t length = 0, digits = strspn(w, "0123456789");
+    for (size_t i = 0; i < n && length + 1 < sizeof word; i++)
+        if (w[i] != '-')
+            word[length++] = upper(w[i]);
+    const char last = n > 0 ? word[length - 1] : '\0';
+    if (digits == n && n > 0)
+        return (n == 3 || strncmp(behind, " DEG", 4) == 0 || strncmp(behind, " deg", 4) == 0) && atof(word) <= 360
+                   ? atof(word)
+                   : NAN;
+    if (strcmp(word, "NS") == 0 || strcmp(word, "NORTH") == 0 || strcmp(word, "EW") == 0 || strcmp(word, "EAST") == 0)
+        return *word == 'N' ? 0 : 90;
+    if (length == 3 && strchr("HBEFS", word[0]) && strchr("NLGH", word[1]) &&
+        strchr("NE", last)) /* SEED channel codes */
+        return last == 'N' ? 0 : 90;
+    if (length < 3 || !strchr("NS", word[0]) || !strchr("EW", last))
+        return NAN;
+    const double off = strtod(word + 1, &end);
+    const double from_north = *word == 'N' ? off : 180 - off;
+    return end == word + length - 1 && off <= 90 ? (last == 'E' ? from_north : 360 - from_north) : NAN;
+}
+
+static double component_azimuth(const char *name)
+{
+    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-";
+    double found = NAN;
+    char *end;
+    if ((*name == 'N' || *name == 'E') && !name[1])
+        return *name == 'N' ? 0 : 90;
+    const double whole = strtod(name, &end);
+    if (end > name && !*end && whole >= 0 && whole <= 360)
+        return whole;
+    for (size_t n; *name && isnan(found); name += n > 0 ? n : 1) {
+        n = strspn(name, letters);
+        found = azimuth_of_word(name, n, name + n);
+    }
+    return found;
+}
+
+double thud_record_azimuth(const struct thud_record *record)
+{
+    const int place = strstr(record->format, "KiK") ? atoi(record->component) : 0; /* 1, 4: N-S; 2, 5: E-W; 3, 6: up */
+    return place > 0 ? (place % 3 == 0 ? (double)NAN : 90.0 * (place % 3 - 1))
+                     : component_azimuth(record->component);
+}
+
+bool thud_component_is(const char *name, const char *wanted)
+{
+    const double turn = fabs(component_azimuth(name) - component_azimuth(wanted));
+    return thud_ascii_same(name, wanted) || fmod(turn, 180) < 0.5;
+}
+
+bool thud_component_is_vertical(const char *name)
+{
+    return says_vertical(name);
 }
 
 bool thud_record_is_vertical(const struct thud_record *record)

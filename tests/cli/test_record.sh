@@ -207,3 +207,47 @@ if command -v gnuplot >/dev/null 2>&1; then
 else
     echo "ok - pictures of a record # SKIP no gnuplot"
 fi
+
+# two components: a motion along atan(4/3) from north, 53.13 degrees, in one file and in two of K-NET
+mkdir "$tmp/two"
+awk 'BEGIN { print "time (s),NS (m/s2),EW (m/s2),UD (m/s2)"
+    for (i = 0; i < 1000; i++) { t = i * 0.01; s = sin(6.2831853 * t) * sin(3.14159265 * t / 10); printf "%.2f,%.9f,%.9f,%.9f\n", t, 3 * s, 4 * s, 2 * s } }' >"$tmp/two/three.csv"
+knet() { # DIRECTION FACTOR
+    printf 'Origin Time       2018/01/24 19:51:00\nLat.              41.0\nLong.             142.5\nDepth. (km)       30\nMag.              6.2\nStation Code      AOM001\n'
+    printf 'Station Lat.      41.5\nStation Long.     141.0\nStation Height(m) 10\nRecord Time       2018/01/24 19:51:41\nSampling Freq(Hz) 100Hz\nDuration Time(s)  10\n'
+    printf 'Dir.              %s\nScale Factor      1000(gal)/1000000\nMax. Acc. (gal)   400\nLast Correction   2018/01/24 19:51:26\nMemo.\n' "$1"
+    awk -F, -v f="$2" 'NR > 1 { printf "%d%s", $f * 1e5, (NR - 1) % 8 ? " " : "\n" }' "$tmp/two/three.csv"
+}
+for each in N-S:NS:2 E-W:EW:3 U-D:UD:4; do knet "${each%%:*}" "${each##*:}" >"$tmp/two/AOM0011801241951.$(echo $each | cut -d: -f2)"; done
+k=$tmp/two/AOM0011801241951.EW
+peak_is() { # VALUE FILE OPTIONS: to 0.3 %, in m/s2
+    value=$1
+    shift
+    gives 0 record info --json "$@" && sed -n 's/.*"pga_mps2": \([0-9.e+-]*\).*/\1/p' "$tmp/out" | awk -v v="$value" '{ exit !($1 / v > 0.997 && $1 / v < 1.003) }'
+}
+is "a component by its name" peak_is 2.991 "$tmp/two/three.csv" --component NS
+is "by its azimuth" peak_is 3.988 "$tmp/two/three.csv" --component 090
+is "by the name of its column" peak_is 1.994 "$tmp/two/three.csv" --component "UD (m/s2)"
+is "turned by 30 degrees: 3 cos 30 + 4 sin 30" peak_is 4.584 "$tmp/two/three.csv" --component rot30
+is "and from the other: 4 cos 30 + 3 sin 30" peak_is 4.949 "$k" --component rot30
+for file in "$tmp/two/three.csv:53 deg from N" "$k:37 deg from E"; do
+    is "the largest is along the motion" peak_is 4.985 "${file%%:*}" --component rotd100 --period 0.7s
+    is "whose angle is told" shows "\"component\": \"${file##*:}"
+    is "half of all directions are above cos(45)" peak_is 3.525 "${file%%:*}" --component rotd50 --period 0.7s
+done
+is "the other file of a set" peak_is 2.991 "$k" --component NS
+is "which none of them is" gives 3 record info "$k" --component 045
+is "is refused" says "AOM0011801241951.EW: --component: the motion is of component E-W, not 045"
+is "a file without a pair" gives 3 record info kobe-surrogate.csv --component rot30
+is "says so" says "component: the other horizontal component of .* is not found"
+is "rotd50 without a period" gives 3 record info "$k" --component rotd50
+is "asks for it" says "period: rotd50 needs the period"
+is "nor is it made of words" gives 3 record info "$k" --component rotated
+is "record list tells what pairs" gives 0 record list "$tmp/two"
+is "by name" shows '^AOM0011801241951.EW .* with AOM0011801241951.NS$'
+is "and not what is vertical" shows '^AOM0011801241951.UD .* g$'
+widest() { "$THUD" gap towers --csv --quiet "$@" | awk -F, 'NR > 1 && $7 > m { m = $7 } END { print m }'; }
+is "the direction that governs is one of every 5 degrees" [ "$(widest --records "$k:component=governs")" = "$( (widest --record "$k" --component rot35 && widest --record "$k" --component rot215) | sort -g | tail -1)" ]
+printf '%s:component=NS:event="Aomori, 2018":station=X1:licence=CC0\n' "$k" >"$tmp/two/said.list"
+is "a list says whose motion it is" gives 0 suite "$tmp/two/said.list" --csv
+is "event, station and component" shows ',"Aomori, 2018",X1,N-S,'

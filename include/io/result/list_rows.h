@@ -24,7 +24,7 @@ void thud_motion_info_fill(const struct thud_record *record, struct thud_motion_
 
 /* `needs`: an option without which it is not read; `error`: why it cannot be. */
 struct thud_motion_list_row {
-    const char *file, *format, *needs, *error;
+    const char *file, *format, *needs, *error, *pair;
     size_t samples;
     double dt_s, pga_mps2;
 };

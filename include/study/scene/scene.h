@@ -172,9 +172,13 @@ struct thud_record_choice {
     double resample_s;   /* for times in unequal steps, straight between the samples; NaN: not given */
     char unit[16];       /* for files that do not say; empty: not given */
     char channel[32];    /* file with several; empty: not given */
-    int column;          /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
-    int skip;            /* lines; -1: not given */
-    int every;           /* of the scaled samples one in so many, after a low pass; 0: all */
+    char component
+        [32]; /* a direction, rotd50, rotd100, rotN or governs (io/record/record_component.h); empty: not given */
+    int part; /* the n-th horizontal component of the file; 0: not asked for */
+    char event[96], station[96], licence[96]; /* in place of what the file says; empty: as it says */
+    int column; /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
+    int skip;   /* lines; -1: not given */
+    int every;  /* of the scaled samples one in so many, after a low pass; 0: all */
 };
 
 struct thud_analysis {

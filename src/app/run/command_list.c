@@ -93,6 +93,7 @@ static const struct thud_option options[] = {
     {"unit", "UNIT", "unit of a record that does not say it", THUD_WORD_CHOICE, false,
      STUDY | MEASURE | FIGURES | RECORD | SCREEN | VERIFY | EXPORT | REPORT | STIFFNESS | SOLVE},
     {"channel", "NAME", "channel of a record with several, by number or name", THUD_WORD_TEXT, false, MOTION},
+    {"component", "NAME", "NS, 090, rotd50, rotd100, rot30 or governs", THUD_WORD_TEXT, false, MOTION},
     {"column", "N", "column of the acceleration in a table, or all", THUD_WORD_TEXT, false, MOTION},
     {"skip", "N", "lines to skip at a record's start", THUD_WORD_TEXT, false, MOTION},
     {"factor", "NUMBER", "multiply the ground motion", THUD_WORD_TEXT, false, MOTION},

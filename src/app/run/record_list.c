@@ -10,16 +10,17 @@
 #include "io/file/file.h"
 #include "io/record/record_file.h"
 
-/* Those that scale stand first. */
-static const char *const settings[] = {"peak", "sa",   "period",  "factor", "sign", "from", "to",
-                                       "dt",   "unit", "channel", "column", "skip", "every"};
+/* Those that scale stand first, and last those that are no options of the command line. */
+static const char *const settings[] = {"peak", "sa",    "period", "factor",  "sign",      "from",
+                                       "to",   "dt",    "unit",   "channel", "component", "column",
+                                       "skip", "every", "event",  "station", "licence"};
 enum { SCALES = 5 };
-enum { SETTINGS = sizeof settings / sizeof *settings };
+enum { SETTINGS = sizeof settings / sizeof *settings, OPTIONS = SETTINGS - 3 };
 _Static_assert(sizeof settings / sizeof *settings <= THUD_RECORD_SETTINGS_MAX, "room for all of them");
 
 const char *thud_record_setting(int i)
 {
-    return i < SETTINGS ? settings[i] : NULL;
+    return i < OPTIONS ? settings[i] : NULL;
 }
 
 /* The first such character that stands in no quotation marks; NULL: none. They open where the text begins and behind
@@ -205,9 +206,7 @@ static enum thud_status read_one(const struct thud_session *session, const struc
     struct thud_record_choice choice = scene->record;
     enum thud_status status = thud_paths_record(&session->paths, session->preset_path, choice.file, path, size, err);
     if (status == THUD_OK)
-        status = thud_record_choice_resolve(&session->scene, &choice, err);
-    if (status == THUD_OK)
-        status = thud_record_file_read(path, &choice, out, err);
+        status = thud_motion_read(&session->scene, path, &choice, out, err);
     if (status == THUD_OK)
         snprintf((*out)->file, sizeof(*out)->file, "%s", choice.file);
     return status;

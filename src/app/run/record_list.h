@@ -7,7 +7,7 @@
 #include "app/run/session.h"
 #include "base/text.h"
 
-enum { THUD_RECORD_SETTINGS_MAX = 16 };
+enum { THUD_RECORD_SETTINGS_MAX = 20 };
 /* What can be said of a ground motion beside its file, as words of the command line and as keys of a preset's record:
  * the i-th, NULL past the last. */
 const char *thud_record_setting(int i);

@@ -10,7 +10,7 @@
 #include "app/run/record_verbs.h"
 #include "base/quantity.h"
 #include "io/file/paths.h"
-#include "io/record/record_file.h"
+#include "io/record/record_component.h"
 #include "io/result/list_rows.h"
 
 static void row(struct thud_text *out, const char *name, const char *fmt, ...) THUD_PRINTF(3, 4);
@@ -107,25 +107,26 @@ static void end(struct listing *listing)
 
 /* `why`: why there is no record, "" where it only needs an option. */
 static void put_entry(struct listing *listing, const char *path, const char *name, const struct thud_record *record,
-                      const char *needs, const char *why)
+                      const char *needs, const char *why, const char *pair)
 {
     struct thud_text *out = listing->rows.out;
     const struct thud_motion_list_row row = {path,
                                              record ? record->format : "",
                                              needs,
                                              *why ? why : NULL,
+                                             *pair ? pair : NULL,
                                              record ? record->samples : 0,
                                              record ? record->dt_s : NAN,
                                              record ? thud_record_peak(record) : NAN};
     if (listing->data)
         thud_list_add(&listing->rows, &row, NULL, 0);
     else if (record)
-        thud_text_append(out, "%-*s %-14s %8zu  %7.6g s  %7.4f g\n", listing->width, name, row.format, row.samples,
-                         row.dt_s, row.pga_mps2 / THUD_GRAVITY);
+        thud_text_append(out, "%-*s %-14s %8zu  %7.6g s  %7.4f g%s%s\n", listing->width, name, row.format, row.samples,
+                         row.dt_s, row.pga_mps2 / THUD_GRAVITY, *pair ? "  with " : "", pair);
     else if (*why)
         thud_text_append(out, "%-*s cannot be read: %s\n", listing->width, name, why);
     else
-        thud_text_append(out, "%-*s needs --%s\n", listing->width, name, needs);
+        thud_text_append(out, "%-*s needs --%s%s%s\n", listing->width, name, needs, *pair ? ", of " : "", pair);
 }
 
 /* A file that is no record is passed over; one that cannot be read is told. Errors: THUD_MEMORY. */
@@ -148,7 +149,17 @@ static enum thud_status list_file(const char *path, const char *name, struct lis
         return thud_error_set(failure, THUD_MEMORY, "out of memory");
     if (status && !unreadable && !err.key[0]) /* with a key: a record, but one that needs an option */
         return THUD_OK;
-    put_entry(listing, path, name, record, err.key, unreadable ? err.what : "");
+    char pair[1100] = "";
+    struct thud_record *other = NULL;
+    if (record)
+        thud_record_companion(path, record, &treatment.choice, pair, sizeof pair, &other, NULL);
+    else if (strcmp(err.key, "channel") == 0) /* several in one file */
+        snprintf(pair, sizeof pair, "%s", err.allowed);
+    put_entry(listing, path, name, record, err.key, unreadable ? err.what : "",
+              other    ? thud_path_name(pair)
+              : record ? ""
+                       : pair);
+    thud_record_free(other);
     thud_record_free(record);
     return THUD_OK;
 }
@@ -162,7 +173,7 @@ void thud_record_rows(const char *name, struct thud_record *const *record, int n
         width = (int)fmax(width, (double)strlen(thud_path_name(record[i]->file)));
     begin(&listing, name, width, form, out);
     for (int i = 0; i < n; i++)
-        put_entry(&listing, record[i]->file, thud_path_name(record[i]->file), record[i], "", "");
+        put_entry(&listing, record[i]->file, thud_path_name(record[i]->file), record[i], "", "", "");
     end(&listing);
 }
 

@@ -1,10 +1,13 @@
 #include "app/run/session.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/scan.h"
-#include "io/record/record_file.h"
+#include "io/record/record_component.h"
+#include "study/scene/needed_gap.h"
 
 static enum thud_status open_session(struct thud_session *session, const char *preset, bool unfinished,
                                      struct thud_error *err)
@@ -121,6 +124,43 @@ static enum thud_status copy_given(const struct thud_record *given, const struct
     return status == THUD_OK ? thud_record_choice_apply(*out, choice, err) : status;
 }
 
+/* The required gap of a scene under a motion in one of its directions: the widest of all levels, m. */
+static enum thud_status gap_of(const struct thud_scene *scene, const char *path,
+                               const struct thud_record_choice *choice, double *gap_m, struct thud_error *err)
+{
+    struct thud_record *record;
+    struct thud_needed_gap *needed = NULL;
+    enum thud_status status = thud_record_file_read(path, choice, &record, err);
+    if (status == THUD_OK)
+        status = thud_needed_gap_run(scene, record, &needed, err);
+    *gap_m = 0;
+    for (int i = 0; status == THUD_OK && i < needed->nlevels; i++)
+        *gap_m = fmax(*gap_m, needed->level[i].relative_displacement_m);
+    free(needed);
+    thud_record_free(record);
+    return status;
+}
+
+enum thud_status thud_motion_read(const struct thud_scene *scene, const char *path, struct thud_record_choice *choice,
+                                  struct thud_record **out, struct thud_error *err)
+{
+    enum { APART = 5 }; /* degrees: a peak falls off by 1 - cos(2.5 deg), 0.1 %, halfway */
+    double widest = -1, gap;
+    int best = 0;
+    *out = NULL;
+    enum thud_status status = thud_record_choice_resolve(scene, choice, err);
+    const bool governs = strcmp(choice->component, THUD_COMPONENT_GOVERNS) == 0 && scene->nstructures > 1;
+    for (int k = 0; governs && k < 360 && status == THUD_OK; k += APART) {
+        snprintf(choice->component, sizeof choice->component, "rot%d", k);
+        status = gap_of(scene, path, choice, &gap, err);
+        best = status == THUD_OK && gap > widest ? k : best;
+        widest = fmax(widest, gap);
+    }
+    if (governs)
+        snprintf(choice->component, sizeof choice->component, "rot%d", best);
+    return status == THUD_OK ? thud_record_file_read(path, choice, out, err) : status;
+}
+
 enum thud_status thud_session_read_record(struct thud_session *session, struct thud_error *err)
 {
     struct thud_record_choice choice = session->scene.record;
@@ -128,12 +168,13 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
     enum thud_status status = choice.file[0] ? find_record(session, path, sizeof path, err) : THUD_OK;
     if (status == THUD_OK)
         status = thud_record_choice_resolve(&session->scene, &choice, err);
+    const struct thud_record_choice asked = choice;
     if (status == THUD_OK && session->record && memcmp(&choice, &session->record_read, sizeof choice) == 0)
         return THUD_OK;
     thud_record_free(session->record);
     session->record = NULL;
     if (status == THUD_OK && choice.file[0])
-        status = path[0] ? thud_record_file_read(path, &choice, &session->record, err)
+        status = path[0] ? thud_motion_read(&session->scene, path, &choice, &session->record, err)
                          : copy_given(session->given, &choice, &session->record, err);
     if (status == THUD_OK)
         status = thud_scene_check_motion(&session->scene, session->record, err);
@@ -142,7 +183,7 @@ enum thud_status thud_session_read_record(struct thud_session *session, struct t
         session->record = NULL;
     } else if (session->record) {
         snprintf(session->record->file, sizeof session->record->file, "%s", choice.file); /* as given, not as found */
-        session->record_read = choice;
+        session->record_read = asked;
     }
     return status;
 }

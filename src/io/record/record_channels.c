@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "ground/identity.h"
 
 struct record_channel *record_channel_add(struct record_channels *channels)
 {
@@ -20,7 +21,7 @@ struct record_channel *record_channel_add(struct record_channels *channels)
 static int find(const struct record_channels *channels, const char *wanted)
 {
     char place[16];
-    for (int pass = 0; pass < 4; pass++)
+    for (int pass = 0; pass < 5; pass++)
         for (int i = 0; i < channels->count; i++) {
             const struct record_channel *channel = &channels->of[i];
             snprintf(place, sizeof place, "%d", i + 1);
@@ -28,7 +29,8 @@ static int find(const struct record_channels *channels, const char *wanted)
             bool hit = pass == 0   ? thud_ascii_same(channel->name, wanted)
                        : pass == 1 ? strlen(wanted) == word && thud_ascii_begins(channel->name, word, wanted)
                        : pass == 2 ? thud_ascii_same(channel->number, wanted)
-                                   : strcmp(place, wanted) == 0;
+                       : pass == 3 ? strcmp(place, wanted) == 0
+                                   : thud_component_is(channel->name, wanted);
             if (hit && wanted[0])
                 return i;
         }
@@ -57,9 +59,16 @@ enum thud_status record_channels_read(const struct record_source *source, const 
 {
     if (channels->count == 0)
         return record_refuse(source, 0, 0, err, "there are no accelerations in it");
-    int which = choice->channel[0] ? find(channels, choice->channel) : channels->count == 1 ? 0 : -1;
+    const char *wanted = choice->part ? "" : choice->channel[0] ? choice->channel : choice->component;
+    int which = wanted[0] && (choice->channel[0] || channels->count > 1) ? find(channels, wanted)
+                : channels->count == 1                                   ? 0
+                                                                         : -1;
+    for (int i = 0, horizontal = 0; channels->count > 1 && choice->part && i < channels->count; i++)
+        if (!thud_component_is_vertical(channels->of[i].name) && ++horizontal == choice->part)
+            which = i;
+    raw->parts = channels->count;
     if (which < 0)
-        return ask(source, channels, choice->channel, err);
+        return ask(source, channels, wanted, err);
     const struct record_channel *channel = &channels->of[which];
     struct record_cursor cursor = channel->cursor;
     raw->dt_s = channel->dt_s;

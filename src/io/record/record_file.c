@@ -7,9 +7,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "ground/identity.h"
 #include "ground/record_edit.h"
 #include "ground/spectrum.h"
 #include "io/file/file.h"
+#include "io/record/record_component.h"
 #include "io/record/record_source.h"
 #include "io/record/record_table.h"
 #include "io/record/target_file.h"
@@ -180,6 +182,11 @@ static enum thud_status scale_to(const struct thud_record *record, const struct 
 enum thud_status thud_record_choice_apply(struct thud_record *record, const struct thud_record_choice *choice,
                                           struct thud_error *err)
 {
+    const char *said[] = {choice->event, choice->station, choice->licence};
+    char *to[] = {record->event, record->station, record->licence};
+    for (int i = 0; i < 3; i++)
+        if (*said[i])
+            memcpy(to[i], said[i], sizeof choice->event);
     if ((!isnan(choice->from_s) || !isnan(choice->to_s)) &&
         thud_record_trim(record, choice->from_s, choice->to_s, err) != THUD_OK) {
         thud_error_place(err, record->file, 0, 0);
@@ -230,6 +237,7 @@ static enum thud_status build(const struct record_source *source, const struct r
     memcpy(record->licence, raw->licence, sizeof record->licence);
     memcpy(record->note, raw->note, sizeof record->note);
     record->synthetic = raw->synthetic;
+    record->parts = raw->parts;
     status = thud_record_choice_apply(record, choice, err);
     if (status) {
         thud_record_free(record);
@@ -305,16 +313,56 @@ enum thud_status thud_record_text_read(const char *path, char **text, size_t *si
     return status;
 }
 
+/* The motion that a file holds is of another direction than asked for: that of the file beside it. */
+static enum thud_status take_component(const char *path, const struct thud_record_choice *choice,
+                                       struct thud_record **record, struct thud_error *err)
+{
+    struct thud_record_choice own = *choice;
+    struct thud_record *other;
+    char beside[1100];
+    if (!choice->component[0] || (*record)->parts > 1 || thud_component_is((*record)->component, choice->component))
+        return THUD_OK;
+    if (!(*record)->component[0]) {
+        memcpy((*record)->component, choice->component, sizeof choice->component);
+        return THUD_OK;
+    }
+    own.component[0] = '\0';
+    enum thud_status status = thud_record_companion(path, *record, &own, beside, sizeof beside, &other, err);
+    if (status == THUD_OK && (!other || !thud_component_is(other->component, choice->component))) {
+        thud_record_free(other);
+        status =
+            thud_error_refuse(err, THUD_INPUT, "component", "its own, or that of a file named like it",
+                              "the motion is of component %.40s, not %.30s", (*record)->component, choice->component);
+        thud_error_place(err, path, 0, 0);
+        return status;
+    }
+    if (status == THUD_OK) {
+        thud_record_free(*record);
+        *record = other;
+    }
+    return status;
+}
+
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err)
 {
     *out = NULL;
     char *text;
     size_t size;
-    enum thud_status status = thud_record_text_read(path, &text, &size, err);
+    const bool rotated = thud_component_is_rotated(choice->component);
+    enum thud_status status =
+        rotated ? thud_record_rotated_read(path, choice, out, err) : thud_record_text_read(path, &text, &size, err);
     if (status)
         return status;
-    status = thud_record_parse(text, size, path, choice, out, err);
-    free(text);
+    if (!rotated) {
+        status = thud_record_parse(text, size, path, choice, out, err);
+        free(text);
+    }
+    if (status == THUD_OK)
+        status = rotated ? thud_record_choice_apply(*out, choice, err) : take_component(path, choice, out, err);
+    if (status != THUD_OK) {
+        thud_record_free(*out);
+        *out = NULL;
+    }
     return status;
 }

@@ -50,6 +50,7 @@ struct record_raw {
     bool dt_from_prose; /* found in free text: an option may say otherwise */
     bool factor_from_prose;
     bool remove_mean;
+    int parts;             /* motions that the file holds; 0: one */
     char unknown_unit[48]; /* of the accelerations, as the file has it; empty: it says nothing or what is known */
     int dt_line;           /* where dt stands */
     int factor_line;

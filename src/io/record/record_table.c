@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "ground/identity.h"
 #include "ground/record.h"
 
 void record_table_clear(struct record_table *table)
@@ -281,6 +282,25 @@ static int only_candidate(const struct record_table *table, int time)
     return found;
 }
 
+/* By the name that is wanted, or as the n-th of two horizontal components; -1: there is none. */
+static int find_column(const struct record_table *table, const struct thud_record_choice *choice, int time)
+{
+    const char *wanted = choice->channel[0] ? choice->channel : choice->component;
+    int horizontal = 0, at[2] = {-1, -1};
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < (int)table->columns && *wanted && !choice->part; i++)
+            if (i != time && named(table, (size_t)i) &&
+                (pass == 0             ? thud_ascii_same(table->name[i], wanted)
+                 : !choice->channel[0] ? thud_component_is(table->name[i], wanted)
+                                       : false))
+                return i;
+    for (int i = 0; i < (int)table->columns; i++)
+        if (i != time && !name_is_other(table, (size_t)i) &&
+            !(named(table, (size_t)i) && thud_component_is_vertical(table->name[i])) && horizontal++ < 2)
+            at[horizontal - 1] = i;
+    return choice->part && horizontal == 2 ? at[choice->part - 1] : -1;
+}
+
 /* Several values to a line and a short line at the very end: no table ends so, a list does. A file that was cut off
  * lacks its last line end. */
 static bool is_list(const struct record_table *table, int time)
@@ -306,14 +326,12 @@ static enum thud_status choose(const struct record_table *table, const struct th
         thud_error_allow(err, "1 to %zu", table->columns);
         return THUD_INPUT;
     }
-    if (choice->channel[0]) {
-        for (size_t i = 0; i < table->columns; i++)
-            if (named(table, i) && (int)i != time && thud_ascii_same(table->name[i], choice->channel)) {
-                *column = (int)i;
-                return THUD_OK;
-            }
+    *column = find_column(table, choice, time);
+    if (*column >= 0)
+        return THUD_OK;
+    if (choice->channel[0] || ((choice->component[0] || choice->part) && only_candidate(table, time) < 0)) {
         ask_column(table, time, err);
-        thud_error_key(err, "channel");
+        thud_error_key(err, choice->channel[0] ? "channel" : "component");
         return THUD_INPUT;
     }
     *column = -1;
@@ -394,6 +412,11 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
         status = take_step(table, time, by_name, choice, raw, err);
     if (status)
         return status;
+    if (column >= 0 && only_candidate(table, time) < 0)
+        raw->parts = (int)table->columns - (time >= 0);
+    if (raw->parts > 1 && named(table, (size_t)column) && !raw->component[0])
+        record_copy(raw->component, sizeof raw->component, table->name[column],
+                    table->name[column] + strlen(table->name[column]));
     if (!isnan(choice->dt_s) && isnan(raw->dt_s))
         table->prose.dt_line = 0; /* the user has decided */
     if (column >= 0 && named(table, (size_t)column)) {

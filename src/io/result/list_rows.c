@@ -62,13 +62,15 @@ void thud_motion_info_fill(const struct thud_record *r, struct thud_motion_info_
 }
 
 #define MOTION(member, text) THUD_FIELD(struct thud_motion_list_row, member, #member, text)
-static const struct thud_column motions[] = {MOTION(file, "Path."),
-                                             MOTION(format, "Of the file."),
-                                             MOTION(needs, "Option that is needed to read it."),
-                                             MOTION(error, "Why it cannot be read."),
-                                             MOTION(samples, "How many."),
-                                             MOTION(dt_s, "Step, s."),
-                                             MOTION(pga_mps2, "Peak ground acceleration, m/s2.")};
+static const struct thud_column motions[] = {
+    MOTION(file, "Path."),
+    MOTION(format, "Of the file."),
+    MOTION(needs, "Option that is needed to read it."),
+    MOTION(error, "Why it cannot be read."),
+    MOTION(pair, "File of the other horizontal component, or what there is in this one."),
+    MOTION(samples, "How many."),
+    MOTION(dt_s, "Step, s."),
+    MOTION(pga_mps2, "Peak ground acceleration, m/s2.")};
 const struct thud_schema thud_motion_list_schema =
     THUD_SCHEMA("record list",
                 "The ground motions of a folder or list, a row for each; with\n.Fl -json\nthe list\n.Va records\n"

@@ -104,7 +104,7 @@ enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, stru
                                             struct thud_error *err)
 {
     struct thud_model *model;
-    bool sa = choice->sa_mps2 > 0 && !(choice->period_s > 0),
+    bool sa = (choice->sa_mps2 > 0 || strncmp(choice->component, "rotd", 4) == 0) && !(choice->period_s > 0),
          target = choice->target[0] && isnan(choice->target_from_s);
     double shortest, longest;
     if (!sa && !target)

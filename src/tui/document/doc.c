@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/run/session.h"
 #include "base/scan.h"
 #include "io/building/building_file.h"
 #include "io/file/file.h"
@@ -384,9 +385,7 @@ static enum thud_status read_motion(const struct thud_doc *doc, const struct thu
     if (!*scene->record.file)
         return THUD_OK;
     enum thud_status status = thud_paths_record(doc->paths, doc->path, scene->record.file, path, size, err);
-    if (status == THUD_OK)
-        status = thud_record_choice_resolve(scene, &resolved, err);
-    return status == THUD_OK ? thud_record_file_read(path, &resolved, out, err) : status;
+    return status == THUD_OK ? thud_motion_read(scene, path, &resolved, out, err) : status;
 }
 
 enum thud_status thud_doc_read_record(const struct thud_doc *doc, const struct thud_scene *scene,
