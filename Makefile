@@ -73,7 +73,7 @@ $(B)/files: FORCE
 $(B)/commit: FORCE
 	$(call keep,$(or $(shell git describe --always --dirty --exclude '*' 2>/dev/null),unknown))
 $(B)/thud.pc: FORCE
-	$(call keep,prefix=$${pcfiledir}/../..' 'Name: thud' 'Description: earthquake pounding of neighbouring buildings' 'Version: $(VERSION)' \
+	$(call keep,prefix=$${pcfiledir}/../..' 'libdir=$${prefix}/lib' 'Name: thud' 'Description: earthquake pounding of neighbouring buildings' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lthud' 'Libs.private: $(DOORLIBS) -pthread)
 $(B)/headers: $(B)/flags
 	@tests/tools/need.sh $(CC) && touch $@

@@ -116,6 +116,22 @@ static bool is_verb(enum thud_command_id id, const char *word)
     return found;
 }
 
+/* What is no command is a question. */
+static enum thud_status search(const struct thud_args *args, struct thud_text *out, struct thud_error *err)
+{
+    struct thud_text question = {0};
+    for (int i = 0; i < args->noperands; i++)
+        thud_text_append(&question, "%s%s", i ? " " : "", args->operand[i]);
+    const bool found = question.data && thud_help_search(out, question.data);
+    thud_text_clear(&question);
+    return found ? THUD_OK
+                 : thud_error_set(
+                       err, THUD_USAGE,
+                       "thud has no command \"%.40s\" (`thud help` lists them), and no paragraph of the manual "
+                       "pages has these words",
+                       args->operand[0]);
+}
+
 enum thud_status thud_command_help(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_text text = {0};
@@ -123,9 +139,9 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
     const char *part = thud_args_value(args, "mdoc");
     enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
-    if (args->noperands > 2 || (args->noperands == 2 && (id == THUD_COMMANDS || !is_verb(id, args->operand[1])))) {
-        status = thud_error_set(err, THUD_USAGE, "thud help takes one command, or one and its verb");
-    } else if (list) {
+    const bool command =
+        id != THUD_COMMANDS && (args->noperands < 2 || (args->noperands == 2 && is_verb(id, args->operand[1])));
+    if (list) {
         status = words(list, &text, err);
     } else if (shell) {
         if (!thud_completion(&text, shell))
@@ -133,9 +149,8 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     } else if (part) {
         if (!thud_manual_part(&text, part))
             status = thud_error_set(err, THUD_USAGE, "the manual has no part \"%.40s\"", part);
-    } else if (id == THUD_COMMANDS) {
-        status =
-            thud_error_set(err, THUD_USAGE, "thud has no command \"%.40s\" (`thud help` lists them)", args->operand[0]);
+    } else if (!command) {
+        status = search(args, &text, err);
     } else if (args->noperands == 0) {
         thud_help_all(&text);
     } else {

@@ -10,6 +10,9 @@
 void thud_help_all(struct thud_text *out);
 void thud_help_command(struct thud_text *out, enum thud_command_id id);
 
+/* The paragraphs of the manual pages that a question is about; false: there are none. */
+bool thud_help_search(struct thud_text *out, const char *question);
+
 /* A completion script; false when the shell is none of bash, zsh, fish. The scripts ask `thud help --words LIST` for
  * words that change. */
 bool thud_completion(struct thud_text *out, const char *shell);

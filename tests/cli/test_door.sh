@@ -88,22 +88,55 @@ ok "it gives the bytes of run --json ($n of 14)" $?
 [ $? -eq 3 ] && grep -q '^peaks: gap: "12" has no unit; give a length' "$tmp/out"
 ok "its errors are those of the program" $?
 
+# every part of the header in one program
+{ $CC -std=c17 -Wall -Wextra -Werror -I"$tmp/include" tests/door/parts.c -L"$BUILD" -Wl,-rpath,"$root/$BUILD" -lthud -lm -o "$tmp/parts"; } >"$tmp/out" 2>&1
+ok "a program with every part of thud.h is built" $?
+memory=
+if command -v valgrind >/dev/null 2>&1; then memory='valgrind -q --leak-check=full --error-exitcode=9'; fi
+# shellcheck disable=SC2086
+(cd records && $memory "$tmp/parts" "$root/presets/rigid-concrete.yaml") >"$tmp/out" 2>&1 && grep -q '^column: forc_n, did you mean force_n?$' "$tmp/out" && grep -q '^left 7.5 mm at 2.5e+06 N$' "$tmp/out"
+ok "and runs${memory:+ under valgrind}" $?
+
 # Python
 if [ -z "$python" ]; then
     echo "ok - Python # SKIP no python3"
     exit 0
 fi
-[ "$(wc -l <tests/door/thud.py)" -le 200 ]
-ok "the Python file has at most 200 lines" $?
-PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=${DOOR_SCENES:-25} "$python" tests/door/scenes.py >"$tmp/python" 2>"$tmp/out"
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=src/python:tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=${DOOR_SCENES:-25} "$python" tests/door/scenes.py >"$tmp/python" 2>"$tmp/out"
 status=$?
 cat "$tmp/python"
 [ $status -eq 0 ] || ok "Python" 1
 localedef --no-archive -i de_DE -f UTF-8 "$tmp/de_DE.UTF-8" >/dev/null 2>&1
 if LOCPATH=$tmp LC_ALL=de_DE.UTF-8 "$python" -c 'import locale; locale.setlocale(locale.LC_ALL, ""); assert locale.localeconv()["decimal_point"] == ","' 2>/dev/null; then
-    PYTHONDONTWRITEBYTECODE=1 LOCPATH=$tmp LC_ALL=de_DE.UTF-8 PYTHONPATH=tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=3 \
+    PYTHONDONTWRITEBYTECODE=1 LOCPATH=$tmp LC_ALL=de_DE.UTF-8 PYTHONPATH=src/python:tests/door THUD_LIBRARY=$root/$BUILD/libthud.so THUD=$THUD SCENES=3 \
         "$python" tests/door/scenes.py >"$tmp/out" 2>&1 && ! grep -q '^not ok' "$tmp/out"
     ok "it writes a point where the program around it writes a comma" $?
 else
     echo "ok - it writes a point where the program around it writes a comma # SKIP no such locale can be made"
 fi
+
+# the package: installed, and how it finds the library
+places() { # WHAT PATTERN: what importing it says without a library
+    (cd "$tmp" && env -u THUD_LIBRARY PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tmp/package" "$python" -c 'import thud; print(thud.version)') >"$tmp/out" 2>&1
+    grep -q "$2" "$tmp/out"
+    ok "$1" $?
+}
+cp -r src/python "$tmp/package"
+LD_LIBRARY_PATH='' PKG_CONFIG_PATH=$tmp/none places "without a library it says where it looked" "  $tmp/package/libthud.so.0: "
+printf 'libdir=%s\nName: thud\nDescription: x\nVersion: 0\n' "$root/$BUILD" >"$tmp/thud.pc"
+if command -v pkg-config >/dev/null 2>&1; then
+    PKG_CONFIG_PATH=$tmp places "it finds the library by pkg-config" '^[0-9]*\.[0-9]'
+fi
+ln -s "$root/$BUILD/libthud.so" "$tmp/package/libthud.so.0"
+PKG_CONFIG_PATH=$tmp/none places "it finds the library beside itself" '^[0-9]*\.[0-9]'
+rm "$tmp/package/libthud.so.0"
+if "$python" -m venv "$tmp/venv" >/dev/null 2>&1 && "$tmp/venv/bin/python" -c 'import setuptools, wheel' 2>/dev/null; then
+    "$tmp/venv/bin/pip" install -q --no-index --no-build-isolation --no-deps "$tmp/package" >"$tmp/out" 2>&1 &&
+        (cd "$tmp" && THUD_LIBRARY=$root/$BUILD/libthud.so venv/bin/python -c 'import thud; print(thud.__file__, thud.run("rigid-concrete").contacts.force[0])') >>"$tmp/out" 2>&1
+    ok "pip installs it" $?
+else
+    echo "ok - pip installs it # SKIP no venv with setuptools and wheel"
+fi
+cells='import json, os; [exec("".join(c["source"]), globals()) for c in json.load(open("src/python/pounding.ipynb"))["cells"] if c["cell_type"] == "code"]; assert len(forces) > 1000 and max(forces) > 1e6'
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=src/python THUD_LIBRARY=$root/$BUILD/libthud.so "$python" -c "$cells" >"$tmp/out" 2>&1
+ok "the cells of the notebook run" $?

@@ -66,3 +66,26 @@ bodies = thud.Scene("rigid-concrete")
 bodies.law("spring", lambda mass, restitution: {"k_npm": 2.5e9}, lambda mass, d: 1.25e9 * d * d)
 contact = bodies.run().contacts
 ok("a law of one's own loses nothing", abs(contact["separation_mps"][0] / contact["approach_mps"][0] - 1) < 1e-12)
+
+again, ends = bodies.copy(), []
+again["structures.1.velocity"] = 1
+ok("a copy has the law and its own values", again.run().contacts["approach_mps"][0] == 1 and bodies.run().contacts["approach_mps"][0] == 0.5)
+try:
+    bodies.run(step=lambda moment: ends.append(moment.force_n[0]) or len(ends) == 3)
+    ok("a step ends the run", False)
+except thud.Error as error:
+    ok("a step ends the run", error.status == 8 and len(ends) == 3)
+
+
+def turn(_mass, restitution, d_m, memory):
+    """What lies beyond 1 mm is left."""
+    if restitution and d_m > memory[0] + 1e-3:
+        memory[0] = d_m - 1e-3
+
+
+bodies.law("plastic", lambda mass, r, left: {"k_npm": 2.5e9, "f0_n": -2.5e9 * left[0]}, lambda mass, d, left: 1.25e9 * min(max(d - left[0], 0), 1e-3) ** 2,
+           reversal=turn, ultimate=lambda mass, r, left: float("inf") if r else left[0] + 1e-3, past=lambda mass, r, left: {"f0_n": 2.5e6})
+contact = bodies.run().contacts  # all but 1.25 kJ of the 20 kJ is lost
+ok("a law of two branches leaves an indentation", abs((contact["separation_mps"][0] / 0.5) ** 2 - 1250 / 20000) < 1e-9)
+kinds = thud.Scene("towers").sweep({"contact.law": "kelvin-voigt,kelvin-voigt-no-tension"}, which="none").sweep
+ok("a varied word is a text", set(kinds["contact.law"]) == {"kelvin-voigt", "kelvin-voigt-no-tension"})

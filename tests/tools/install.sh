@@ -61,7 +61,8 @@ for f in "$so" libthud.so; do
 done
 file 644 "$build/thud.pc" lib/pkgconfig/thud.pc
 file 644 include/thud.h include/thud.h
-for f in peaks.c thud.py; do file 644 "tests/door/$f" "share/doc/thud/examples/$f"; done
+file 644 tests/door/peaks.c share/doc/thud/examples/peaks.c
+for f in thud.py pounding.ipynb; do file 644 "src/python/$f" "share/thud/$f"; done
 if [ "$what" = install ]; then
     if [ -s "$new" ]; then cat "$new" >>"$prefix/$folders" && chmod 644 "$prefix/$folders"; fi
 else # the deepest first; one with files of others stays

@@ -6,10 +6,12 @@
 
 Values are set by their keys of thud-preset(5), as text with a unit or as a number in SI: `set={"bumper.thickness": 0.05}`,
 or as keywords with `__` for a dot and `_` for a hyphen, `bumper__thickness="5 cm"`. Columns are NumPy arrays where there
-is NumPy, else memoryviews of doubles; either keeps the results alive. THUD_LIBRARY names another library file.
+is NumPy, else memoryviews of doubles; either keeps the results alive. The library is the one that THUD_LIBRARY names,
+else the first of: beside this file, in the libdir that pkg-config knows, where the loader looks.
 """
 import ctypes
 import os
+import subprocess
 from ctypes import CFUNCTYPE, POINTER, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
 
 try:
@@ -17,7 +19,29 @@ try:
 except ImportError:
     numpy = None
 
-_lib = ctypes.CDLL(os.environ.get("THUD_LIBRARY", "libthud.so.0"))
+def _places():
+    named, name = os.environ.get("THUD_LIBRARY"), "libthud.so.0"
+    if named:
+        return [named]
+    places = [os.path.join(os.path.dirname(os.path.abspath(__file__)), name)]
+    try:
+        folder = subprocess.run(["pkg-config", "--variable=libdir", "thud"], capture_output=True, text=True, check=True).stdout
+        places.append(os.path.join(folder.strip(), name))
+    except (OSError, subprocess.CalledProcessError):
+        pass  # no pkg-config, or it knows no thud
+    return [*places, name]
+
+def _load():
+    tried = []
+    for place in _places():
+        try:
+            return ctypes.CDLL(place)
+        except OSError as error:
+            tried.append(f"  {place}: {error}")
+    raise ImportError("thud's library was not found; THUD_LIBRARY=FILE names it. It was looked for at\n" + "\n".join(tried))
+
+
+_lib = _load()
 _PROGRESS = CFUNCTYPE(c_int, c_void_p, c_double)
 
 
@@ -25,9 +49,16 @@ class _Error(ctypes.Structure):
     _fields_ = [("status", c_int), ("file", c_char * 512), ("line", c_int), ("column", c_int), ("key", c_char * 128),
                 ("what", c_char * 512), ("allowed", c_char * 256)]
 
+class _Moment(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("time_s", c_double), ("ground_mps2", c_double), ("floors", c_size_t), ("contacts", c_size_t),
+                *((name, POINTER(c_double)) for name in ("displacement_m", "velocity_mps", "acceleration_mps2",
+                                                         "force_n", "indentation_m"))]
+
+_STEP = CFUNCTYPE(c_int, c_void_p, POINTER(_Moment))
+
 class _Control(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("which", c_char_p), ("histories", c_int), ("threads", c_int),
-                ("progress", _PROGRESS), ("context", c_void_p)]
+                ("progress", _PROGRESS), ("context", c_void_p), ("step", _STEP)]
 
 class _Table(ctypes.Structure):
     _fields_ = [("columns", c_size_t), ("rows", c_size_t), ("name", POINTER(c_char_p)), ("value", POINTER(c_double))]
@@ -36,12 +67,17 @@ class _Force(ctypes.Structure):
     _fields_ = [(name, c_double) for name in ("f0_n", "k_npm", "c_nspm", "K", "p", "D", "r")]
 
 
-_FORCE = CFUNCTYPE(None, c_void_p, c_double, POINTER(c_double), c_int, POINTER(_Force))
-_ENERGY = CFUNCTYPE(c_double, c_void_p, c_double, POINTER(c_double), c_double)
+_MEMORY = POINTER(c_double)
+_FORCE = CFUNCTYPE(None, c_void_p, c_double, _MEMORY, c_int, POINTER(_Force))
+_ENERGY = CFUNCTYPE(c_double, c_void_p, c_double, _MEMORY, c_double)
+_ONSET = CFUNCTYPE(None, c_void_p, c_double, c_double, _MEMORY)
+_REVERSAL = CFUNCTYPE(None, c_void_p, c_double, c_int, c_double, _MEMORY)
+_ULTIMATE = CFUNCTYPE(c_double, c_void_p, c_double, _MEMORY, c_int)
 
 class _Law(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("name", c_char_p), ("context", c_void_p), ("pulls", c_int), ("force", _FORCE),
-                ("energy", _ENERGY), ("onset", c_void_p), ("reversal", c_void_p)]
+                ("energy", _ENERGY), ("onset", _ONSET), ("reversal", _REVERSAL), ("ultimate", _ULTIMATE), ("past", _FORCE),
+                ("keeps_residual", c_int)]
 
 
 for _name in ("yaml", "json", "csv", "table_name", "cell", "error_text", "version"):
@@ -115,7 +151,7 @@ class Results:
 
     def _column(self, word, table, k):
         rows = table.rows
-        if table.name[k] in (b"record", b"case", b"structure", b"struck_columns"):
+        if _lib.thud_column_kind(self._handle, word, table.name[k]) == 2:  # THUD_KIND_TEXT
             return [_lib.thud_cell(self._handle, word, c_size_t(i), c_size_t(k)).decode() for i in range(rows)]
         values = (c_double * rows).from_address(ctypes.addressof(table.value.contents) + 8 * k * rows)
         values.results = self  # whose memory it is
@@ -144,7 +180,9 @@ class Scene:
         _call(function, self._handle, key.encode(), what)
 
     def __getitem__(self, key):
-        text = ctypes.create_string_buffer(65536)
+        length = c_size_t()
+        _call(_lib.thud_get_length, self._handle, key.encode(), byref(length))
+        text = ctypes.create_string_buffer(length.value + 1)
         _call(_lib.thud_get, self._handle, key.encode(), text, c_size_t(len(text)))
         return text.value.decode()
 
@@ -152,29 +190,57 @@ class Scene:
     def yaml(self):
         return _call(_lib.thud_yaml, self._handle).decode()
 
+    def copy(self):
+        """Another scene with the same values, ground motion and laws."""
+        other = Scene.__new__(Scene)
+        other._handle, other._kept = c_void_p(), list(self._kept)
+        _call(_lib.thud_copy, self._handle, byref(other._handle))
+        return other
+
     def motion(self, acceleration_mps2, dt_s):
         """The ground's acceleration from any sequence of numbers."""
         values = (c_double * len(acceleration_mps2))(*acceleration_mps2)
         _call(_lib.thud_set_motion, self._handle, values, c_size_t(len(values)), c_double(dt_s))
 
-    def law(self, name, force, energy, interface=1):
-        """A contact law: force(mass_kg, restitution) gives a dict of f0_n, k_npm, c_nspm, K, p, D, r; energy(mass_kg, d_m)."""
-        def put(_context, mass, _memory, restitution, out):
-            for key, value in force(mass, bool(restitution)).items():
-                setattr(out.contents, key, value)
-        law = _Law(ctypes.sizeof(_Law), name.encode(), None, 0, _FORCE(put), _ENERGY(lambda c, mass, m, d: energy(mass, d)))
+    def law(self, name, force, energy, interface=1, pulls=False, onset=None, reversal=None, ultimate=None, past=None,
+            keeps_residual=False):
+        """A contact law: force(mass_kg, restitution) gives a dict of f0_n, k_npm, c_nspm, K, p, D, r; energy(mass_kg, d_m).
+
+        past(mass_kg, restitution) holds beyond ultimate(mass_kg, restitution). With onset(mass_kg, v_mps, memory) or
+        reversal(mass_kg, restitution, d_m, memory), which change its eight numbers, every function takes memory last.
+        """
+        remembers = bool(onset or reversal)
+
+        def given(function, *arguments, memory):
+            return function(*arguments, memory) if remembers else function(*arguments)
+
+        def branch(function):
+            def put(_context, mass, memory, restitution, out):
+                for key, value in given(function, mass, bool(restitution), memory=memory).items():
+                    setattr(out.contents, key, value)
+            return _FORCE(put) if function else _FORCE()
+        law = _Law(ctypes.sizeof(_Law), name.encode(), None, pulls, branch(force),
+                   _ENERGY(lambda c, mass, memory, d: given(energy, mass, d, memory=memory)),
+                   _ONSET(lambda c, mass, v, memory: onset(mass, v, memory) and None) if onset else _ONSET(),
+                   _REVERSAL(lambda c, mass, r, d, memory: reversal(mass, bool(r), d, memory) and None) if reversal else _REVERSAL(),
+                   _ULTIMATE(lambda c, mass, memory, r: given(ultimate, mass, bool(r), memory=memory)) if ultimate else _ULTIMATE(),
+                   branch(past), keeps_residual)
         _call(_lib.thud_set_law, self._handle, interface, byref(law))
         self._kept.append(law)
 
-    def _do(self, function, *arguments, which=None, histories=False, threads=0, progress=None):
+    def _do(self, function, *arguments, which=None, histories=False, threads=0, progress=None, step=None):
         handle = c_void_p()
         watch = _PROGRESS(lambda _context, part: bool(progress(part))) if progress else _PROGRESS()
-        control = _Control(ctypes.sizeof(_Control), which.encode() if which else None, histories, threads, watch)
+        show = _STEP(lambda _context, moment: bool(step(moment.contents))) if step else _STEP()
+        control = _Control(ctypes.sizeof(_Control), which.encode() if which else None, histories, threads, watch, None, show)
         _call(function, self._handle, *arguments, byref(control), byref(handle))
         return Results(handle)
 
     def run(self, **how):
-        """which="bumper", histories=True, progress=function of the part done that stops by True."""
+        """which="bumper", histories=True, progress=function of the part done that stops by True.
+
+        step=function of each step, with time_s, floors, contacts, displacement_m[0], force_n[0], ...; True ends the run.
+        """
         return self._do(_lib.thud_run, **how)
 
     def sweep(self, vary=None, **how):
@@ -183,7 +249,7 @@ class Scene:
         return self._do(_lib.thud_sweep, (c_char_p * (len(words) + 1))(*words) if vary else None, **how)
 
 
-_HOW = ("which", "histories", "threads", "progress")
+_HOW = ("which", "histories", "threads", "progress", "step")
 
 
 def run(preset=None, **named):
