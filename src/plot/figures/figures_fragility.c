@@ -138,13 +138,17 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
     bool line = false;
     for (int a = 0; a < plan->naxes; a++) {
-        char against[160];
+        char against[400];
         double gap = NAN;
         if (panel_of[a] < 0)
             continue;
-        snprintf(against, sizeof against, "against %s", plan->axis[a].param->title);
-        struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], against);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, panel_of[a], "");
         thud_panel_varied(panel, THUD_X, &plan->axis[a]);
+        if (panel) {
+            snprintf(against, sizeof against, "%c%s against %c%s", words[0] - 'a' + 'A', words + 1,
+                     panel->axis[THUD_X].label[0] - 'A' + 'a', panel->axis[THUD_X].label + 1);
+            thud_figure_panel(figure, 0, panel_of[a], against);
+        }
         clear_of_frame(panel, &plan->axis[a]);
         thud_panel_share_axis(panel, THUD_Y, "Share of the ground motions");
         for (int i = 0; i < ncurves; i++)

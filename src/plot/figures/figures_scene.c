@@ -11,7 +11,7 @@
 
 /* Widths on the drawing, m. */
 static const double building_m = 6, body_m = 4, wall_m = 1.5, gap_drawn_m = 2, model_m = 6;
-enum { LABELS_MOST = 12, TEETH = 6 };
+enum { LABELS_MOST = 8, TEETH = 6 };
 enum { SLAB = THUD_COLOR_GREY, FRAME = 6, STRUCK = 1, BUMPER = 2, CONTACT = 0, MASS = 11 };
 static const struct thud_style solid = {.color = FRAME, .wide = true};
 
@@ -249,18 +249,43 @@ static void in_model(const struct drawing *d, int s)
     }
 }
 
+/* The ground under a structure: isolators and what holds a wall stand on the foot of the drawing, a foundation on soil in
+ * the ground, and in the model its springs on the foot. */
+static void ground(const struct drawing *d, int s)
+{
+    const struct thud_structure *p = &d->scene->structure[s];
+    const struct thud_style style = {.color = FRAME};
+    const double own = thud_kind_is_building(p->kind) && p->kind != THUD_ISOLATED ? p->base_m : d->foot,
+                 model = thud_structure_on_soil(p) ? d->foot : own, beside = 0.2;
+    line(d->elevation, "", style, d->left[s] - beside, own, d->right[s] + beside, own);
+    line(d->model, "", style, d->at[s] - 0.3 * model_m, model, d->at[s] + 0.3 * model_m, model);
+}
+
+/* Half the height of the bumpers of an interface: they stay apart from each other. */
+static double bumper_half(const struct drawing *d, int n, const double *y)
+{
+    double half = 0.015 * d->high;
+    for (int k = 0; k < n; k++)
+        for (int j = 0; j < k; j++)
+            half = fmin(half, 0.4 * fabs(y[k] - y[j]));
+    return half;
+}
+
 static void contacts(const struct drawing *d, int i)
 {
     const struct thud_interface *interface = &d->scene->interface[i];
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
     const int n = thud_interface_contact_pairs(d->scene, i, pair);
-    const double from = d->right[i], to = d->left[i + 1], half = 0.015 * d->high;
-    double top = d->foot;
+    const double from = d->right[i], to = d->left[i + 1];
+    double level[THUD_CONTACT_PAIRS_MAX];
     for (int k = 0; k < n; k++) {
         const bool left = thud_slab_is_left(pair[k].left_floor, pair[k].struck);
         const int s = left ? i : i + 1, floor = left ? pair[k].left_floor : pair[k].right_floor;
-        double z = elevation(d, s, floor - 1), depth = thud_structure_depth(&d->scene->structure[s], floor - 1);
-        double y = z - 0.5 * depth;
+        level[k] = elevation(d, s, floor - 1) - 0.5 * thud_structure_depth(&d->scene->structure[s], floor - 1);
+    }
+    const double half = bumper_half(d, n, level);
+    for (int k = 0; k < n; k++) {
+        const double y = level[k];
         const struct thud_level_values at = thud_interface_level(interface, k);
         if (at.has_bumper) {
             double face = from - d->wider * at.cavity_m;
@@ -272,14 +297,11 @@ static void contacts(const struct drawing *d, int i)
                 pair[k].struck < 0 ? (side ? d->at[i] : from) : (side ? d->at[i + 1] : to), y);
         spring_and_gap(d->model, at.has_bumper ? "contact with bumper and gap" : "contact with gap", d->at[i],
                        d->at[i + 1], y, d->high);
-        top = fmax(top, y);
     }
     char gap[64], text[80];
     thud_interface_gap_text(interface, gap, sizeof gap);
     snprintf(text, sizeof text, "gap %s", gap);
     thud_panel_label(d->elevation, 0.5 * (from + to), d->foot - 0.06 * (d->high - d->low), 0, text);
-    if (d->scene->nstructures == 2) /* between others stand numbers */
-        thud_panel_label(d->model, 0.5 * (d->at[i] + d->at[i + 1]), top + 0.06 * (d->high - d->low), 0, text);
 }
 
 static void links(const struct drawing *d)
@@ -316,7 +338,6 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
         panel[k]->drawing = true;
         thud_panel_axis(panel[k], THUD_Y, "Level", "m");
         thud_panel_limits(panel[k], THUD_Y, d.foot - 0.12 * high, d.high + 0.18 * high);
-        thud_panel_mark(panel[k], THUD_Y, d.foot, d.foot, "");
     }
     thud_panel_limits(d.elevation, THUD_X, -0.25 * last, 1.25 * last);
     double outside = 0.8 * model_m; /* springs of walls that give and of soil stand there with their numbers */
@@ -327,6 +348,7 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
     for (int s = 0; s < scene->nstructures; s++) {
         in_elevation(&d, s);
         in_model(&d, s);
+        ground(&d, s);
     }
     for (int i = 0; i + 1 < scene->nstructures; i++)
         contacts(&d, i);

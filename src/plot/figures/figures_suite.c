@@ -41,8 +41,8 @@ struct thud_figure *thud_figure_of_suite(const struct thud_scaled_suite *suite, 
     if (*target) {
         curve(panel, (struct thud_style){.kind = THUD_LINES, .color = 1, .wide = true}, "target", suite->period_s,
               suite->target_mps2, 1);
-        curve(panel, (struct thud_style){.kind = THUD_LINES, .color = 1, .dashed = true}, "90 % of the target",
-              suite->period_s, suite->target_mps2, 0.9);
+        curve(panel, (struct thud_style){.kind = THUD_LINES, .color = 6, .wide = true, .dashed = true},
+              "90 % of the target", suite->period_s, suite->target_mps2, 0.9);
     }
     for (int i = 0; i < nmarks; i++)
         thud_panel_mark(panel, THUD_X, mark[i].period_s, mark[i].period_s, mark[i].text);

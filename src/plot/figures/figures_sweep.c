@@ -84,7 +84,10 @@ static struct list list_of(const struct thud_sweep_table *table)
 {
     struct list l = {0};
     int at[THUD_VARY_MAX];
-    if (table->naxes == 0 || table->nrows == 0)
+    int settings = 1;
+    for (int a = 0; a < table->naxes; a++)
+        settings *= table->axis[a].n;
+    if (settings == 1 || table->nrows == 0) /* one setting has no curve */
         return l;
     bool one = table->naxes == 1;
     l.ncases = shown_cases(table, l.which);
