@@ -19,6 +19,31 @@ is "there is no contact" shows "^summary  *NO CONTACT at 14.3 cm   needs 14.3 cm
 is "nor at that of the table" gives 0 run towers --case none --record records/northridge-surrogate.csv --set gap=14.22cm
 is "of 14.2135 cm" shows "^summary  *NO CONTACT at 14.22 cm"
 is "the figure is a picture" is_png "$tmp/gap/needed-gap.png"
+
+# in a row others push two together, or hold them apart: what each interface needs is proved by runs beside it
+row_of() { awk -v i="$1" -v key="$2" -F'[{},]' '/"others_as_given_m"/ && $0 ~ "\"interface\": " i "," { for (k = 1; k <= NF; k++) if ($k ~ key) { sub(/.*: /, "", $k); print $k } }' "$tmp/row.json"; }
+touching() { # INTERFACE: impacts there in the run on $tmp/run.json
+    awk -v i="$1" '/"interface": / && /"impacts": / && $0 ~ "\"interface\": " i "," { sub(/.*"impacts": /, ""); n += $0 + 0 } END { print n + 0 }' "$tmp/run.json"; }
+at() { # FACTOR NEEDED1 NEEDED2: the row with these times a factor as clearances, interface 1 behind its bumper of 5 cm; empty: as given
+    # shellcheck disable=SC2046
+    "$THUD" run three-in-a-row --to 20s --json --quiet $(awk -v f="$1" -v a="$2" -v b="$3" 'BEGIN {
+        if (a) printf "--set interfaces.1.gap=%.12gcm ", 100 * f * a + 5; if (b) printf "--set interfaces.2.gap=%.12gcm", 100 * f * b }') >"$tmp/run.json" 2>/dev/null; }
+is "what the row needs" gives 0 gap three-in-a-row --to 20s --json
+cp "$tmp/out" "$tmp/row.json"
+one=$(row_of 1 others_as) two=$(row_of 2 others_as) alone_1=$(row_of 1 all_together) alone_2=$(row_of 2 all_together)
+is "is not what two that move alone need" awk "BEGIN { exit !($one < 0.999 * $alone_1 && $two > 1.1 * $alone_2) }"
+at 0.999 "$one" "" && is "contact below the first" [ "$(touching 1)" -gt 0 ]
+at 1.001 "$one" "" && is "none above it" [ "$(touching 1)" = 0 ]
+is "where the other one pounds" [ "$(touching 2)" -gt 0 ]
+at 0.999 "" "$two" && is "contact below the second" [ "$(touching 2)" -gt 0 ]
+at 1.001 "" "$two" && is "none above it" [ "$(touching 2)" = 0 ]
+at 0.999 "$alone_1" "$alone_2" && is "together they are too narrow" [ "$(touching 1)" -gt 0 ]
+at 1.001 "$alone_1" "$alone_2" && is "and clear" [ "$(touching 1)$(touching 2)" = 00 ]
+is "its runs are counted" grep -q '"row_runs": 2' "$tmp/row.json"
+is "two buildings are no row" gives 0 gap towers --to 20s --json
+is "and have none" [ "$(grep -c row_runs "$tmp/out")" = 0 ]
+is "uncertainty of a row" gives 0 uncertainty three-in-a-row --to 12s --samples 2 --quiet
+is "names the interface that governs" shows "^The required gap of the row, nominally that of interface 1 (A and B), is "
 # the ends p of Wilson's 90 % interval: (share - p)^2 = z^2 p (1 - p)/n
 wilson() { awk -F, '/^Ground motions.*,band,/ { rows += 1; share = int((rows - 1) / 2) / 3; if (off(share, $7 / 100) || off(share, $8 / 100) || !($7 < 100 * share || share == 0) || !($8 > 100 * share || share == 1)) bad = 1 }
     function off(share, p, x) { x = (share - p) ^ 2 - 1.6448536269515 ^ 2 * p * (1 - p) / 3; return x > 1e-9 || x < -1e-9 }

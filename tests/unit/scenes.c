@@ -354,7 +354,7 @@ static bool look_without_contact(struct scenes_one *one, double *closing)
         thud_model_free(model);
         return false;
     }
-    ok = thud_baseline_create(model, one->record, &options, &baseline, NULL) == THUD_OK;
+    ok = thud_baseline_create(model, 0, one->record, &options, &baseline, NULL) == THUD_OK;
     for (bool done = false; ok && !done;)
         ok = thud_baseline_advance(baseline, 1000, &done, NULL) == THUD_OK;
     for (int c = 0; ok && c < model->ncontacts; c++) {

@@ -85,7 +85,7 @@ static struct thud_baseline_motion *make_baseline(const struct thud_model *model
 {
     struct thud_run_options o = options();
     struct thud_baseline_motion *baseline;
-    ck_assert_int_eq(thud_baseline_create(model, record, &o, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, record, &o, &baseline, NULL), THUD_OK);
     struct thud_error error = {0};
     for (bool done = false; !done;)
         ck_assert_msg(thud_baseline_advance(baseline, 3, &done, &error) == THUD_OK, "%s", error.what);
@@ -236,7 +236,7 @@ START_TEST(free_bodies_without_a_ground_motion)
     struct thud_run_options o = options();
     o.tail_s = tail;
     ck_assert_int_eq(thud_model_create(&input, &model, NULL), THUD_OK);
-    ck_assert_int_eq(thud_baseline_create(model, NULL, &o, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, NULL, &o, &baseline, NULL), THUD_OK);
     for (bool done = false; !done;)
         ck_assert_int_eq(thud_baseline_advance(baseline, 1, &done, NULL), THUD_OK);
     const struct thud_result *r = thud_baseline_result(baseline);

@@ -516,7 +516,7 @@ START_TEST(columns_by_every_way)
     options.tail_s = 1;
     options.method = thud_method_find("exact");
     struct thud_baseline_motion *baseline;
-    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, record, &options, &baseline, NULL), THUD_OK);
     bool done = false;
     while (!done)
         ck_assert_int_eq(thud_baseline_advance(baseline, 10000, &done, NULL), THUD_OK);

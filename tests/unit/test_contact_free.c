@@ -82,7 +82,7 @@ START_TEST(touch_begins_where_the_largest_relative_displacement_ends)
     thud_run_options_init(&options);
     options.method = thud_method_find("exact");
     options.tail_s = 3;
-    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, record, &options, &baseline, NULL), THUD_OK);
     while (!done)
         ck_assert_int_eq(thud_baseline_advance(baseline, 1000, &done, NULL), THUD_OK);
     for (int i = 0; i < 2; i++) {

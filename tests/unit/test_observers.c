@@ -182,7 +182,7 @@ static void study_runs(struct observe_gap *with, double *shared_s, struct thud_r
     struct thud_run_options options = options_of(&scenes[2]);
     struct thud_baseline_motion *baseline;
     options.tail_s = 30;
-    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, record, &options, &baseline, NULL), THUD_OK);
     for (bool done = false; !done;)
         ck_assert_int_eq(thud_baseline_advance(baseline, 1000, &done, NULL), THUD_OK);
     for (int i = 0; i < 2; i++) {

@@ -566,7 +566,7 @@ START_TEST(the_baseline_is_shared)
     bool done = false;
     thud_run_options_init(&options);
     options.tail_s = 2;
-    ck_assert_int_eq(thud_baseline_create(model, record, &options, &baseline, NULL), THUD_OK);
+    ck_assert_int_eq(thud_baseline_create(model, 0, record, &options, &baseline, NULL), THUD_OK);
     while (!done)
         ck_assert_int_eq(thud_baseline_advance(baseline, 1000, &done, NULL), THUD_OK);
     double closing = 0;

@@ -9,9 +9,10 @@
 
 struct thud_baseline_motion;
 
-/* The motion of `model` without its contacts; their laws and clearances do not matter. Model and record must outlive
- * it. Errors: as thud_run_create. */
-enum thud_status thud_baseline_create(const struct thud_model *model, const struct thud_record *record,
+/* The motion of `model` without its contacts, whose laws and clearances do not matter; with `open` above 0 without those
+ * of that interface alone, so that it serves its relative displacements and no run. Model and record must outlive it.
+ * Errors: as thud_run_create. */
+enum thud_status thud_baseline_create(const struct thud_model *model, int open, const struct thud_record *record,
                                       const struct thud_run_options *options, struct thud_baseline_motion **out,
                                       struct thud_error *err);
 /* As thud_run_advance; what follows holds once it is done. */

@@ -7,7 +7,7 @@ extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_c
     thud_curve_schema, thud_first_contact_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema,
     thud_spring_schema, thud_mode_schema, thud_quantity_schema, thud_effect_schema, thud_sample_schema,
     thud_index_schema, thud_suite_row_schema, thud_median_schema, thud_drawn_schema, thud_gap_fractile_schema,
-    thud_gap_range_schema, thud_used_motion_schema;
+    thud_gap_range_schema, thud_gap_row_schema, thud_used_motion_schema;
 
 struct thud_gap_rule_row {
     int interface;
@@ -16,6 +16,13 @@ struct thud_gap_rule_row {
     double gap_m;
     int pounding, motions;
     double force_n;
+};
+
+/* What an interface (from 1) of a row needs over all ground motions; -1: nothing could touch there. */
+struct thud_gap_row_fields {
+    int interface;
+    double others_as_given_m; /* by a run with it open; NaN: a storey collapses in one */
+    double all_together_m;
 };
 
 struct thud_motion_row {

@@ -22,22 +22,22 @@ THUD_RULE(THUD_GAP_DDC, "DDC", "ddc_m", "Jeng et al. (1992)", "", "double differ
           "Double difference combination, m; no value where storeys yield.",
           thud_spacing_ddc(l->left_m, l->right_m, l->correlation))
 /* and (2)(b) where (3) does not reduce it */
-THUD_RULE(THUD_GAP_EN1998, "EN 1998", "en1998_m", "4.4.2.7(3)", THUD_EN1998, "k 0.7 or 1", "",
-          "k q sqrt(uL^2 + uR^2)", "$k x $q x sqrt($l^2 + $r^2) cm", "", "What EN 1998-1 4.4.2.7 asks for, m.",
+THUD_RULE(THUD_GAP_EN1998, "EN 1998", "en1998_m", "4.4.2.7(3)", THUD_EN1998, "k 0.7 or 1", "", "k q sqrt(uL^2 + uR^2)",
+          "$k x $q x sqrt($l^2 + $r^2) cm", "", "What EN 1998-1 4.4.2.7 asks for, m.",
           thud_gap_reduction(l) * l->code.q * thud_gap_srss(l))
 THUD_RULE(THUD_GAP_ASCE7, "ASCE 7", "asce7_m", "12.12.3", THUD_ASCE7, "between buildings", "",
           "(Cd/Ie) sqrt(uL^2 + uR^2)", "$c x sqrt($l^2 + $r^2) cm", "", "What ASCE 7-16 12.12.3 asks for, m.",
-          l->code.cd * thud_gap_srss(l))
+          l->code.cd *thud_gap_srss(l))
 
 THUD_RULE_CODE(THUD_GAP_EN1998_OWNERS, "EN (2)(a)", "en1998_2a_m", "4.4.2.7(2)(a)", THUD_EN1998, "two owners", "",
                "q uL + q uR", "$q x $l + $q x $r cm", "",
-               "EN 1998-1 4.4.2.7(2)(a): of two owners, m; by thud gap alone.", l->code.q * thud_gap_abs(l))
+               "EN 1998-1 4.4.2.7(2)(a): of two owners, m; by thud gap alone.", l->code.q *thud_gap_abs(l))
 THUD_RULE_CODE(THUD_GAP_EN1998_UNITS, "EN (2)(b)", "en1998_2b_m", "4.4.2.7(2)(b)", THUD_EN1998, "one owner", "",
                "q sqrt(uL^2 + uR^2)", "$q x sqrt($l^2 + $r^2) cm", "",
-               "EN 1998-1 4.4.2.7(2)(b): of one owner, m; likewise.", l->code.q * thud_gap_srss(l))
+               "EN 1998-1 4.4.2.7(2)(b): of one owner, m; likewise.", l->code.q *thud_gap_srss(l))
 THUD_RULE_CODE(THUD_GAP_ASCE7_LINE, "ASCE line", "asce7_line_m", "12.12.3", THUD_ASCE7, "property line", "",
                "(Cd/Ie) uL + (Cd/Ie) uR", "$c x $l + $c x $r cm", "",
-               "ASCE 7 12.12.3: each from the property line, together, m; likewise.", l->code.cd * thud_gap_abs(l))
+               "ASCE 7 12.12.3: each from the property line, together, m; likewise.", l->code.cd *thud_gap_abs(l))
 THUD_RULE_CODE(THUD_GAP_TBDY, "TBDY", "tbdy2018_m", "4.9.3", "TBDY 2018", "Turkey", THUD_SECOND_HAND,
                "max(a (R/I) sqrt(uL^2 + uR^2), 3 cm, 3 cm + 1 cm (h - 6 m)/3 m)",
                "max($a x $R x sqrt($l^2 + $r^2), 3, 3 + ($h - 6)/3) cm", "a height is not known",

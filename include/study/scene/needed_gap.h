@@ -25,6 +25,11 @@ struct thud_needed_gap {
  * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
+/* What an interface (from 1) of a row needs with the others as they are, with their gaps and bumpers: its widest relative
+ * displacement in a run with it open, which no run at a wider gap differs from. NaN: a storey collapses there; -1: nothing
+ * could touch. */
+enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
+                                        double *need_m, struct thud_error *err);
 /* The index of a level (from 0) among those of its interface. */
 int thud_needed_gap_level(const struct thud_gap_level *level, int i);
 /* Of several values the widest, where one that is not known stays. */

@@ -398,8 +398,8 @@ enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case 
                                  struct thud_error *err);
 /* What it makes of an interface alone. */
 void thud_interface_case(struct thud_interface *interface, enum thud_case which);
-/* The scene as it moves without pounding: no bumpers, and contacts without a force. */
-void thud_scene_drop_contacts(struct thud_scene *scene);
+/* The scene as it moves without pounding: no bumpers, and contacts without a force, at an interface (from 1; 0: at all). */
+void thud_scene_drop_contacts(struct thud_scene *scene, int interface);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
 /* Whether there is anything that case `none` leaves out. */
 bool thud_scene_has_measure(const struct thud_scene *scene);

@@ -104,6 +104,7 @@ struct thud_uncertainty {
     int ninputs;
     struct thud_drawn_input input[THUD_DRAWN_MAX]; /* the choice of a ground motion is the last one */
     bool columns;                                  /* slabs strike some in the nominal scene */
+    int governs;                                   /* the required gap of a row, nominally: an interface (from 1) */
     int nquantities;
     struct thud_quantity_of_run *quantity; /* (nquantities) the needed gap first, where neighbours could touch */
 };

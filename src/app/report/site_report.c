@@ -62,7 +62,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         *one->scene = *site->scene;
         if (i == SITE_FREE)
-            thud_scene_drop_contacts(one->scene);
+            thud_scene_drop_contacts(one->scene, 0);
         else if (i == SITE_NONE)
             thud_scene_case(one->scene, which[i], one->scene, NULL);
         status = run_case(site, one, err);

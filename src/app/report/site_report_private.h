@@ -49,11 +49,11 @@ struct site_variant {
 struct site {
     const struct thud_site_report_options *options;
     struct thud_session *session;
-    const struct thud_scene *scene; /* as written */
+    const struct thud_scene *scene;   /* as written */
     const struct thud_record *record; /* shown in detail */
     int ncases;
     struct site_case cases[SITE_CASES];
-    const struct site_case *own; /* the scene as written: with the bumper where it has one */
+    const struct site_case *own;       /* the scene as written: with the bumper where it has one */
     struct thud_gap_study gaps;        /* of all ground motions */
     const struct thud_needed_gap *gap; /* of the one shown in detail */
     int detail;                        /* which of them that is, from 0: a load case of the suite */

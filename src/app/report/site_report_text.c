@@ -549,6 +549,28 @@ static void gap_rules(struct site *site)
         displacements, suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means from seven recordings on)" : "");
 }
 
+/* Of three or more structures: one that pushes another changes what is needed beside it. */
+static void row_gaps(struct site *site)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_gap_row_fields *row = site->gaps.row;
+    if (!row)
+        return;
+    thud_document_table(d, "Required gap in the row, cm, between bare faces");
+    thud_document_head(d, "between|others as given|all together");
+    for (int i = 0; i + 1 < site->scene->nstructures; i++) {
+        if (row[i].all_together_m < 0)
+            continue;
+        thud_document_cell(d, "%s and %s", thud_site_name(site, i), thud_site_name(site, i + 1));
+        add_gap_cell(d, row[i].others_as_given_m);
+        add_gap_cell(d, row[i].all_together_m);
+        thud_document_row(d);
+    }
+    thud_document_paragraph(d, "Others as given: the gap from which these two stay clear while the others keep their "
+                               "gaps, and may pound; a run with each gap open gave it. All together: at these gaps "
+                               "there is no contact in the row.");
+}
+
 static void gap(struct site *site)
 {
     struct thud_document *d = &site->document;
@@ -577,6 +599,7 @@ static void gap(struct site *site)
             add_gap_cell(d, thud_gap_value(l, rule));
         thud_document_row(d);
     }
+    row_gaps(site);
     gap_rules(site);
 }
 

@@ -91,7 +91,7 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
     if (which == THUD_LIVE_BUMPER)
         return thud_scene_has_measure(scene);
     if (which == THUD_LIVE_FREE)
-        thud_scene_drop_contacts(out);
+        thud_scene_drop_contacts(out, 0);
     else
         thud_scene_case(out, THUD_CASE_NONE, out, NULL);
     return true;
@@ -110,7 +110,7 @@ static void need_start(struct thud_live *live, const struct thud_scene *scene, c
         case_scene(scene, THUD_LIVE_FREE, bare);
         if (thud_scene_assemble(bare, &live->apart, NULL) == THUD_OK &&
             thud_scene_options(bare, &options, NULL) == THUD_OK) {
-            thud_baseline_create(live->apart, record, &options, &live->baseline, NULL);
+            thud_baseline_create(live->apart, 0, record, &options, &live->baseline, NULL);
         }
     }
     free(bare);

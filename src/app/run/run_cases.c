@@ -54,7 +54,7 @@ static enum thud_status run_free(struct thud_session *session, const struct thud
     if (!kept)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *kept = session->scene;
-    thud_scene_drop_contacts(&session->scene);
+    thud_scene_drop_contacts(&session->scene, 0);
     if (!linked)
         thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, NULL);
     enum thud_status status =

@@ -175,6 +175,26 @@ static void put_ranges(const struct thud_gap_study *study, const struct thud_sce
     }
 }
 
+static void put_row(const struct thud_gap_study *study, struct thud_text *out)
+{
+    if (!study->row)
+        return;
+    thud_text_append(out, "\n%-26s %16s %16s\n", "in the row (cm)", "others as given", "all together");
+    for (int i = 0; i < study->interfaces; i++) {
+        if (study->row[i].all_together_m < 0)
+            continue;
+        thud_text_append(out, "interface %-16d %8s", i + 1, "");
+        put_gap(out, study->row[i].others_as_given_m);
+        thud_text_append(out, " %8s", "");
+        put_gap(out, study->row[i].all_together_m);
+        thud_text_append(out, "\n");
+    }
+    thud_text_append(out,
+                     "Others as given: from this gap on the interface stays clear while the others pound at\n"
+                     "their gaps; %d runs with it open. All together: no contact at these gaps.\n",
+                     study->row_runs);
+}
+
 /* ---- by rule ---- */
 
 enum { WIDTH = 80, INDENT = 10 };
@@ -263,6 +283,7 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
         if (status == THUD_OK)
             put_levels(suite, f, l, out);
     }
+    put_row(study, out);
     put_rules(study, scene, out);
     return status;
 }
@@ -344,6 +365,21 @@ static void put_json_ranges(const struct thud_gap_study *study, const struct thu
     thud_text_append(out, "%s", study->range ? "]" : "");
 }
 
+static void put_json_row(const struct thud_gap_study *study, struct thud_text *out)
+{
+    const char *before = ",\n \"row\": [";
+    for (int i = 0; study->row && i < study->interfaces; i++) {
+        if (study->row[i].all_together_m < 0)
+            continue;
+        thud_text_append(out, "%s\n  {", before);
+        thud_json_members(&thud_gap_row_schema, 0, &study->row[i], out);
+        thud_text_append(out, "}");
+        before = ",";
+    }
+    if (study->row)
+        thud_text_append(out, "], \"row_runs\": %d", study->row_runs);
+}
+
 enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
                                const struct thud_record_list *records, struct thud_text *out, struct thud_error *err)
 {
@@ -390,6 +426,7 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     put_rules_data(study, true, out);
     thud_text_append(out, "]");
     put_json_ranges(study, scene, out);
+    put_json_row(study, out);
     thud_text_append(out, "}\n");
     return status;
 }

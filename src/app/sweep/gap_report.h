@@ -5,6 +5,7 @@
 
 #include "app/run/record_list.h"
 #include "base/text.h"
+#include "io/result/study_rows.h"
 #include "study/suite/gap_suite.h"
 
 struct thud_gap_study {
@@ -13,6 +14,8 @@ struct thud_gap_study {
     struct thud_needed_gap **gap; /* (suite.nrecords) */
     struct thud_gap_range *range; /* (interfaces); NULL: no building is estimated */
     int interfaces;
+    struct thud_gap_row_fields *row; /* (interfaces) of three or more structures; else NULL */
+    int row_runs;
     struct thud_gap_ruled *ruled; /* (THUD_GAP_RULES + 1 x interfaces), what is needed first; NULL: not asked for */
 };
 

@@ -77,6 +77,36 @@ static enum thud_status run_periods(const struct thud_scene *scene, const struct
     return status;
 }
 
+/* In a row the others may push two together: with each interface open a run for each ground motion. */
+static enum thud_status run_row(const struct thud_scene *scene, const struct thud_record_list *records,
+                                const atomic_int *cancel, struct thud_gap_study *out, struct thud_error *err)
+{
+    const int n = scene->nstructures - 1;
+    enum thud_status status = THUD_OK;
+    if (n < 2)
+        return THUD_OK;
+    out->row = calloc((size_t)n, sizeof *out->row);
+    if (!out->row)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < n * out->suite.nrecords && status == THUD_OK; i++) {
+        const int r = i / n, k = i % n;
+        struct thud_gap_row_fields *row = &out->row[k];
+        double need_m = NAN;
+        status = cancel && *cancel
+                     ? thud_error_set(err, THUD_CANCELLED, "stopped")
+                     : thud_needed_gap_in_row(scene, k + 1, r < records->n ? records->record[r] : NULL, &need_m, err);
+        row->interface = k + 1;
+        row->others_as_given_m = r == 0 ? need_m
+                                 : isnan(need_m) || isnan(row->others_as_given_m)
+                                     ? NAN
+                                     : fmax(row->others_as_given_m, need_m);
+        row->all_together_m =
+            fmax(r == 0 ? -1 : row->all_together_m, thud_needed_gap_widest(out->gap[r], k + 1, THUD_GAP_EXACT, NULL));
+        out->row_runs += status == THUD_OK;
+    }
+    return status;
+}
+
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const struct thud_gap_code *code, const atomic_int *cancel,
                                     struct thud_gap_study *out, struct thud_error *err)
@@ -108,6 +138,8 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
         thud_motions_recordings((const struct thud_record *const *)records->record, records->n, NULL);
     if (status == THUD_OK)
         status = run_periods(scene, records, cancel, out, err);
+    if (status == THUD_OK)
+        status = run_row(scene, records, cancel, out, err);
     if (status != THUD_OK)
         thud_gap_study_clear(out);
     return status;
@@ -116,6 +148,7 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
 void thud_gap_study_clear(struct thud_gap_study *study)
 {
     free(study->range);
+    free(study->row);
     for (int i = 0; i < study->suite.nrecords; i++)
         free(study->gap[i]);
     free(study->gap);

@@ -147,9 +147,10 @@ static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_u
 {
     if (u->quantity[q].measure != THUD_MEASURE_GAP || isnan(t->median))
         return;
-    char of[48] = "";
-    if (u->scene.nstructures > 2)
-        snprintf(of, sizeof of, ", the widest of %d interfaces,", u->scene.nstructures - 1);
+    char of[256] = "";
+    if (u->governs > 0)
+        snprintf(of, sizeof of, " of the row, nominally that of interface %d (%s and %s),", u->governs,
+                 u->scene.structure[u->governs - 1].name, u->scene.structure[u->governs].name);
     thud_text_append(out, "The required gap%s is %.1f cm in the median, in 90 %% of %.0f samples %.1f to %.1f cm", of,
                      100 * t->median, t->count, 100 * t->low, 100 * t->high);
     if (!isnan(t->between))

@@ -131,8 +131,9 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
     return status;
 }
 
-/* A copy of the model whose contacts have no force, but for those that are links. */
-static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model)
+/* A copy of the model whose contacts have no force, but for those that are links, or of other interfaces than the one
+ * that is open. */
+static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_model *model, int open)
 {
     baseline->model = *model;
     baseline->model.contact = calloc((size_t)model->nrows + 1, sizeof *model->contact);
@@ -141,20 +142,22 @@ static bool copy_model(struct thud_baseline_motion *baseline, const struct thud_
     for (int c = 0; c < model->nrows; c++)
         baseline->model.contact[c] = model->contact[c];
     for (int c = 0; c < model->npairs; c++) {
+        if (open > 0 && model->contact[c].interface != open)
+            continue;
         baseline->model.contact[c].clearance_m = 0;
         baseline->model.contact[c].law = &no_law;
     }
     return true;
 }
 
-enum thud_status thud_baseline_create(const struct thud_model *model, const struct thud_record *record,
+enum thud_status thud_baseline_create(const struct thud_model *model, int open, const struct thud_record *record,
                                       const struct thud_run_options *options, struct thud_baseline_motion **out,
                                       struct thud_error *err)
 {
     *out = NULL;
     struct thud_baseline_motion *baseline = calloc(1, sizeof *baseline);
     enum thud_status status = THUD_MEMORY;
-    if (baseline && copy_model(baseline, model)) {
+    if (baseline && copy_model(baseline, model, open)) {
         struct thud_run_options quiet = *options;
         quiet.keep_history = quiet.keep_impacts = quiet.keep_events = false;
         quiet.floor_spectra = NULL;
@@ -170,7 +173,8 @@ enum thud_status thud_baseline_create(const struct thud_model *model, const stru
     }
     if (status == THUD_OK) {
         thud_run_observe(baseline->run, &thud_observe_relative, &baseline->relative);
-        baseline->shares = baseline->run->method == thud_method_find("exact") && !(model->traits & THUD_UNKEPT);
+        baseline->shares =
+            open == 0 && baseline->run->method == thud_method_find("exact") && !(model->traits & THUD_UNKEPT);
         baseline->early_end = baseline->shares ? thud_early_end_create(&baseline->model) : NULL;
         if (baseline->early_end)
             thud_run_observe(baseline->run, &thud_observe_early_end, baseline->early_end);

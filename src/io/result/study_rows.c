@@ -314,6 +314,14 @@ static const struct thud_column ranges[] = {
     RANGE(right_factor, "The same of the building on the right.")};
 const struct thud_schema thud_gap_range_schema = THUD_SCHEMA("gap --json of periods", "", ranges);
 
+#define ROW(member, text) THUD_FIELD(struct thud_gap_row_fields, member, #member, text)
+static const struct thud_column rows_of_row[] = {
+    ROW(interface, "Its number."),
+    ROW(others_as_given_m, "The gap from which it stays clear while the others keep their gaps and bumpers, over all "
+                           "motions, m; no value where a storey collapses."),
+    ROW(all_together_m, "At these gaps there is no contact anywhere, m.")};
+const struct thud_schema thud_gap_row_schema = THUD_SCHEMA("gap --json of a row", "", rows_of_row);
+
 #define USED(member, text) THUD_FIELD(struct thud_used_motion_row, member, #member, text)
 static const struct thud_column used[] = {USED(name, "In figures."),
                                           USED(file, "As it was given."),

@@ -126,8 +126,9 @@ static void set_heights(const struct thud_scene *scene, struct thud_needed_gap *
     }
 }
 
-enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
-                                     struct thud_needed_gap **out, struct thud_error *err)
+/* With an interface (from 1) open and the others as they are; 0: with all of them open. */
+static enum thud_status run_open(const struct thud_scene *scene, int open, const struct thud_record *record,
+                                 struct thud_needed_gap **out, struct thud_error *err)
 {
     struct thud_model *model = NULL;
     struct thud_baseline_motion *baseline = NULL;
@@ -138,14 +139,14 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
     if (!bare)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_scene_copy(bare, scene);
-    thud_scene_drop_contacts(bare);
+    thud_scene_drop_contacts(bare, open);
     enum thud_status status = thud_scene_check(bare, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(bare, &model, err);
     if (status == THUD_OK)
         status = thud_scene_options(bare, &options, err);
     if (status == THUD_OK)
-        status = thud_baseline_create(model, record, &options, &baseline, err);
+        status = thud_baseline_create(model, open, record, &options, &baseline, err);
     while (status == THUD_OK && !done)
         status = thud_baseline_advance(baseline, 1L << 20, &done, err);
     if (status == THUD_OK) {
@@ -165,6 +166,23 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
     thud_baseline_free(baseline);
     thud_model_free(model);
     free(bare);
+    return status;
+}
+
+enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
+                                     struct thud_needed_gap **out, struct thud_error *err)
+{
+    return run_open(scene, 0, record, out, err);
+}
+
+enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
+                                        double *need_m, struct thud_error *err)
+{
+    struct thud_needed_gap *gap;
+    enum thud_status status = run_open(scene, interface, record, &gap, err);
+    if (status == THUD_OK)
+        *need_m = gap->collapse.happened ? NAN : thud_needed_gap_widest(gap, interface, THUD_GAP_EXACT, NULL);
+    free(gap);
     return status;
 }
 

@@ -161,9 +161,11 @@ bool thud_scene_has_measure(const struct thud_scene *scene)
     return scene->nlinks > 0 || thud_scene_has_bumper(scene);
 }
 
-void thud_scene_drop_contacts(struct thud_scene *scene)
+void thud_scene_drop_contacts(struct thud_scene *scene, int interface)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++) {
+        if (interface > 0 && i + 1 != interface)
+            continue;
         scene->interface[i].has_bumper = false;
         thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
     }

@@ -15,7 +15,7 @@ const char *thud_floor_case_column(int which)
 static void set_case(struct thud_scene *scene, int which)
 {
     if (which == 0)
-        thud_scene_drop_contacts(scene);
+        thud_scene_drop_contacts(scene, 0);
     else if (which == 1)
         thud_scene_case(scene, THUD_CASE_NONE, scene, NULL);
 }

@@ -89,11 +89,11 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int linka
     if (status == THUD_OK)
         status = thud_sweep_case(group->plan, scene, which, variant, false, cased, err);
     if (status == THUD_OK) {
-        thud_scene_drop_contacts(cased);
+        thud_scene_drop_contacts(cased, 0);
         status = thud_sweep_model(cased, &baseline->model, &options, err);
     }
     if (status == THUD_OK)
-        status = thud_baseline_create(baseline->model, baseline->record, &options, &baseline->baseline, err);
+        status = thud_baseline_create(baseline->model, 0, baseline->record, &options, &baseline->baseline, err);
     return status;
 }
 

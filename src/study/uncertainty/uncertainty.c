@@ -530,6 +530,20 @@ static enum thud_status find_median(struct thud_uncertainty *u, struct thud_erro
     return status;
 }
 
+/* The interface of a row whose required gap is the widest in the nominal scene. */
+static enum thud_status find_governing(struct thud_uncertainty *u, struct thud_error *err)
+{
+    struct thud_needed_gap *gap;
+    int level = 0;
+    enum thud_status status = thud_needed_gap_run(&u->scene, u->record, &gap, err);
+    if (status == THUD_OK && gap->nlevels > 0) {
+        thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, &level);
+        u->governs = gap->level[level].interface;
+    }
+    free(gap);
+    return status;
+}
+
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_record *const *suite, int nsuite, enum thud_case which,
                                          const struct thud_inputs *inputs, struct thud_uncertainty **out,
@@ -563,6 +577,8 @@ enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const s
     add_quantities(u);
     if (!record && nsuite > 1)
         status = find_median(u, err);
+    if (status == THUD_OK && asks_gap(u) && scene->nstructures > 2)
+        status = find_governing(u, err);
     if (status == THUD_OK)
         *out = u;
     else
