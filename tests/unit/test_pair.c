@@ -66,7 +66,7 @@ START_TEST(figures_show_the_numbers)
     double past = (-fu + sqrt(fu * fu + 2.0 * 2500.0 * rest)) / 2500.0;
     for (int i = 0; i < 3; i++) {
         const struct thud_series *loop = figure->panel[1].series[i];
-        ck_assert(fabs(largest(loop, loop->y) - 1e-3 * (fu + 2500.0 * past)) < 2e-3);
+        ck_assert_double_eq_tol(largest(loop, loop->y), 1e-3 * (fu + 2500.0 * past), 2e-3);
         ck_assert(fabs(largest(loop, loop->x) - (u + past)) < 2e-3);
     }
     thud_figure_free(figure);

@@ -87,7 +87,15 @@ START_TEST(matches_the_readme)
     /* the README rounds, and twice to the wrong side (Tabas 0.89995 g, Kaikoura S62W 0.81235 g) */
     ck_assert_double_eq_tol(thud_record_peak(record) / THUD_GRAVITY, real[_i].pga_g, 0.8e-4);
     struct thud_intensity intensity = thud_intensity_of(record);
-    ck_assert_double_eq_tol(100 * intensity.pgv_mps, real[_i].pgv_cmps, real[_i].pgv_cmps < 0.1 ? 0.006 : 0.06);
+    /* the README takes it at the samples; between them it is at most 1 % larger */
+    double *velocity = calloc(record->samples, sizeof *velocity), sampled = 0;
+    ck_assert_ptr_nonnull(velocity);
+    thud_record_integrate(record, velocity, NULL);
+    for (size_t i = 0; i < record->samples; i++)
+        sampled = fmax(sampled, fabs(velocity[i]));
+    free(velocity);
+    ck_assert_double_eq_tol(100 * sampled, real[_i].pgv_cmps, real[_i].pgv_cmps < 0.1 ? 0.006 : 0.06);
+    ck_assert(intensity.pgv_mps >= sampled && intensity.pgv_mps < 1.012 * sampled);
     thud_record_free(record);
 }
 END_TEST

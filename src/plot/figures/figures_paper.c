@@ -69,7 +69,7 @@ static void line(struct thud_panel *panel, const struct thud_solution *solution,
         series->x[n] = value(h, i, on_x);
         series->y[n++] = value(h, i, on_y);
         largest = fmax(largest, value(h, i, FORCE)); /* at release a force is 0 but for rounding */
-        after = on_x == INDENTATION && i > 0 && value(h, i, FORCE) <= 1e-9 * largest;
+        after = on_x == INDENTATION && largest > 0 && value(h, i, FORCE) <= 1e-9 * largest;
     }
     series->n = n;
 }

@@ -52,7 +52,7 @@ static void shorten_quoted(char *text)
 const char *thud_tui_error_text(const struct thud_error *err, char *text, size_t size)
 {
     struct thud_error here = *err;
-    if (strcmp(err->key, "record.file") == 0 && strncmp(err->allowed, "--", 2) == 0)
+    if (strcmp(err->key, "record.file") == 0 && strncmp(err->allowed, "`record.file", 12) == 0)
         snprintf(here.allowed, sizeof here.allowed, "3 Record: Enter on a ground motion takes it");
     thud_error_text(&here, text, size);
     shorten_quoted(text);
