@@ -1,7 +1,9 @@
 /* thud report: a document about one's own buildings. */
+#include <stdio.h>
 #include <string.h>
 
 #include "app/report/site_report.h"
+#include "app/run/record_list.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -28,18 +30,43 @@ static void put_word(struct thud_text *out, const char *word)
     thud_text_append(out, "'");
 }
 
-static void put_command(const struct thud_args *args, struct thud_text *out)
+/* Whether an option changes nothing of what a report says; with a suite its list has all that is said of its motions. */
+static bool is_left_out(const char *option, bool suite)
 {
+    static const char *const words[] = {"o", "j", "pdf", "no-pdf", "replace", "quiet", "records"};
+    const char *setting;
+    for (size_t i = 0; i < sizeof words / sizeof *words - !suite; i++)
+        if (strcmp(option, words[i]) == 0)
+            return true;
+    for (int i = 0; suite && (setting = thud_record_setting(i)) != NULL; i++)
+        if (strcmp(option, setting) == 0)
+            return true;
+    return false;
+}
+
+/* As it makes the same report from the files that the report itself holds. */
+static void put_command(const struct thud_args *args, const char *name, bool suite, struct thud_text *out)
+{
+    char file[THUD_NAME_MAX + 8];
+    snprintf(file, sizeof file, "%s.yaml", name);
     thud_text_append(out, "thud report ");
-    put_word(out, args->operand[0]);
+    put_word(out, file);
+    snprintf(file, sizeof file, "%s.list", name);
+    if (suite) {
+        thud_text_append(out, " --records ");
+        put_word(out, file);
+    }
     for (int i = 0; i < args->ngiven; i++) {
-        const char *name = args->given[i].option->name;
-        thud_text_append(out, " %s%s", name[1] ? "--" : "-", name);
+        const char *option = args->given[i].option->name;
+        if (is_left_out(option, suite))
+            continue;
+        thud_text_append(out, " %s%s", option[1] ? "--" : "-", option);
         if (args->given[i].value) {
             thud_text_append(out, " ");
             put_word(out, args->given[i].value);
         }
     }
+    thud_text_append(out, " -o report");
 }
 
 /* What the conclusion is held against: the code, the design spectrum of the suite (its kind is none where there is no
@@ -97,7 +124,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
         status = thud_made_by_scene(args, "report", &session->scene, (const struct thud_record *const *)records.record,
                                     records.n, asked, &by, err);
     picture.options.cancel = thud_interrupt_watch();
-    put_command(args, &text);
+    put_command(args, session->scene.name, records.n > 1, &text);
     if (status == THUD_OK && text.failed)
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     struct thud_site_report_options options = {.by = &by,

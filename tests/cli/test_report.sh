@@ -108,7 +108,7 @@ is "no word of the program in the prose" sh -c "! sed '/^## Inputs/,/^## Load ca
 is "a figure's words say how far its curves reach" in_text '!.[^]]*no bumper: Impact force against Time: 0 to [0-9.]* MN[.] [^]]*: bumper: Impact force against Time: 0 to [0-9.]* MN'
 most=$(sed -n '/Largest acceleration of the floors of Nr 14/,/Largest drift/p' "$tmp/r/report.md" | awk -F' *[|] *' '$3 + 0 > m { m = $3 + 0; t = $3 } END { print t }')
 is "peaks over the height are those of the table, the ground's in the same unit" in_text "Nr 14: Total acceleration against Height: no pounding [0-9.]* to $most g"
-is "how it was made" in_text "    thud report '\\{0,1\\}$tmp/own.yaml'\\{0,1\\} -o '\\{0,1\\}$tmp/r'\\{0,1\\} " # quoted where TMPDIR has a blank
+is "how it was made" in_text "    thud report own.yaml -o report "
 is "and of what" in_text 'stiffness: \[420 MN/m, 400 MN/m'
 
 is "six figures" [ "$(grep -c '<figure><img alt="[^"]*" src="data:image/svg+xml;base64,' "$tmp/r/report.html")" -eq 6 ]
@@ -239,6 +239,21 @@ is "and one of a preset" report 3 "$tmp/sway.yaml"
 is "at its line" says 'sway.yaml:[0-9]*:[0-9]*: document.limits: "sway:5 MN" is no limit'
 is "a code that there is not" report 3 "$tmp/own.yaml" --code nzs
 is "is refused with those there are" says 'document.code: "nzs" is no code for the gap (en1998, asce7, exact84)'
+# made again from the document: preset, list and command out of it, recordings by their SHA-256
+report 0 "$tmp/own.yaml" --records "$three" --signs both --factor 0.4 --samples 10 --limit force=5MN --no-pdf
+block() { awk -v head="$1" 'index($0, head) { on = 1; next } on && /^    / { print substr($0, 5); some = 1; next } on && some && !/^$/ { exit }' "$tmp/r/report.md"; }
+mkdir "$tmp/again"
+block 'and type there:' >"$tmp/again/command"
+block 'own.yaml, the scene' >"$tmp/again/own.yaml"
+block 'own.list, the ground motions' >"$tmp/again/own.list"
+is "the list has a line for each motion and its SHA-256" [ "$(grep -c 'SHA-256 [0-9a-f]\{64\}$' "$tmp/again/own.list") $(grep -c ':factor=0[.]4$' "$tmp/again/own.list")" = "3 3" ]
+sed -n 's/.*SHA-256 //p' "$tmp/again/own.list" | while read -r sum; do
+    sha256sum records/*.csv | sed -n "s|^$sum *||p" | while read -r file; do cp "$file" "$tmp/again"; done
+done
+is "its recordings are found" [ "$(find "$tmp/again" -name '*.csv' | wc -l)" -eq 3 ]
+(cd "$tmp/again" && sed "s|^thud|'$THUD' --quiet --no-pdf|; s|' --quiet --no-pdf report|' report --quiet --no-pdf|" command >run && sh ./run >out 2>&1)
+is "the command of the document makes the same document" cmp "$tmp/again/report/report.md" "$tmp/r/report.md"
+is "with the same figures" sh -c "for f in '$tmp'/r/*.svg; do cmp \"\$f\" '$tmp/again/report/'\"\$(basename \"\$f\")\" || exit 1; done"
 # isolators that yield, both polarities: what the periods are of, what is struck, which motions
 is "a report on a building on lead-rubber bearings" report 0 isolated-lead-rubber --samples 0 --records records/northridge-surrogate.csv --signs both
 mass=$(awk 'BEGIN { print 320 + 3 * 320 + 250 }')

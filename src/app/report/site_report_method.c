@@ -7,6 +7,7 @@
 #include "app/report/site_report_private.h"
 #include "base/version.h"
 #include "core/methods/method.h"
+#include "ground/identity.h"
 #include "io/preset/preset.h"
 
 /* ---- method ---- */
@@ -129,6 +130,14 @@ static const struct phrase unmade[] = {
     {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = COLUMNS},
     {.text = "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
              "Local damage at the contact is in neither."},
+    {.text = "Accidental torsion: the buildings move along one line. Multiply displacements by 1 + 1.2 x/L_e (EN "
+             "1998-1:2004, 4.3.3.2.4(2), of planar models), or take them from a model in three dimensions."},
+    {.text = "The other horizontal direction: the ground moves along the line of the buildings alone. Add 30 % of the "
+             "displacement that motion across the line gives along it (EN 1998-1:2004, 4.3.3.5.1(3))."},
+    {.text = "Cracked stiffness: stiffnesses are taken as they are given. Of concrete and masonry give half of the "
+             "uncracked ones, unless better is known (EN 1998-1:2004, 4.3.1(7))."},
+    {.text = "Importance factor: ground motions are taken as they are given. Scale them by gamma_I, or have it in the "
+             "a_g of the target (EN 1998-1:2004, 2.1(3))."},
     {.text = "Resistance of members, foundations and non-structural parts, by any code."},
 };
 
@@ -241,6 +250,10 @@ static void add_symbols(struct site *site)
     thud_document_head(d, "symbol|meaning|unit");
     for (size_t i = 0; i < sizeof symbol / sizeof *symbol; i++)
         thud_document_head(d, symbol[i]);
+    if (facts_of(site) & COLUMNS)
+        thud_document_head(d,
+                           "c3-2; 3-c3|contact of the columns below floor 3 of the left building with floor 2 of the "
+                           "right one; of floor 3 of the left one with the columns below floor 3 of the right one|-");
 }
 
 void thud_site_method(struct site *site)
@@ -317,6 +330,29 @@ void thud_site_unmade(struct site *site)
 
 /* ---- reproducibility ---- */
 
+/* The load cases as a list for --records. Of a motion in both polarities the one of the file: --signs has the other. */
+static void put_list(struct site *site)
+{
+    const struct thud_record_list *records = site->options->records;
+    struct thud_text list = {0};
+    if (records->n < 2)
+        return;
+    thud_document_paragraph(&site->document,
+                            "%s.list, the ground motions with all that was said of them:", site->scene->name);
+    for (int i = 0; i < records->n; i++) {
+        const struct thud_record *record = records->record[i];
+        if (i > 0 && thud_motion_is_turned(record->file, records->record[i - 1]->file))
+            continue;
+        thud_text_append(&list, "# load case %d, samples every ", i + 1);
+        thud_text_number(&list, record->dt_s);
+        thud_text_append(&list, " s, SHA-256 %s\n", record->sha256);
+        thud_record_list_line(records, i, thud_path_name(record->file), record->scale, &list);
+    }
+    thud_document_lines(&site->document, list.data ? list.data : "");
+    site->document.failed = site->document.failed || list.failed;
+    thud_text_clear(&list);
+}
+
 void thud_site_provenance(struct site *site)
 {
     struct thud_document *d = &site->document;
@@ -328,11 +364,16 @@ void thud_site_provenance(struct site *site)
     thud_document_lines(d, version.data ? version.data : "");
     d->failed = d->failed || version.failed;
     thud_text_clear(&version);
+    thud_document_paragraph(d,
+                            "To make this report again, write what follows into a folder, with the files of the "
+                            "ground motions (and of matrices, where there are such) by their SHA-256, and type there:");
     thud_document_lines(d, site->options->command);
-    thud_document_paragraph(d, "The scene as computed, with every change made on the command line:");
+    thud_document_paragraph(
+        d, "%s.yaml, the scene as computed with every change made on the command line:", site->scene->name);
     if (thud_preset_text(site->session->preset, site->scene, &text, &size, NULL) == THUD_OK)
         thud_document_lines(d, text);
     else
         d->failed = true;
     free(text);
+    put_list(site);
 }

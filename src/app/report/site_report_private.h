@@ -122,6 +122,8 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
 void thud_site_suite_clear(struct site *site);
 /* The rows of the verdicts that are over it. */
 void thud_site_suite_verdicts(struct site *site);
+/* Of a quantity that is sampled the median over its motions, with the inputs as they are. */
+double thud_site_suite_median(const struct site *site, const struct thud_quantity_of_run *quantity);
 /* Its part of the result, and its own section. */
 void thud_site_suite_summary(struct site *site);
 void thud_site_suite_section(struct site *site);

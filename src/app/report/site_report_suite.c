@@ -94,6 +94,18 @@ static struct thud_fractiles over(const struct site *site, int k, enum thud_meas
     return thud_suite_fractiles(suite->runs, suite->as_given, k, measure, structure, limit, suite->room);
 }
 
+double thud_site_suite_median(const struct site *site, const struct thud_quantity_of_run *quantity)
+{
+    const struct thud_sweep_plan *plan = &site->suite.plan;
+    struct thud_fractiles f = {.median = NAN};
+    int k = quantity->which == THUD_CASE_AS_WRITTEN || thud_quantity_is_ratio(quantity) ? plan->ncases - 1 : -1;
+    for (int i = 0; i < plan->ncases && k < 0; i++)
+        k = plan->cases[i] == quantity->which ? i : k;
+    if (quantity->measure == THUD_MEASURE_GAP)
+        return thud_gap_suite_fractiles(&site->gaps.suite, 0, -1, THUD_GAP_EXACT, &f, NULL) == THUD_OK ? f.median : NAN;
+    return k < 0 ? NAN : over(site, k, quantity->measure, quantity->structure, 0).median;
+}
+
 /* ---- the result ---- */
 
 static void say_pounding(struct site *site, int k)

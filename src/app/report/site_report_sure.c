@@ -116,7 +116,8 @@ static void add_sampled_row(struct site *site, int q)
     const struct thud_uncertainty_study *study = &site->samples;
     const struct thud_quantity_of_run *quantity = &study->uncertainty->quantity[q];
     const struct thud_uncertainty_told *t = &study->told[q];
-    const double value[] = {t->nominal, t->low, t->median, t->high};
+    const double nominal = site->suite.leads ? thud_site_suite_median(site, quantity) : t->nominal;
+    const double value[] = {nominal, t->low, t->median, t->high};
     const bool gap = quantity->measure == THUD_MEASURE_GAP, same = t->low == t->high && t->nominal == t->median;
     double unit = unit_of(quantity);
     const char *what = strstr(quantity->name, ": ");
@@ -154,7 +155,8 @@ static void samples(struct site *site)
     snprintf(caption, sizeof caption, "All uncertain inputs drawn together: %zu samples",
              thud_uncertainty_samples(&site->samples));
     thud_document_table(d, caption);
-    thud_document_head(d, "peak|nominal|5 %|median|95 %|governed by");
+    thud_document_head(d, site->suite.leads ? "peak|nominal inputs, median of the suite|5 %|median|95 %|governed by"
+                                            : "peak|nominal|5 %|median|95 %|governed by");
     for (int q = 0; q < u->nquantities; q++)
         add_sampled_row(site, q);
     struct thud_text inputs = {0};

@@ -249,7 +249,8 @@ static void say_results(struct site *site)
         say_yielding(site, s);
     say_columns(site);
     say_reversed(site);
-    thud_site_samples_summary(site);
+    if (!site->suite.leads) /* whose samples are over its motions */
+        thud_site_samples_summary(site);
 }
 
 /* ---- the cases ---- */
@@ -418,7 +419,7 @@ static void floors(struct site *site)
         thud_document_row(d);
     }
     thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.25 * s->nfloors,
-                     "Floor spectra of the floors struck hardest, 5 % damping.");
+                     "Floor spectra of the floors struck hardest: pseudo-acceleration, 5 % damping.");
 }
 
 static void results(struct site *site)
@@ -428,6 +429,8 @@ static void results(struct site *site)
     char motion[320];
     thud_document_heading(d, "Results");
     thud_site_suite_summary(site);
+    if (site->suite.leads)
+        thud_site_samples_summary(site);
     if (site->record) {
         thud_site_motion(site->record, motion, sizeof motion);
         thud_document_paragraph(d, "%s %s:", site->suite.leads ? "In detail under one ground motion," : "Under",

@@ -539,3 +539,12 @@ void thud_record_list_clear(struct thud_record_list *list)
     free(list->record);
     *list = (struct thud_record_list){0};
 }
+
+void thud_record_list_line(const struct thud_record_list *list, int i, const char *name, double factor,
+                           struct thud_text *out)
+{
+    thud_record_put_quoted(out, name);
+    thud_text_append(out, "%s:factor=", list->own[i]);
+    thud_text_number(out, fabs(factor));
+    thud_text_append(out, factor < 0 ? ":sign=-\n" : "\n");
+}

@@ -46,3 +46,6 @@ bool thud_record_is_list(const char *file);
 enum thud_status thud_record_list_open(const char *name, const struct thud_record_treatment *treatment,
                                        struct thud_record_list *out, struct thud_error *err);
 void thud_record_list_clear(struct thud_record_list *list);
+/* The i-th motion as a line of a list: its file by a name, how it was read, and a factor on what the file has. */
+void thud_record_list_line(const struct thud_record_list *list, int i, const char *name, double factor,
+                           struct thud_text *out);

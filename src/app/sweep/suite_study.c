@@ -223,16 +223,12 @@ enum thud_status thud_suite_list_text(const struct thud_suite_study *study, cons
                          study->scaled.period_s[THUD_TARGET_PERIODS - 1]);
     for (int i = 0; i < study->records->n; i++) {
         const char *path = study->records->path[i];
-        double factor = study->factor[i];
         if (!study->scaled.motion[i].chosen)
             continue;
         if (strchr(path, '\n'))
             return thud_error_refuse(err, THUD_INPUT, path, "another name", "a list cannot name a file of two lines");
         snprintf(name, sizeof name, "%s%s", path[0] == '/' ? "" : from, path);
-        thud_record_put_quoted(out, name);
-        thud_text_append(out, "%s:factor=", study->records->own[i]);
-        thud_text_number(out, fabs(factor));
-        thud_text_append(out, factor < 0 ? ":sign=-\n" : "\n");
+        thud_record_list_line(study->records, i, name, study->factor[i], out);
     }
     return THUD_OK;
 }
