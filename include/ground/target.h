@@ -46,6 +46,9 @@ struct thud_target_code {
 /* Of a target; NULL, or points of no code: EN 1998-1's numbers. */
 const struct thud_target_code *thud_target_code(const struct thud_target *target);
 
+/* As typed, and with the values that EN 1998-1 gives to its ground: "en1998:0.3g,B (S = 1.2, T_B = 0.15 s, ...)". */
+void thud_target_words(const struct thud_target *target, char *text, size_t size);
+
 /* "en1998:0.3g,B" and the like, each as its code's `allowed` says. The points of ASCE 7-22 are not read here
  * (thud_target_read). Errors: THUD_INPUT with what is allowed. */
 enum thud_status thud_target_parse(const char *text, struct thud_target *out, struct thud_error *err);

@@ -49,11 +49,16 @@ static const struct {
      {1.8, 0.1, 0.3, 1.2},
      {1.6, 0.05, 0.25, 1.2}}};
 
+static double eta_of(const struct thud_target *t)
+{
+    return fmax(0.55, sqrt(10 / (5 + 100 * t->damping)));
+}
+
 static double en1998_at(const struct thud_target *t, double period_s)
 {
     const double plateau = t->ag_mps2 * ground[t->type][t->ground].s, tb = ground[t->type][t->ground].tb_s,
-                 tc = ground[t->type][t->ground].tc_s, td = ground[t->type][t->ground].td_s,
-                 eta = fmax(0.55, sqrt(10 / (5 + 100 * t->damping))), top = 2.5 * eta * plateau;
+                 tc = ground[t->type][t->ground].tc_s, td = ground[t->type][t->ground].td_s, eta = eta_of(t),
+                 top = 2.5 * eta * plateau;
     if (period_s < tb)
         return plateau * (1 + period_s / tb * (2.5 * eta - 1));
     if (period_s <= tc)
@@ -225,6 +230,16 @@ bool thud_target_is_code(const char *text)
 const struct thud_target_code *thud_target_code(const struct thud_target *target)
 {
     return &codes[target ? target->kind : THUD_TARGET_NONE].shown;
+}
+
+void thud_target_words(const struct thud_target *t, char *text, size_t size)
+{
+    if (t->kind == THUD_TARGET_EN1998)
+        snprintf(text, size, "%s (a_g = %.4g g, S = %g, T_B = %g s, T_C = %g s, T_D = %g s, eta = %.4g)", t->text,
+                 t->ag_mps2 / THUD_GRAVITY, ground[t->type][t->ground].s, ground[t->type][t->ground].tb_s,
+                 ground[t->type][t->ground].tc_s, ground[t->type][t->ground].td_s, eta_of(t));
+    else
+        snprintf(text, size, "%s", t->text);
 }
 
 void thud_target_range(const struct thud_target *t, double *from_s, double *to_s)

@@ -239,6 +239,12 @@ is "and one of a preset" report 3 "$tmp/sway.yaml"
 is "at its line" says 'sway.yaml:[0-9]*:[0-9]*: document.limits: "sway:5 MN" is no limit'
 is "a code that there is not" report 3 "$tmp/own.yaml" --code nzs
 is "is refused with those there are" says 'document.code: "nzs" is no code for the gap (en1998, asce7, exact84)'
+# the target of a suite: its numbers, and how the motions stand to it, as `thud suite` says of the list that it made
+"$THUD" suite "$three" --preset "$tmp/own.yaml" --target en1998:0.3g,B -o "$tmp/scaled.list" >"$tmp/scaled" 2>"$tmp/err"
+is "a suite scaled to a target" report 0 "$tmp/own.yaml" --records "$tmp/scaled.list" --target en1998:0.3g,B --samples 0 --no-pdf
+is "has the values of its ground" in_text 'Target of the suite: en1998:0.3g,B (a._g = 0.3 g, S = 1.2, T._B = 0.15 s, T._C = 0.5 s, T._D = 2 s, eta = 1), damping 5 %'
+is "and the least mean that the suite was scaled to" in_text "The mean of the load cases is at least $(sed -n 's/^mean *at least \([0-9.]*\) of the target, at \([0-9.]*\) s.*/\1 of it, at \2 s/p' "$tmp/scaled")"
+is "its spectra are drawn" test -s "$tmp/r/suite.svg"
 # made again from the document: preset, list and command out of it, recordings by their SHA-256
 report 0 "$tmp/own.yaml" --records "$three" --signs both --factor 0.4 --samples 10 --limit force=5MN --no-pdf
 block() { awk -v head="$1" 'index($0, head) { on = 1; next } on && /^    / { print substr($0, 5); some = 1; next } on && some && !/^$/ { exit }' "$tmp/r/report.md"; }

@@ -9,6 +9,7 @@
 #include "ground/intensity.h"
 #include "ground/spectrum.h"
 #include "plot/figures/figures_record.h"
+#include "plot/figures/figures_suite.h"
 #include "study/sweep/sweep_table.h"
 
 static void add_structure_rows(struct site *site)
@@ -161,6 +162,43 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     }
 }
 
+/* The load cases against the target, over 0.2 of the least to twice the largest first period. */
+static void suite_spectra(struct site *site, const struct thud_period_mark *mark, int nmarks)
+{
+    const struct thud_target *target = site->options->target;
+    const struct site_suite *suite = &site->suite;
+    struct thud_scaled_suite scaled;
+    struct thud_scaling how;
+    char words[320] = "";
+    if (!suite->leads || nmarks == 0)
+        return;
+    thud_scaling_init(&how);
+    how.as_given = true;
+    how.from_s = INFINITY, how.to_s = 0;
+    for (int i = 0; i < nmarks; i++) {
+        how.from_s = fmin(how.from_s, 0.2 * mark[i].period_s);
+        how.to_s = fmax(how.to_s, 2 * mark[i].period_s);
+    }
+    if (thud_suite_scale(suite->plan.record, suite->plan.nrecords, target, &how, &scaled, NULL) != THUD_OK)
+        return; /* its motions resolve no such period */
+    if (target) {
+        thud_target_words(target, words, sizeof words);
+        thud_document_paragraph(&site->document,
+                                "Target of the suite: %s, damping %.3g %%. The mean of the load cases is at least %.3g "
+                                "of it, at %.3g s, over periods of %.3g to %.3g s.",
+                                words, 100 * target->damping, scaled.ratio, scaled.ratio_s, scaled.period_s[0],
+                                scaled.period_s[THUD_TARGET_PERIODS - 1]);
+    }
+    site->suite.drawing = true;
+    thud_site_figure(site, thud_figure_of_suite(&scaled, target ? target->text : "", mark, nmarks), 0.5,
+                     target
+                         ? "Pseudo-acceleration spectra of the load cases with their factors, their mean, the target "
+                           "and 90 % of it."
+                         : "Pseudo-acceleration spectra of the load cases with their factors, and their mean.");
+    site->suite.drawing = false;
+    thud_scaled_suite_clear(&scaled);
+}
+
 void thud_site_loads(struct site *site)
 {
     enum { POINTS = 200, MARKS = THUD_STRUCTURES_MAX };
@@ -200,6 +238,7 @@ void thud_site_loads(struct site *site)
         snprintf(mark[nmarks].text, sizeof mark[nmarks].text, "%.40s", thud_site_name(site, s));
         nmarks++;
     }
+    suite_spectra(site, mark, nmarks);
     thud_site_figure(site, thud_figure_of_motion(site->record, "motion", ""), 0.4,
                      "Acceleration, velocity and displacement of the ground.");
     point = malloc(POINTS * sizeof *point);

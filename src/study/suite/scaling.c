@@ -152,8 +152,9 @@ static void find_least(const struct thud_record *const *record, const struct thu
 
 /* The factor of all, and the mean that comes of it. */
 static void scale_all(const struct thud_record *const *record, struct thud_scaled_suite *suite,
-                      const struct thud_target *target, bool common)
+                      const struct thud_target *target, const struct thud_scaling *how)
 {
+    const bool common = how->common || how->as_given;
     double count = suite->chosen, peak = 0, need = 0;
     for (int p = 0; p < THUD_TARGET_PERIODS; p++)
         suite->mean_mps2[p] = 0;
@@ -170,7 +171,7 @@ static void scale_all(const struct thud_record *const *record, struct thud_scale
     suite->zero_mps2 = target ? thud_target_sa(target, 0) : NAN;
     if (target && suite->zero_mps2 > 0)
         need = fmax(need, suite->zero_mps2 / peak);
-    suite->common = !target ? 1 : common ? need : fmax(1, need);
+    suite->common = !target || how->as_given ? 1 : common ? need : fmax(1, need);
     suite->mean_peak_mps2 = suite->common * peak;
     suite->ratio *= suite->common;
     for (int p = 0; p < THUD_TARGET_PERIODS; p++)
@@ -198,16 +199,16 @@ enum thud_status thud_suite_scale(const struct thud_record *const *record, int n
         thud_target_motion(record[i], out->damping, out->period_s, THUD_TARGET_PERIODS, m->sa_mps2);
         if (target && m->peak_mps2 > 0)
             m->factor = thud_target_factor(out->target_mps2, m->sa_mps2, THUD_TARGET_PERIODS, &m->misfit);
-        m->chosen = !target;
+        m->chosen = !target || scaling->as_given;
     }
-    out->chosen = target ? 0 : n;
-    if (status == THUD_OK && target)
+    out->chosen = target && !scaling->as_given ? 0 : n;
+    if (status == THUD_OK && target && !scaling->as_given)
         choose(record, out, scaling);
     if (status == THUD_OK && out->chosen == 0)
         status =
             thud_error_set(err, THUD_INPUT, "no motion can be taken: %s", n > 0 ? out->motion[0].why : "there is none");
     if (status == THUD_OK)
-        scale_all(record, out, target, scaling->common);
+        scale_all(record, out, target, scaling);
     else
         thud_scaled_suite_clear(out);
     return status;
