@@ -48,11 +48,12 @@ static enum thud_status run_case(struct site *site, struct site_case *one, struc
 
 static enum thud_status run_cases(struct site *site, struct thud_error *err)
 {
-    /* links stand in every case: what is compared is the bumper */
-    const enum thud_case which[] = {THUD_CASE_FREE, thud_scene_bare(site->scene), THUD_CASE_WHOLE};
+    const bool links = thud_site_compares_links(site);
+    const enum thud_case which[] = {THUD_CASE_FREE, links ? THUD_CASE_NONE : thud_scene_bare(site->scene),
+                                    THUD_CASE_WHOLE};
     const int measures = thud_scene_measures(site->scene);
     enum thud_status status = THUD_OK;
-    site->ncases = thud_scene_has_bumper(site->scene) ? SITE_CASES : SITE_BUMPER;
+    site->ncases = thud_scene_has_measure(site->scene) ? SITE_CASES : SITE_MEASURE;
     for (int i = 0; i < site->ncases && status == THUD_OK; i++) {
         struct site_case *one = &site->cases[i];
         one->name = thud_case_title(measures, which[i]);
@@ -61,10 +62,10 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         if (!one->scene)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         *one->scene = *site->scene;
+        if (i == SITE_NONE || (i == SITE_FREE && links))
+            thud_scene_case(one->scene, which[SITE_NONE], one->scene, NULL);
         if (i == SITE_FREE)
             thud_scene_drop_contacts(one->scene, 0);
-        else if (i == SITE_NONE)
-            thud_scene_case(one->scene, which[i], one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];

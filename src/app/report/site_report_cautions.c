@@ -44,8 +44,8 @@ static int tell_weight(struct site *site, const struct thud_remarks *of_scene, c
     for (int i = site->ncases - 1; i >= 0; i--)
         for (int k = 0; k < of_case[i].n; k++) {
             const struct thud_remark *remark = &of_case[i].item[k];
-            const bool with = i < SITE_BUMPER && site->ncases > SITE_BUMPER &&
-                              thud_remarks_like(&of_case[SITE_BUMPER], remark) != NULL;
+            const bool with = i < SITE_MEASURE && site->ncases > SITE_MEASURE &&
+                              thud_remarks_like(&of_case[SITE_MEASURE], remark) != NULL;
             const bool pounding = i < SITE_NONE && thud_remarks_like(&of_case[SITE_NONE], remark) != NULL;
             if (remark->weight != weight || with || pounding)
                 continue;

@@ -79,7 +79,7 @@ static const struct phrase model[] = {
      .when = BACKFILL},
     {.text = "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by "
              "F = k d + c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a "
-             "restrainer while -d does. Links stand in every case.",
+             "restrainer while -d does. They stand in every case that is not named without them.",
      .when = LINKS},
     {.text = "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and "
              "rocks by t: springs and dashpots act under it, given or of a rigid disk of radius a on an elastic "
@@ -167,7 +167,7 @@ static void add_choice(struct thud_text *out, const struct thud_param *param, do
 static void add_obtained(struct thud_text *out, const struct site *site, int interface, bool bumper,
                          const struct thud_law_choice *choice)
 {
-    const struct site_case *one = &site->cases[bumper ? SITE_BUMPER : SITE_NONE];
+    const struct site_case *one = &site->cases[bumper ? SITE_MEASURE : SITE_NONE];
     const int e = thud_law_param(choice->law, "restitution");
     const double speed_mps = 0.5;
     int c = one->result->ncontacts - 1;
@@ -270,9 +270,12 @@ void thud_site_method(struct site *site)
         d,
         "Compared are %s. Events (onset, separation, yielding) are located in time, and every "
         "largest value is that of the continuous history.",
-        site->ncases > SITE_BUMPER
-            ? "the buildings without pounding (too far apart to touch), with pounding but without bumper, "
-              "and with the bumper"
+        site->ncases > SITE_MEASURE
+            ? (thud_site_compares_links(site)
+                   ? "the buildings without links and pounding (too far apart to touch), with pounding but without the "
+                     "links, and with the links"
+                   : "the buildings without pounding (too far apart to touch), with pounding but without bumper, "
+                     "and with the bumper")
             : "the buildings without pounding (too far apart to touch) and with pounding");
     add_symbols(site);
 }

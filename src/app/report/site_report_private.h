@@ -15,8 +15,8 @@
 #include "study/sweep/floor_spectra.h"
 #include "study/sweep/remark.h"
 
-/* Cases in this order; a scene without a bumper has no last one. */
-enum { SITE_FREE, SITE_NONE, SITE_BUMPER, SITE_CASES };
+/* Cases in this order; a scene without bumper and links, the measures, has no last one. */
+enum { SITE_FREE, SITE_NONE, SITE_MEASURE, SITE_CASES };
 
 struct site_case {
     const char *name, *words; /* in a table's head; in a sentence */
@@ -165,6 +165,10 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
+/* What is compared: the bumper, with the links in every case, or without a bumper the links. `verb`, "lowers", of it. */
+bool thud_site_compares_links(const struct site *site);
+const char *thud_site_measures(const struct site *site);
+struct thud_site_shown thud_site_verb(const struct site *site, const char *verb);
 /* "floor 4 of A", counted from 1; "the base slab of B", which is the first floor of an isolated building; of a wall its
  * name. Returns `text`. */
 const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size);

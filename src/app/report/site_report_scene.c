@@ -101,10 +101,9 @@ void thud_site_scene(struct site *site)
         const struct thud_link_result *l = &site->own->result->link[i];
         char name[2 * THUD_NAME_MAX];
         thud_link_name(site->scene, i, name, sizeof name);
-        thud_document_item(
-            d, "Link %d, %s (%s), in every case: largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
-            name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
-            thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
+        thud_document_item(d, "Link %d, %s (%s): largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
+                           name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
+                           thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
     }
 }
 

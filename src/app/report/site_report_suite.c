@@ -32,16 +32,17 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
         suite->leads ? (const struct thud_record *const *)site->options->records->record : &site->record;
     suite->plan.nrecords = suite->leads ? site->options->records->n : site->record != NULL;
     enum thud_status status = suite->leads ? thud_sweep_vary(&suite->plan, scales, err) : THUD_OK;
-    const bool links = site->scene->nlinks > 0; /* they stand in both cases, as in those of one motion */
+    const bool links = site->scene->nlinks > 0;
+    bool own = links; /* bumpers in their own cavities, and links, are no case by name */
+    for (int i = 0; i + 1 < site->scene->nstructures; i++)
+        own = own || (site->scene->interface[i].has_bumper && site->scene->interface[i].bumper_cavity_m > 0);
     if (status == THUD_OK)
         status = thud_sweep_cases(&suite->plan,
-                                  site->ncases > SITE_BUMPER ? (links ? "link,as-written" : "none,bumper")
-                                  : links                    ? "link"
-                                                             : "none",
+                                  site->ncases <= SITE_MEASURE               ? "none"
+                                  : links && !thud_site_compares_links(site) ? "link,as-written"
+                                  : own                                      ? "none,as-written"
+                                                                             : "none,bumper",
                                   err);
-    for (int i = 0; status == THUD_OK && i + 1 < site->scene->nstructures; i++)
-        if (site->scene->interface[i].has_bumper && site->scene->interface[i].bumper_cavity_m > 0)
-            suite->plan.cases[SITE_BUMPER - SITE_NONE] = THUD_CASE_AS_WRITTEN; /* in its own cavity */
     return status;
 }
 
@@ -108,6 +109,12 @@ double thud_site_suite_median(const struct site *site, const struct thud_quantit
 
 /* ---- the result ---- */
 
+/* Whether contact in case k is with the bumper, and nothing else tells it from case none. */
+static bool touches(const struct site *site, int k)
+{
+    return k > 0 && !thud_site_compares_links(site);
+}
+
 static void say_pounding(struct site *site, int k)
 {
     struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
@@ -123,7 +130,8 @@ static void say_pounding(struct site *site, int k)
                  100 * f.share, 100 * low, 100 * high);
     thud_document_item(&site->document,
                        "Of the suite of %zu ground motions, %zu make the buildings %s%s at the given gap%s.", f.n,
-                       count, k == 0 ? "pound " : "touch the bumper", k == 0 ? site->cases[SITE_NONE].words : "", band);
+                       count, touches(site, k) ? "touch the bumper" : "pound ",
+                       touches(site, k) ? "" : site->cases[SITE_NONE + k].words, band);
 }
 
 /* "They pound from 0.37 times their strength on under 7 of the 14" */
@@ -134,7 +142,7 @@ static void say_strength(struct site *site, int k)
     size_t n = (size_t)f->nexact, half;
     double median = thud_enough(factor, n, 0.5, &half), clear = INFINITY;
     char first[80] = "", all[80] = "", how[160] = " (exact: each motion has a factor from which on it does)", pound[80];
-    const char *words = site->cases[SITE_NONE].words;
+    const char *words = site->cases[SITE_NONE + k].words;
     snprintf(pound, sizeof pound, "%c%s they pound", words[0] - 'a' + 'A', words + 1);
     if (n == 0 || isinf(median))
         return;
@@ -151,7 +159,7 @@ static void say_strength(struct site *site, int k)
     if (half < n && !isinf(factor[n - 1]))
         snprintf(all, sizeof all, ", under all from %.2f times", factor[n - 1]);
     thud_document_item(&site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.",
-                       k == 0 ? pound : "They touch the bumper", first, half, n, median,
+                       touches(site, k) ? "They touch the bumper" : pound, first, half, n, median,
                        *first ? "" : " their strength on", all, how);
 }
 
@@ -172,8 +180,8 @@ static void say_widths(struct site *site)
                        f.half, thud_summary_gap_cm(f.median), most84, thud_summary_gap_cm(f.most));
 }
 
-/* What the bumper makes of a measure's mean, structure s under motion r. The suite's ratios are to neither bumper nor
- * links, of which the report has the latter in both cases. */
+/* What the bumper, or the links, make of a measure's mean, structure s under motion r. The suite's ratios are to neither
+ * of them; where both are there the report has links in both cases. */
 static double bumper_ratio(const struct site *site, int r, enum thud_measure measure, int s)
 {
     const struct site_suite *suite = &site->suite;
@@ -205,9 +213,11 @@ static void say_bumper(struct site *site, int s, bool drift)
         snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
     if (f.n > 0)
         thud_document_item(&site->document,
-                           "The bumper lowers the mean %s of %s under %d of %zu motions and raises it under %.0f: its "
-                           "ratio to no bumper is %.2f in the median%s.",
-                           drift ? "drift" : "acceleration", thud_site_name(site, s), helps, f.n, f.share * (double)f.n,
+                           "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "
+                           "ratio to %s is %.2f in the median%s.",
+                           thud_site_measures(site), thud_site_verb(site, "lowers").text,
+                           drift ? "drift" : "acceleration", thud_site_name(site, s), helps, f.n,
+                           thud_site_verb(site, "raises").text, f.share * (double)f.n, site->cases[SITE_NONE].name,
                            f.median, spread);
 }
 
@@ -311,9 +321,11 @@ static void bumper_verdict(struct site *site, bool drift)
             thud_text_append(&text, "%sof %s lower under %d of %zu ground motions and higher under %.0f",
                              text.size > 0 ? "; " : "", thud_site_name(site, s), helps, f.n, f.share * (double)f.n);
     }
-    if (text.size > 0)
-        thud_site_verdict(site, drift ? "mean drifts with the bumper" : "mean accelerations with the bumper",
-                          text.data);
+    if (text.size > 0) {
+        char what[96];
+        snprintf(what, sizeof what, "mean %s %s", drift ? "drifts" : "accelerations", site->own->words);
+        thud_site_verdict(site, what, text.data);
+    }
     site->document.failed = site->document.failed || text.failed;
     thud_text_clear(&text);
 }
@@ -408,6 +420,16 @@ static void add_figures(struct site *site)
     const struct site_suite *suite = &site->suite;
     struct thud_fragility_curve curve[SITE_CASES - SITE_NONE];
     const char *note = thud_fragility_note(suite->runs->ndraws);
+    char caption[240], ida[240], same[96];
+    snprintf(caption, sizeof caption,
+             "Under how many of the motions the %s %s the mean acceleration of a building; a share that need not grow "
+             "with their strength has no curve.",
+             thud_site_measures(site), thud_site_verb(site, "raises").text);
+    snprintf(ida, sizeof ida,
+             "Largest drift %s when all motions are so many times as strong: each of them, and 16, 50 and 84 %% of "
+             "them.",
+             site->cases[SITE_NONE].words);
+    snprintf(same, sizeof same, "The same %s.", site->own->words);
     for (int k = 0; k < suite->plan.ncases; k++)
         curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
     thud_site_figure(site, thud_figure_of_gaps(&site->gaps.suite, site->scene->title), 0.62,
@@ -416,16 +438,11 @@ static void add_figures(struct site *site)
                      "How likely the buildings pound at this gap when all motions are so many times as strong.");
     if (suite->plan.ncases > 1 && suite->plan.cases[0] == THUD_CASE_NONE) {
         curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
-        thud_site_figure(
-            site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62,
-            "Under how many of the motions the bumper raises the mean acceleration of a building; a share that "
-            "need not grow with their strength has no curve.");
+        thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62, caption);
     }
     for (int k = 0; k < suite->plan.ncases; k++)
         thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
-                         k == 0 ? "Largest drift without bumper when all motions are so many times as strong: each of "
-                                  "them, and 16, 50 and 84 % of them."
-                                : "The same with the bumper.");
+                         k == 0 ? ida : same);
 }
 
 void thud_site_suite_section(struct site *site)

@@ -64,7 +64,7 @@ enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 /* With the bumper over without it; NaN where there is nothing to compare. */
 static double ratio_of(const struct site *site, int s, int floor, int table)
 {
-    double with = floor_value(&site->cases[SITE_BUMPER], s, floor, table);
+    double with = floor_value(&site->cases[SITE_MEASURE], s, floor, table);
     double without = floor_value(&site->cases[SITE_NONE], s, floor, table);
     return without > 0 ? with / without : NAN;
 }
@@ -132,12 +132,13 @@ static void say_effect(struct site *site, int table)
         if (floors.failed)
             site->document.failed = true;
         else if (n > 0 && side == SAME)
-            thud_document_item(&site->document, "The bumper leaves the largest %s%s %s unchanged, within %.0f %%.",
-                               quantity, n > 1 ? "s" : "", floors.data, 100 * same_within);
+            thud_document_item(&site->document, "The %s %s the largest %s%s %s unchanged, within %.0f %%.",
+                               thud_site_measures(site), thud_site_verb(site, "leaves").text, quantity,
+                               n > 1 ? "s" : "", floors.data, 100 * same_within);
         else if (n > 0)
-            thud_document_item(&site->document, "The bumper %s the largest %s%s %s, by up to %s %%.", verb[side],
-                               quantity, n > 1 ? "s" : "", floors.data,
-                               thud_site_number(100 * fabs(furthest - 1), 2).text);
+            thud_document_item(&site->document, "The %s %s the largest %s%s %s, by up to %s %%.",
+                               thud_site_measures(site), thud_site_verb(site, verb[side]).text, quantity,
+                               n > 1 ? "s" : "", floors.data, thud_site_number(100 * fabs(furthest - 1), 2).text);
         thud_text_clear(&floors);
     }
 }
@@ -239,7 +240,7 @@ static void say_results(struct site *site)
                                thud_site_number(b / THUD_GRAVITY, 3).text, thud_site_number(a / THUD_GRAVITY, 3).text,
                                thud_site_number(a / b, 3).text);
     }
-    if (site->ncases > SITE_BUMPER) {
+    if (site->ncases > SITE_MEASURE) {
         say_effect(site, FLOOR_ACCELERATION);
         say_effect(site, FLOOR_DRIFT);
     } else {
@@ -276,9 +277,9 @@ static void add_case_table(struct site *site, int s, int which)
     thud_document_cell(d, "%s", table->row);
     for (int i = 0; i < site->ncases; i++)
         thud_document_cell(d, "%s", site->cases[i].name);
-    thud_document_cell(d, "no bumper / no pounding");
-    if (site->ncases > SITE_BUMPER)
-        thud_document_cell(d, "bumper / no bumper");
+    thud_document_cell(d, "%s / %s", site->cases[SITE_NONE].name, site->cases[SITE_FREE].name);
+    if (site->ncases > SITE_MEASURE)
+        thud_document_cell(d, "%s / %s", site->own->name, site->cases[SITE_NONE].name);
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
@@ -392,7 +393,11 @@ static void add_column_table(struct site *site)
 
 static struct thud_figure_source source_of(const struct site *site, const struct site_case *one)
 {
-    return thud_run_source(one->name, thud_case_compared((int)(one - site->cases)), one->scene, one->solution.run);
+    return thud_run_source(one->name,
+                           one > &site->cases[SITE_NONE] && thud_site_compares_links(site)
+                               ? THUD_CASE_LINK
+                               : thud_case_compared((int)(one - site->cases)),
+                           one->scene, one->solution.run);
 }
 
 static void floors(struct site *site)

@@ -58,7 +58,9 @@ static bool pounds_at(const struct site_case *one, int interface)
 /* What the runs say of a gap that is wide enough or not when nothing else touches: between bare faces, and as written. */
 static const char *gap_verdict(const struct site *site, int interface, bool bare_enough, bool own_enough)
 {
-    const bool bare = pounds_at(&site->cases[SITE_NONE], interface), own = pounds_at(site->own, interface);
+    const bool links = thud_site_compares_links(site); /* they stand in what is required */
+    const bool bare = pounds_at(links ? site->own : &site->cases[SITE_NONE], interface),
+               own = pounds_at(site->own, interface);
     return bare  ? (bare_enough ? "not enough, since another building pushes them together" : "not enough")
            : own ? (own_enough ? "not enough with the bumper, since another building pushes them together"
                                : "enough without the bumper, not with it")
@@ -131,15 +133,18 @@ static void pounding_row(struct site *site, const struct site_case *one)
 static void bumper_row(struct site *site)
 {
     enum { LOWER, SAME, HIGHER };
+    const bool links = thud_site_compares_links(site);
+    char what[64];
     int a[3], d[3], impacts;
     char text[300];
-    if (site->ncases <= SITE_BUMPER) {
+    if (site->ncases <= SITE_MEASURE) {
         thud_site_verdict(site, "bumper of use", "there is none");
         return;
     }
-    if (!thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
-        bool in_contact = thud_contact_hardest(site->cases[SITE_BUMPER].result, &impacts) != NULL;
-        thud_site_verdict(site, "bumper of use",
+    snprintf(what, sizeof what, "%s of use", thud_site_measures(site));
+    if (!links && !thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
+        bool in_contact = thud_contact_hardest(site->cases[SITE_MEASURE].result, &impacts) != NULL;
+        thud_site_verdict(site, what,
                           in_contact ? "no: there is no contact without it, and it is struck"
                                      : "no: there is no contact without it");
         return;
@@ -149,28 +154,29 @@ static void bumper_row(struct site *site)
     const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
     size_t n = (size_t)snprintf(
         text, sizeof text,
-        "%s: of %d floor accelerations and %d storey drifts it lowers %d and %d by more than 2 %%, raises %d and %d, "
-        "leaves %d and %d",
+        "%s: of %d floor accelerations and %d storey drifts %s %s %d and %d by more than 2 %%, %s %d and %d, "
+        "%s %d and %d",
         higher == 0 && lower > 0   ? "yes"
         : lower == 0 && higher > 0 ? "no"
-        : lower == 0               ? "it changes nothing"
+        : lower == 0               ? (links ? "they change nothing" : "it changes nothing")
         : lower > higher           ? "in part, more lower than higher"
                                    : "in part, not more lower than higher",
-        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], a[LOWER], d[LOWER], a[HIGHER], d[HIGHER],
-        a[SAME], d[SAME]);
+        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], links ? "they" : "it",
+        thud_site_verb(site, "lowers").text, a[LOWER], d[LOWER], thud_site_verb(site, "raises").text, a[HIGHER],
+        d[HIGHER], thud_site_verb(site, "leaves").text, a[SAME], d[SAME]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
-                                     *with = thud_site_strongest(site->cases[SITE_BUMPER].result);
+                                     *with = thud_site_strongest(site->cases[SITE_MEASURE].result);
     if (without && with)
         snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
                  thud_site_number(1e-6 * without->force.value, 3).text,
                  thud_site_number(1e-6 * with->force.value, 3).text);
-    thud_site_verdict(site, "bumper of use", text);
+    thud_site_verdict(site, what, text);
 }
 
 /* Of the scene as written; with which of its cases that is. */
 static const char *own_words(const struct site *site, const char *what, char *name, size_t size)
 {
-    snprintf(name, size, "%s, %s bumper", what, thud_scene_has_bumper(site->scene) ? "with the" : "without");
+    snprintf(name, size, "%s, %s", what, site->own->words);
     return name;
 }
 

@@ -24,6 +24,23 @@ bool thud_site_is_building(const struct site *site, int structure)
     return thud_kind_is_building(kind);
 }
 
+bool thud_site_compares_links(const struct site *site)
+{
+    return thud_scene_measures(site->scene) == THUD_HAS_LINKS;
+}
+
+const char *thud_site_measures(const struct site *site)
+{
+    return thud_site_compares_links(site) ? "links" : "bumper";
+}
+
+struct thud_site_shown thud_site_verb(const struct site *site, const char *verb)
+{
+    struct thud_site_shown out;
+    snprintf(out.text, sizeof out.text, "%.*s", (int)strlen(verb) - thud_site_compares_links(site), verb);
+    return out;
+}
+
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *r)
 {
     const struct thud_contact_result *most = NULL;
