@@ -21,9 +21,9 @@ struct thud_site_report_options {
     unsigned long long seed;
     const char *limits;               /* of criteria, "drift=1%,force=5MN"; "": none */
     const struct thud_target *target; /* design spectrum of the suite; NULL: not given */
-    int threads;               /* 0: the processors that are online */
-    bool pdf;                  /* report.pdf too */
-    struct thud_error *no_pdf; /* why none could be made, where it need not be; NULL: it has to be */
+    int threads;                      /* 0: the processors that are online */
+    bool pdf;                         /* report.pdf too */
+    struct thud_error *no_pdf;        /* why none could be made, where it need not be; NULL: it has to be */
     const struct thud_picture_options *pictures;
     void *context;
     void (*progress)(void *context, const char *what); /* may be NULL */

@@ -52,7 +52,9 @@ static void take_quotes_off(char *text)
     *to = '\0';
 }
 
-void thud_record_put_quoted(struct thud_text *out, const char *text)
+/* A name or a value as a list has it: in quotation marks, themselves doubled, where it would be read as something
+ * else. */
+static void put_quoted(struct thud_text *out, const char *text)
 {
     const size_t n = strlen(text);
     if (n > 0 && !strpbrk(text, "\":#") && text[0] != ' ' && text[0] != '\t' && text[n - 1] != ' ' &&
@@ -223,7 +225,7 @@ static char *reading_of(const struct thud_scene *scene)
         if (thud_scene_get(scene, key, value, sizeof value, NULL) != THUD_OK || !value[0])
             continue;
         thud_text_append(&text, ":%s=", settings[i]);
-        thud_record_put_quoted(&text, value);
+        put_quoted(&text, value);
     }
     if (text.failed)
         thud_text_clear(&text);
@@ -543,7 +545,7 @@ void thud_record_list_clear(struct thud_record_list *list)
 void thud_record_list_line(const struct thud_record_list *list, int i, const char *name, double factor,
                            struct thud_text *out)
 {
-    thud_record_put_quoted(out, name);
+    put_quoted(out, name);
     thud_text_append(out, "%s:factor=", list->own[i]);
     thud_text_number(out, fabs(factor));
     thud_text_append(out, factor < 0 ? ":sign=-\n" : "\n");

@@ -21,10 +21,6 @@ struct thud_record_list {
     char **own; /* (n) how it was read, as a list says it, without what scales it: ":dt=0.005 s:unit=g", or "" */
 };
 
-/* A name or a value as a list has it: in quotation marks, themselves doubled, where it would be read as something
- * else. */
-void thud_record_put_quoted(struct thud_text *out, const char *text);
-
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
  * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value
  * may stand in quotation marks. The settings of a
