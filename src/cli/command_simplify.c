@@ -13,6 +13,7 @@
 #include "io/file/paths.h"
 #include "io/preset/preset.h"
 #include "io/result/simplify_rows.h"
+#include "plot/figures/figures_simplify.h"
 
 static enum thud_status read_ask(const struct thud_args *args, struct thud_simplify_ask *ask, struct thud_error *err)
 {
@@ -86,15 +87,21 @@ static enum thud_status write_preset(const struct thud_session *session, const s
 
 static enum thud_status save(const struct thud_args *args, const struct thud_session *session,
                              const struct thud_simplify *found, const struct thud_simplify_suite *suite,
-                             struct thud_error *err)
+                             struct thud_picture_choice *picture, struct thud_error *err)
 {
-    const char *folder = thud_args_value(args, "o");
+    const char *folder = thud_args_value(args, "o"),
+               *title = session->scene.title[0] ? session->scene.title : session->scene.name;
     const struct thud_rows rows = thud_simplify_table_rows(found);
     struct thud_text text = {0};
     thud_rows_csv(&rows, &text);
     enum thud_status status = thud_text_write_in(&text, folder, "simplifications.csv", err);
     thud_text_clear(&text);
-    return status == THUD_OK ? write_preset(session, found, suite, folder, err) : status;
+    if (status == THUD_OK)
+        status = write_preset(session, found, suite, folder, err);
+    picture->options.cancel = thud_interrupt_watch();
+    return status == THUD_OK
+               ? thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err)
+               : status;
 }
 
 static enum thud_status simplify(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
@@ -104,11 +111,14 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
     struct thud_simplify *found = NULL;
     struct thud_simplify_suite suite;
     struct thud_simplify_ask ask;
+    struct thud_picture_choice picture;
     struct thud_made_by by;
     struct thud_text text = {0};
     static const char *const asked[] = {"within", "cases", "records", NULL};
     *scene = session->scene;
     enum thud_status status = read_ask(args, &ask, err);
+    if (status == THUD_OK)
+        status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)
         status = thud_records_option_read(args, session, &records, err);
     if (status == THUD_OK)
@@ -120,7 +130,7 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
         status = thud_simplify_search(scene, &records, &ask, thud_interrupt_watch(), &found, &suite, err);
     const struct thud_rows rows = status == THUD_OK ? thud_simplify_table_rows(found) : (struct thud_rows){0};
     if (status == THUD_OK && thud_args_has(args, "o"))
-        status = save(args, session, found, &suite, err);
+        status = save(args, session, found, &suite, &picture, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
         thud_simplify_json(found, &suite, scene->name, &text);
     else if (status == THUD_OK && thud_args_has(args, "csv"))

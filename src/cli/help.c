@@ -12,7 +12,7 @@ void thud_help_all(struct thud_text *out)
         snprintf(usage, sizeof usage, "thud %s%s%s", command->name, command->name[0] ? " " : "", command->operands);
         thud_text_append(out, "  %-26s %s\n", usage, command->summary);
     }
-    thud_text_append(out, "\nPRESET: a name (towers) or a file. Options: thud help COMMAND. Manual: thud(1)\n");
+    thud_text_append(out, "PRESET: a name (towers) or a file. Options: thud help COMMAND. Manual: thud(1)\n");
 }
 
 void thud_help_command(struct thud_text *out, enum thud_command_id id)

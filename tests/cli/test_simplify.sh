@@ -39,6 +39,7 @@ for preset in ${PRESETS:-towers isolated-moat}; do
     real=$(change "$preset" "$tmp/$preset/simplest.yaml")
     is "is off by what it claims: $claim, $real" [ "$(echo "$claim $real" | awk '{ d = $1 - $2; print ($1 > 0 && $1 <= 0.05 && d < 1e-7 && d > -1e-7) }')" = 1 ]
     is "says in its comments what was left out" [ "$(echo "$steps" | awk -F, '{ print $1 }')" = "$(sed -n 's/^#   \(.*\): .* alone/\1/p' "$tmp/$preset/simplest.yaml" | head -1)" ]
+    is "draws what more detail buys" is_png "$tmp/$preset/simplify.png"
     is "is found again" gives 0 simplify "$preset" --json -o "$tmp/$preset"
     is "the same" [ "$(told change)" = "$claim" ]
 done
