@@ -38,12 +38,49 @@ static void add_law(enum thud_group group, const char *prefix, const struct thud
         thud_text_append(out, "%s%s\n", prefix, law->params[i].name);
 }
 
-/* Keys as they are named in a scene like the paper's. */
-static void add_keys(struct thud_text *out)
+/* A scene like the paper's, with the laws that a command line sets: "... contact.law=hertz ...". */
+static void set_laws(struct thud_interface *interface, const char *line)
+{
+    const struct {
+        const char *key;
+        struct thud_law_choice *choice;
+    } of[] = {{"contact.law", &interface->contact}, {"bumper.law", &interface->bumper}};
+    thud_interface_init(interface);
+    thud_interface_add_bumper(interface);
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+        for (const char *at = line; (at = strstr(at, of[i].key)) != NULL; at++) {
+            char name[THUD_NAME_MAX];
+            const char *word = at + strlen(of[i].key);
+            word += strspn(word, " =");
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " ,"), word);
+            if (thud_law_find(name))
+                thud_law_choice_init(of[i].choice, thud_law_find(name));
+        }
+}
+
+/* What a key may be where it is one of several words: the last part of KEY= names it. */
+static void add_values(const char *key, const char *line, struct thud_text *out)
 {
     struct thud_interface interface;
-    thud_interface_init(&interface);
-    thud_interface_add_bumper(&interface);
+    set_laws(&interface, line);
+    const char *dot = strrchr(key, '.'), *name = dot ? dot + 1 : key;
+    const size_t n = strcspn(name, "=");
+    const bool bumper = strncmp(key, "bumper.", 7) == 0 || strstr(key, ".bumper.");
+    const struct thud_law *law = bumper ? interface.bumper.law : interface.contact.law;
+    if (n == 3 && strncmp(name, "law", n) == 0)
+        for (int i = 0; i < thud_law_count(); i++)
+            thud_text_append(out, "%s\n", thud_law_at(i)->name);
+    for (int i = 0; i < law->nparams; i++)
+        if (strlen(law->params[i].name) == n && strncmp(law->params[i].name, name, n) == 0)
+            for (int k = 0; law->params[i].choices && law->params[i].choices[k]; k++)
+                thud_text_append(out, "%s\n", law->params[i].choices[k]);
+}
+
+/* Keys as they are named in a scene like the paper's. */
+static void add_keys(const char *line, struct thud_text *out)
+{
+    struct thud_interface interface;
+    set_laws(&interface, line);
     add_group(THUD_GROUP_INTERFACE, "", out);
     add_law(THUD_GROUP_CONTACT, "contact.", interface.contact.law, out);
     add_law(THUD_GROUP_BUMPER, "bumper.", interface.bumper.law, out);
@@ -61,12 +98,12 @@ static void add_keys(struct thud_text *out)
     add_group(THUD_GROUP_SCENE, "", out);
 }
 
-static void add_words(enum thud_word word, struct thud_text *out)
+static void add_words(enum thud_word word, const char *line, struct thud_text *out)
 {
     if (word == THUD_WORD_PRESET)
         add_presets(out);
     else if (word == THUD_WORD_KEY || word == THUD_WORD_VARIED)
-        add_keys(out);
+        add_keys(line, out);
     else if (word == THUD_WORD_FIGURE)
         thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
     else if (word == THUD_WORD_RECORD_VERB)
@@ -85,13 +122,18 @@ static void add_words(enum thud_word word, struct thud_text *out)
         thud_text_append(out, "%s\n", thud_command_at((enum thud_command_id)i)->name);
 }
 
-static enum thud_status words(const char *list, struct thud_text *out, struct thud_error *err)
+/* `line`: what has been typed so far. */
+static enum thud_status words(const char *list, const char *line, struct thud_text *out, struct thud_error *err)
 {
     char names[120] = "";
+    if (strchr(list, '=')) {
+        add_values(list, line, out);
+        return THUD_OK;
+    }
     for (int i = 0; i < THUD_WORDS; i++) {
         const char *name = thud_word_list_name((enum thud_word)i);
         if (name && strcmp(name, list) == 0) {
-            add_words((enum thud_word)i, out);
+            add_words((enum thud_word)i, line, out);
             return THUD_OK;
         }
         size_t n = strlen(names);
@@ -109,7 +151,7 @@ static bool is_verb(enum thud_command_id id, const char *word)
     const size_t n = strlen(word);
     bool found = false;
     if (first == THUD_WORD_RECORD_VERB || first == THUD_WORD_BUILDING_VERB || first == THUD_WORD_PROGRAM)
-        add_words(first, &verbs);
+        add_words(first, "", &verbs);
     for (const char *at = verbs.data; at && *at && !found; at += strcspn(at, "\n") + 1)
         found = n > 0 && strncmp(at, word, n) == 0 && at[n] == '\n';
     thud_text_clear(&verbs);
@@ -139,17 +181,18 @@ enum thud_status thud_command_help(const struct thud_args *args, struct thud_err
     const char *list = thud_args_value(args, "words"), *shell = thud_args_value(args, "completion");
     const char *part = thud_args_value(args, "mdoc");
     enum thud_command_id id = args->noperands > 0 ? thud_command_find(args->operand[0]) : THUD_COMMAND_SCREEN;
-    const bool command =
-        id != THUD_COMMANDS && (args->noperands < 2 || (args->noperands == 2 && is_verb(id, args->operand[1])));
-    if (list) {
-        status = words(list, &text, err);
+    const bool known = id != THUD_COMMANDS;
+    if (known && args->noperands == 2 && !list && !is_verb(id, args->operand[1])) {
+        status = thud_error_set(err, THUD_USAGE, "thud help takes one command, or one and its verb");
+    } else if (list) {
+        status = words(list, args->noperands > 0 ? args->operand[0] : "", &text, err);
     } else if (shell) {
         if (!thud_completion(&text, shell))
             status = thud_error_set(err, THUD_USAGE, "no completion for \"%.40s\" (bash, zsh, fish)", shell);
     } else if (part) {
         if (!thud_manual_part(&text, part))
             status = thud_error_set(err, THUD_USAGE, "the manual has no part \"%.40s\"", part);
-    } else if (!command) {
+    } else if (!known || args->noperands > 2) {
         status = search(args, &text, err);
     } else if (args->noperands == 0) {
         thud_help_all(&text);

@@ -18,41 +18,82 @@ static void title_of(const char *path, char *name, size_t size)
         snprintf(name, size, "%.*s", dot && dot > file ? (int)(dot - file) : (int)strlen(file), file);
 }
 
-/* One answer in place of the usual value; the empty one keeps it. Errors: THUD_INPUT (the answers end). */
-static enum thud_status ask(struct thud_new_preset *preset, enum thud_new_row row, int side, struct thud_error *err)
+static void prompt(const struct thud_new_preset *preset, enum thud_new_row row, int side)
 {
     const struct thud_new_about *about = thud_new_about(row);
-    char *value = preset->text[row][side], line[THUD_NEW_TEXT + 2];
-    fprintf(stderr, "%s%s%s%s [%s]: ",
+    const bool may_be_none = row == THUD_NEW_RECORD || row == THUD_NEW_SOIL || row == THUD_NEW_DAMPER;
+    fprintf(stderr, "%s%s%s%s%s [%s]: ",
             about->single ? ""
             : side        ? "right "
                           : "left ",
             about->label,
             row == THUD_NEW_KIND ? " (shear, isolated, lead-rubber, pendulum, rigid, wall, backfill, estimated)" : "",
-            *about->unit ? ", with its unit" : "", value);
-    if (!fgets(line, sizeof line, stdin))
-        return thud_error_set(err, THUD_INPUT, "the answers ended at \"%s\": nothing was written", about->label);
-    line[strcspn(line, "\n")] = '\0';
-    if (strcmp(line, "none") == 0 && row == THUD_NEW_RECORD)
-        *value = '\0';
-    else if (line[strspn(line, " ")])
-        snprintf(value, sizeof preset->text[row][side], "%.*s", THUD_NEW_TEXT - 1, line);
+            *about->unit || row == THUD_NEW_STIFFNESS ? ", with its unit" : "", may_be_none ? ", or no" : "",
+            preset->text[row][side]);
+}
+
+/* One answer in place of the usual value; the empty one keeps it, what cannot be is asked for again, and < goes back.
+ * Errors: THUD_INPUT (the answers end). */
+static enum thud_status ask(struct thud_new_preset *preset, enum thud_new_row row, int side, bool *back,
+                            struct thud_error *err)
+{
+    char *value = preset->text[row][side], before[THUD_NEW_TEXT], line[THUD_NEW_TEXT + 2], what[1200];
+    struct thud_error wrong = {0};
+    memcpy(before, value, sizeof before);
+    for (;;) {
+        prompt(preset, row, side);
+        if (!fgets(line, sizeof line, stdin))
+            return thud_error_set(err, THUD_INPUT, "the answers ended at \"%s\": nothing was written",
+                                  thud_new_about(row)->label);
+        line[strcspn(line, "\r\n")] = '\0';
+        *back = strcmp(line, "<") == 0;
+        if (*back)
+            return THUD_OK;
+        if (strcmp(line, "no") == 0 || strcmp(line, "none") == 0)
+            *value = '\0';
+        else if (line[strspn(line, " ")])
+            snprintf(value, THUD_NEW_TEXT, "%.*s", THUD_NEW_TEXT - 1, line);
+        if (thud_new_preset_check(preset, row, side, &wrong) == THUD_OK)
+            return THUD_OK;
+        fprintf(stderr, "  %s\n", thud_error_text(&wrong, what, sizeof what));
+        memcpy(value, before, sizeof before);
+    }
+}
+
+/* Questions are counted by row and side; those that do not apply are passed over, in both directions. */
+static enum thud_status ask_all(struct thud_new_preset *preset, struct thud_error *err)
+{
+    const int first = 2 * THUD_NEW_KIND, end = 2 * THUD_NEW_ROWS;
+    fprintf(stderr, "Two neighbours; Enter takes what stands in brackets, < goes back. A list has a value for each "
+                    "floor: 320 t, 320 t, 250 t, 250 t.\n");
+    for (int at = first, step = 1; at < end; at = at + step < first ? first : at + step) {
+        const enum thud_new_row row = (enum thud_new_row)(at / 2);
+        bool back = false;
+        if (!thud_new_applies(preset, row, at % 2)) {
+            step = at == first ? 1 : step;
+            continue;
+        }
+        enum thud_status status = ask(preset, row, at % 2, &back, err);
+        if (status != THUD_OK)
+            return status;
+        step = back ? -1 : 1;
+        if (!back && at % 2 == 0 && row != THUD_NEW_STOREYS && !thud_new_about(row)->single &&
+            !strchr(preset->text[row][0], ','))
+            memcpy(preset->text[row][1], preset->text[row][0], sizeof preset->text[row][1]);
+    }
     return THUD_OK;
 }
 
-static enum thud_status ask_all(struct thud_new_preset *preset, struct thud_error *err)
+/* The keys of what nobody said, from the marks in the text. */
+static void find_guesses(const struct thud_text *text, struct thud_text *out)
 {
-    enum thud_status status = THUD_OK;
-    fprintf(stderr, "Two neighbours; Enter takes what stands in brackets.\n");
-    for (int row = THUD_NEW_KIND; row < THUD_NEW_ROWS; row++)
-        for (int side = 0; side < 2 && status == THUD_OK; side++) {
-            if (!thud_new_applies(preset, (enum thud_new_row)row, side))
-                continue;
-            status = ask(preset, (enum thud_new_row)row, side, err);
-            if (side == 0 && row != THUD_NEW_STOREYS && !thud_new_about((enum thud_new_row)row)->single)
-                memcpy(preset->text[row][1], preset->text[row][0], sizeof preset->text[row][1]);
-        }
-    return status;
+    for (const char *mark = text->data; (mark = strstr(mark, "# a guess")) != NULL; mark++) {
+        const char *key = mark;
+        while (key > text->data && key[-1] != '\n')
+            key--;
+        key += strspn(key, " -");
+        thud_text_append(out, "%s%.*s", out->size ? ", " : "", (int)strcspn(key, ":"), key);
+    }
 }
 
 /* The title goes with the storeys that --set gave, unless it gave a title. */
@@ -117,7 +158,7 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
 enum thud_status thud_command_new(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_new_preset preset;
-    struct thud_text text = {0};
+    struct thud_text text = {0}, guesses = {0};
     const char *path = args->noperands > 0 ? args->operand[0] : "";
     bool to_output = strcmp(path, "-") == 0;
     if (args->noperands != 1)
@@ -140,8 +181,11 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
     }
     if (to_output)
         return thud_cli_print_data(&text, err);
+    find_guesses(&text, &guesses);
     status = thud_text_write(&text, path, err);
     if (status == THUD_OK && !thud_args_has(args, "quiet"))
-        fprintf(stderr, "%s: `thud run %s` runs it, `thud %s` opens it\n", path, path, path);
+        fprintf(stderr, "%s: guessed, and marked so there: %s\n%s: `thud run %s` runs it, `thud %s` opens it\n", path,
+                guesses.data ? guesses.data : "nothing", path, path, path);
+    thud_text_clear(&guesses);
     return status;
 }

@@ -32,7 +32,7 @@ static void bash_words(struct thud_text *out, enum thud_word word)
 {
     const char *list = thud_word_list_name(word);
     if (list)
-        thud_text_append(out, "compgen -W \"$(\"$1\" help --words %s 2>/dev/null)\"%s -- \"$cur\"", list,
+        thud_text_append(out, "compgen -W \"$(\"$1\" help --words %s \"$COMP_LINE\" 2>/dev/null)\"%s -- \"$cur\"", list,
                          word == THUD_WORD_KEY ? " -S =" : "");
     if (word == THUD_WORD_PRESET)
         thud_text_append(out, "; compgen -d -- \"$cur\"; compgen -f -X '!*.yaml' -- \"$cur\"");
@@ -88,10 +88,16 @@ static void bash_command(struct thud_text *out, enum thud_command_id id)
 
 static void bash(struct thud_text *out)
 {
-    thud_text_append(out, "# bash completion for thud\n"
-                          "_thud()\n{\n"
-                          "    local IFS=$'\\n' cur=$2 prev=$3 options\n"
-                          "    case $prev in\n");
+    thud_text_append(
+        out, "# bash completion for thud\n"
+             "_thud()\n{\n"
+             "    local IFS=$'\\n' cur=$2 prev=$3 options\n"
+             "    if [[ ( $cur == = || $prev == = ) && $COMP_CWORD -gt 2 ]]; then # KEY=WORD, which bash parts\n"
+             "        local at=$((COMP_CWORD - 2)); [[ $cur == = ]] && at=$((COMP_CWORD - 1)) cur=\n"
+             "        COMPREPLY=($(compgen -W \"$(\"$1\" help --words \"${COMP_WORDS[at]}=\" \"$COMP_LINE\" "
+             "2>/dev/null)\" -- \"$cur\")); return\n"
+             "    fi\n"
+             "    case $prev in\n");
     for (int i = 0; i < thud_option_count(); i++)
         bash_option(out, thud_option_at(i));
     thud_text_append(out, "    esac\n    case ${COMP_WORDS[1]} in\n");

@@ -71,7 +71,8 @@ for word in $choices; do one kelvin-voigt-no-tension --set "contact.damping=$wor
 is "and each of them is taken${refused:+:$refused}" [ -z "$refused" ]
 is "rubber without a bumper is refused" gives 3 run "$tmp/two.yaml" --set contact.law=rubber
 is "with the reason" says "needs the thickness of a bumper"
-is "laws takes no name" gives 2 laws hertz
+is "one law with its curve" gives 0 laws hertz
+is "laws --json takes no name" gives 2 laws hertz --json
 is "and says so" says "takes no name"
 
 # methods

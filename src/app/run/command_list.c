@@ -39,7 +39,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                                 THUD_WORD_PRESET, THUD_WORD_NONE},
     [THUD_COMMAND_BUILDING] = {"building", "import FILE", "a stiffness matrix, or periods and shapes, as read",
                                THUD_WORD_BUILDING_VERB, THUD_WORD_FILE},
-    [THUD_COMMAND_LAWS] = {"laws", "", "impact laws and the restitution they really give", THUD_WORD_NONE,
+    [THUD_COMMAND_LAWS] = {"laws", "[NAME]", "impact laws and the restitution they really give", THUD_WORD_NONE,
                            THUD_WORD_NONE},
     [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE,
                               THUD_WORD_NONE},

@@ -2,8 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "app/run/session.h"
 #include "base/quantity.h"
 #include "io/file/json.h"
 #include "study/scene/building.h"
@@ -18,7 +20,7 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
                        false},
-    [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "MN/m",
+    [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "",
                             "Of every storey (MN/m, kN/mm, N/m), or the first period (s), from which it follows; of "
                             "matrix and modes a file, of estimated the system",
                             false},
@@ -118,14 +120,16 @@ bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row ro
     return row == THUD_NEW_KIND || building || (row == THUD_NEW_MASS && strcmp(k, "rigid") == 0);
 }
 
-/* The value; a bare number gets the shown unit. */
+/* The value, in brackets where it is a list of floors; a bare number gets the shown unit. */
 static void value_of(const struct thud_new_preset *preset, enum thud_new_row row, int side, char *text, size_t size)
 {
     const char *end, *typed = preset->text[row][side], *bare = about[row].unit;
     double number;
     typed += strspn(typed, " ");
     bool plain = thud_number_parse(typed, &end, &number) == 0 && !end[strspn(end, " ")];
-    snprintf(text, size, "%s%s%s", typed, plain && *bare ? " " : "", plain ? bare : "");
+    bool list = strchr(typed, ',') && *typed != '[' && !about[row].single;
+    snprintf(text, size, "%s%s%s%s%s", list ? "[" : "", typed, plain && *bare ? " " : "", plain ? bare : "",
+             list ? "]" : "");
 }
 
 /* The stiffness as it stands in the preset; from a period where one was typed. */
@@ -160,7 +164,9 @@ static enum thud_status bearings(const struct thud_new_preset *preset, int side,
     double n, omega = 2 * THUD_PI / period_s;
     if (strcmp(preset->text[THUD_NEW_KIND][side], "pendulum") == 0) {
         thud_quantity_format(THUD_GRAVITY / (omega * omega), "m", value, sizeof value);
-        thud_text_append(out, "    isolator:\n      law: pendulum\n      radius: %.4s m\n      friction: 5 %%\n",
+        thud_text_append(out,
+                         "    isolator: # a guess: usual bearings\n      law: pendulum\n      radius: %.4s m\n      "
+                         "friction: 5 %%\n",
                          value);
         return THUD_OK;
     }
@@ -172,7 +178,8 @@ static enum thud_status bearings(const struct thud_new_preset *preset, int side,
         return thud_error_set(err, THUD_INPUT, "bearings stand below at least one storey");
     double all = mass.value * (n + 1);
     thud_text_append(out,
-                     "    isolator:\n      law: lead-rubber\n      strength: %.4g kN\n      post-yield: %.4g MN/m\n"
+                     "    isolator: # a guess: usual bearings\n      law: lead-rubber\n      strength: %.4g kN\n      "
+                     "post-yield: %.4g MN/m\n"
                      "      yield: 10 mm\n",
                      1e-3 * ratio * all * THUD_GRAVITY, 1e-6 * all * omega * omega);
     return THUD_OK;
@@ -230,8 +237,9 @@ static void soil(const struct thud_new_preset *preset, int side, struct thud_tex
         return;
     value_of(preset, THUD_NEW_SOIL, side, vs, sizeof vs);
     thud_text_append(out,
-                     "    foundation:\n      mass: 400 t\n      vs: %s # of the soil's shear waves\n"
-                     "      density: 1.9 t/m3\n      poisson: 0.4\n      radius: 9 m # of a disk as large\n",
+                     "    foundation:\n      mass: 400 t # a guess\n      vs: %s # of the soil's shear waves\n"
+                     "      density: 1.9 t/m3 # a guess\n      poisson: 0.4 # a guess\n"
+                     "      radius: 9 m # a guess: of a disk as large\n",
                      vs);
 }
 
@@ -267,7 +275,7 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
     if (strcmp(k, "rigid") == 0) {
         line(out, "mass", mass, NULL);
-        line(out, "height", "3 m", "its elevation");
+        line(out, "height", "3 m", "a guess: its elevation");
         return THUD_OK;
     }
     line(out, "storeys", preset->text[THUD_NEW_STOREYS][side], NULL);
@@ -287,12 +295,12 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
     line(out, "damping", text, side ? NULL : "of every mode");
     if (is_isolated(k))
-        line(out, "base-mass", mass, NULL);
+        line(out, "base-mass", mass, "a guess: as a floor");
     if (is_isolated(k) && strcmp(k, "isolated") != 0)
         return bearings(preset, side, out, err);
     if (is_isolated(k)) {
-        line(out, "isolation-stiffness", "12.5 MN/m", NULL);
-        line(out, "isolation-damping", "15 %", NULL);
+        line(out, "isolation-stiffness", "12.5 MN/m", "a guess");
+        line(out, "isolation-damping", "15 %", "a guess");
     }
     return THUD_OK;
 }
@@ -346,12 +354,62 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
         soil(preset, side, out);
     }
     value_of(preset, THUD_NEW_GAP, 0, text, sizeof text);
-    thud_text_append(out,
-                     "interfaces:\n  - gap: %s # at rest\n    contact:\n"
-                     "      law: kelvin-voigt-no-tension # one of `thud laws`\n"
-                     "      stiffness: 2500 kN/mm\n      restitution: 0.6\n",
-                     text);
+    thud_text_append(
+        out,
+        "interfaces:\n  - gap: %s # at rest\n    contact:\n"
+        "      law: kelvin-voigt-no-tension # one of `thud laws`\n"
+        "      stiffness: 2500 kN/mm # a guess: see `thud stiffness`\n      restitution: 0.6 # a guess: of concrete\n",
+        text);
     damper(preset, out);
     study(preset->text[THUD_NEW_GAP][0], out);
     return out->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : THUD_OK;
+}
+
+/* Reads the preset that these values make, and its ground motion. */
+static enum thud_status read_trial(const struct thud_new_preset *trial, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    struct thud_session *session = calloc(1, sizeof *session);
+    enum thud_status status =
+        session ? thud_new_preset_text(trial, &text, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK)
+        status = thud_session_parse(session, text.data, text.size, "new.yaml", err);
+    if (status == THUD_OK)
+        status = thud_scene_check(&session->scene, err);
+    if (status == THUD_OK && session->scene.record.file[0])
+        status = thud_session_read_record(session, err);
+    if (status != THUD_OK && err)
+        err->file[0] = err->key[0] = '\0', err->line = err->column = 0; /* of a text that nobody sees */
+    if (session)
+        thud_session_close(session);
+    free(session);
+    thud_text_clear(&text);
+    return status;
+}
+
+enum thud_status thud_new_preset_check(const struct thud_new_preset *preset, enum thud_new_row row, int side,
+                                       struct thud_error *err)
+{
+    static const enum thud_new_row with[] = {THUD_NEW_STOREYS, THUD_NEW_KIND};
+    struct thud_new_preset trial;
+    const char *answer = preset->text[row][side];
+    thud_new_preset_init(&trial);
+    for (int i = 0; row == THUD_NEW_KIND && kinds[i]; i++)
+        if (strcmp(kinds[i], answer) == 0)
+            return THUD_OK;
+    if (row == THUD_NEW_KIND)
+        return thud_error_refuse(err, THUD_INPUT, NULL, about[row].help, "\"%.40s\" is no kind of structure", answer);
+    const char *end;
+    double number;
+    if (row == THUD_NEW_STIFFNESS && thud_number_parse(answer, &end, &number) == 0 && !end[strspn(end, " ")])
+        return thud_error_refuse(err, THUD_INPUT, NULL, "a stiffness, 600 MN/m, or a first period, 0.9 s",
+                                 "\"%.40s\" has no unit", answer);
+    for (int k = 0; k < 2; k++) /* the kind counts only for what a stiffness is */
+        for (int i = 0; i < 1 + (row == THUD_NEW_STIFFNESS); i++)
+            if (thud_new_applies(preset, THUD_NEW_STOREYS, k) && (k == side || row == THUD_NEW_DAMPER))
+                memcpy(trial.text[with[i]][k], preset->text[with[i]][k], sizeof trial.text[0][0]);
+    if (row == THUD_NEW_STIFFNESS)
+        memcpy(trial.text[THUD_NEW_MASS][side], preset->text[THUD_NEW_MASS][side], sizeof trial.text[0][0]);
+    memcpy(trial.text[row][side], answer, sizeof trial.text[0][0]);
+    return read_trial(&trial, err);
 }

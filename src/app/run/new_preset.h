@@ -45,6 +45,10 @@ bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row ro
 void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, const char *text);
 /* "NAME: 4-storey building and 6-storey building" */
 void thud_new_preset_title(const struct thud_new_preset *preset, char *title, size_t size);
+/* Whether the answer can be read and stands within its bounds, by the preset that it makes of the usual values. Errors:
+ * THUD_INPUT with what is allowed, THUD_MEMORY. */
+enum thud_status thud_new_preset_check(const struct thud_new_preset *preset, enum thud_new_row row, int side,
+                                       struct thud_error *err);
 /* The preset. Errors: THUD_INPUT (a period that gives no stiffness), THUD_MEMORY; other values are checked by who reads
  * the text. */
 enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, struct thud_text *out,

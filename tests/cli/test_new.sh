@@ -1,0 +1,55 @@
+#!/bin/bash
+# Questions of `thud new` at a terminal, one law with its curve, and what bash completes behind a key.  TAP.
+# shellcheck source=tests/cli/program.sh
+. "$(dirname "$0")/program.sh"
+ok() { # WHAT STATUS
+    if [ "$2" -eq 0 ]; then echo "ok - $1"; else
+        echo "not ok - $1"
+        head -40 "$tmp/out" | sed 's/^/# /'
+    fi
+}
+answered() { # FILE ANSWERS...: as typed at a terminal
+    file=$1 && shift
+    printf '%s\n' "$@" | script -qec "'$THUD' new '$file'" /dev/null 2>&1 | tr -d '\r' >"$tmp/out"
+}
+if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
+    masses='320 t, 320 t, 320 t, 250 t'
+    answered "$tmp/a.yaml" shed shear '' 4 6 "$masses" '<' '' '' 0.9 '600 MN/m' '' '' '' '' '' '5 cm' nope.csv '' 150 no no
+    grep -q '"shed" is no kind of structure' "$tmp/out"
+    ok "a kind that is none is asked for again" $?
+    grep -q '"0.9" has no unit (a stiffness, 600 MN/m, or a first period, 0.9 s)' "$tmp/out"
+    ok "a stiffness without unit is refused" $?
+    [ "$(grep -o 'left floor mass' "$tmp/out" | wc -l)" -eq 2 ] && grep -q "  mass: \\[$masses\\]" "$tmp/a.yaml"
+    ok "< goes back, and a list is taken" $?
+    grep -q 'nope.csv' "$tmp/out" && ! grep -q 'nope.csv' "$tmp/a.yaml"
+    ok "a ground motion that is not there is asked for again" $?
+    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: mass, density, poisson, radius, stiffness, restitution' "$tmp/out"
+    ok "what is guessed is marked and said" $?
+    ! grep -q '^links' "$tmp/a.yaml" && "$THUD" run "$tmp/a.yaml" --quiet >"$tmp/out" 2>&1
+    ok "no damper is written for no, and the file runs" $?
+else
+    echo "ok - thud new at a terminal # SKIP no script(1)"
+fi
+
+"$THUD" laws hertz >"$tmp/out" && grep -q 'restitution is no parameter: two bodies of 320 t part with 1.000' "$tmp/out"
+ok "a law without restitution tells what it is" $?
+# F = k d^1.5 with k = 87e3 N/mm^1.5, and k d^2.5/2.5 = m v^2/2 of 160 t at 0.5 m/s at the end of the curve
+awk '$1 > 0 && NF == 4 && $1 ~ /^[0-9.]+$/ { f = 0.087 * $1 ^ 1.5; bad += (f - $2) ^ 2 > 4e-6; d = $1; n++ }
+    END { w = (2.5 * 20e6 / 87e3) ^ 0.4; exit bad || n != 8 || (d - w) ^ 2 > 1e-6 }' "$tmp/out"
+ok "the curve of hertz is its closed form" $?
+"$THUD" laws herz >/dev/null 2>"$tmp/out"
+[ $? -eq 2 ] && grep -q 'did you mean hertz?' "$tmp/out"
+ok "an unknown law names the nearest" $?
+
+completed() { # WORDS...: what bash has them be, the last one cut off
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=() COMP_LINE="$*"
+    _thud "$THUD" "${COMP_WORDS[$COMP_CWORD]}" "${COMP_WORDS[$((COMP_CWORD - 1))]}" 2>/dev/null
+    echo "${COMPREPLY[*]}" >"$tmp/out"
+}
+"$THUD" help --completion bash >"$tmp/completion" && . "$tmp/completion"
+completed thud run towers --set contact.law = her
+grep -q -x 'hertz hertz-damp' "$tmp/out"
+ok "words of laws are completed" $?
+completed thud run towers --set contact.law = hertz-damp --set contact.f
+grep -q -x 'contact.formula=' "$tmp/out"
+ok "and keys of the law that is set" $?
