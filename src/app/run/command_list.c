@@ -43,8 +43,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
                            THUD_WORD_NONE},
     [THUD_COMMAND_METHODS] = {"methods", "", "time-stepping methods, their order and limits", THUD_WORD_NONE,
                               THUD_WORD_NONE},
-    [THUD_COMMAND_HELP] = {"help", "[COMMAND | WORDS...]",
-                           "this list, options, the manual", THUD_WORD_COMMAND,
+    [THUD_COMMAND_HELP] = {"help", "[WORDS]", "this list, a command, or what the manual says", THUD_WORD_COMMAND,
                            THUD_WORD_NONE},
 };
 
