@@ -1,5 +1,6 @@
 /* thud export: a scene for another program. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/commands.h"
@@ -51,6 +52,41 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     return status;
 }
 
+/* The scene and its run by the nearest that OpenSees has; what that is stands at the head of the script and on standard
+ * error. What cannot be replaced is refused. */
+static enum thud_status replace(const struct thud_args *args, const struct thud_session *session,
+                                struct thud_scene *scene, const struct thud_run_options *options,
+                                struct thud_solution *solution, struct thud_text *head, struct thud_error *err)
+{
+    struct thud_text what = {0};
+    struct thud_solution full = *solution;
+    struct thud_scene *nearest = malloc(sizeof *nearest);
+    *solution = (struct thud_solution){0};
+    enum thud_status status =
+        nearest ? thud_opensees_nearest(scene, full.model, thud_run_result(full.run), nearest, &what, err)
+                : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (status == THUD_OK)
+        status = thud_scene_solve(nearest, session->record, options, solution, err);
+    if (status == THUD_OK)
+        status = thud_opensees_check(nearest, solution->model, err);
+    if (status == THUD_OK) {
+        thud_opensees_compare(scene, thud_run_result(full.run), thud_run_result(solution->run), &what);
+        if (what.failed)
+            status = thud_error_set(err, THUD_MEMORY, "out of memory");
+        char *rest = what.data, *line;
+        while (rest && (line = thud_text_line(&rest)) != NULL) {
+            thud_text_append(head, "# %s\n", line);
+            if (!thud_args_has(args, "quiet"))
+                fprintf(stderr, "thud: %s\n", line);
+        }
+        *scene = *nearest;
+    }
+    thud_text_clear(&what);
+    thud_solution_clear(&full);
+    free(nearest);
+    return status;
+}
+
 static enum thud_status opensees(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                                  struct thud_error *err)
 {
@@ -65,17 +101,21 @@ static enum thud_status opensees(const struct thud_args *args, struct thud_sessi
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(scene, &model, err);
-    if (status == THUD_OK)
-        status = thud_opensees_check(scene, model, err);
+    const bool whole = status == THUD_OK && thud_opensees_check(scene, model, err) == THUD_OK;
     thud_model_free(model);
+    if (status == THUD_OK && !whole && thud_args_has(args, "strict"))
+        status = THUD_INPUT;
     if (status == THUD_OK)
         status = thud_scene_options(scene, &options, err);
     if (status == THUD_OK)
         status = thud_scene_solve(scene, session->record, &options, &solution, err);
+    if (status == THUD_OK && !whole)
+        status = replace(args, session, scene, &options, &solution, &text, err);
     if (status == THUD_OK) {
         thud_opensees_script(scene, solution.model, session->record, thud_run_result(solution.run), &text);
         status = deliver(args, session, scene, &text, err);
     }
+    thud_text_clear(&text);
     thud_solution_clear(&solution);
     return status;
 }

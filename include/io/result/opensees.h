@@ -13,6 +13,15 @@
 enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
                                      struct thud_error *err);
 
+/* The nearest scene whose contacts OpenSees has, by a run of the full one; a line to `what` for each that is replaced.
+ * Contacts of other laws, soil and struck columns stay, and thud_opensees_check refuses them. Errors: those of thud_scene_set. */
+enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const struct thud_model *model,
+                                       const struct thud_result *result, struct thud_scene *out, struct thud_text *what,
+                                       struct thud_error *err);
+/* Largest force, impacts and each building's largest acceleration in both runs, line by line. */
+void thud_opensees_compare(const struct thud_scene *scene, const struct thud_result *full,
+                           const struct thud_result *replaced, struct thud_text *what);
+
 /* The script of a scene that passed the check. `record` NULL: no ground motion; `result`: of the exact method. */
 void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
                           const struct thud_record *record, const struct thud_result *result, struct thud_text *out);

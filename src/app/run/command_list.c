@@ -140,6 +140,7 @@ static const struct thud_option options[] = {
     {"seed", "N", "of what is drawn at random, default 1", THUD_WORD_TEXT, false, FRAGILITY | UNCERTAINTY | REPORT},
     {"uncertain", "INPUT=SIZE", "gap=5%, stiffness.A=9%, restitution=0.1", THUD_WORD_TEXT, true, UNCERTAINTY | REPORT},
     {"indices", NULL, "Sobol indices, first and total", THUD_WORD_NONE, false, UNCERTAINTY},
+    {"strict", NULL, "refuse what the other program has not", THUD_WORD_NONE, false, EXPORT},
     {"best", "KEY", "best value of a varied key alone", THUD_WORD_VARIED, false, 1 << THUD_COMMAND_SWEEP},
     {"shard", "K/N", "every N-th point, from the K-th on", THUD_WORD_TEXT, false, SWEEP},
     {"merge", NULL, "join the folders of all shards", THUD_WORD_NONE, false, SWEEP},

@@ -1,0 +1,133 @@
+/* The nearest scene whose contacts OpenSees has. A contact whose dashpot lets go at zero force becomes one that pulls until
+ * it opens (kelvin-voigt, same stiffness and restitution). A rubber bumper becomes a Kelvin-Voigt contact at the same
+ * clearance whose spring has, at the largest compression d of the full scene's run, the same force F and energy E:
+ *
+ *     E = integral of F over 0 .. d,   F^2/(2 K) = E,   so that K = F^2/(2 E);
+ *
+ * its restitution is the bumper's. Not to be used where forces well below the largest matter: the spring is linear. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "io/result/opensees.h"
+
+/* The contact of an interface (from 1) that was pressed hardest; -1: none was. */
+static int hardest(const struct thud_result *result, int interface)
+{
+    int found = -1;
+    for (int c = 0; c < result->ncontacts; c++)
+        if (result->contact[c].interface == interface && result->contact[c].force.value > 0 &&
+            (found < 0 || result->contact[c].force.value > result->contact[found].force.value))
+            found = c;
+    return found;
+}
+
+/* By its approach curve, which stores what it takes. */
+static double equivalent_stiffness(const struct thud_model_contact *c, double depth_m)
+{
+    const struct thud_law_memory untouched = {0};
+    const double energy = thud_law_energy(c->law, &c->setup, &untouched, THUD_APPROACH, depth_m), step = 1e-4 * depth_m,
+                 force =
+                     (energy - thud_law_energy(c->law, &c->setup, &untouched, THUD_APPROACH, depth_m - step)) / step;
+    return force * force / (2 * energy);
+}
+
+static enum thud_status set(struct thud_scene *scene, int interface, const char *key, const char *value,
+                            struct thud_error *err)
+{
+    char path[64];
+    snprintf(path, sizeof path, "interfaces.%d.contact.%s", interface, key);
+    return thud_scene_set(scene, path, value, err);
+}
+
+static enum thud_status replace_rubber(struct thud_scene *scene, const struct thud_model *model,
+                                       const struct thud_result *result, int i, struct thud_text *what,
+                                       struct thud_error *err)
+{
+    struct thud_interface *interface = &scene->interface[i];
+    char key[64], restitution[64], stiffness[64];
+    int c = hardest(result, i + 1);
+    double depth_m = c >= 0 ? result->contact[c].indentation.value : 0.5 * interface->bumper_thickness_m;
+    for (int k = 0; c < 0 && k < model->npairs; k++)
+        c = model->contact[k].interface == i + 1 ? k : c;
+    if (c < 0 || interface->thickness.n > 0)
+        return THUD_OK;
+    const double stiffness_npm = equivalent_stiffness(&model->contact[c], depth_m);
+    snprintf(key, sizeof key, "interfaces.%d.bumper.restitution", i + 1);
+    snprintf(stiffness, sizeof stiffness, "%.9g N/m", stiffness_npm);
+    enum thud_status status = thud_scene_get(scene, key, restitution, sizeof restitution, err);
+    if (status == THUD_OK)
+        status = set(scene, i + 1, "law", "kelvin-voigt", err);
+    if (status == THUD_OK)
+        status = set(scene, i + 1, "stiffness", stiffness, err);
+    if (status == THUD_OK)
+        status = set(scene, i + 1, "restitution", restitution, err);
+    const double clearance_less_m = interface->bumper_thickness_m - interface->bumper_cavity_m;
+    interface->has_bumper = false;
+    interface->gap_m -= clearance_less_m;
+    for (int k = 0; k < interface->gap.n; k++)
+        interface->gap.value_m[k] -= clearance_less_m;
+    thud_text_append(
+        what,
+        "interface %d: the rubber bumper is a Kelvin-Voigt contact of %.4g MN/m and restitution %s at the same "
+        "clearance, with the force and energy of the rubber at %.3g mm\n",
+        i + 1, 1e-6 * stiffness_npm, restitution, 1e3 * depth_m);
+    return status;
+}
+
+enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const struct thud_model *model,
+                                       const struct thud_result *result, struct thud_scene *out, struct thud_text *what,
+                                       struct thud_error *err)
+{
+    enum thud_status status = THUD_OK;
+    *out = *scene;
+    for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++) {
+        const struct thud_interface *interface = &scene->interface[i];
+        const struct thud_law *law = interface->has_bumper ? interface->bumper.law : interface->contact.law;
+        if (law && strcmp(law->name, "rubber") == 0) {
+            status = replace_rubber(out, model, result, i, what, err);
+        } else if (law && strcmp(law->name, "kelvin-voigt-no-tension") == 0 && !interface->has_bumper) {
+            status = set(out, i + 1, "law", "kelvin-voigt", err);
+            thud_text_append(
+                what,
+                "interface %d: the dashpot of the contact does not let go at zero force, it pulls until the "
+                "contact opens\n",
+                i + 1);
+        }
+    }
+    return status;
+}
+
+static void row(struct thud_text *what, const char *name, double full, double replaced)
+{
+    const double moved = full > 0 ? 100 * (replaced / full - 1) : replaced > 0 ? (double)INFINITY : 0;
+    thud_text_append(what, "%-32s %10.4g %10.4g  %+.1f %%%s\n", name, full, replaced, moved,
+                     fabs(moved) > 10 ? "  WARNING: moved by more than 10 %" : "");
+}
+
+void thud_opensees_compare(const struct thud_scene *scene, const struct thud_result *full,
+                           const struct thud_result *replaced, struct thud_text *what)
+{
+    const struct thud_result *both[2] = {full, replaced};
+    double force[2] = {0, 0}, impacts[2] = {0, 0}, most[2];
+    for (int k = 0; k < 2; k++)
+        for (int c = 0; c < both[k]->ncontacts; c++) {
+            force[k] = fmax(force[k], both[k]->contact[c].force.value);
+            impacts[k] += both[k]->contact[c].impacts;
+        }
+    thud_text_append(what, "%-32s %10s %10s\n", "both run by thud", "full", "replaced");
+    row(what, "largest force, MN", 1e-6 * force[0], 1e-6 * force[1]);
+    row(what, "impacts", impacts[0], impacts[1]);
+    for (int s = 0; s < scene->nstructures; s++) {
+        char name[THUD_NAME_MAX + 32];
+        for (int k = 0; k < 2; k++) {
+            most[k] = 0;
+            for (int f = 0; f < both[k]->structure[s].floors; f++)
+                most[k] = fmax(most[k], both[k]->structure[s].floor[f].acceleration.value);
+        }
+        snprintf(name, sizeof name, "largest acceleration of %.10s, m/s2", scene->structure[s].name);
+        if (both[0]->structure[s].floors > 0)
+            row(what, name, most[0], most[1]);
+    }
+}
