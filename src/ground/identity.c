@@ -135,8 +135,7 @@ static double component_azimuth(const char *name)
 double thud_record_azimuth(const struct thud_record *record)
 {
     const int place = strstr(record->format, "KiK") ? atoi(record->component) : 0; /* 1, 4: N-S; 2, 5: E-W; 3, 6: up */
-    return place > 0 ? (place % 3 == 0 ? (double)NAN : 90.0 * (place % 3 - 1))
-                     : component_azimuth(record->component);
+    return place > 0 ? (place % 3 == 0 ? (double)NAN : 90.0 * (place % 3 - 1)) : component_azimuth(record->component);
 }
 
 bool thud_component_is(const char *name, const char *wanted)
