@@ -319,6 +319,24 @@ START_TEST(sticking_beyond_the_largest_strain)
 }
 END_TEST
 
+/* Neighbours that never part: concrete at a clearance of 0, and rubber under a ground motion so strong that it sticks beyond
+ * its largest strain. Both end, and in the peaks of another method. */
+START_TEST(neighbours_that_never_part)
+{
+    const struct march_law laws[] = {concrete(), rubber()};
+    struct thud_record *record = march_motion(_i == 0 ? 1 : 3);
+    struct thud_model *model = march_row(2, towers, false, 0, &laws[_i]);
+    struct march a = exact(model, record, 1e-6, 1), b = march_run(model, record, "dormand-prince", 0, 1e-9, true, 1);
+    double apart = march_peaks_apart(a.result, b.result, 0.05);
+    ck_assert_msg(apart < 1e-6, "%.1e", apart);
+    ck_assert_int_lt((int)a.result->work.steps, 4000);
+    march_free(&a);
+    march_free(&b);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* Elastic collision of 1 kg with 1000 t, either way round: velocities by momentum and energy. */
 START_TEST(mass_ratio_of_a_million)
 {
@@ -467,6 +485,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, from_wall_to_wall);
     tcase_add_test(tcase, touch_and_release_in_one_step);
     tcase_add_test(tcase, sticking_beyond_the_largest_strain);
+    tcase_add_loop_test(tcase, neighbours_that_never_part, 0, 2);
     tcase_add_test(tcase, mass_ratio_of_a_million);
     tcase_add_test(tcase, nothing_lost_without_damping);
     tcase_add_test(tcase, from_one_storey_to_a_hundred_and_ten_in_a_row);
