@@ -280,6 +280,11 @@ is "a report where storeys yield" report 0 "$tmp/own.yaml" --set structures.2.yi
 ductility=$("$THUD" run "$tmp/own.yaml" --set structures.2.yield=15mm --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i } $1 == "Nr 14" && $c > m { m = $c } END { printf "%.2f", m }')
 is "has the ductility" in_text "The largest ductility of the storeys of Nr 14 is .* $ductility with the bumper"
 is "and a table of the drifts that stay" in_text 'Drift that stays in the storeys of Nr 14, mm'
+# k u_y, g times the masses above, and their ratio, by hand: 420 MN/m x 15 mm = 6.3 MN over 2260 t x g = 22.2 MN at the foot of Nr 14
+storeys() { sed 's/[\]//g' "$tmp/r/report.md" | sed -n "/Storeys of $1;/,/^!/p" | grep -q -x "$2"; }
+is "storeys have stiffness, weight and what yields them" storeys 'Nr 14' '| 1 | 3.2 | 350 | 420 | 22.2 | 6.30 | 15.0 | 0.284 |'
+is "at the roof too" storeys 'Nr 14' '| 7 | 3.2 | 260 | 260 | 2.55 | 3.90 | 15.0 | 1.53 |'
+is "elastic ones no yield" storeys 'Nr <12>' '| 5 | 3.2 | 300 | 380 | 2.94 |'
 is "none of a building that stays elastic" not_in_text 'storeys of Nr .<12.>, mm.*stays in the storeys of Nr .<12'
 is "a report where slabs strike columns" report 0 slab-against-columns --to 9s --samples 0
 shear=$("$THUD" run slab-against-columns --to 9s --json 2>/dev/null | grep -o '"shear_upper_n": [0-9.e+]*' | awk '$2 > m { m = $2 } END { printf "%.1f", m / 1000000 }')

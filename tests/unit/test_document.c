@@ -172,13 +172,15 @@ START_TEST(rows_without_values_are_left_out)
     thud_document_head(&document, "of|a|b");
     thud_document_line(&document, "nothing\t-\t-");
     thud_document_line(&document, "half\t-\t1");
+    thud_document_line(&document, "list\t[8 MN/m, 7 <MN>]\t1");
     thud_document_heading(&document, "Two");
     write_both();
     ck_assert(has(&html, "<ol>\n<li><a href=\"#section-1\">1 One &amp; all</a></li>\n"
                          "<li><a href=\"#section-2\">2 Two</a></li>\n</ol>"));
     ck_assert(has(&html, "<h2 id=\"section-1\">1 One &amp; all</h2>") && has(&html, "<h2 id=\"section-2\">2 Two</h2>"));
+    ck_assert(has(&html, ">[8\u00a0MN/\u2060m, 7\u00a0&lt;MN&gt;]</td>")); /* no value breaks within its unit */
     ck_assert_str_eq(markdown.data, "## One \\& all\n\n**Table 1. Values**\n\n| of | a | b |\n|---|---:|---:|\n"
-                                    "| half | \\- | 1 |\n\n## Two\n");
+                                    "| half | \\- | 1 |\n| list | \\[8 MN/m, 7 \\<MN\\>\\] | 1 |\n\n## Two\n");
 }
 END_TEST
 

@@ -44,6 +44,36 @@ static void add_structure_rows(struct site *site)
     }
 }
 
+/* Of a building of storeys, from the top: stiffness, what yields it, the weight above it, and that weight's share which
+ * yields it. */
+static void add_storeys(struct site *site, int s)
+{
+    struct thud_document *d = &site->document;
+    const struct thud_structure *p = &site->scene->structure[s];
+    char caption[THUD_NAME_MAX + 96];
+    bool yields = false;
+    double weight_n = 0;
+    if (!thud_site_is_building(site, s) || thud_kind_is_read(p->kind))
+        return;
+    for (int i = 0; i < p->storeys; i++)
+        yields = yields || isfinite(thud_structure_yield(p, i));
+    snprintf(caption, sizeof caption, "Storeys of %s; W: weight of all floors above the storey",
+             thud_site_name(site, s));
+    thud_document_table(d, caption);
+    thud_document_head(d, yields ? "storey|height m|mass t|k MN/m|W MN|V_y MN|u_y mm|V_y/W"
+                                 : "storey|height m|mass t|k MN/m|W MN");
+    for (int i = p->storeys - 1; i >= 0; i--) {
+        const double yield_m = thud_structure_yield(p, i), shear_n = p->stiffness_npm[i] * yield_m;
+        weight_n += p->gravity_n[i] > 0 ? p->gravity_n[i] : THUD_GRAVITY * p->mass_kg[i];
+        thud_document_cells(d, "%d\t%.4g\t%.5g\t%.5g\t%s", i + 1, p->height_m[i], 1e-3 * p->mass_kg[i],
+                            1e-6 * p->stiffness_npm[i], thud_site_number(1e-6 * weight_n, 3).text);
+        const double of_yield[] = {1e-6 * shear_n, 1e3 * yield_m, shear_n / weight_n};
+        for (int k = 0; yields && k < 3; k++)
+            thud_document_cell(d, "%s", thud_site_number(isfinite(of_yield[k]) ? of_yield[k] : NAN, 3).text);
+        thud_document_row(d);
+    }
+}
+
 /* Periods of isolators that yield or slide: those above are of their initial stiffness, which they leave at once. */
 static void say_sliding(struct site *site, int s)
 {
@@ -84,6 +114,8 @@ void thud_site_scene(struct site *site)
     struct thud_document *d = &site->document;
     thud_document_heading(d, "Buildings and gap");
     add_structure_rows(site);
+    for (int s = 0; s < site->scene->nstructures; s++)
+        add_storeys(site, s);
     add_building_files(site);
     for (int s = 0; s < site->scene->nstructures; s++)
         say_sliding(site, s);
