@@ -187,3 +187,24 @@ double thud_shown(double value, int places)
 {
     return fabs(value) * pow(10, places) <= 0.5 ? 0 : value;
 }
+
+const char *thud_digits(double value, int digits, char text[32])
+{
+    const bool whole = fabs(value) >= pow(10, digits) * (1 - 0.5 * pow(10, -digits)) && fabs(value) < 1e15;
+    if (whole)
+        snprintf(text, 32, "%.0f", value);
+    else
+        snprintf(text, 32, "%.*g", digits, value);
+    return text;
+}
+
+const char *thud_change_text(double ratio, char text[32])
+{
+    const double change = 100 * (ratio - 1);
+    const int places = fabs(change) >= 0.5 ? 0 : 1;
+    if (thud_shown(change, places) == 0)
+        snprintf(text, 32, "0 %%");
+    else
+        snprintf(text, 32, "%+.*f %%", places, change);
+    return text;
+}

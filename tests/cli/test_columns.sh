@@ -50,6 +50,13 @@ for kind in rigid-bumper isolated-moat; do
     is "and it is said" says '^thud: structures.1.column.EI: a .* no '
     is "nor ground to stand on" gives 3 run $kind --set structures.1.base=1m
 done
+# what drift alone asks of the columns stands beside it, and is the shear of a gap that nothing closes
+demands() { "$THUD" run $scene --case none --to 12s --quiet "$@" 2>/dev/null | awk '$1 == 1 && ($2 == "A" || $2 == "B") && NF == 13 { print $2, $3, $4, $6, $12 }'; }
+beside() { demands | awk '{ print $1, $2, $5 }' >"$tmp/beside"; demands --set gap=3m | awk '{ print $1, $2, ($3 + 0 > $4 + 0 ? $3 : $4) }' >"$tmp/alone"; [ -s "$tmp/beside" ] && cmp -s "$tmp/beside" "$tmp/alone"; }
+is "the shear of columns without pounding" beside
+is "is less than with it" awk '{ exit !($5 < $3 || $5 < $4) }' <<EOF
+$(demands | head -1)
+EOF
 is "an isolated building may have columns" gives 0 run isolated-moat --to 1s --set structures.2.column.EI=100MNm2
 
 # each key does what it says

@@ -418,6 +418,10 @@ gives 0 run towers --case none --quiet --json --set "gap=$(awk -v g="$need" 'BEG
 is "and just below it something does" [ "$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"impacts": *//p' | sort -n | tail -1)" -gt 0 ]
 is "how often they collide is said" grep -q "^Without bumper they collide [0-9]* times, hardest with .* MN, A and B at floor 4" "$tmp/cases"
 is "and what the bumper does to floors" grep -q "^The bumper lowers the accelerations of floors [AB] [1-6] (-[0-9]* %)" "$tmp/cases"
+is "where nothing is in contact" gives 0 run towers --cases none,bumper --set gap=40cm --to 9s --quiet
+is "there is nothing that it lowers or raises" sh -c "grep -q '^With the bumper there is no contact' '$tmp/out' && ! grep -q '^The bumper' '$tmp/out'"
+is "what a link bears" gives 0 run towers-linked --cases none,link --to 9s --quiet
+is "stands beside the largest force" shows "^  Of its links A.4-B.4 bears most, [0-9.]* MN at"
 THUD_GNUPLOT=/none "$THUD" run towers --cases none,bumper -o "$tmp/cases.d" --quiet >"$tmp/out" 2>"$tmp/err"
 is "files of every case" [ -s "$tmp/cases.d/none/histories.csv" ] && [ -s "$tmp/cases.d/no-pounding/result.json" ]
 is "each named in its own" grep -q '"case": "no-pounding"' "$tmp/cases.d/no-pounding/result.json"

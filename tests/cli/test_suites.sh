@@ -79,6 +79,10 @@ is "where storeys yield there is no DDC" gives 0 gap towers-yielding
 is "and it says why" shows "^ *storeys yield, and rho is that of elastic periods$"
 is "a behaviour factor of displacements that are inelastic" gives 3 gap towers-yielding --code q=2
 is "is refused with its clause" says 'q multiplies elastic displacements (EN 1998-1, 4.3.4(1))'
+for factor in cd r; do
+    is "another code's factor of them too, $factor" gives 3 gap towers-yielding --code $factor=2
+    is "with its name" says "$factor multiplies elastic displacements"
+done
 is "a factor of no code" gives 2 gap towers --code intensity=5
 is "says what there is" says "intensity (GB 50011): 6 to 9"
 widest() { "$THUD" gap towers --csv | awk -F, 'NR > 1 && $7 > m { m = $7 } END { printf "%.17g", m * (1 + s) }' s="$1"; }

@@ -232,6 +232,27 @@ START_TEST(named_units_exist)
 }
 END_TEST
 
+/* Numbers of tables and sentences: no exponents, no change that is written as none. */
+START_TEST(numbers_without_exponents)
+{
+    static const struct {
+        double value;
+        int digits;
+        const char *text;
+    } shown[] = {{11930, 4, "11930"}, {40580.4, 4, "40580"}, {9999.6, 4, "10000"}, {1552.84, 4, "1553"},
+                 {6.26, 4, "6.26"},   {0.0123, 2, "0.012"},  {-20000, 4, "-20000"}};
+    static const struct {
+        double ratio;
+        const char *text;
+    } change[] = {{1.12, "+12 %"}, {0.998, "-0.2 %"}, {1.0004, "0 %"}, {1, "0 %"}, {0.9945, "-1 %"}, {1.0051, "+1 %"}};
+    char text[32];
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+        ck_assert_str_eq(thud_digits(shown[i].value, shown[i].digits, text), shown[i].text);
+    for (size_t i = 0; i < sizeof change / sizeof *change; i++)
+        ck_assert_str_eq(thud_change_text(change[i].ratio, text), change[i].text);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -242,6 +263,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, refusals_name_the_remedy);
     tcase_add_test(tests, bare_numbers_take_the_unit_given_for_them);
     tcase_add_test(tests, nothing_has_no_sign);
+    tcase_add_test(tests, numbers_without_exponents);
     tcase_add_test(tests, digits_are_never_lost);
     tcase_add_test(tests, any_value_reads_back_the_same_in_any_unit);
     tcase_add_test(tests, named_units_exist);

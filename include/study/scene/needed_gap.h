@@ -18,7 +18,8 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
 /* One ground motion. */
 struct thud_needed_gap {
     struct thud_collapse collapse; /* without contact: what is needed is that until then */
-    int nlevels;
+    int nlevels, ncolumns;
+    double *shear_n; /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
     struct thud_gap_level level[]; /* (nlevels) */
 };
 /* `scene` as written; its bumpers and gaps do not matter. A bumper needs its thickness less its cavity besides. Free

@@ -84,16 +84,18 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
 {
     const struct thud_structure_result *r = &report->result->structure[s];
     const struct thud_structure *p = &report->scene->structure[s];
+    char number[32];
     if (r->floors == 0)
         return;
     thud_text_append(out, "\n%s", p->name);
     for (int i = 0; i < r->floors && i < 3 && isfinite(r->period_s[i]); i++)
         thud_text_append(out, "%s T%d %.4g s", i > 0 ? "," : ":", i + 1, r->period_s[i]);
     if (r->base_shear.value > 0)
-        thud_text_append(out, "; base shear %.5g MN at %.3f s", 1e-6 * r->base_shear.value, r->base_shear.time_s);
+        thud_text_append(out, "; base shear %s MN at %.3f s", thud_digits(1e-6 * r->base_shear.value, 5, number),
+                         r->base_shear.time_s);
     if (r->overturning.value > 0)
-        thud_text_append(out, "; overturning moment %.5g MN m at %.3f s", 1e-6 * r->overturning.value,
-                         r->overturning.time_s);
+        thud_text_append(out, "; overturning moment %s MN m at %.3f s",
+                         thud_digits(1e-6 * r->overturning.value, 5, number), r->overturning.time_s);
     if (p->kind == THUD_ESTIMATED) {
         const struct thud_estimate e = thud_structure_estimate(p);
         thud_text_append(
@@ -111,7 +113,7 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
         thud_text_append(
             out,
             "\nfoundation: sways by %.4g mm at %.3f s, rocks by %.4g mrad at %.3f s (%.4g mm at the roof); "
-            "T1 %.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil",
+            "T1 %.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil (of the undamped mode)",
             1e3 * r->foundation[0].displacement.value, r->foundation[0].displacement.time_s,
             1e3 * r->foundation[1].displacement.value / r->arm_m, r->foundation[1].displacement.time_s,
             1e3 * r->foundation[1].displacement.value, r->rigid_period_s, 1e2 * p->damping, 1e2 * r->soil_damping);

@@ -257,7 +257,7 @@ static const char *meet_at(const struct thud_structure *left, int left_floor, in
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
     int impacts, before;
-    char level[24];
+    char level[24], number[32];
     const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), &impacts);
     char how[64];
     snprintf(how, sizeof how, "%s", thud_case_phrase(cases->measures, cases->item[i].which));
@@ -272,7 +272,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     const struct thud_structure *left = &cases->item[i].scene.structure[most->interface - 1];
     thud_text_append(out, "%s they collide %d time%s", how, impacts, impacts == 1 ? "" : "s");
     if (most->force.value > 0) {
-        thud_text_append(out, ", hardest with %.4g MN, ", 1e-6 * most->force.value);
+        thud_text_append(out, ", hardest with %s MN, ", thud_digits(1e-6 * most->force.value, 4, number));
         if (most->struck != 0)
             put_struck(left, most->left_floor, most->right_floor, most->struck, out);
         else
@@ -284,8 +284,8 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     const struct thud_contact_result *bare =
         none && none != i ? thud_contact_hardest(result_of(cases, none), &before) : NULL;
     if (bare && bare->force.value > 0)
-        thud_text_append(out, " (%+.0f %% of the force without)",
-                         thud_shown(100 * (most->force.value / bare->force.value - 1), 0));
+        thud_text_append(out, " (%s of the force without)",
+                         thud_change_text(most->force.value / bare->force.value, number));
     thud_text_append(out, ".\n");
 }
 
@@ -298,10 +298,10 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
         for (int f = 0; f < result_of(cases, 0)->structure[s].floors; f++) {
             double change = ratio(peak(cases, i, s, f, drift), peak(cases, none, s, f, drift)) - 1;
             const struct thud_structure *p = &cases->item[0].scene.structure[s];
-            char number[16];
+            char number[16], percent[32];
             if (more ? change > 0.01 : change < -0.01)
-                thud_text_append(&list, "%s%s %s (%+.0f %%)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
-                                 100 * change);
+                thud_text_append(&list, "%s%s %s (%s)", n++ ? ", " : "", p->name, number_of(p, f, drift, number),
+                                 thud_change_text(1 + change, percent));
         }
     const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
     const enum thud_case which = cases->item[i].which;
@@ -348,6 +348,30 @@ static void say_needs(const struct thud_scene *scene, const struct thud_needed_g
     }
 }
 
+/* Whether a bumper is all that two cases differ by, and neither comes to a contact: then no peak is another one. */
+static bool moves_alike(const struct thud_run_cases *cases, int a, int b)
+{
+    int impacts;
+    return !thud_contact_hardest(result_of(cases, a), &impacts) &&
+           !thud_contact_hardest(result_of(cases, b), &impacts) &&
+           cases->item[a].scene.nlinks == cases->item[b].scene.nlinks;
+}
+
+/* What the links of a case bear, which is no force of a contact. */
+static void say_links(const struct thud_run_cases *cases, int i, struct thud_text *out)
+{
+    const struct thud_result *r = result_of(cases, i);
+    const struct thud_link_result *most = r->link;
+    char name[2 * THUD_NAME_MAX], number[32];
+    for (int k = 0; k < r->nlinks; k++)
+        most = r->link[k].force.value > most->force.value ? &r->link[k] : most;
+    if (r->nlinks == 0)
+        return;
+    thud_link_name(&cases->item[i].scene, (int)(most - r->link), name, sizeof name);
+    thud_text_append(out, "  Of its links %s bears most, %s MN at %.3f s.\n", name,
+                     thud_digits(1e-6 * most->force.value, 4, number), most->force.time_s);
+}
+
 void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out)
 {
     const struct thud_scene *scene = &cases->item[0].scene;
@@ -363,10 +387,12 @@ void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *
         for (int drift = 0; drift < 2; drift++)
             put_structure(cases, s, drift == 1, out);
     thud_text_append(out, "\n");
-    for (int i = 1; i < cases->n; i++)
+    for (int i = 1; i < cases->n; i++) {
         say_contacts(cases, i, out);
+        say_links(cases, i, out);
+    }
     for (int i = 1; none && i < cases->n; i++)
-        for (int k = 0; k < 4 && i != none; k++)
+        for (int k = 0; k < 4 && i != none && !moves_alike(cases, i, none); k++)
             say_floors(cases, i, k % 2 == 1, k >= 2, out);
     const bool links = cases->need_without_links != NULL;
     if (links)

@@ -93,7 +93,8 @@ void thud_sensitivity_table(const struct thud_report *report, struct thud_text *
     int row = 0;
     thud_text_append(out,
                      "\nsensitivity: largest change of each peak under %g %% more or less gap, ground motion or "
-                     "storey stiffness of every second building (%d runs)\n%-*s",
+                     "storey stiffness of every second building (%d runs), from the gap as given:\na change that "
+                     "begins or ends a contact counts there alone\n%-*s",
                      100 * s->change, s->runs, width + 6, "structure and floor");
     for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
         thud_text_append(out, "%15s", floor_peak[q]);

@@ -52,8 +52,7 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
         snprintf(part, size, "%s: %s", line->with, brief ? strchr(words, ',') + 2 : words);
         const size_t n = strlen(part);
         if (!brief && line->force_n > 0)
-            snprintf(part + n, size - n, " (%+.0f %%)",
-                     thud_shown(100 * (line->bumper_force_n / line->force_n - 1), 0));
+            snprintf(part + n, size - n, " (%s)", thud_change_text(line->bumper_force_n / line->force_n, words));
     }
 }
 

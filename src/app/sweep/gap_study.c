@@ -114,9 +114,15 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
     int n = records->n > 0 ? records->n : 1;
     enum thud_status status = THUD_OK;
     *out = (struct thud_gap_study){0};
-    if (code && code->q != 1 && thud_scene_elements(scene).traits & THUD_SLIPS)
-        return thud_error_refuse(err, THUD_INPUT, "code", "q=1, or storeys, isolators and links that stay elastic",
-                                 "q multiplies elastic displacements (EN 1998-1, 4.3.4(1)), and these are inelastic");
+    const char *factor = !code           ? NULL
+                         : code->q != 1  ? "q multiplies elastic displacements (EN 1998-1, 4.3.4(1))"
+                         : code->cd != 1 ? "cd multiplies elastic displacements (ASCE 7-16, 12.8.6)"
+                         : code->r != 1  ? "r multiplies elastic displacements (TBDY 2018, 4.9.3)"
+                                         : NULL;
+    if (factor && thud_scene_elements(scene).traits & THUD_SLIPS)
+        return thud_error_refuse(err, THUD_INPUT, "code",
+                                 "q=1, cd=1 and r=1, or storeys, isolators and links that stay elastic",
+                                 "%s, and these are inelastic", factor);
     out->name = calloc((size_t)n, sizeof *out->name);
     out->gap = calloc((size_t)n, sizeof(struct thud_needed_gap *));
     if (!out->name || !out->gap)

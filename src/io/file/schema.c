@@ -305,6 +305,7 @@ static void put_shown(const struct thud_column *field, int places, const struct 
 {
     const struct thud_shown *s = &field->shown;
     const double x = shown_value(field, v);
+    char number[32];
     if (v->text && s->width < 0)
         thud_text_padded(out, v->text, -s->width);
     else if (v->text)
@@ -319,10 +320,8 @@ static void put_shown(const struct thud_column *field, int places, const struct 
         put_places(s->width, places, x, out);
     else if (s->how == THUD_DIGITS_PLACES)
         thud_text_append(out, "%*.5g", s->width, x);
-    else if (fabs(x) < pow(10, s->digits))
-        thud_text_append(out, "%*.*g", s->width, s->digits, x);
     else
-        thud_text_append(out, "%*.0f", s->width, x);
+        thud_text_append(out, "%*s", s->width, thud_digits(x, s->digits, number));
 }
 
 static void put_shown_row(const struct thud_rows *rows, const int *places, const void *row, struct thud_text *out)

@@ -211,6 +211,7 @@ struct thud_rows thud_contact_rows(const struct thud_report *report)
 struct column_row {
     const char *structure;
     struct thud_column_result own;
+    double no_pounding_n; /* NaN: not known */
 };
 #define COLUMN(member, key, text) THUD_COLUMN(struct column_row, member, key, text)
 #define COLUMN_PEAK(quantity, key, text, head, unit)                                                                   \
@@ -238,6 +239,8 @@ static const struct thud_column columns[] = {
     COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Largest bending moment at the upper end, N m.", "up",
                 "kN m"),
     COLUMN_TIME(THUD_COLUMN_MOMENT_UPPER, "moment_upper_time_s"),
+    {COLUMN(no_pounding_n, "", ""), .only = THUD_ONLY_TEXT,
+     .shown = {"no", "pounding", 1e-3, 10, 5, THUD_DIGITS_PLACES}},
     {COLUMN(own.capacity_n, "capacity_n", "Shear that they can bear, N.")},
     {COLUMN(own.ratio, "shear_over_capacity", "The larger shear over it."),
      .only = THUD_ONLY_CSV | THUD_ONLY_JSON | THUD_ROW_CAPACITY,
@@ -251,7 +254,9 @@ static void make_column(const void *of, int i, void *out)
 {
     const struct thud_report *report = of;
     const struct thud_column_result *c = &report->result->column[i];
-    *(struct column_row *)out = (struct column_row){report->scene->structure[c->structure].name, *c};
+    *(struct column_row *)out =
+        (struct column_row){report->scene->structure[c->structure].name, *c,
+                            report->gap && i < report->gap->ncolumns && c->drifts ? report->gap->shear_n[i] : NAN};
 }
 
 struct thud_rows thud_column_rows(const struct thud_report *report)

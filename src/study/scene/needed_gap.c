@@ -150,10 +150,17 @@ static enum thud_status run_open(const struct thud_scene *scene, int open, const
     while (status == THUD_OK && !done)
         status = thud_baseline_advance(baseline, 1L << 20, &done, err);
     if (status == THUD_OK) {
-        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->npairs * sizeof *gap->level);
+        const struct thud_result *result = thud_baseline_result(baseline);
+        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->npairs * sizeof *gap->level +
+                                             (size_t)result->ncolumns * sizeof *gap->shear_n);
         if (gap) {
             gap->nlevels = model->npairs;
-            gap->collapse = thud_baseline_result(baseline)->collapse;
+            gap->ncolumns = result->ncolumns;
+            gap->shear_n = (double *)(void *)(gap->level + model->npairs);
+            for (int i = 0; i < result->ncolumns; i++)
+                gap->shear_n[i] = fmax(result->column[i].peak[THUD_COLUMN_SHEAR_LOWER].value,
+                                       result->column[i].peak[THUD_COLUMN_SHEAR_UPPER].value);
+            gap->collapse = result->collapse;
             bool aligned[THUD_STRUCTURES_MAX];
             thud_gap_aligned(bare, aligned);
             thud_gap_levels(aligned, model, baseline, gap->level);

@@ -214,16 +214,16 @@ void thud_remark_struck(const struct thud_remark_scope *scope, int i, struct thu
         return;
     const struct thud_peak *low = &worst->peak[THUD_COLUMN_SHEAR_LOWER], *up = &worst->peak[THUD_COLUMN_SHEAR_UPPER];
     const struct thud_peak *shear = low->value > up->value ? low : up;
-    char others[48] = "";
+    char others[48] = "", number[2][32];
     if (above > 1)
         snprintf(others, sizeof others, "; so do those of %d other storey%s", above - 1, above > 2 ? "s" : "");
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the struck columns below floor %d of %.40s bear a shear of %.4g kN at %.3f s, %.3g times what they "
+                   "the struck columns below floor %d of %.40s bear a shear of %s kN at %.3f s, %.3g times what they "
                    "can, and are taken as whole%s: results from then on have no meaning",
-                   worst->storey, scope->scene->structure[i].name, 1e-3 * shear->value, shear->time_s, worst->ratio,
-                   others);
-    thud_error_allow(said, "up to %.4g kN", 1e-3 * worst->capacity_n);
+                   worst->storey, scope->scene->structure[i].name, thud_digits(1e-3 * shear->value, 4, number[0]),
+                   shear->time_s, worst->ratio, others);
+    thud_error_allow(said, "up to %s kN", thud_digits(1e-3 * worst->capacity_n, 4, number[1]));
     thud_error_key(said, "structures.%d.column.capacity", i + 1);
 }
 
@@ -237,15 +237,17 @@ void thud_remark_overturning(const struct thud_remark_scope *scope, int i, struc
     if (s->kind != THUD_ISOLATED || isnan(s->width_m))
         return;
     const double held = 0.5 * thud_isolated_weight(s) * s->width_m;
+    char number[3][32];
     if (!(r->overturning.value > part * held))
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the overturning moment of %.40s about its isolators comes to %.4g MN m at %.3f s, %.2g times what "
-                   "its weight holds (%.4g MN m): uplift of isolators, and how the load on them changes, are left out",
-                   s->name, 1e-6 * r->overturning.value, r->overturning.time_s, r->overturning.value / held,
-                   1e-6 * held);
-    thud_error_allow(said, "up to half of the weight times half the width, %.4g MN m", 1e-6 * part * held);
+                   "the overturning moment of %.40s about its isolators comes to %s MN m at %.3f s, %s times what "
+                   "its weight holds (%s MN m): uplift of isolators, and how the load on them changes, are left out",
+                   s->name, thud_digits(1e-6 * r->overturning.value, 4, number[0]), r->overturning.time_s,
+                   thud_digits(r->overturning.value / held, 2, number[1]), thud_digits(1e-6 * held, 4, number[2]));
+    thud_error_allow(said, "up to half of the weight times half the width, %s MN m",
+                     thud_digits(1e-6 * part * held, 4, number[0]));
     thud_error_key(said, "structures.%d.width", i + 1);
 }
 
