@@ -12,6 +12,9 @@ is "says ductility, permanent drift, excursions, energy and shear" shows '^     
 is "and what storeys have lost" shows 'lost in storeys that yield 7342\.4; unaccounted [0-9.]*e-1[0-9]$'
 is "elastic storeys say nothing of it" [ "$("$THUD" run towers --case none 2>&1 | grep -c 'ductility\|lost in')" -eq 0 ]
 is "a drift of 2 % is no remark where the storey yields" [ "$("$THUD" run towers-yielding --case none 2>&1 | grep -c 'taken as elastic')" -eq 0 ]
+columns() { "$THUD" sweep towers --vary gap=20cm --cases none --to 1s --csv --quiet "$@" 2>/dev/null | head -1 | grep -c ductility; }
+is "a varied key that makes no storey yield adds no columns" [ "$(columns --vary structures.1.yield=none)" = 0 ]
+is "one of its values that does adds them" [ "$(columns --vary structures.1.yield=none,8mm)" = 1 ]
 is "--set makes a storey yield" gives 0 run towers --case none --set structures.1.yield.1=10mm
 is "that one alone" [ "$(grep -c '^ *[0-9]    elastic$' "$tmp/out")" -eq 3 ]
 is "by its shear, with hardening" gives 0 run towers --case none --set structures.1.yield-shear=9MN --set structures.1.hardening=5%
