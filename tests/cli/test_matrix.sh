@@ -20,66 +20,66 @@ takes() { # OPTION COMMAND...: these have it; the lines of standard input, COMMA
     done <"$tmp/left"
 }
 
-takes --json run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export <<END
+takes --json run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export simplify <<END
 new: it writes a preset and answers nothing
 END
-takes --csv run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability <<END
+takes --csv run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability simplify <<END
 new: it writes a preset
 figures report export: what they write is files, which --json lists; their tables are among them
 END
-takes --quiet run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new </dev/null
-takes --help run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new </dev/null
-takes -o run sweep gap fragility uncertainty suite record bench stability figures report export <<END
+takes --quiet run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new simplify </dev/null
+takes --help run sweep gap solve fragility uncertainty suite record verify stiffness building laws methods bench stability figures report export new simplify </dev/null
+takes -o run sweep gap fragility uncertainty suite record bench stability figures report export simplify <<END
 solve verify stiffness building laws methods: one table, which standard output takes
 new: its operand is the file
 END
 takes --no-figures run sweep gap fragility uncertainty suite bench stability <<END
-record: a figure is all that -o writes of info and spectrum
+record simplify: a figure is all that -o writes of info and spectrum
 figures: they are what is asked for
 report: it is made of them
 export solve verify stiffness building laws methods new: they draw none
 END
-takes --cases run sweep fragility <<END
+takes --cases run sweep fragility simplify <<END
 solve bench stability export stiffness uncertainty: one case
 gap report figures verify: cases of their own
 suite record building laws methods new: no contact
 END
-takes --font run sweep gap fragility uncertainty suite record bench stability figures report <<END
+takes --font run sweep gap fragility uncertainty suite record bench stability figures report simplify <<END
 export solve verify stiffness building laws methods new: they draw none
 END
-takes --format run sweep gap fragility uncertainty suite record bench stability figures <<END
+takes --format run sweep gap fragility uncertainty suite record bench stability figures simplify <<END
 report: its pictures are SVG
 export solve verify stiffness building laws methods new: they draw none
 END
-takes --replace run sweep gap fragility uncertainty bench stability figures report export <<END
+takes --replace run sweep gap fragility uncertainty bench stability figures report export simplify <<END
 suite record: of no scene, so that nothing of another one is in their way
 solve verify stiffness building laws methods new: they write into no folder
 END
 takes -j run sweep gap fragility uncertainty figures report <<END
-solve: each value tried follows from those before
+solve simplify: each value tried follows from those before
 bench: what is timed runs alone
 stability: its work takes seconds
 suite record verify stiffness building laws methods new export: a few runs, or none
 END
-takes --records sweep gap solve fragility uncertainty figures report <<END
+takes --records sweep gap solve fragility uncertainty figures report simplify <<END
 run bench stability export stiffness: one scene under one motion; sweep takes a suite
 suite record: ground motions are their operand
 verify: a preset's expectations are of its own motion
 building laws methods new: no ground motion
 END
-takes --record run sweep gap solve fragility uncertainty bench stability verify report export stiffness <<END
+takes --record run sweep gap solve fragility uncertainty bench stability verify report export stiffness simplify <<END
 suite record: ground motions are their operand
 figures: the paper's motions are named by --records, in their order
 building laws methods new: no ground motion
 END
 takes --case run sweep solve fragility uncertainty bench stability export stiffness <<END
-gap: the required gap is that of the motion without contact, whatever the case
+gap simplify: the required gap is that of the motion without contact, whatever the case
 report: it tells all cases
 figures: a figure has the paper's cases
 verify: expectations are of all cases
 suite record building laws methods new: no contact
 END
-takes --set run sweep gap solve fragility uncertainty bench stability report export stiffness record building new <<END
+takes --set run sweep gap solve fragility uncertainty bench stability report export stiffness record building new simplify <<END
 verify: expectations are of the preset as it is
 figures suite laws methods: no scene
 END

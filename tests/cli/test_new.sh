@@ -1,4 +1,4 @@
-#!/bin/bash
+#!/bin/sh
 # Questions of `thud new` at a terminal, one law with its curve, and what bash completes behind a key.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
@@ -42,11 +42,11 @@ ok "the curve of hertz is its closed form" $?
 ok "an unknown law names the nearest" $?
 
 completed() { # WORDS...: what bash has them be, the last one cut off
-    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=() COMP_LINE="$*"
-    _thud "$THUD" "${COMP_WORDS[$COMP_CWORD]}" "${COMP_WORDS[$((COMP_CWORD - 1))]}" 2>/dev/null
-    echo "${COMPREPLY[*]}" >"$tmp/out"
+    bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); COMP_LINE="$*"
+        _thud "$THUD" "${COMP_WORDS[$COMP_CWORD]}" "${COMP_WORDS[$((COMP_CWORD - 1))]}" 2>/dev/null
+        echo "${COMPREPLY[*]}"' bash "$tmp/completion" "$@" >"$tmp/out"
 }
-"$THUD" help --completion bash >"$tmp/completion" && . "$tmp/completion"
+"$THUD" help --completion bash >"$tmp/completion"
 completed thud run towers --set contact.law = her
 grep -q -x 'hertz hertz-damp' "$tmp/out"
 ok "words of laws are completed" $?

@@ -123,7 +123,8 @@ order() { head -1 "$tmp/$1/needed-gaps.csv" | cut -d, -f1-14; }
 is "in one order" [ "$(order sweep)" = "$(order gap)" ]
 general_csv gap-rules.csv "$tmp/gap/gap-rules.csv"
 "$THUD" gap beside-unknown --to 3s --json --quiet >"$tmp/periods.json" 2>/dev/null
-json "gap --json" "$tmp/gap/needed-gaps.json" "$tmp/periods.json"
+"$THUD" gap three-in-a-row --to 3s --json --quiet >"$tmp/row.json" 2>/dev/null
+json "gap --json" "$tmp/gap/needed-gaps.json" "$tmp/periods.json" "$tmp/row.json"
 general_csv uncertainty.csv "$tmp/uncertainty/uncertainty.csv"
 general_csv effects.csv "$tmp/uncertainty/effects.csv"
 general_csv samples.csv "$tmp/uncertainty/samples.csv"

@@ -321,7 +321,7 @@ if [ -d gap ] && [ -d one ]; then
     "$THUD" --play session >played.txt 2>played.err || complain "the terminal: $(head -c 200 played.err)"
     # of one of its interfaces; what a setting leaves as it was is not said again
     sed '1,/^> open/d' played.txt | sed -n 's/.*needs \([0-9.]*\) cm.*/\1/p' | tail -1 >said-terminal
-    [ -z "$cut" ] || sed -n 's/^summary .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\1/p; t; s/^summary .*needs \([0-9.]*\) cm.*/\1/p' run.txt | grep -q -x -F "$(cat said-terminal)" ||
+    [ -z "$cut" ] || sed -n 's/^summary .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\1/p; t; s/^summary .*needs \([0-9.]*\) cm.*/\1/p' run.txt | awk -v said="$(cat said-terminal)" '$1 + 0 == said + 0 { found = 1 } END { exit !found }' ||
         complain "the required gap of terminal and run: $(cat said-terminal) and $(cat said-run) cm"
 fi
 tell "the required gap of run, gap, sweep, uncertainty, report and terminal"

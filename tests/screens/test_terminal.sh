@@ -277,7 +277,7 @@ key() { # KEY WHAT PATTERN
 }
 key Down "goes to the next field" 'gap by level *▸'
 key Up "back to the field before" 'gap *▸'
-key End "to the last one" '▸continuous\|▸[a-z0-9]'
+key End "to the last one" '▸continuous\|▸[-a-z0-9]'
 key Home "to the first one" 'gap *▸'
 key NPage "a page down" 'max-strain *▸0.8'
 key PPage "a page up" 'gap *▸'

@@ -36,7 +36,8 @@ START_TEST(help_fits_a_screen)
             const char *at = strstr(text.data, line);
             while (at && !strchr(" [\n", at[strlen(line) - (line[strlen(line) - 1] == ' ')]))
                 at = strstr(at + 1, line);
-            ck_assert_msg((at != NULL) == thud_option_belongs(option, (enum thud_command_id)c), "%s %s",
+            /* two commands may have an option of one name each */
+            ck_assert_msg((at != NULL) == (thud_option_find((enum thud_command_id)c, option->name) != NULL), "%s %s",
                           thud_command_at((enum thud_command_id)c)->name, option->name);
         }
         thud_text_clear(&text);

@@ -533,7 +533,7 @@ static int count_keys(const char *keys)
  * saved; half of that is the least that was asked for. */
 START_TEST(the_walk_of_an_engineer)
 {
-    static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500<Tab>550<Down><Down><Down>8<Down>pul<Enter>",
+    static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500MN/m<Tab>550MN/m<Down><Down><Down>8<Down>pul<Enter>",
                                        "<Down><Down><Enter>250<Enter>", /* the roof of the left one */
                                        "<Tab><Down><Down><Enter>260<Enter>",
                                        "P",
@@ -572,7 +572,7 @@ END_TEST
 START_TEST(the_walk_to_a_report)
 {
     static const char *const walk[] = {
-        "n5<Tab>7<Down><Tab>500<Tab>550<Down><Down><Down>3<Down>pul<Enter>", /* two buildings */
+        "n5<Tab>7<Down><Tab>500MN/m<Tab>550MN/m<Down><Down><Down>3<Down>pul<Enter>", /* two buildings */
         "3<Home><Down> <Down> ",                                             /* the suite */
         "w2<Home><Enter>5<Enter>",                                           /* saved; another gap */
         "B",                                                                 /* a bumper */
@@ -633,12 +633,12 @@ START_TEST(new_scenes_of_every_kind)
         const char *kind = thud_new_kind(i);
         bool matrix = strcmp(kind, "matrix") == 0, modes = strcmp(kind, "modes") == 0;
         snprintf(keys, sizeof keys,
-                 ":new name: n%d; kind: %s, shear; storeys: 2; mass: 250 t; stiffness: %s, 500; gap: 2 cm; "
+                 ":new name: n%d; kind: %s, shear; storeys: 2; mass: 250 t; stiffness: %s, 500 MN/m; gap: 2 cm; "
                  "record: pulse.csv; soil: %s; damper: 3000<Enter>",
                  i, kind,
                  matrix  ? "k.tab"
                  : modes ? "m.tab"
-                         : "500",
+                         : "500 MN/m",
                  matrix || modes ? ", 200" : "200");
         fixture_keys(&f, keys);
         fixture_expect(&f, "each value can be changed here now");

@@ -178,7 +178,7 @@ static const struct thud_option options[] = {
     {"beside", "PRESET,...", "variants to stand in one table with the scene", THUD_WORD_FILE, false, REPORT},
     {"figures", "FILE|DIR,...", "SVG pictures drawn before, for its last pages", THUD_WORD_FILE, false, REPORT},
     {"code", "NAME", "whose gap is recommended: en1998, asce7, exact84", THUD_WORD_TEXT, false, REPORT},
-    {"limit", "NAME=VALUE", "of a criterion: drift=1%, ductility=4, force=5MN", THUD_WORD_TEXT, true, REPORT},
+    {"limit", "NAME=VALUE", "of a criterion: drift=1%, force=5MN", THUD_WORD_TEXT, true, REPORT},
     {"detail", "N", "load case shown in detail, default the governing", THUD_WORD_TEXT, false, REPORT},
     {"project", "TEXT", "of the title block of a report; and", THUD_WORD_TEXT, false, REPORT},
     {"author", "NAME", "who made it", THUD_WORD_TEXT, false, REPORT},
