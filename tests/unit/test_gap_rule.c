@@ -7,7 +7,6 @@
 
 #include "ground/identity.h"
 #include "study/scene/solution.h"
-#include "ground/identity.h"
 #include "study/suite/gap_suite.h"
 #include "study/sweep/sweep_table.h"
 #include "study_setup.h"

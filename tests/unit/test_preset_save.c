@@ -294,7 +294,8 @@ START_TEST(bumpers_and_structures_come_and_go)
     ck_assert_ptr_nonnull(strstr(text, "      fitted: off\n")); /* it keeps its values */
     ck_assert_mem_eq(&thud_preset_scene(read)->interface[0].bumper, &scene.interface[0].bumper,
                      sizeof scene.interface[0].bumper);
-    ck_assert_double_eq(thud_preset_scene(read)->interface[0].bumper_thickness_m, scene.interface[0].bumper_thickness_m);
+    ck_assert_double_eq(thud_preset_scene(read)->interface[0].bumper_thickness_m,
+                        scene.interface[0].bumper_thickness_m);
     scene.interface[0].has_bumper = true; /* and is put in again by taking the line out */
     free(text);
     text = text_of(read, &scene, &size);

@@ -533,12 +533,13 @@ static int count_keys(const char *keys)
  * saved; half of that is the least that was asked for. */
 START_TEST(the_walk_of_an_engineer)
 {
-    static const char *const walk[] = {"n5<Tab>7<Tab>300<Tab><Tab>500MN/m<Tab>550MN/m<Down><Down><Down>8<Down>pul<Enter>",
-                                       "<Down><Down><Enter>250<Enter>", /* the roof of the left one */
-                                       "<Tab><Down><Down><Enter>260<Enter>",
-                                       "P",
-                                       "w",
-                                       "obuil<Enter>"};
+    static const char *const walk[] = {
+        "n5<Tab>7<Tab>300<Tab><Tab>500MN/m<Tab>550MN/m<Down><Down><Down>8<Down>pul<Enter>",
+        "<Down><Down><Enter>250<Enter>", /* the roof of the left one */
+        "<Tab><Down><Down><Enter>260<Enter>",
+        "P",
+        "w",
+        "obuil<Enter>"};
     const struct thud_scene *now = &f.tui->doc.scene;
     static struct thud_scene made;
     int keys = 0;
@@ -573,10 +574,10 @@ START_TEST(the_walk_to_a_report)
 {
     static const char *const walk[] = {
         "n5<Tab>7<Down><Tab>500MN/m<Tab>550MN/m<Down><Down><Down>3<Down>pul<Enter>", /* two buildings */
-        "3<Home><Down> <Down> ",                                             /* the suite */
-        "w2<Home><Enter>5<Enter>",                                           /* saved; another gap */
-        "B",                                                                 /* a bumper */
-        "6r",                                                                /* the suite at every gap */
+        "3<Home><Down> <Down> ",                                                     /* the suite */
+        "w2<Home><Enter>5<Enter>",                                                   /* saved; another gap */
+        "B",                                                                         /* a bumper */
+        "6r",                                                                        /* the suite at every gap */
         "c",
         "U   wR<Enter>", /* the designs marked, and the report */
     };

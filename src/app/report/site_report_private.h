@@ -30,8 +30,8 @@ struct site_case {
 struct site_suite {
     struct thud_sweep_plan plan; /* its axis: the factor on the motions; of one motion it has none */
     struct thud_suite *runs;
-    bool leads; /* there is more than one ground motion */
-    long as_given;               /* the setting with the motions as they were given */
+    bool leads;    /* there is more than one ground motion */
+    long as_given; /* the setting with the motions as they were given */
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
     double *room;                                                  /* (nrecords) scratch */
@@ -65,8 +65,8 @@ struct site {
     struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;
-    const struct site_code *code;           /* whose gap is recommended */
-    struct thud_event limit[THUD_MEASURES]; /* by measure; an empty text: none */
+    const struct site_code *code;                   /* whose gap is recommended */
+    struct thud_event limit[THUD_MEASURES];         /* by measure; an empty text: none */
     struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
     int nvariants;                                  /* 0: none are asked for */
     struct thud_text drawn[SITE_DRAWN_MAX];         /* (ndrawn) SVG pictures that were drawn before */

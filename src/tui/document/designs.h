@@ -17,10 +17,10 @@ struct thud_design_result {
 enum { THUD_DESIGNS_MAX = 32 };
 struct thud_design {
     struct thud_scene *scene;
-    int number;    /* as in "#3"; stays while others are forgotten */
-    char name[40]; /* empty: none was given */
-    char what[64]; /* the change that led to it; empty: none did */
-    bool marked;   /* goes into the report */
+    int number;                              /* as in "#3"; stays while others are forgotten */
+    char name[40];                           /* empty: none was given */
+    char what[64];                           /* the change that led to it; empty: none did */
+    bool marked;                             /* goes into the report */
     struct thud_design_result result, suite; /* the second: the largest over the study's ground motions */
 };
 struct thud_designs {
