@@ -242,7 +242,7 @@ start 130 40
 command "./thud mine.yaml"
 wait_for "numbers: running" 'ok *$'
 keys g 4
-wait_for "numbers: results" 'tolerance holds'
+wait_for "numbers: results" 'Impacts, bumper'
 screen | sed 's/▸/ /' >"$tmp/results"
 three() { # CASE KEY FACTOR: a number a floor, as the screens write them
     "$THUD" run "$tmp/mine.yaml" --case "$1" --json 2>/dev/null | grep -o "\"$2\": [0-9.e+-]*" | awk -v f="$3" '{
