@@ -14,6 +14,12 @@ struct thud_stepping {
     double setting; /* step in s of a fixed-step method, else the tolerance */
 };
 
+/* Whether both are of one curve: the setting apart. */
+static inline bool thud_stepping_same(const struct thud_stepping *a, const struct thud_stepping *b)
+{
+    return a->method == b->method && a->locate == b->locate;
+}
+
 /* "rk4, located"; methods that always locate have their name alone. The one place for names of curves. */
 void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
 

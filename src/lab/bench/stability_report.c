@@ -6,11 +6,6 @@
 
 static const char *const kinds[THUD_STABILITY_KINDS] = {"free vibration", "wall spring", "scene"};
 
-static bool same(const struct thud_stepping *a, const struct thud_stepping *b)
-{
-    return a->method == b->method && a->locate == b->locate;
-}
-
 static void add_number(struct thud_text *out, double value)
 {
     if (isfinite(value))
@@ -23,7 +18,7 @@ static void add_number(struct thud_text *out, double value)
 static bool new_line(const struct thud_stepping *how, const struct thud_stepping *before, struct thud_text *out)
 {
     char name[64];
-    if (before && same(how, before))
+    if (before && thud_stepping_same(how, before))
         return false;
     thud_stepping_name(how, name, sizeof name);
     thud_text_append(out, "\n%-34s", name);
@@ -40,7 +35,7 @@ static void add_verdicts(const struct thud_stability *s, int kind, struct thud_t
     const struct thud_stability_cell *c = s->cell;
     thud_text_append(out, "\n%s: . bounded, + growing, X blown up; limit: omega dt of a linear system\n%s\n%-34s %6s ",
                      kinds[kind], meant[kind], "omega dt", "limit");
-    for (int i = 0, shown = 0; i < s->ncells && !(shown && !same(&c[i].how, &c[i - 1].how)); i++)
+    for (int i = 0, shown = 0; i < s->ncells && !(shown && !thud_stepping_same(&c[i].how, &c[i - 1].how)); i++)
         if (!isnan(c[i].omega_dt)) {
             thud_text_append(out, " %5.4g", c[i].omega_dt);
             shown = 1;
@@ -87,7 +82,7 @@ static void add_energies(const struct thud_stability *s, struct thud_text *out)
         bool column = isnan(c->omega_dt);
         for (int k = 0; k < SHOWN; k++)
             column = column || c->omega_dt == shown[k];
-        if (i == 0 || !same(&c->how, &c[-1].how)) {
+        if (i == 0 || !thud_stepping_same(&c->how, &c[-1].how)) {
             thud_stepping_name(&c->how, name, sizeof name);
             thud_text_append(out, "\n%-26s", name);
         }

@@ -92,11 +92,6 @@ enum thud_status thud_stability_summarise(const struct thud_stability *s, struct
     return status == THUD_OK && s->peak_m ? find_kept(s, m, err) : status;
 }
 
-static bool same_stepping(const struct thud_stepping *a, const struct thud_stepping *b)
-{
-    return a->method == b->method && a->locate == b->locate;
-}
-
 struct thud_stability_summary thud_stability_summary_of(const struct thud_stability *s, int i)
 {
     static const double shown_omega_dt = 0.5, shown_step_s = 1e-3, shown_nominal = 0.5;
@@ -104,7 +99,7 @@ struct thud_stability_summary thud_stability_summary_of(const struct thud_stabil
     m.diverges_s = m.wall_least = m.wall_most = m.expected = m.obtained = NAN;
     for (int k = 0; k < s->ncells; k++) {
         const struct thud_stability_cell *c = &s->cell[k];
-        if (!same_stepping(&c->how, &m.how))
+        if (!thud_stepping_same(&c->how, &m.how))
             continue;
         if (c->verdict[THUD_STABILITY_SCENE] == THUD_BLOWN_UP && !(m.diverges_s <= c->omega_dt / s->fastest_radps))
             m.diverges_s = c->omega_dt / s->fastest_radps;
@@ -116,7 +111,7 @@ struct thud_stability_summary thud_stability_summary_of(const struct thud_stabil
     for (int k = 0; k < s->nrestitutions; k++) {
         const struct thud_stability_restitution *r = &s->restitution[k];
         const bool fixed = m.how.method->flags & THUD_METHOD_FIXED_STEP;
-        if (same_stepping(&r->how, &m.how) && r->nominal == shown_nominal &&
+        if (thud_stepping_same(&r->how, &m.how) && r->nominal == shown_nominal &&
             r->approach_mps == thud_stability_usual_mps && (!fixed || r->how.setting == shown_step_s) &&
             strcmp(r->law->name, "kelvin-voigt-no-tension") == 0) {
             m.expected = r->expected;
