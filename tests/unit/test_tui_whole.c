@@ -1,6 +1,7 @@
 /* Whole screens at three sizes, after an edit that has its effect in sight: what is kept in tests/screens/whole. With
  * THUD_WHOLE_WRITE set they are written anew, to be looked at before they are kept. */
 #include <check.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,14 +10,19 @@
 #include "tui_fixture.h"
 
 static struct fixture f;
+static int working_folder;
 
 static void setup(void)
 {
+    working_folder = open(".", O_RDONLY | O_DIRECTORY);
+    ck_assert_int_ge(working_folder, 0);
     fixture_open(&f, "towers", 80, 24, true);
 }
 
 static void teardown(void)
 {
+    ck_assert_int_eq(fchdir(working_folder), 0);
+    close(working_folder);
     fixture_close(&f);
 }
 

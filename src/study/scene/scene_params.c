@@ -15,6 +15,7 @@
 #define CHOICE(name_, title_, help_, choices_, fallback_) \
     {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = (fallback_), \
      .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
+#define TEXT(member_, ...) {.store = THUD_STORE_TEXT, .offset = AT(member_), .size = __VA_ARGS__}
 #define POSITIVE      .least = 0, .least_open = true
 #define UP_TO(value)  .most = (value)
 #define FROM(value)   .least = (value)
@@ -77,22 +78,22 @@ static const struct thud_param record_params[] = {
 };
 #define AT(member) offsetof(struct thud_scene, record.member)
 static const struct thud_place record_places[] = {
-    {.store = THUD_STORE_TEXT, .offset = AT(file), .size = THUD_TEXT_MAX},
+    TEXT(file, THUD_TEXT_MAX),
     {.store = THUD_STORE_NUMBER, .offset = AT(peak_mps2), .absent = NAN},
     {.store = THUD_STORE_NUMBER, .offset = AT(sa_mps2), .absent = NAN},
     {.store = THUD_STORE_NUMBER, .offset = AT(period_s), .absent = NAN},
-    {.store = THUD_STORE_TEXT, .offset = AT(target), .size = 128},
+    TEXT(target, 128),
     {.store = THUD_STORE_SIGN, .offset = AT(sign)},
     {.store = THUD_STORE_NUMBER, .offset = AT(factor)},
     {.store = THUD_STORE_NUMBER, .offset = AT(from_s), .absent = NAN},
     {.store = THUD_STORE_NUMBER, .offset = AT(to_s), .absent = NAN},
     {.store = THUD_STORE_NUMBER, .offset = AT(dt_s), .absent = NAN},
-    {.store = THUD_STORE_TEXT, .offset = AT(unit), .size = 16},
-    {.store = THUD_STORE_TEXT, .offset = AT(channel), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(component), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(event), .size = 96},
-    {.store = THUD_STORE_TEXT, .offset = AT(station), .size = 96},
-    {.store = THUD_STORE_TEXT, .offset = AT(licence), .size = 96},
+    TEXT(unit, 16),
+    TEXT(channel, 32),
+    TEXT(component, 32),
+    TEXT(event, 96),
+    TEXT(station, 96),
+    TEXT(licence, 96),
     {.store = THUD_STORE_COUNT, .offset = AT(column), .none = 0},
     {.store = THUD_STORE_COUNT, .offset = AT(skip), .none = -1},
     {.store = THUD_STORE_COUNT, .offset = AT(every), .none = 0},
@@ -144,15 +145,15 @@ static const struct thud_param structure_params[] = {
 };
 #define AT(member) offsetof(struct thud_structure, member)
 static const struct thud_place structure_places[] = {
-    {.store = THUD_STORE_TEXT, .offset = AT(name), .size = THUD_NAME_MAX, .kinds = ALL},
+    TEXT(name, THUD_NAME_MAX, .kinds = ALL),
     {.store = THUD_STORE_KIND, .offset = AT(kind), .kinds = ALL},
     {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS, .reads = true},
     {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~(WALL | ESTIMATED)},
     {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = SPRINGS},
-    {.store = THUD_STORE_TEXT, .offset = AT(stiffness_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
-    {.store = THUD_STORE_TEXT, .offset = AT(flexibility_file), .size = THUD_TEXT_MAX, .kinds = MATRIX, .reads = true},
-    {.store = THUD_STORE_TEXT, .offset = AT(periods_file), .size = THUD_TEXT_MAX, .kinds = MODES, .reads = true},
-    {.store = THUD_STORE_TEXT, .offset = AT(unit), .size = 16, .kinds = READ, .reads = true},
+    TEXT(stiffness_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true),
+    TEXT(flexibility_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true),
+    TEXT(periods_file, THUD_TEXT_MAX, .kinds = MODES, .reads = true),
+    TEXT(unit, 16, .kinds = READ, .reads = true),
     {.store = THUD_STORE_NUMBER, .offset = AT(order), .kinds = READ, .reads = true},
     {.store = THUD_STORE_NUMBER, .offset = AT(system), .kinds = ESTIMATED},
     {.store = THUD_STORE_NUMBER, .offset = AT(area_m2), .kinds = ESTIMATED},
@@ -297,8 +298,8 @@ static const struct thud_param link_params[] = {
 #define AT(member) offsetof(struct thud_link, member)
 static const struct thud_place link_places[] = {
     {.store = THUD_STORE_LINK, .offset = AT(law), .kinds = LINKS},
-    {.store = THUD_STORE_TEXT, .offset = AT(from), .size = THUD_NAME_MAX + 8, .kinds = LINKS},
-    {.store = THUD_STORE_TEXT, .offset = AT(to), .size = THUD_NAME_MAX + 8, .kinds = LINKS},
+    TEXT(from, THUD_NAME_MAX + 8, .kinds = LINKS),
+    TEXT(to, THUD_NAME_MAX + 8, .kinds = LINKS),
     {.store = THUD_STORE_NUMBER, .offset = AT(stiffness_npm), .kinds = LINKS & ~(1 << THUD_LINK_DASHPOT)},
     {.store = THUD_STORE_NUMBER, .offset = AT(damping_nspm), .kinds = 1 << THUD_LINK_SPRING | 1 << THUD_LINK_DASHPOT},
     {.store = THUD_STORE_NUMBER, .offset = AT(slip_n), .kinds = 1 << THUD_LINK_FRICTION},
@@ -317,7 +318,7 @@ static const struct thud_param analysis_params[] = {
 };
 #define AT(member) offsetof(struct thud_scene, analysis.member)
 static const struct thud_place analysis_places[] = {
-    {.store = THUD_STORE_TEXT, .offset = AT(method), .size = 32},
+    TEXT(method, 32),
     {.store = THUD_STORE_NUMBER, .offset = AT(tolerance)},
     {.store = THUD_STORE_NUMBER, .offset = AT(step_s), .absent = NAN},
     {.store = THUD_STORE_NUMBER, .offset = AT(tail_s)},
@@ -361,15 +362,15 @@ static const struct thud_param document_params[] = {
 };
 #define AT(member) offsetof(struct thud_scene, document.member)
 static const struct thud_place document_places[] = {
-    {.store = THUD_STORE_TEXT, .offset = AT(project), .size = 128},
-    {.store = THUD_STORE_TEXT, .offset = AT(author), .size = 64},
-    {.store = THUD_STORE_TEXT, .offset = AT(checker), .size = 64},
-    {.store = THUD_STORE_TEXT, .offset = AT(date), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(revision), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(number), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(approver), .size = 64},
-    {.store = THUD_STORE_TEXT, .offset = AT(code), .size = 32},
-    {.store = THUD_STORE_TEXT, .offset = AT(limits), .size = 256},
+    TEXT(project, 128),
+    TEXT(author, 64),
+    TEXT(checker, 64),
+    TEXT(date, 32),
+    TEXT(revision, 32),
+    TEXT(number, 32),
+    TEXT(approver, 64),
+    TEXT(code, 32),
+    TEXT(limits, 256),
 };
 #undef AT
 /* clang-format on */

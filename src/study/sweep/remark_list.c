@@ -4,6 +4,12 @@
 /* How often a row is asked. */
 enum place { ONCE, STRUCTURE, INTERFACE, MOTION, VARIED };
 
+#define ROW(about, at, weight, name)                                                                                   \
+    {                                                                                                                  \
+        THUD_REMARK_##about, at, THUD_WEIGHT_##weight, thud_remark_##name                                              \
+    }
+#define SCENE(at, name) ROW(SCENE, at, UNUSUAL, name)
+
 /* Rows one after the other that are about the same and asked at the same places are told place by place. */
 static const struct row {
     enum thud_remark_about about;
@@ -11,40 +17,40 @@ static const struct row {
     enum thud_remark_weight weight;
     thud_remark_row *look;
 } rows[] = {
-    {THUD_REMARK_EFFORT, ONCE, THUD_WEIGHT_UNUSUAL, thud_remark_effort},
-    {THUD_REMARK_MOTIONS, ONCE, THUD_WEIGHT_MOTION, thud_remark_one_event},
-    {THUD_REMARK_MOTIONS, ONCE, THUD_WEIGHT_MOTION, thud_remark_recordings},
-    {THUD_REMARK_MOTIONS, MOTION, THUD_WEIGHT_MOTION, thud_remark_factor},
-    {THUD_REMARK_MOTIONS, MOTION, THUD_WEIGHT_MOTION, thud_remark_vertical},
-    {THUD_REMARK_MOTIONS, MOTION, THUD_WEIGHT_MOTION, thud_remark_twice},
-    {THUD_REMARK_COMPUTED, ONCE, THUD_WEIGHT_MOTION, thud_remark_synthetic},
-    {THUD_REMARK_SCENE, STRUCTURE, THUD_WEIGHT_UNUSUAL, thud_remark_structure_values},
-    {THUD_REMARK_SCENE, STRUCTURE, THUD_WEIGHT_UNUSUAL, thud_remark_modes},
-    {THUD_REMARK_SCENE, STRUCTURE, THUD_WEIGHT_UNUSUAL, thud_remark_estimate},
-    {THUD_REMARK_SCENE, STRUCTURE, THUD_WEIGHT_UNUSUAL, thud_remark_columns},
-    {THUD_REMARK_SCENE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_assumed_law},
-    {THUD_REMARK_SCENE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_interface_values},
-    {THUD_REMARK_SCENE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_cavity},
-    {THUD_REMARK_SCENE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_whole_law},
-    {THUD_REMARK_SCENE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_faces},
-    {THUD_REMARK_SCENE, ONCE, THUD_WEIGHT_UNUSUAL, thud_remark_setup},
-    {THUD_REMARK_SCENE, ONCE, THUD_WEIGHT_UNUSUAL, thud_remark_levels},
-    {THUD_REMARK_SCENE, ONCE, THUD_WEIGHT_UNUSUAL, thud_remark_step},
-    {THUD_REMARK_CHANGE, VARIED, THUD_WEIGHT_UNUSUAL, thud_remark_kept_key},
-    {THUD_REMARK_CHANGE, INTERFACE, THUD_WEIGHT_UNUSUAL, thud_remark_kept_stiffness},
-    {THUD_REMARK_RESULT, INTERFACE, THUD_WEIGHT_MODEL, thud_remark_bumper},
-    {THUD_REMARK_RESULT, STRUCTURE, THUD_WEIGHT_MODEL, thud_remark_drift},
-    {THUD_REMARK_RESULT, STRUCTURE, THUD_WEIGHT_FAILURE, thud_remark_struck},
-    {THUD_REMARK_RESULT, STRUCTURE, THUD_WEIGHT_MODEL, thud_remark_overturning},
-    {THUD_REMARK_RESULT, ONCE, THUD_WEIGHT_FAILURE, thud_remark_collapse},
-    {THUD_REMARK_RESULT, STRUCTURE, THUD_WEIGHT_MODEL, thud_remark_yielding},
-    {THUD_REMARK_RESULT, STRUCTURE, THUD_WEIGHT_MODEL, thud_remark_theta},
-    {THUD_REMARK_LEDGER, ONCE, THUD_WEIGHT_DIGITS, thud_remark_energy},
-    {THUD_REMARK_RESULT, ONCE, THUD_WEIGHT_DIGITS, thud_remark_digits},
-    {THUD_REMARK_STUDY, ONCE, THUD_WEIGHT_FAILURE, thud_remark_collapses},
-    {THUD_REMARK_STUDY, ONCE, THUD_WEIGHT_MODEL, thud_remark_presses},
-    {THUD_REMARK_STUDY, ONCE, THUD_WEIGHT_MODEL, thud_remark_drifts},
-    {THUD_REMARK_STUDY, ONCE, THUD_WEIGHT_MODEL, thud_remark_thetas},
+    ROW(EFFORT, ONCE, UNUSUAL, effort),
+    ROW(MOTIONS, ONCE, MOTION, one_event),
+    ROW(MOTIONS, ONCE, MOTION, recordings),
+    ROW(MOTIONS, MOTION, MOTION, factor),
+    ROW(MOTIONS, MOTION, MOTION, vertical),
+    ROW(MOTIONS, MOTION, MOTION, twice),
+    ROW(COMPUTED, ONCE, MOTION, synthetic),
+    SCENE(STRUCTURE, structure_values),
+    SCENE(STRUCTURE, modes),
+    SCENE(STRUCTURE, estimate),
+    SCENE(STRUCTURE, columns),
+    SCENE(INTERFACE, assumed_law),
+    SCENE(INTERFACE, interface_values),
+    SCENE(INTERFACE, cavity),
+    SCENE(INTERFACE, whole_law),
+    SCENE(INTERFACE, faces),
+    SCENE(ONCE, setup),
+    SCENE(ONCE, levels),
+    SCENE(ONCE, step),
+    ROW(CHANGE, VARIED, UNUSUAL, kept_key),
+    ROW(CHANGE, INTERFACE, UNUSUAL, kept_stiffness),
+    ROW(RESULT, INTERFACE, MODEL, bumper),
+    ROW(RESULT, STRUCTURE, MODEL, drift),
+    ROW(RESULT, STRUCTURE, FAILURE, struck),
+    ROW(RESULT, STRUCTURE, MODEL, overturning),
+    ROW(RESULT, ONCE, FAILURE, collapse),
+    ROW(RESULT, STRUCTURE, MODEL, yielding),
+    ROW(RESULT, STRUCTURE, MODEL, theta),
+    ROW(LEDGER, ONCE, DIGITS, energy),
+    ROW(RESULT, ONCE, DIGITS, digits),
+    ROW(STUDY, ONCE, FAILURE, collapses),
+    ROW(STUDY, ONCE, MODEL, presses),
+    ROW(STUDY, ONCE, MODEL, drifts),
+    ROW(STUDY, ONCE, MODEL, thetas),
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 

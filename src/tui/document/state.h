@@ -225,7 +225,7 @@ struct thud_tui {
         enum thud_role role;
     } said;
     struct {
-        char text[240]; /* the result in one line, as last known */
+        char text[320]; /* the result in one line, as last known */
         int role;
     } verdict;
     struct thud_chart_frame chart;    /* where the chart that is read stands; no cells: there is none */

@@ -62,7 +62,7 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     else if (columns < WIDE)
         snprintf(text, size, "%s  %s", *pounds || before->impacts[i] > 0 ? force : "no contact", need);
     else
-        snprintf(text, size, "%s%s at %.4g cm: %s%s%s  %s", name, *pounds ? "POUNDS" : "NO CONTACT",
+        snprintf(text, size, "%s%s at %.4g cm: %s%s%s  %.60s", name, *pounds ? "POUNDS" : "NO CONTACT",
                  100 * tui->doc.scene.interface[i].gap_m, *pounds || before->impacts[i] > 0 ? force : "",
                  *pounds || before->impacts[i] > 0 ? "  " : "", impacts, need);
     return true;
