@@ -23,12 +23,11 @@ static void add_presets(struct thud_text *out)
 /* A group's keys; of a structure those of a shear building, and of one by its matrix or modes. */
 static void add_group(enum thud_group group, const char *prefix, struct thud_text *out)
 {
-    int n;
-    const struct thud_param *param = thud_group_params(group, &n);
-    for (int i = 0; i < n; i++)
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
         if (group != THUD_GROUP_STRUCTURE || thud_structure_has(THUD_SHEAR, i) || thud_structure_has(THUD_MATRIX, i) ||
             thud_structure_has(THUD_MODES, i) || thud_structure_has(THUD_ESTIMATED, i))
-            thud_text_append(out, "%s%s\n", prefix, param[i].name);
+            thud_text_append(out, "%s%s\n", prefix, param->name);
 }
 
 static void add_law(enum thud_group group, const char *prefix, const struct thud_law *law, struct thud_text *out)

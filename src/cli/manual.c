@@ -83,11 +83,6 @@ static void put_default(struct thud_text *out, const struct thud_param *param)
 /* The kinds of structure that have a parameter, where not all of them do. */
 static void put_kinds(struct thud_text *out, int param)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_STRUCTURE, &count);
-    int kind = 0;
-    while (strcmp(params[kind].name, "kind") != 0)
-        kind++;
     int have = 0;
     for (int k = 0; k < THUD_KINDS; k++)
         have += thud_structure_has((enum thud_structure_kind)k, param);
@@ -96,30 +91,25 @@ static void put_kinds(struct thud_text *out, int param)
     thud_text_append(out, " Pq ");
     for (int k = 0, n = 0; k < THUD_KINDS; k++)
         if (thud_structure_has((enum thud_structure_kind)k, param))
-            thud_text_append(out, "%s%s", n++ ? ", " : "", params[kind].choices[k]);
+            thud_text_append(out, "%s%s", n++ ? ", " : "", thud_kind_name((enum thud_structure_kind)k));
 }
 
-static void put_params(struct thud_text *out, const struct thud_param *params, int n, bool of_structures)
+/* of_structures: the index of a parameter of THUD_GROUP_STRUCTURE; -1: another's. */
+static void put_param(struct thud_text *out, const struct thud_param *param, int of_structures)
 {
-    if (n == 0)
-        return;
-    thud_text_append(out, ".Bl -tag -width Ds\n");
-    for (int i = 0; i < n; i++) {
-        struct thud_text item = {0};
-        thud_text_append(&item, "%s ", params[i].help);
-        put_bounds(&item, &params[i]);
-        put_default(&item, &params[i]);
-        thud_text_append(out, ".It Cm %s", params[i].name);
-        if (of_structures)
-            put_kinds(out, i);
-        thud_text_append(out, "\n");
-        if (item.failed)
-            out->failed = 1;
-        else
-            fill(out, item.data);
-        thud_text_clear(&item);
-    }
-    thud_text_append(out, ".El\n");
+    struct thud_text item = {0};
+    thud_text_append(&item, "%s ", param->help);
+    put_bounds(&item, param);
+    put_default(&item, param);
+    thud_text_append(out, ".It Cm %s", param->name);
+    if (of_structures >= 0)
+        put_kinds(out, of_structures);
+    thud_text_append(out, "\n");
+    if (item.failed)
+        out->failed = 1;
+    else
+        fill(out, item.data);
+    thud_text_clear(&item);
 }
 
 static void units(struct thud_text *out)
@@ -137,12 +127,13 @@ static void units(struct thud_text *out)
 static void keys(struct thud_text *out)
 {
     for (int g = 0; g < THUD_GROUPS; g++) {
-        int count;
-        const struct thud_param *params = thud_group_params((enum thud_group)g, &count);
         const char *key = thud_group_key((enum thud_group)g);
         if (key[0])
             thud_text_append(out, ".Ss %s\n", key);
-        put_params(out, params, count, g == THUD_GROUP_STRUCTURE);
+        thud_text_append(out, ".Bl -tag -width Ds\n");
+        for (int i = 0; thud_group_param((enum thud_group)g, i); i++)
+            put_param(out, thud_group_param((enum thud_group)g, i), g == THUD_GROUP_STRUCTURE ? i : -1);
+        thud_text_append(out, ".El\n");
     }
 }
 
@@ -158,7 +149,10 @@ static void laws(struct thud_text *out)
         else
             fill(out, about.data);
         thud_text_clear(&about);
-        put_params(out, law->params, law->nparams, false);
+        thud_text_append(out, "%s", law->nparams ? ".Bl -tag -width Ds\n" : "");
+        for (int k = 0; k < law->nparams; k++)
+            put_param(out, &law->params[k], -1);
+        thud_text_append(out, "%s", law->nparams ? ".El\n" : "");
     }
 }
 

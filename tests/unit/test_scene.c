@@ -452,19 +452,17 @@ START_TEST(the_tables_are_whole)
 {
     towers();
     for (int g = 0; g < THUD_GROUPS; g++) {
-        int count;
-        const struct thud_param *params = thud_group_params((enum thud_group)g, &count);
-        ck_assert_int_gt(count, 0);
-        for (int i = 0; i < count; i++) {
-            ck_assert_msg(params[i].title && params[i].help && *params[i].help, "%s", params[i].name);
-            if (params[i].kind == THUD_PARAM_QUANTITY && *params[i].unit) {
+        const struct thud_param *param;
+        ck_assert_ptr_nonnull(thud_group_param((enum thud_group)g, 0));
+        for (int i = 0; (param = thud_group_param((enum thud_group)g, i)); i++) {
+            ck_assert_msg(param->title && param->help && *param->help, "%s", param->name);
+            if (param->kind == THUD_PARAM_QUANTITY && *param->unit) {
                 enum thud_dimension dimension;
-                ck_assert(thud_unit_factor(params[i].unit, &dimension, NULL) > 0);
-                ck_assert_int_eq((int)dimension, (int)params[i].dimension);
+                ck_assert(thud_unit_factor(param->unit, &dimension, NULL) > 0);
+                ck_assert_int_eq((int)dimension, (int)param->dimension);
             }
-            if (params[i].kind == THUD_PARAM_QUANTITY && !isnan(params[i].fallback))
-                ck_assert_msg(thud_param_check(&params[i], params[i].fallback, "", NULL) == THUD_OK, "%s",
-                              params[i].name);
+            if (param->kind == THUD_PARAM_QUANTITY && !isnan(param->fallback))
+                ck_assert_msg(thud_param_check(param, param->fallback, "", NULL) == THUD_OK, "%s", param->name);
         }
     }
     int floor;

@@ -44,16 +44,15 @@ START_TEST(help_explains_every_field)
                 {THUD_GROUP_RECORD, 3},    {THUD_GROUP_ANALYSIS, 4},  {THUD_GROUP_STUDY, 6}};
     fixture_keys(&f, "<Size 200x600>");
     for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-        int count;
         char keys[32];
-        const struct thud_param *param = thud_group_params(part[i].group, &count);
+        const struct thud_param *param;
         snprintf(keys, sizeof keys, "<A-%d>?", part[i].screen);
         fixture_keys(&f, keys);
-        for (int k = 0; k < count; k++) {
+        for (int k = 0; (param = thud_group_param(part[i].group, k)); k++) {
             char help[64];
-            snprintf(help, sizeof help, "%.60s", param[k].help);
+            snprintf(help, sizeof help, "%.60s", param->help);
             fixture_expect(&f, help);
-            fixture_expect(&f, param[k].name);
+            fixture_expect(&f, param->name);
         }
         fixture_keys(&f, "q");
     }

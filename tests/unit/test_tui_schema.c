@@ -42,25 +42,23 @@ struct found {
 
 static void look_for(enum thud_group group, const char *prefix, struct found *found)
 {
-    int count;
-    const struct thud_param *param = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++) {
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
         char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "%s%s", prefix, param[i].name);
+        snprintf(path, sizeof path, "%s%s", prefix, param->name);
         if (!thud_scene_param(&f.tui->doc.scene, path, &(int){0}))
             continue; /* this kind has it not */
         if (thud_scene_by_floor(&f.tui->doc.scene, path))
-            snprintf(path, sizeof path, "%s%s.1", prefix, param[i].name);
+            snprintf(path, sizeof path, "%s%s.1", prefix, param->name);
         found->key[i] |= has_field(path);
     }
 }
 
 static void expect_all(enum thud_group group, const struct found *found)
 {
-    int count;
-    const struct thud_param *param = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++)
-        ck_assert_msg(found->key[i], "%s of %s has no field", param[i].name, thud_group_key(group));
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
+        ck_assert_msg(found->key[i], "%s of %s has no field", param->name, thud_group_key(group));
 }
 
 static void has_fields(enum thud_group group, const char *prefix)

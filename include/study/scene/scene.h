@@ -337,8 +337,8 @@ enum thud_group {
     THUD_GROUP_DOCUMENT,
     THUD_GROUPS
 };
-/* The described parameters of a group, in the order of presets; *count of them. */
-const struct thud_param *thud_group_params(enum thud_group group, int *count);
+/* The i-th described parameter of a group, in the order of presets; NULL behind the last. */
+const struct thud_param *thud_group_param(enum thud_group group, int i);
 /* "structures", "record", ...: the key of the group in presets; empty for THUD_GROUP_SCENE. */
 const char *thud_group_key(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */

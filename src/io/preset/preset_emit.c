@@ -33,17 +33,17 @@ void thud_section_path(struct thud_section section, char *path, size_t size)
 
 int thud_section_keys(const struct thud_scene *scene, struct thud_section section, const char **key)
 {
-    int count, n = 0;
-    const struct thud_param *params = thud_group_params(section.group, &count);
+    int n = 0;
+    const struct thud_param *param;
     const struct thud_law *law = section.group == THUD_GROUP_CONTACT  ? scene->interface[section.index].contact.law
                                  : section.group == THUD_GROUP_BUMPER ? scene->interface[section.index].bumper.law
                                                                       : NULL;
-    if (section.group == THUD_GROUP_BUMPER && scene->interface[section.index].has_bumper)
-        count--; /* `fitted`, the last one, is said of a bumper that is out */
-    for (int i = 0; i < count; i++)
-        if ((section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
+    for (int i = 0; (param = thud_group_param(section.group, i)); i++)
+        if ((section.group != THUD_GROUP_BUMPER || !scene->interface[section.index].has_bumper ||
+             strcmp(param->name, "fitted") != 0) && /* said of a bumper that is out */
+            (section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
             (section.group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[section.index].law, i)))
-            key[n++] = params[i].name;
+            key[n++] = param->name;
     for (int i = 0; law && i < law->nparams; i++)
         key[n++] = law->params[i].name;
     return n;

@@ -9,37 +9,30 @@
 
 static double *value_of(struct thud_structure *s, int i)
 {
-    return (double *)(void *)((char *)s + thud_group_places(THUD_GROUP_FOUNDATION)[i].offset);
+    return (double *)(void *)((char *)s + thud_group_place(THUD_GROUP_FOUNDATION, i)->offset);
 }
 
 static double value_in(const struct thud_structure *s, int i)
 {
-    return *(const double *)(const void *)((const char *)s + thud_group_places(THUD_GROUP_FOUNDATION)[i].offset);
-}
-
-static int values(void)
-{
-    int count;
-    thud_group_params(THUD_GROUP_FOUNDATION, &count);
-    return count;
+    return *(const double *)(const void *)((const char *)s + thud_group_place(THUD_GROUP_FOUNDATION, i)->offset);
 }
 
 void thud_foundation_clear(struct thud_structure *structure)
 {
-    for (int i = 0; i < values(); i++)
+    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i); i++)
         *value_of(structure, i) = NAN;
 }
 
 void thud_foundation_copy(const struct thud_structure *from, struct thud_structure *to)
 {
-    for (int i = 0; i < values(); i++)
+    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i); i++)
         *value_of(to, i) = value_in(from, i);
 }
 
 bool thud_structure_on_soil(const struct thud_structure *structure)
 {
     bool any = false;
-    for (int i = 0; i < values() && thud_kind_is_building(structure->kind); i++)
+    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i) && thud_kind_is_building(structure->kind); i++)
         any = any || value_in(structure, i) > 0;
     return any;
 }
@@ -74,18 +67,17 @@ static enum thud_status refuse(struct thud_error *err, int index, const char *ke
 
 enum thud_status thud_structure_check_foundation(const struct thud_structure *s, int index, struct thud_error *err)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_FOUNDATION, &count);
+    const struct thud_param *param;
     const struct thud_foundation_input f = thud_structure_foundation(s);
     const bool soil = !isnan(s->soil_vs_mps) || !isnan(s->soil_density_kgpm3) || !isnan(s->soil_poisson);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; (param = thud_group_param(THUD_GROUP_FOUNDATION, i)); i++) {
         char text[96];
         const double value = value_in(s, i);
-        if (isnan(value) || thud_param_check(&params[i], value, "", NULL) == THUD_OK)
+        if (isnan(value) || thud_param_check(param, value, "", NULL) == THUD_OK)
             continue;
-        thud_quantity_format(value, params[i].unit, text, sizeof text);
-        thud_param_check(&params[i], value, text, err);
-        snprintf(text, sizeof text, "structures.%d.foundation.%s", index + 1, params[i].name);
+        thud_quantity_format(value, param->unit, text, sizeof text);
+        thud_param_check(param, value, text, err);
+        snprintf(text, sizeof text, "structures.%d.foundation.%s", index + 1, param->name);
         thud_error_key(err, "%s", text);
         return THUD_INPUT;
     }

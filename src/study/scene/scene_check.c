@@ -76,25 +76,24 @@ static enum thud_status check_group(const struct thud_scene *scene, int s, enum 
                                     struct thud_error *err)
 {
     const struct thud_structure *structure = &scene->structure[s];
-    const struct thud_place *places = thud_group_places(group);
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++) {
-        if (!(places[i].kinds & 1u << structure->kind))
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
+        const struct thud_place *place = thud_group_place(group, i);
+        if (!(place->kinds & 1u << structure->kind))
             continue;
-        const double *value = (const double *)(const void *)((const char *)structure + places[i].offset);
-        int n = places[i].store == THUD_STORE_FLOORS                                        ? structure->storeys
-                : places[i].store == THUD_STORE_NUMBER && places[i].absent == THUD_REQUIRED ? 1
-                                                                                            : 0;
+        const double *value = (const double *)(const void *)((const char *)structure + place->offset);
+        int n = place->store == THUD_STORE_FLOORS                                     ? structure->storeys
+                : place->store == THUD_STORE_NUMBER && place->absent == THUD_REQUIRED ? 1
+                                                                                      : 0;
         for (int floor = 0; floor < n; floor++) {
             char key[96];
-            if ((places[i].optional && value[floor] == 0) || is_fine(&params[i], value[floor]))
+            if ((place->optional && value[floor] == 0) || is_fine(param, value[floor]))
                 continue;
             snprintf(key, sizeof key, n > 1 ? "structures.%d.%s%s.%d" : "structures.%d.%s%s", s + 1, prefix,
-                     params[i].name, floor + 1);
+                     param->name, floor + 1);
             if (isnan(value[floor]))
-                snprintf(key, sizeof key, "structures.%d.%s%s", s + 1, prefix, params[i].name);
-            enum thud_status status = check_value(&params[i], value[floor], key, err);
+                snprintf(key, sizeof key, "structures.%d.%s%s", s + 1, prefix, param->name);
+            enum thud_status status = check_value(param, value[floor], key, err);
             if (status != THUD_OK)
                 return status;
         }
@@ -154,16 +153,8 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
 /* What a law of isolators needs is given, and nothing that it has not. */
 static enum thud_status check_isolator(const struct thud_structure *structure, int s, struct thud_error *err)
 {
-    enum {
-        LINEAR = 1 << THUD_ISOLATOR_LINEAR,
-        LEAD = 1 << THUD_ISOLATOR_LEAD_RUBBER,
-        DISH = 1 << THUD_ISOLATOR_PENDULUM
-    };
-    static const unsigned needs[] = {0, LEAD, LEAD, LEAD, DISH, DISH}, may[] = {0, LEAD, LEAD, LEAD | DISH, DISH, DISH};
     const enum thud_isolator_law law = (enum thud_isolator_law)structure->isolator_law;
-    const struct thud_place *places = thud_group_places(THUD_GROUP_ISOLATOR);
-    int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_ISOLATOR, &count);
+    const struct thud_param *param;
     char key[96];
     if (law == THUD_ISOLATOR_LINEAR && isnan(structure->isolation_stiffness_npm)) {
         thud_error_set(err, THUD_INPUT, "the isolators' stiffness is not given");
@@ -176,19 +167,20 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
             err, law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield" : "radius, friction, yield",
             "structures.%d.isolation-stiffness", s + 1);
     }
-    for (int i = 1; i < count; i++) {
-        const double value = *(const double *)(const void *)((const char *)structure + places[i].offset);
-        snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, params[i].name);
-        if (!isnan(value) && !(may[i] & 1u << law)) {
-            thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), params[i].title);
+    for (int i = 1; (param = thud_group_param(THUD_GROUP_ISOLATOR, i)); i++) {
+        const struct thud_place *place = thud_group_place(THUD_GROUP_ISOLATOR, i);
+        const double value = *(const double *)(const void *)((const char *)structure + place->offset);
+        snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, param->name);
+        if (!isnan(value) && !(place->laws & 1u << law)) {
+            thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), param->title);
             return thud_scene_refuse(err,
                                      law == THUD_ISOLATOR_LINEAR        ? "isolation-stiffness; or another law"
                                      : law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield"
                                                                         : "radius, friction, yield",
-                                     "structures.%d.isolator.%s", s + 1, params[i].name);
+                                     "structures.%d.isolator.%s", s + 1, param->name);
         }
-        if (needs[i] & 1u << law || !isnan(value)) {
-            enum thud_status status = check_value(&params[i], value, key, err);
+        if (place->needed & 1u << law || !isnan(value)) {
+            enum thud_status status = check_value(param, value, key, err);
             if (status != THUD_OK)
                 return status;
         }
@@ -283,11 +275,9 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
 static enum thud_status check_bumper(const struct thud_interface *at, int interface, struct thud_error *err)
 {
     char key[96], gap[48], thick[48], text[48];
-    int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_BUMPER, &count);
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
-    enum thud_status status =
-        check_value(&params[1], at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
+    enum thud_status status = check_value(thud_group_param(THUD_GROUP_BUMPER, 1),
+                                          at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
     if (status != THUD_OK)
         return status;
     double out = at->bumper_thickness_m - at->bumper_cavity_m;
@@ -334,9 +324,8 @@ static enum thud_status check_interface(const struct thud_scene *scene, int i, s
 {
     const struct thud_interface *at = &scene->interface[i];
     char key[64];
-    int count;
     snprintf(key, sizeof key, "interfaces.%d.gap", i + 1);
-    enum thud_status status = check_value(thud_group_params(THUD_GROUP_INTERFACE, &count), at->gap_m, key, err);
+    enum thud_status status = check_value(thud_group_param(THUD_GROUP_INTERFACE, 0), at->gap_m, key, err);
     if (status == THUD_OK)
         status = check_law(&at->contact, 0, i, "contact", err);
     if (status == THUD_OK && at->has_bumper)

@@ -19,19 +19,19 @@ static int count_list(const double *value, int n)
 /* The quantities of a group that stand in a structure, an interface or a link; `kind`: of those that have them. */
 static int count_group(const void *of, enum thud_group group, unsigned kind, int storeys)
 {
-    int count, sum = 0;
-    const struct thud_param *param = thud_group_params(group, &count);
-    const struct thud_place *place = thud_group_places(group);
-    for (int i = 0; i < count; i++) {
-        const void *at = (const char *)of + place[i].offset;
+    int sum = 0;
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
+        const struct thud_place *place = thud_group_place(group, i);
+        const void *at = (const char *)of + place->offset;
         const struct thud_by_level *levels = at;
-        if (param[i].kind != THUD_PARAM_QUANTITY || (place[i].kinds && !(place[i].kinds & 1u << kind)))
+        if (param->kind != THUD_PARAM_QUANTITY || (place->kinds && !(place->kinds & 1u << kind)))
             continue;
-        if (place[i].store == THUD_STORE_NUMBER)
+        if (place->store == THUD_STORE_NUMBER)
             sum += count_list(at, 1);
-        else if (place[i].store == THUD_STORE_FLOORS)
+        else if (place->store == THUD_STORE_FLOORS)
             sum += count_list(at, storeys);
-        else if (place[i].store == THUD_STORE_LEVELS && param[i].dimension != THUD_NUMBER)
+        else if (place->store == THUD_STORE_LEVELS && param->dimension != THUD_NUMBER)
             sum += count_list(levels->value_m, levels->n);
     }
     return sum;

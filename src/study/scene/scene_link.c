@@ -43,8 +43,7 @@ bool thud_scene_slips(const struct thud_scene *scene)
 
 const char *thud_link_law_name(const struct thud_scene *scene, int i)
 {
-    int count;
-    return i < scene->nlinks ? thud_group_params(THUD_GROUP_LINK, &count)->choices[(int)scene->link[i].law]
+    return i < scene->nlinks ? thud_group_param(THUD_GROUP_LINK, 0)->choices[(int)scene->link[i].law]
                              : thud_law_backfill.name;
 }
 
@@ -58,11 +57,9 @@ void thud_link_remove(struct thud_scene *scene, int i)
 static void change_law(struct thud_link *link, enum thud_link_law law)
 {
     const struct thud_link before = *link;
-    int count;
-    thud_group_params(THUD_GROUP_LINK, &count);
+    const struct thud_place *place;
     thud_link_init(link, law);
-    for (int i = 1; i < count; i++) {
-        const struct thud_place *place = &thud_group_places(THUD_GROUP_LINK)[i];
+    for (int i = 1; (place = thud_group_place(THUD_GROUP_LINK, i)); i++) {
         if (place->store == THUD_STORE_TEXT)
             memcpy((char *)link + place->offset, (const char *)&before + place->offset, place->size);
         else if (thud_link_has((enum thud_link_law)before.law, i) && thud_link_has(law, i))
@@ -204,29 +201,28 @@ void thud_links_rename(struct thud_scene *scene, const char *before, const char 
 
 static enum thud_status check_values(const struct thud_scene *scene, int i, struct thud_error *err)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(THUD_GROUP_LINK, &count);
-    for (int k = 0; k < count; k++) {
-        const struct thud_place *place = &thud_group_places(THUD_GROUP_LINK)[k];
+    const struct thud_param *param;
+    for (int k = 0; (param = thud_group_param(THUD_GROUP_LINK, k)); k++) {
+        const struct thud_place *place = thud_group_place(THUD_GROUP_LINK, k);
         char text[96];
         double value;
         if (place->store != THUD_STORE_NUMBER || !thud_link_has((enum thud_link_law)scene->link[i].law, k))
             continue;
         memcpy(&value, (const char *)&scene->link[i] + place->offset, sizeof value);
-        thud_quantity_format(value, params[k].unit, text, sizeof text);
+        thud_quantity_format(value, param->unit, text, sizeof text);
         const bool needed =
             place->offset == offsetof(struct thud_link, stiffness_npm) && (int)scene->link[i].law >= THUD_LINK_FRICTION;
         if (needed && value == 0) {
             thud_error_set(err, THUD_INPUT, "it holds nothing with a stiffness of 0");
             thud_error_allow(err, "> 0 MN/m");
         } else if (isnan(value)) {
-            thud_error_set(err, THUD_INPUT, "%s is not given", params[k].title);
-            thud_error_allow(err, "%s in %s", thud_dimension_name(params[k].dimension),
-                             thud_dimension_units(params[k].dimension));
-        } else if (thud_param_check(&params[k], value, text, err) == THUD_OK) {
+            thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
+            thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension),
+                             thud_dimension_units(param->dimension));
+        } else if (thud_param_check(param, value, text, err) == THUD_OK) {
             continue;
         }
-        thud_error_key(err, "links.%d.%s", i + 1, params[k].name);
+        thud_error_key(err, "links.%d.%s", i + 1, param->name);
         return THUD_INPUT;
     }
     return THUD_OK;

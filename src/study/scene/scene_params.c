@@ -15,6 +15,7 @@
 #define CHOICE(name_, title_, help_, choices_, fallback_) \
     {.name = (name_), .title = (title_), .help = (help_), .kind = THUD_PARAM_CHOICE, .unit = "", .fallback = (fallback_), \
      .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
+#define PLACE(store_, member_) .store = THUD_STORE_##store_, .offset = AT(member_)
 #define TEXT(member_, ...) {.store = THUD_STORE_TEXT, .offset = AT(member_), .size = __VA_ARGS__}
 #define POSITIVE      .least = 0, .least_open = true
 #define UP_TO(value)  .most = (value)
@@ -22,6 +23,12 @@
 #define BELOW(value)  .most = (value), .most_open = true
 #define USUAL(a, b)   .soft_least = (a), .soft_most = (b)
 #define ANY_USUAL     .soft_least = NAN, .soft_most = NAN
+
+/* A key of a preset: what it is, and where its value stands. */
+struct row {
+    struct thud_param param;
+    struct thud_place place;
+};
 
 enum { SHEAR = 1 << THUD_SHEAR, RIGID = 1 << THUD_RIGID, ISOLATED = 1 << THUD_ISOLATED, WALL = 1 << THUD_WALL,
        MATRIX = 1 << THUD_MATRIX, MODES = 1 << THUD_MODES, ESTIMATED = 1 << THUD_ESTIMATED, READ = MATRIX | MODES, SPRINGS = SHEAR | ISOLATED,
@@ -40,352 +47,289 @@ static const char *const levels[] = {"all", "aligned", NULL};
 static const char *const isolators[] = {"linear", "lead-rubber", "pendulum", NULL};
 static const char *const shapes[] = {"clamped", "linear", NULL};
 static const char *const link_laws[] = {"spring", "dashpot", "friction", "restrainer", "strut", NULL};
+enum { LEAD = 1 << THUD_ISOLATOR_LEAD_RUBBER, DISH = 1 << THUD_ISOLATOR_PENDULUM };
 enum { LINKS = (1 << THUD_LINK_LAWS) - 1 };
 
-static const struct thud_param scene_params[] = {
-    WORD("title", "title", "What the scene is, for headings of tables and figures."),
-    CHOICE("p-delta", "P-Delta", "yes: the weight on drifting storeys counts, and a storey that drifts by a tenth of its height has collapsed.", no_or_yes, 0),
+#define AT(member) offsetof(struct thud_scene, member)
+static const struct row scene_rows[] = {
+    {WORD("title", "title", "What the scene is, for headings of tables and figures."), TEXT(title, THUD_TEXT_MAX)},
+    {CHOICE("p-delta", "P-Delta", "yes: the weight on drifting storeys counts, and a storey that drifts by a tenth of its height has collapsed.", no_or_yes, 0),
+     {PLACE(SWITCH, p_delta)}},
 };
-static const struct thud_place scene_places[] = {
-    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, title), .size = THUD_TEXT_MAX},
-    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, p_delta)},
-};
+#undef AT
 
-static const struct thud_param record_params[] = {
-    WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
-    {NUMBER("peak", "peak", "Scales the motion to this largest acceleration; by default it is as recorded.",
-            THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), .soft_least = NAN, .soft_most = 2 * THUD_GRAVITY},
-    {NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
-            THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL},
-    {NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
-    WORD("target", "target spectrum", "Scales the motion to a design spectrum over 0.2 to 2 times the buildings' first periods, in place of a peak: " THUD_TARGET_ALLOWED "."),
-    CHOICE("sign", "sign", "-: the motion with reversed polarity; in a preset as \"-\".", signs, 0),
-    {NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL},
-    {NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
-    {NUMBER("to", "end", "Leaves out the motion after this time of the file; peak and sa scale what is left.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
-    {NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
-    WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."),
-    WORD("channel", "channel", "Which motion of a file with several, by name or number."),
-    WORD("component", "component", "Which direction: NS, EW, 090, N28W; rotd50 or rotd100 of the two at `period`; rot30, turned by degrees; governs: that of the widest required gap."),
-    WORD("event", "event", "In place of what the file says; so are station and licence."),
-    WORD("station", "station", "Two motions of one event and station are one recording."),
-    WORD("licence", "licence", "Under which the motion may be passed on."),
-    {COUNT("column", "column", "Which column of a table, from 1; all: each line goes on where the last ended.", NAN),
-     .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
-    {COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
-    {COUNT("every", "samples kept", "Keeps every second sample (2), every third (3), ... of the scaled motion, after a low pass at half their rate.", NAN),
-     .least = 2, UP_TO(1000), ANY_USUAL},
-};
 #define AT(member) offsetof(struct thud_scene, record.member)
-static const struct thud_place record_places[] = {
-    TEXT(file, THUD_TEXT_MAX),
-    {.store = THUD_STORE_NUMBER, .offset = AT(peak_mps2), .absent = NAN},
-    {.store = THUD_STORE_NUMBER, .offset = AT(sa_mps2), .absent = NAN},
-    {.store = THUD_STORE_NUMBER, .offset = AT(period_s), .absent = NAN},
-    TEXT(target, 128),
-    {.store = THUD_STORE_SIGN, .offset = AT(sign)},
-    {.store = THUD_STORE_NUMBER, .offset = AT(factor)},
-    {.store = THUD_STORE_NUMBER, .offset = AT(from_s), .absent = NAN},
-    {.store = THUD_STORE_NUMBER, .offset = AT(to_s), .absent = NAN},
-    {.store = THUD_STORE_NUMBER, .offset = AT(dt_s), .absent = NAN},
-    TEXT(unit, 16),
-    TEXT(channel, 32),
-    TEXT(component, 32),
-    TEXT(event, 96),
-    TEXT(station, 96),
-    TEXT(licence, 96),
-    {.store = THUD_STORE_COUNT, .offset = AT(column), .none = 0},
-    {.store = THUD_STORE_COUNT, .offset = AT(skip), .none = -1},
-    {.store = THUD_STORE_COUNT, .offset = AT(every), .none = 0},
-};
-#undef AT
-
-static const struct thud_param structure_params[] = {
-    WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."),
-    CHOICE("kind", "kind", "shear: storeys; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: by a file; estimated: by area.",
-           kinds, THUD_SHEAR),
-    {COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN),
-     .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
-    {NUMBER("mass", "floor mass", "Of each floor, or of the body.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
-    {NUMBER("stiffness", "storey stiffness", "Of each storey against shear.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), USUAL(1e7, 1e10)},
-    WORD("stiffness-matrix", "stiffness matrix", "A CSV of the lateral stiffness of the floors, n rows of n values: looked for from the working folder, beside the preset, and in the presets folder."),
-    WORD("flexibility-matrix", "flexibility matrix", "The same of the displacements by unit forces, in place of stiffness-matrix."),
-    WORD("periods", "periods and shapes", "A CSV with one row a mode: its period and the shape's value of every floor; at most as many modes as floors."),
-    WORD("unit", "unit of the file", "Of the matrix (kN/m, mm/kN) or of the periods (s), for files that do not say it."),
-    CHOICE("order", "order of the floors", "In the file; ask: one whose floors seem to stand from the roof down is refused.", orders, THUD_ORDER_ASK),
-    CHOICE("system", "structural system", "Of an estimated building: its first period follows from it and the height.", systems, THUD_CONCRETE_FRAME),
-    {NUMBER("area", "floor area", "Of an estimated building, each floor: it weighs 1 t/m2.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
-    {NUMBER("period-factor", "factor of the periods", "Multiplies all periods of the building.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(100), USUAL(0.5, 2)},
-    {NUMBER("height", "storey height", "Of each storey, from floor level to floor level: the elevations at which neighbours meet follow from it.",
-            THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)},
-    {NUMBER("height", "elevation", "Of the body's contact; where it is not given it meets its neighbours' first floor.",
-            THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
-    {NUMBER("height", "height of the wall", "Floors up to here can touch it; where it is not given, all of them.",
-            THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
-    {NUMBER("base", "elevation of the ground", "The ground that the building stands on; the neighbours' elevations count from the same level.",
-            THUD_LENGTH, "m", 0), FROM(-200), UP_TO(4000), ANY_USUAL},
-    {NUMBER("slab-depth", "depth of the slab", "Of each floor, slab and beam at its face: faces of neighbours that overlap meet, others strike columns at their middle.",
-            THUD_LENGTH, "cm", 0.3), FROM(0), UP_TO(3), .soft_least = NAN, .soft_most = 1.5},
-    {NUMBER("yield", "yield drift", "Where a storey yields (bilinear, kinematic hardening); not given, or none in a list: elastic.", THUD_LENGTH, "mm", NAN),
-     .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL},
-    {NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.", THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2},
-    {NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; by default that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
-    {COUNT("modes", "modes", "The building's lowest ones alone; where it is not given, as analysis.modes says.", NAN),
-     .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
-    {NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
-    {NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.", THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4},
-    {NUMBER("width", "width between isolators", "From the first row of isolators to the last one: where it is given, the overturning moment on them is found and held against what the weight holds.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(1000), USUAL(4, 200)},
-    {NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
-    {NUMBER("mass", "mass", "Of a wall that gives; without a mass it moves with the ground.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 5e6)},
-    {NUMBER("stiffness", "stiffness", "Of a wall that gives, against the ground.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("damping", "damping ratio", "Of a wall that gives; 5 % where it is not given.", THUD_RATIO, "%", NAN), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.2},
-};
-#define AT(member) offsetof(struct thud_structure, member)
-static const struct thud_place structure_places[] = {
-    TEXT(name, THUD_NAME_MAX, .kinds = ALL),
-    {.store = THUD_STORE_KIND, .offset = AT(kind), .kinds = ALL},
-    {.store = THUD_STORE_STOREYS, .offset = AT(storeys), .kinds = STOREYS, .reads = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(mass_kg), .kinds = ALL & ~(WALL | ESTIMATED)},
-    {.store = THUD_STORE_FLOORS, .offset = AT(stiffness_npm), .kinds = SPRINGS},
-    TEXT(stiffness_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true),
-    TEXT(flexibility_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true),
-    TEXT(periods_file, THUD_TEXT_MAX, .kinds = MODES, .reads = true),
-    TEXT(unit, 16, .kinds = READ, .reads = true),
-    {.store = THUD_STORE_NUMBER, .offset = AT(order), .kinds = READ, .reads = true},
-    {.store = THUD_STORE_NUMBER, .offset = AT(system), .kinds = ESTIMATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(area_m2), .kinds = ESTIMATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(period_factor), .kinds = READ | ESTIMATED},
-    {.store = THUD_STORE_FLOORS, .offset = AT(height_m), .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = NAN, .kinds = RIGID},
-    {.store = THUD_STORE_NUMBER, .offset = AT(height_m), .absent = INFINITY, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(base_m), .kinds = STOREYS},
-    {.store = THUD_STORE_FLOORS, .offset = AT(slab_depth_m), .kinds = STOREYS},
-    {.store = THUD_STORE_FLOORS, .offset = AT(yield_m), .kinds = SPRINGS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(yield_shear_n), .kinds = SPRINGS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(hardening), .kinds = SPRINGS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(gravity_n), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_NUMBER, .offset = AT(damping), .kinds = STOREYS},
-    {.store = THUD_STORE_COUNT, .offset = AT(modes), .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(base_mass_kg), .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_stiffness_npm), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolation_damping), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(width_m), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(velocity_mps), .kinds = RIGID},
-    {.store = THUD_STORE_NUMBER, .offset = AT(wall_mass_kg), .absent = NAN, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(wall_stiffness_npm), .absent = NAN, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(wall_damping), .absent = NAN, .kinds = WALL},
-};
-
-static const struct thud_param column_params[] = {
-    {NUMBER("EI", "bending stiffness", "Of all columns of a storey that a slab strikes; where neither it nor stiffness is given, they do not give.",
-            THUD_BENDING, "MN m2", NAN), POSITIVE, UP_TO(1e15), USUAL(1e6, 1e10)},
-    {NUMBER("stiffness", "stiffness", "In place of EI: the struck columns' part of the storey stiffness, 12 EI/L^3.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("capacity", "shear capacity", "Of all struck columns of a storey together; their shear is held against it.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    CHOICE("shape", "shape", "clamped: what is struck moves, and gives the force on, as a member clamped in both floors; linear: as a hinged one.", shapes, THUD_COLUMN_CLAMPED),
-};
-static const struct thud_place column_places[] = {
-    {.store = THUD_STORE_FLOORS, .offset = AT(column_ei_nm2), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(column_stiffness_npm), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_FLOORS, .offset = AT(column_capacity_n), .kinds = STOREYS, .optional = true},
-    {.store = THUD_STORE_NUMBER, .offset = AT(column_shape), .kinds = STOREYS},
-};
-
-static const struct thud_param isolator_params[] = {
-    CHOICE("law", "law of the isolators", "linear: isolation-stiffness; lead-rubber: strength, post-yield and yield; pendulum: radius and friction.", isolators, THUD_ISOLATOR_LINEAR),
-    {NUMBER("strength", "characteristic strength", "Q_d of all lead-rubber bearings together: the force that is left at no displacement.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("post-yield", "stiffness beyond yield", "K_d of all lead-rubber bearings together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("yield", "yield displacement", "u_y of lead-rubber bearings, or the elastic give of a pendulum before it slides (1 mm where it is not given).", THUD_LENGTH, "mm", NAN), .least = 1e-6, .least_open = true, UP_TO(1), USUAL(1e-4, 0.05)},
-    {NUMBER("radius", "radius", "R of the pendulum: it swings with 2 pi sqrt(R/g).", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(100), USUAL(0.5, 10)},
-    {NUMBER("friction", "friction coefficient", "mu of the pendulum.", THUD_RATIO, "%", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
-};
-static const struct thud_place isolator_places[] = {
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_law), .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_strength_n), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_post_yield_npm), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_yield_m), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_radius_m), .absent = NAN, .kinds = ISOLATED},
-    {.store = THUD_STORE_NUMBER, .offset = AT(isolator_friction), .absent = NAN, .kinds = ISOLATED},
-};
-
-static const struct thud_param backfill_params[] = {
-    {NUMBER("stiffness", "initial stiffness", "K_max of the soil behind the wall: F = x/(1/K_max + ratio x/strength), in compression alone; it unloads with K_max and leaves a gap.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("strength", "ultimate force", "F_ult of that soil.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
-    {NUMBER("ratio", "failure ratio", "R_f of that soil: the force ends at strength/ratio; 0.7 where it is not given.", THUD_NUMBER, "", NAN), POSITIVE, UP_TO(1), USUAL(0.5, 1)},
-    {NUMBER("gap", "gap to the soil", "Between wall and soil; 0 where it is not given.", THUD_LENGTH, "mm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
-};
-static const struct thud_place backfill_places[] = {
-    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_stiffness_npm), .absent = NAN, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_strength_n), .absent = NAN, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_ratio), .absent = NAN, .kinds = WALL},
-    {.store = THUD_STORE_NUMBER, .offset = AT(backfill_gap_m), .absent = NAN, .kinds = WALL},
+static const struct row record_rows[] = {
+    {WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
+     TEXT(file, THUD_TEXT_MAX)},
+    {{NUMBER("peak", "peak", "Scales the motion to this largest acceleration; by default it is as recorded.",
+     THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), .soft_least = NAN, .soft_most = 2 * THUD_GRAVITY}, {PLACE(NUMBER, peak_mps2), .absent = NAN}},
+    {{NUMBER("sa", "spectral acceleration", "Scales the motion to this pseudo spectral acceleration at `period` and 5 % damping, in place of a peak.",
+     THUD_ACCELERATION, "g", NAN), POSITIVE, UP_TO(1000), ANY_USUAL}, {PLACE(NUMBER, sa_mps2), .absent = NAN}},
+    {{NUMBER("period", "period", "Of `sa`; where it is not given, the mean of the buildings' fundamental periods.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), ANY_USUAL},
+     {PLACE(NUMBER, period_s), .absent = NAN}},
+    {WORD("target", "target spectrum", "Scales the motion to a design spectrum over 0.2 to 2 times the buildings' first periods, in place of a peak: " THUD_TARGET_ALLOWED "."),
+     TEXT(target, 128)},
+    {CHOICE("sign", "sign", "-: the motion with reversed polarity; in a preset as \"-\".", signs, 0), {PLACE(SIGN, sign)}},
+    {{NUMBER("factor", "factor", "Multiplies the motion.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(1e6), ANY_USUAL}, {PLACE(NUMBER, factor)}},
+    {{NUMBER("from", "beginning", "Leaves out the motion before this time of the file; the run begins there.", THUD_TIME, "s", NAN), FROM(0), UP_TO(1e5), ANY_USUAL},
+     {PLACE(NUMBER, from_s), .absent = NAN}},
+    {{NUMBER("to", "end", "Leaves out the motion after this time of the file; peak and sa scale what is left.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(1e5), ANY_USUAL},
+     {PLACE(NUMBER, to_s), .absent = NAN}},
+    {{NUMBER("dt", "step", "Time between samples, for files that do not say it.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
+     {PLACE(NUMBER, dt_s), .absent = NAN}},
+    {WORD("unit", "unit", "Unit of the samples, for files that do not say it: g, m/s2, cm/s2, gal, ..."), TEXT(unit, 16)},
+    {WORD("channel", "channel", "Which motion of a file with several, by name or number."), TEXT(channel, 32)},
+    {WORD("component", "component", "Which direction: NS, EW, 090, N28W; rotd50 or rotd100 of the two at `period`; rot30, turned by degrees; governs: that of the widest required gap."),
+     TEXT(component, 32)},
+    {WORD("event", "event", "In place of what the file says; so are station and licence."), TEXT(event, 96)},
+    {WORD("station", "station", "Two motions of one event and station are one recording."), TEXT(station, 96)},
+    {WORD("licence", "licence", "Under which the motion may be passed on."), TEXT(licence, 96)},
+    {{COUNT("column", "column", "Which column of a table, from 1; all: each line goes on where the last ended.", NAN), .least = 1, UP_TO(1000), ANY_USUAL, .choices = columns},
+     {PLACE(COUNT, column), .none = 0}},
+    {{COUNT("skip", "skipped lines", "Lines at the beginning of the file to leave out.", NAN), .least = 0, UP_TO(100000), ANY_USUAL},
+     {PLACE(COUNT, skip), .none = -1}},
+    {{COUNT("every", "samples kept", "Keeps every second sample (2), every third (3), ... of the scaled motion, after a low pass at half their rate.",
+     NAN), .least = 2, UP_TO(1000), ANY_USUAL}, {PLACE(COUNT, every), .none = 0}},
 };
 #undef AT
 
 #define AT(member) offsetof(struct thud_structure, member)
-static const struct thud_param foundation_params[] = {
-    {NUMBER("mass", "mass of the foundation", "It sways and rocks on the soil under the building.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 1e8)},
-    {NUMBER("inertia", "moment of inertia", "Of the foundation about its axis of rocking; of a disk, m a^2/4, where only the radius is given.", THUD_INERTIA, "t m2", NAN), POSITIVE, UP_TO(1e13), ANY_USUAL},
-    {NUMBER("sway-stiffness", "stiffness against sway", "K_x of the soil; where it is not given, 8 G a/(2 - nu).", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e15), ANY_USUAL},
-    {NUMBER("sway-damping", "dashpot against sway", "C_x of the soil; where it is not given, rho V_s A, or 0 without vs.", THUD_DASHPOT, "MN s/m", NAN), FROM(0), UP_TO(1e12), ANY_USUAL},
-    {NUMBER("rocking-stiffness", "stiffness against rocking", "K_t of the soil; where it is not given, 8 G a^3/(3 (1 - nu)).", THUD_ROCKING, "GN m/rad", NAN), POSITIVE, UP_TO(1e18), ANY_USUAL},
-    {NUMBER("rocking-damping", "dashpot against rocking", "C_t of the soil; where it is not given, rho V_p I, or 0 without vs.", THUD_ROCKING_DASHPOT, "MN m s/rad", NAN), FROM(0), UP_TO(1e15), ANY_USUAL},
-    {NUMBER("vs", "shear-wave velocity", "V_s of the soil: stiffnesses and dashpots of a disk on a half-space follow where they are not given.", THUD_VELOCITY, "m/s", NAN), POSITIVE, UP_TO(5000), USUAL(80, 1500)},
-    {NUMBER("density", "density of the soil", "rho.", THUD_DENSITY, "t/m3", NAN), POSITIVE, UP_TO(1e4), USUAL(1400, 2600)},
-    {NUMBER("poisson", "Poisson's ratio", "nu of the soil; 1/3 where it is not given.", THUD_NUMBER, "", NAN), FROM(0), UP_TO(0.49), ANY_USUAL},
-    {NUMBER("radius", "radius of the foundation", "a of the disk.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(200), USUAL(2, 40)},
+static const struct row structure_rows[] = {
+    {WORD("name", "name", "Stands in tables and figures; A, B, ... from the left where it is not given."), TEXT(name, THUD_NAME_MAX, .kinds = ALL)},
+    {CHOICE("kind", "kind",
+     "shear: storeys; rigid: a free body; isolated: storeys on an isolated slab; wall: moves with the ground; matrix, modes: by a file; estimated: by area.", kinds, THUD_SHEAR),
+     {PLACE(KIND, kind), .kinds = ALL}},
+    {{COUNT("storeys", "storeys", "Where it is not given, a list of masses, stiffnesses or heights says it.", NAN), .least = 1, UP_TO(THUD_STOREYS_MAX), ANY_USUAL},
+     {PLACE(STOREYS, storeys), .kinds = STOREYS, .reads = true}},
+    {{NUMBER("mass", "floor mass", "Of each floor, or of the body.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
+     {PLACE(FLOORS, mass_kg), .kinds = ALL & ~(WALL | ESTIMATED)}},
+    {{NUMBER("stiffness", "storey stiffness", "Of each storey against shear.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), USUAL(1e7, 1e10)},
+     {PLACE(FLOORS, stiffness_npm), .kinds = SPRINGS}},
+    {WORD("stiffness-matrix", "stiffness matrix",
+     "A CSV of the lateral stiffness of the floors, n rows of n values: looked for from the working folder, beside the preset, and in the presets folder."),
+     TEXT(stiffness_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true)},
+    {WORD("flexibility-matrix", "flexibility matrix", "The same of the displacements by unit forces, in place of stiffness-matrix."),
+     TEXT(flexibility_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true)},
+    {WORD("periods", "periods and shapes", "A CSV with one row a mode: its period and the shape's value of every floor; at most as many modes as floors."),
+     TEXT(periods_file, THUD_TEXT_MAX, .kinds = MODES, .reads = true)},
+    {WORD("unit", "unit of the file", "Of the matrix (kN/m, mm/kN) or of the periods (s), for files that do not say it."),
+     TEXT(unit, 16, .kinds = READ, .reads = true)},
+    {CHOICE("order", "order of the floors", "In the file; ask: one whose floors seem to stand from the roof down is refused.", orders, THUD_ORDER_ASK),
+     {PLACE(NUMBER, order), .kinds = READ, .reads = true}},
+    {CHOICE("system", "structural system", "Of an estimated building: its first period follows from it and the height.", systems, THUD_CONCRETE_FRAME),
+     {PLACE(NUMBER, system), .kinds = ESTIMATED}},
+    {{NUMBER("area", "floor area", "Of an estimated building, each floor: it weighs 1 t/m2.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
+     {PLACE(NUMBER, area_m2), .kinds = ESTIMATED}},
+    {{NUMBER("period-factor", "factor of the periods", "Multiplies all periods of the building.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(100), USUAL(0.5, 2)},
+     {PLACE(NUMBER, period_factor), .kinds = READ | ESTIMATED}},
+    {{NUMBER("height", "storey height", "Of each storey, from floor level to floor level: the elevations at which neighbours meet follow from it.",
+     THUD_LENGTH, "m", 3), FROM(0.5), UP_TO(20), USUAL(2.5, 6)}, {PLACE(FLOORS, height_m), .kinds = STOREYS}},
+    {{NUMBER("height", "elevation", "Of the body's contact; where it is not given it meets its neighbours' first floor.", THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
+     {PLACE(NUMBER, height_m), .absent = NAN, .kinds = RIGID}},
+    {{NUMBER("height", "height of the wall", "Floors up to here can touch it; where it is not given, all of them.", THUD_LENGTH, "m", NAN), FROM(0), UP_TO(4000), ANY_USUAL},
+     {PLACE(NUMBER, height_m), .absent = INFINITY, .kinds = WALL}},
+    {{NUMBER("base", "elevation of the ground", "The ground that the building stands on; the neighbours' elevations count from the same level.",
+     THUD_LENGTH, "m", 0), FROM(-200), UP_TO(4000), ANY_USUAL}, {PLACE(NUMBER, base_m), .kinds = STOREYS}},
+    {{NUMBER("slab-depth", "depth of the slab", "Of each floor, slab and beam at its face: faces of neighbours that overlap meet, others strike columns at their middle.",
+     THUD_LENGTH, "cm", 0.3), FROM(0), UP_TO(3), .soft_least = NAN, .soft_most = 1.5}, {PLACE(FLOORS, slab_depth_m), .kinds = STOREYS}},
+    {{NUMBER("yield", "yield drift", "Where a storey yields (bilinear, kinematic hardening); not given, or none in a list: elastic.",
+     THUD_LENGTH, "mm", NAN), .least = 1e-6, .least_open = true, UP_TO(10), ANY_USUAL}, {PLACE(FLOORS, yield_m), .kinds = SPRINGS, .optional = true}},
+    {{NUMBER("yield-shear", "yield shear", "The same as the shear of the storey, in place of yield.", THUD_FORCE, "MN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(FLOORS, yield_shear_n), .kinds = SPRINGS, .optional = true}},
+    {{NUMBER("hardening", "hardening ratio", "Stiffness beyond yield over the elastic one; 0: none, 1: elastic.",
+     THUD_RATIO, "%", 0), FROM(0), UP_TO(1), .soft_least = NAN, .soft_most = 0.2}, {PLACE(FLOORS, hardening), .kinds = SPRINGS, .optional = true}},
+    {{NUMBER("gravity", "weight", "Of each floor, for P-Delta, where more hangs on it than shakes; by default that of its mass.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(FLOORS, gravity_n), .kinds = STOREYS, .optional = true}},
+    {{NUMBER("damping", "damping ratio", "The same in every mode.", THUD_RATIO, "%", 0.05), FROM(0), BELOW(1), USUAL(0.01, 0.2)},
+     {PLACE(NUMBER, damping), .kinds = STOREYS}},
+    {{COUNT("modes", "modes", "The building's lowest ones alone; where it is not given, as analysis.modes says.", NAN), .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
+     {PLACE(COUNT, modes), .kinds = STOREYS}},
+    {{NUMBER("base-mass", "mass of the base slab", "Of the isolated slab below the first storey.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e4, 5e6)},
+     {PLACE(NUMBER, base_mass_kg), .kinds = ISOLATED}},
+    {{NUMBER("isolation-stiffness", "isolation stiffness", "Of all isolators together; of linear ones.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(NUMBER, isolation_stiffness_npm), .absent = NAN, .kinds = ISOLATED}},
+    {{NUMBER("isolation-damping", "isolation damping ratio", "Of the isolators under the whole mass, by their stiffness before yield; 0 where they yield or slide.",
+     THUD_RATIO, "%", 0.1), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.4}, {PLACE(NUMBER, isolation_damping), .absent = NAN, .kinds = ISOLATED}},
+    {{NUMBER("width", "width between isolators",
+     "From the first row of isolators to the last one: where it is given, the overturning moment on them is found and held against what the weight holds.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(1000), USUAL(4, 200)},
+     {PLACE(NUMBER, width_m), .absent = NAN, .kinds = ISOLATED}},
+    {{NUMBER("velocity", "velocity at the start", "To the right.", THUD_VELOCITY, "m/s", 0), FROM(-1000), UP_TO(1000), USUAL(-5, 5)},
+     {PLACE(NUMBER, velocity_mps), .kinds = RIGID}},
+    {{NUMBER("mass", "mass", "Of a wall that gives; without a mass it moves with the ground.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 5e6)},
+     {PLACE(NUMBER, wall_mass_kg), .absent = NAN, .kinds = WALL}},
+    {{NUMBER("stiffness", "stiffness", "Of a wall that gives, against the ground.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(NUMBER, wall_stiffness_npm), .absent = NAN, .kinds = WALL}},
+    {{NUMBER("damping", "damping ratio", "Of a wall that gives; 5 % where it is not given.", THUD_RATIO, "%", NAN), FROM(0), BELOW(1), .soft_least = NAN, .soft_most = 0.2},
+     {PLACE(NUMBER, wall_damping), .absent = NAN, .kinds = WALL}},
 };
-static const struct thud_place foundation_places[] = {
-    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_mass_kg), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_inertia_kgm2), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(sway_npm), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(sway_nspm), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(rocking_nmprad), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(rocking_nmsprad), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(soil_vs_mps), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(soil_density_kgpm3), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(soil_poisson), .absent = NAN, .kinds = STOREYS},
-    {.store = THUD_STORE_NUMBER, .offset = AT(foundation_radius_m), .absent = NAN, .kinds = STOREYS},
+
+static const struct row column_rows[] = {
+    {{NUMBER("EI", "bending stiffness", "Of all columns of a storey that a slab strikes; where neither it nor stiffness is given, they do not give.",
+     THUD_BENDING, "MN m2", NAN), POSITIVE, UP_TO(1e15), USUAL(1e6, 1e10)}, {PLACE(FLOORS, column_ei_nm2), .kinds = STOREYS, .optional = true}},
+    {{NUMBER("stiffness", "stiffness", "In place of EI: the struck columns' part of the storey stiffness, 12 EI/L^3.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(FLOORS, column_stiffness_npm), .kinds = STOREYS, .optional = true}},
+    {{NUMBER("capacity", "shear capacity", "Of all struck columns of a storey together; their shear is held against it.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(FLOORS, column_capacity_n), .kinds = STOREYS, .optional = true}},
+    {CHOICE("shape", "shape", "clamped: what is struck moves, and gives the force on, as a member clamped in both floors; linear: as a hinged one.", shapes, THUD_COLUMN_CLAMPED),
+     {PLACE(NUMBER, column_shape), .kinds = STOREYS}},
+};
+
+static const struct row isolator_rows[] = {
+    {CHOICE("law", "law of the isolators", "linear: isolation-stiffness; lead-rubber: strength, post-yield and yield; pendulum: radius and friction.", isolators, THUD_ISOLATOR_LINEAR),
+     {PLACE(NUMBER, isolator_law), .kinds = ISOLATED}},
+    {{NUMBER("strength", "characteristic strength", "Q_d of all lead-rubber bearings together: the force that is left at no displacement.",
+     THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL}, {PLACE(NUMBER, isolator_strength_n), .absent = NAN, .kinds = ISOLATED, .laws = LEAD, .needed = LEAD}},
+    {{NUMBER("post-yield", "stiffness beyond yield", "K_d of all lead-rubber bearings together.", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(NUMBER, isolator_post_yield_npm), .absent = NAN, .kinds = ISOLATED, .laws = LEAD, .needed = LEAD}},
+    {{NUMBER("yield", "yield displacement", "u_y of lead-rubber bearings, or the elastic give of a pendulum before it slides (1 mm where it is not given).",
+     THUD_LENGTH, "mm", NAN), .least = 1e-6, .least_open = true, UP_TO(1), USUAL(1e-4, 0.05)}, {PLACE(NUMBER, isolator_yield_m), .absent = NAN, .kinds = ISOLATED, .laws = LEAD | DISH, .needed = LEAD}},
+    {{NUMBER("radius", "radius", "R of the pendulum: it swings with 2 pi sqrt(R/g).", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(100), USUAL(0.5, 10)},
+     {PLACE(NUMBER, isolator_radius_m), .absent = NAN, .kinds = ISOLATED, .laws = DISH, .needed = DISH}},
+    {{NUMBER("friction", "friction coefficient", "mu of the pendulum.", THUD_RATIO, "%", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
+     {PLACE(NUMBER, isolator_friction), .absent = NAN, .kinds = ISOLATED, .laws = DISH, .needed = DISH}},
+};
+
+static const struct row backfill_rows[] = {
+    {{NUMBER("stiffness", "initial stiffness", "K_max of the soil behind the wall: F = x/(1/K_max + ratio x/strength), in compression alone; it unloads with K_max and leaves a gap.",
+     THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL}, {PLACE(NUMBER, backfill_stiffness_npm), .absent = NAN, .kinds = WALL}},
+    {{NUMBER("strength", "ultimate force", "F_ult of that soil.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), ANY_USUAL},
+     {PLACE(NUMBER, backfill_strength_n), .absent = NAN, .kinds = WALL}},
+    {{NUMBER("ratio", "failure ratio", "R_f of that soil: the force ends at strength/ratio; 0.7 where it is not given.", THUD_NUMBER, "", NAN), POSITIVE, UP_TO(1), USUAL(0.5, 1)},
+     {PLACE(NUMBER, backfill_ratio), .absent = NAN, .kinds = WALL}},
+    {{NUMBER("gap", "gap to the soil", "Between wall and soil; 0 where it is not given.", THUD_LENGTH, "mm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+     {PLACE(NUMBER, backfill_gap_m), .absent = NAN, .kinds = WALL}},
+};
+
+static const struct row foundation_rows[] = {
+    {{NUMBER("mass", "mass of the foundation", "It sways and rocks on the soil under the building.", THUD_MASS, "t", NAN), POSITIVE, UP_TO(1e9), USUAL(1e3, 1e8)},
+     {PLACE(NUMBER, foundation_mass_kg), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("inertia", "moment of inertia", "Of the foundation about its axis of rocking; of a disk, m a^2/4, where only the radius is given.",
+     THUD_INERTIA, "t m2", NAN), POSITIVE, UP_TO(1e13), ANY_USUAL}, {PLACE(NUMBER, foundation_inertia_kgm2), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("sway-stiffness", "stiffness against sway", "K_x of the soil; where it is not given, 8 G a/(2 - nu).", THUD_STIFFNESS, "MN/m", NAN), POSITIVE, UP_TO(1e15), ANY_USUAL},
+     {PLACE(NUMBER, sway_npm), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("sway-damping", "dashpot against sway", "C_x of the soil; where it is not given, rho V_s A, or 0 without vs.", THUD_DASHPOT, "MN s/m", NAN), FROM(0), UP_TO(1e12), ANY_USUAL},
+     {PLACE(NUMBER, sway_nspm), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("rocking-stiffness", "stiffness against rocking", "K_t of the soil; where it is not given, 8 G a^3/(3 (1 - nu)).",
+     THUD_ROCKING, "GN m/rad", NAN), POSITIVE, UP_TO(1e18), ANY_USUAL}, {PLACE(NUMBER, rocking_nmprad), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("rocking-damping", "dashpot against rocking", "C_t of the soil; where it is not given, rho V_p I, or 0 without vs.",
+     THUD_ROCKING_DASHPOT, "MN m s/rad", NAN), FROM(0), UP_TO(1e15), ANY_USUAL}, {PLACE(NUMBER, rocking_nmsprad), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("vs", "shear-wave velocity", "V_s of the soil: stiffnesses and dashpots of a disk on a half-space follow where they are not given.",
+     THUD_VELOCITY, "m/s", NAN), POSITIVE, UP_TO(5000), USUAL(80, 1500)}, {PLACE(NUMBER, soil_vs_mps), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("density", "density of the soil", "rho.", THUD_DENSITY, "t/m3", NAN), POSITIVE, UP_TO(1e4), USUAL(1400, 2600)},
+     {PLACE(NUMBER, soil_density_kgpm3), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("poisson", "Poisson's ratio", "nu of the soil; 1/3 where it is not given.", THUD_NUMBER, "", NAN), FROM(0), UP_TO(0.49), ANY_USUAL},
+     {PLACE(NUMBER, soil_poisson), .absent = NAN, .kinds = STOREYS}},
+    {{NUMBER("radius", "radius of the foundation", "a of the disk.", THUD_LENGTH, "m", NAN), POSITIVE, UP_TO(200), USUAL(2, 40)},
+     {PLACE(NUMBER, foundation_radius_m), .absent = NAN, .kinds = STOREYS}},
 };
 #undef AT
 
-static const struct thud_param interface_params[] = {
-    {NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
-    {NUMBER("gap-by-level", "gap by level", "A list, from the lowest pair that can meet up, for setbacks; none: that of `gap`.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
-    CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.",
-           levels, THUD_LEVELS_ALL),
-    {NUMBER("contact-levels", "levels that meet", "A list of floors of the left building, of the right one beside a wall or a body: only these can meet the neighbour; by default all.", THUD_NUMBER, "", NAN),
-     FROM(1), UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
-};
-static const struct thud_place interface_places[] = {
-    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, gap_m)},
-    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, gap)},
-    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, levels)},
-    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, contact_levels)},
-};
-static const struct thud_param contact_params[] = {
-    WORD("law", "impact law of the bare contact", "One of `thud laws`; the keys after it are the law's own."),
-};
-static const struct thud_place contact_places[] = {
-    {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, contact)},
-};
-static const struct thud_param bumper_params[] = {
-    WORD("law", "impact law of the bumper", "One of `thud laws`; the keys after it are the law's own."),
-    {NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
-    {NUMBER("thickness-by-level", "thickness by level", "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity is the same at every level.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
-    {NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
-    CHOICE("fitted", "fitted", "off: the bumper is out, and its values are kept.", switches, 1),
-};
-static const struct thud_place bumper_places[] = {
-    {.store = THUD_STORE_LAW, .offset = offsetof(struct thud_interface, bumper)},
-    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_thickness_m)},
-    {.store = THUD_STORE_LEVELS, .offset = offsetof(struct thud_interface, thickness)},
-    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_interface, bumper_cavity_m)},
-    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_interface, has_bumper)},
+#define AT(member) offsetof(struct thud_interface, member)
+static const struct row interface_rows[] = {
+    {{NUMBER("gap", "gap", "From concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL}, {PLACE(NUMBER, gap_m)}},
+    {{NUMBER("gap-by-level", "gap by level", "A list, from the lowest pair that can meet up, for setbacks; none: that of `gap`.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
+     {PLACE(LEVELS, gap)}},
+    {CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation meet.", levels, THUD_LEVELS_ALL),
+     {PLACE(NUMBER, levels)}},
+    {{NUMBER("contact-levels", "levels that meet", "A list of floors of the left building, of the right one beside a wall or a body: only these can meet the neighbour; by default all.",
+     THUD_NUMBER, "", NAN), FROM(1), UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL}, {PLACE(LEVELS, contact_levels)}},
 };
 
-static const struct thud_param link_params[] = {
-    CHOICE("law", "law", "spring: stiffness and damping; dashpot: damping; friction: stiffness up to its slip force; restrainer: holds beyond its slack; strut: pushes beyond its slack.", link_laws, THUD_LINK_SPRING),
-    WORD("from", "one end", "A.4: floor 4 of A, counted as in the results; a body or a wall by its name alone."),
-    WORD("to", "other end", "A floor of the neighbour, in the same way."),
-    {NUMBER("stiffness", "stiffness", "Of the spring, 0: its dashpot alone; of friction before it slips; of a restrainer or a strut beyond its slack.", THUD_STIFFNESS, "MN/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e10},
-    {NUMBER("damping", "damping", "Force of the dashpot by the speed at which its ends move apart or together.", THUD_DASHPOT, "kN s/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
-    {NUMBER("slip", "slip force", "At which friction slips, either way.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
-    {NUMBER("slack", "slack", "Its ends move apart (a restrainer) or together (a strut) by so much before it acts.", THUD_LENGTH, "cm", 0), FROM(0), UP_TO(5), ANY_USUAL},
+static const struct row contact_rows[] = {
+    {WORD("law", "impact law of the bare contact", "One of `thud laws`; the keys after it are the law's own."), {PLACE(LAW, contact)}},
 };
+
+static const struct row bumper_rows[] = {
+    {WORD("law", "impact law of the bumper", "One of `thud laws`; the keys after it are the law's own."), {PLACE(LAW, bumper)}},
+    {{NUMBER("thickness", "thickness", "Of the bumper, from the wall it is set on.", THUD_LENGTH, "cm", NAN), POSITIVE, UP_TO(1), USUAL(0.01, 0.2)},
+     {PLACE(NUMBER, bumper_thickness_m)}},
+    {{NUMBER("thickness-by-level", "thickness by level",
+     "A list, from the lowest pair that can meet up; 0 cm: no bumper there, none: that of `thickness`. The cavity is the same at every level.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(1), ANY_USUAL},
+     {PLACE(LEVELS, thickness)}},
+    {{NUMBER("cavity", "cavity depth", "The bumper is set so deep into the wall; less than its thickness.", THUD_LENGTH, "cm", 0), FROM(0), BELOW(1), ANY_USUAL},
+     {PLACE(NUMBER, bumper_cavity_m)}},
+    {CHOICE("fitted", "fitted", "off: the bumper is out, and its values are kept.", switches, 1), {PLACE(SWITCH, has_bumper)}},
+};
+#undef AT
+
 #define AT(member) offsetof(struct thud_link, member)
-static const struct thud_place link_places[] = {
-    {.store = THUD_STORE_LINK, .offset = AT(law), .kinds = LINKS},
-    TEXT(from, THUD_NAME_MAX + 8, .kinds = LINKS),
-    TEXT(to, THUD_NAME_MAX + 8, .kinds = LINKS),
-    {.store = THUD_STORE_NUMBER, .offset = AT(stiffness_npm), .kinds = LINKS & ~(1 << THUD_LINK_DASHPOT)},
-    {.store = THUD_STORE_NUMBER, .offset = AT(damping_nspm), .kinds = 1 << THUD_LINK_SPRING | 1 << THUD_LINK_DASHPOT},
-    {.store = THUD_STORE_NUMBER, .offset = AT(slip_n), .kinds = 1 << THUD_LINK_FRICTION},
-    {.store = THUD_STORE_NUMBER, .offset = AT(slack_m), .kinds = 1 << THUD_LINK_RESTRAINER | 1 << THUD_LINK_STRUT},
+static const struct row link_rows[] = {
+    {CHOICE("law", "law",
+     "spring: stiffness and damping; dashpot: damping; friction: stiffness up to its slip force; restrainer: holds beyond its slack; strut: pushes beyond its slack.", link_laws, THUD_LINK_SPRING),
+     {PLACE(LINK, law), .kinds = LINKS}},
+    {WORD("from", "one end", "A.4: floor 4 of A, counted as in the results; a body or a wall by its name alone."),
+     TEXT(from, THUD_NAME_MAX + 8, .kinds = LINKS)},
+    {WORD("to", "other end", "A floor of the neighbour, in the same way."), TEXT(to, THUD_NAME_MAX + 8, .kinds = LINKS)},
+    {{NUMBER("stiffness", "stiffness", "Of the spring, 0: its dashpot alone; of friction before it slips; of a restrainer or a strut beyond its slack.",
+     THUD_STIFFNESS, "MN/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e10}, {PLACE(NUMBER, stiffness_npm), .kinds = LINKS & ~(1 << THUD_LINK_DASHPOT)}},
+    {{NUMBER("damping", "damping", "Force of the dashpot by the speed at which its ends move apart or together.",
+     THUD_DASHPOT, "kN s/m", NAN), FROM(0), UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9}, {PLACE(NUMBER, damping_nspm), .kinds = 1 << THUD_LINK_SPRING | 1 << THUD_LINK_DASHPOT}},
+    {{NUMBER("slip", "slip force", "At which friction slips, either way.", THUD_FORCE, "kN", NAN), POSITIVE, UP_TO(1e12), .soft_least = NAN, .soft_most = 1e9},
+     {PLACE(NUMBER, slip_n), .kinds = 1 << THUD_LINK_FRICTION}},
+    {{NUMBER("slack", "slack", "Its ends move apart (a restrainer) or together (a strut) by so much before it acts.", THUD_LENGTH, "cm", 0), FROM(0), UP_TO(5), ANY_USUAL},
+     {PLACE(NUMBER, slack_m), .kinds = 1 << THUD_LINK_RESTRAINER | 1 << THUD_LINK_STRUT}},
 };
 #undef AT
 
-static const struct thud_param analysis_params[] = {
-    WORD("method", "method", "One of `thud methods`, or auto: the exact one."),
-    {NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
-    {NUMBER("step", "step", "Of the methods with a fixed step; by default a twentieth of the shortest period of a mode or contact, and no more than the record's.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL},
-    {NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},
-    CHOICE("locate", "event location", "Whether methods with a fixed step find the moments of touch and release.", switches, 1),
-    {COUNT("modes", "modes", "Each building's lowest ones alone; where it is not given, all of them.", NAN),
-     .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
-};
 #define AT(member) offsetof(struct thud_scene, analysis.member)
-static const struct thud_place analysis_places[] = {
-    TEXT(method, 32),
-    {.store = THUD_STORE_NUMBER, .offset = AT(tolerance)},
-    {.store = THUD_STORE_NUMBER, .offset = AT(step_s), .absent = NAN},
-    {.store = THUD_STORE_NUMBER, .offset = AT(tail_s)},
-    {.store = THUD_STORE_SWITCH, .offset = AT(locate)},
-    {.store = THUD_STORE_COUNT, .offset = AT(modes), .none = 0},
+static const struct row analysis_rows[] = {
+    {WORD("method", "method", "One of `thud methods`, or auto: the exact one."), TEXT(method, 32)},
+    {{NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
+     {PLACE(NUMBER, tolerance)}},
+    {{NUMBER("step", "step", "Of the methods with a fixed step; by default a twentieth of the shortest period of a mode or contact, and no more than the record's.",
+     THUD_TIME, "ms", NAN), POSITIVE, UP_TO(10), ANY_USUAL}, {PLACE(NUMBER, step_s), .absent = NAN}},
+    {{NUMBER("tail", "tail", "Free vibration after the ground motion; without one, the duration.", THUD_TIME, "s", 5), FROM(0), UP_TO(100), ANY_USUAL},
+     {PLACE(NUMBER, tail_s)}},
+    {CHOICE("locate", "event location", "Whether methods with a fixed step find the moments of touch and release.", switches, 1),
+     {PLACE(SWITCH, locate)}},
+    {{COUNT("modes", "modes", "Each building's lowest ones alone; where it is not given, all of them.", NAN), .least = 1, UP_TO(THUD_STOREYS_MAX + 1), ANY_USUAL},
+     {PLACE(COUNT, modes), .none = 0}},
 };
 #undef AT
 
-static const struct thud_param study_params[] = {
-    WORD("vary", "varied key", "What `thud sweep` varies; a list of up to 4 keys makes a grid."),
-    WORD("from", "first value", "Of the varied key; a list where several are varied."),
-    WORD("to", "last value", "Of the varied key."),
-    WORD("step", "step", "Of the varied key."),
-    WORD("values", "values", "Instead of from, to and step: a list, or one list for each varied key."),
-    WORD("cases", "cases", "List of none, bumper, cavity, link, as-written."),
-    {NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
-            THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)},
-    WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
-    CHOICE("signs", "signs", "both: every ground motion also with reversed polarity.", one_or_both, 0),
-    WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; by default pounding, worse."),
+#define AT(member) offsetof(struct thud_scene, study.member)
+static const struct row study_rows[] = {
+    {WORD("vary", "varied key", "What `thud sweep` varies; a list of up to 4 keys makes a grid."), {.store = THUD_STORE_STUDY}},
+    {WORD("from", "first value", "Of the varied key; a list where several are varied."), {.store = THUD_STORE_STUDY}},
+    {WORD("to", "last value", "Of the varied key."), {.store = THUD_STORE_STUDY}},
+    {WORD("step", "step", "Of the varied key."), {.store = THUD_STORE_STUDY}},
+    {WORD("values", "values", "Instead of from, to and step: a list, or one list for each varied key."), {.store = THUD_STORE_STUDY}},
+    {WORD("cases", "cases", "List of none, bumper, cavity, link, as-written."), {.store = THUD_STORE_STUDY}},
+    {{NUMBER("sensitivity", "sensitivity", "Spread of every peak when gap, ground motion or stiffness change by this much; 0: none.",
+     THUD_RATIO, "%", 0), FROM(0), UP_TO(0.1), USUAL(0, 0.02)}, {PLACE(NUMBER, sensitivity)}},
+    {WORD("records", "ground motions", "As --records takes them: files with their settings, a folder, a .list; one or several in brackets."),
+     TEXT(records, THUD_VARY_TEXT)},
+    {CHOICE("signs", "signs", "both: every ground motion also with reversed polarity.", one_or_both, 0), {PLACE(SWITCH, both_signs)}},
+    {WORD("events", "events", "Of `thud fragility`, as --event takes them: pounding, worse, \"force:5 MN\", ...; by default pounding, worse."),
+     TEXT(events, THUD_VARY_TEXT)},
 };
-static const struct thud_place study_places[] = {
-    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
-    {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY}, {.store = THUD_STORE_STUDY},
-    {.store = THUD_STORE_NUMBER, .offset = offsetof(struct thud_scene, study.sensitivity)},
-    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.records), .size = THUD_VARY_TEXT},
-    {.store = THUD_STORE_SWITCH, .offset = offsetof(struct thud_scene, study.both_signs)},
-    {.store = THUD_STORE_TEXT, .offset = offsetof(struct thud_scene, study.events), .size = THUD_VARY_TEXT},
-};
+#undef AT
 
-static const struct thud_param document_params[] = {
-    WORD("project", "project", "What the report is for."),
-    WORD("author", "author", "Who made the report."),
-    WORD("checker", "checker", "Who checked it, or has to."),
-    WORD("date", "date", "Of the report, as it shall stand there."),
-    WORD("revision", "revision", "Of the report."),
-    WORD("number", "number", "Of the report among the project's documents."),
-    WORD("approver", "approver", "Who approves it."),
-    WORD("code", "code", "Whose gap the report recommends: en1998, asce7, or exact84, what is enough for 84 % of the ground motions; by default the code of its target spectrum, else en1998."),
-    WORD("limits", "limits", "Of the criteria of the report, by the words of events: {drift: 1 %, ductility: 4, force: 5 MN}."),
-};
 #define AT(member) offsetof(struct thud_scene, document.member)
-static const struct thud_place document_places[] = {
-    TEXT(project, 128),
-    TEXT(author, 64),
-    TEXT(checker, 64),
-    TEXT(date, 32),
-    TEXT(revision, 32),
-    TEXT(number, 32),
-    TEXT(approver, 64),
-    TEXT(code, 32),
-    TEXT(limits, 256),
+static const struct row document_rows[] = {
+    {WORD("project", "project", "What the report is for."), TEXT(project, 128)},
+    {WORD("author", "author", "Who made the report."), TEXT(author, 64)},
+    {WORD("checker", "checker", "Who checked it, or has to."), TEXT(checker, 64)},
+    {WORD("date", "date", "Of the report, as it shall stand there."), TEXT(date, 32)},
+    {WORD("revision", "revision", "Of the report."), TEXT(revision, 32)},
+    {WORD("number", "number", "Of the report among the project's documents."), TEXT(number, 32)},
+    {WORD("approver", "approver", "Who approves it."), TEXT(approver, 64)},
+    {WORD("code", "code",
+     "Whose gap the report recommends: en1998, asce7, or exact84, what is enough for 84 % of the ground motions; by default the code of its target spectrum, else en1998."),
+     TEXT(code, 32)},
+    {WORD("limits", "limits", "Of the criteria of the report, by the words of events: {drift: 1 %, ductility: 4, force: 5 MN}."), TEXT(limits, 256)},
 };
 #undef AT
 /* clang-format on */
 
-/* A parameter without its place does not compile: no array of -1. */
-#define LENGTH(list)        (sizeof(list) / sizeof *(list))
-#define AS_MANY(one, other) (0 * sizeof(char[LENGTH(one) == LENGTH(other) ? 1 : -1]))
 #define GROUP(word, key)                                                                                               \
     {                                                                                                                  \
-        key, word##_params, word##_places, LENGTH(word##_params) + AS_MANY(word##_params, word##_places)               \
+        key, word##_rows, sizeof word##_rows / sizeof *word##_rows                                                     \
     }
 static const struct {
     const char *key;
-    const struct thud_param *params;
-    const struct thud_place *places;
+    const struct row *rows;
     int count;
 } groups[THUD_GROUPS] = {
     [THUD_GROUP_SCENE] = GROUP(scene, ""),
@@ -404,15 +348,14 @@ static const struct {
     [THUD_GROUP_DOCUMENT] = GROUP(document, "document"),
 };
 
-const struct thud_param *thud_group_params(enum thud_group group, int *count)
+const struct thud_param *thud_group_param(enum thud_group group, int i)
 {
-    *count = groups[group].count;
-    return groups[group].params;
+    return i < groups[group].count ? &groups[group].rows[i].param : NULL;
 }
 
-const struct thud_place *thud_group_places(enum thud_group group)
+const struct thud_place *thud_group_place(enum thud_group group, int i)
 {
-    return groups[group].places;
+    return i < groups[group].count ? &groups[group].rows[i].place : NULL;
 }
 
 const char *thud_group_key(enum thud_group group)
@@ -427,10 +370,10 @@ const char *thud_kind_name(enum thud_structure_kind kind)
 
 bool thud_structure_has(enum thud_structure_kind kind, int param)
 {
-    return (structure_places[param].kinds & 1u << kind) != 0;
+    return (structure_rows[param].place.kinds & 1u << kind) != 0;
 }
 
 bool thud_link_has(enum thud_link_law law, int param)
 {
-    return (link_places[param].kinds & 1u << law) != 0;
+    return (link_rows[param].place.kinds & 1u << law) != 0;
 }

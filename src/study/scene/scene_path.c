@@ -40,11 +40,9 @@ static int number(const char *text)
 
 static int find_in_group(enum thud_group group, const char *key, unsigned kinds)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    const struct thud_place *places = thud_group_places(group);
-    for (int i = 0; i < count; i++)
-        if (strcmp(params[i].name, key) == 0 && (!kinds || (places[i].kinds & kinds)))
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
+        if (strcmp(param->name, key) == 0 && (!kinds || (thud_group_place(group, i)->kinds & kinds)))
             return i;
     return -1;
 }
@@ -54,14 +52,13 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
                                 int item, const char *key, struct thud_error *err)
 {
     struct thud_words words = {0};
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++)
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
         if ((group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[item].kind, i)) &&
             (group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[item].law, i)))
-            thud_words_add(&words, params[i].name);
+            thud_words_add(&words, param->name);
     for (int i = 0; i < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; i++)
-        if (thud_group_places(thud_nested_group(i))->kinds & 1u << scene->structure[item].kind)
+        if (thud_group_place(thud_nested_group(i), 0)->kinds & 1u << scene->structure[item].kind)
             thud_words_add(&words, thud_group_key(thud_nested_group(i)));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
@@ -70,9 +67,8 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
 
 static void fill(struct thud_slot *slot, enum thud_group group, int index, size_t base)
 {
-    int count;
-    slot->param = &thud_group_params(group, &count)[index];
-    slot->place = thud_group_places(group)[index];
+    slot->param = thud_group_param(group, index);
+    slot->place = *thud_group_place(group, index);
     slot->place.offset += base;
     slot->index = index;
 }
@@ -87,10 +83,8 @@ static enum thud_status wrong_depth(struct thud_error *err)
 
 static enum thud_status refuse_group(enum thud_group group, struct thud_error *err)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
     thud_error_set(err, THUD_INPUT, "it has keys of its own, and no value");
-    thud_error_allow(err, "%s.%s and others", thud_group_key(group), params[0].name);
+    thud_error_allow(err, "%s.%s and others", thud_group_key(group), thud_group_param(group, 0)->name);
     return THUD_INPUT;
 }
 
@@ -128,7 +122,7 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
     int keys = group == THUD_GROUP_STRUCTURE ? 1 : 2,
         i = find_in_group(group, part[keys], 1u << scene->structure[s - 1].kind);
     int of_storeys = i < 0 ? find_in_group(group, part[keys], 1u << THUD_SHEAR) : -1;
-    if (of_storeys >= 0 && (column || soil || thud_group_places(group)[of_storeys].optional)) {
+    if (of_storeys >= 0 && (column || soil || thud_group_place(group, of_storeys)->optional)) {
         static const char *const what[THUD_KINDS] = {[THUD_WALL] = "a wall",
                                                      [THUD_RIGID] = "a rigid body",
                                                      [THUD_MATRIX] = "a building by its matrix",

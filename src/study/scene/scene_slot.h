@@ -28,6 +28,8 @@ struct thud_place {
     int none;            /* THUD_STORE_COUNT */
     double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
     unsigned kinds;      /* bit set of structure kinds, of links that of their laws */
+    unsigned laws;       /* THUD_GROUP_ISOLATOR: bit set of the isolators' laws that have it */
+    unsigned needed;     /* and of those that cannot do without it */
     bool optional;       /* THUD_STORE_FLOORS: need not be given */
     bool reads;          /* a structure's file is read anew for it */
 };
@@ -55,7 +57,8 @@ void thud_foundation_copy(const struct thud_structure *from, struct thud_structu
 /* What must be given. */
 #define THUD_REQUIRED 0.0
 
-const struct thud_place *thud_group_places(enum thud_group group);
+/* Of the i-th parameter of a group; NULL behind the last. */
+const struct thud_place *thud_group_place(enum thud_group group, int i);
 
 /* Errors: THUD_INPUT with key, and the nearest known one. */
 enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path, struct thud_slot *out,

@@ -54,11 +54,10 @@ bool thud_scene_yields(const struct thud_scene *scene)
 
 static double fallback(const char *name, enum thud_group group)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++)
-        if (strcmp(params[i].name, name) == 0)
-            return params[i].fallback;
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
+        if (strcmp(param->name, name) == 0)
+            return param->fallback;
     return NAN;
 }
 

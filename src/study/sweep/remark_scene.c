@@ -25,20 +25,19 @@ static void look(struct thud_remarks *out, const struct thud_param *param, doubl
 static void look_group(struct thud_remarks *out, enum thud_group group, const void *base, unsigned kind, int storeys,
                        const char *prefix)
 {
-    int count;
-    const struct thud_param *params = thud_group_params(group, &count);
-    const struct thud_place *places = thud_group_places(group);
-    for (int i = 0; i < count; i++) {
-        if (kind && !(places[i].kinds & kind))
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
+        const struct thud_place *place = thud_group_place(group, i);
+        if (kind && !(place->kinds & kind))
             continue;
-        const double *value = (const double *)(const void *)((const char *)base + places[i].offset);
-        int n = places[i].store == THUD_STORE_FLOORS ? storeys : places[i].store == THUD_STORE_NUMBER ? 1 : 0;
+        const double *value = (const double *)(const void *)((const char *)base + place->offset);
+        int n = place->store == THUD_STORE_FLOORS ? storeys : place->store == THUD_STORE_NUMBER ? 1 : 0;
         for (int floor = 0; floor < n; floor++) {
             char key[96];
-            snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, params[i].name, floor + 1);
-            if ((floor > 0 && value[floor] == value[floor - 1]) || (places[i].optional && value[floor] == 0))
+            snprintf(key, sizeof key, n > 1 ? "%s.%s.%d" : "%s.%s", prefix, param->name, floor + 1);
+            if ((floor > 0 && value[floor] == value[floor - 1]) || (place->optional && value[floor] == 0))
                 continue; /* said once */
-            look(out, &params[i], value[floor], key);
+            look(out, param, value[floor], key);
         }
     }
 }

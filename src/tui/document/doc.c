@@ -202,10 +202,9 @@ static void set_each(struct thud_scene *next, int s, const char *prefix, const c
 
 static void clear_group(struct thud_scene *next, int s, enum thud_group group, const char *prefix)
 {
-    int count;
-    const struct thud_param *param = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++)
-        set_each(next, s, prefix, (const char *const[][2]){{param[i].name, ""}, {NULL}});
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++)
+        set_each(next, s, prefix, (const char *const[][2]){{param->name, ""}, {NULL}});
 }
 
 /* A foundation has values that stand together, and so have a wall that gives and the soil behind it: the first one that

@@ -53,13 +53,12 @@ int thud_field_rows(struct thud_tui *tui, int index, const struct thud_pane *pan
 int thud_field_group(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, enum thud_group group,
                      const char *prefix)
 {
-    int count;
-    const struct thud_param *param = thud_group_params(group, &count);
-    for (int i = 0; i < count; i++) {
+    const struct thud_param *param;
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
         char path[THUD_PATH_MAX];
-        snprintf(path, sizeof path, "%s%s", prefix, param[i].name);
+        snprintf(path, sizeof path, "%s%s", prefix, param->name);
         if (thud_scene_param(&tui->doc.scene, path, &(int){0}))
-            thud_field_row(tui, index, pane, y++, param[i].name, path);
+            thud_field_row(tui, index, pane, y++, param->name, path);
     }
     return y;
 }

@@ -41,21 +41,20 @@ static void add_field(struct thud_tui *tui, const char *key, const struct thud_p
 /* Adds the parameters of a group under a prefix, those by floor for every floor. */
 static void add_group(struct thud_tui *tui, enum thud_group group, const char *prefix, int structure)
 {
-    int count;
-    const struct thud_param *param = thud_group_params(group, &count);
+    const struct thud_param *param;
     const struct thud_structure *at = structure >= 0 ? &tui->doc.scene.structure[structure] : NULL;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; (param = thud_group_param(group, i)); i++) {
         char key[THUD_PATH_MAX];
         if (at && group == THUD_GROUP_STRUCTURE && !thud_structure_has(at->kind, i))
             continue;
-        snprintf(key, sizeof key, "%s.%s", prefix, param[i].name);
+        snprintf(key, sizeof key, "%s.%s", prefix, param->name);
         bool by_floor = at && thud_scene_by_floor(&tui->doc.scene, key);
         for (int floor = 1; floor <= (by_floor ? at->storeys : 1); floor++) {
             char number[16] = "";
             if (by_floor)
                 snprintf(number, sizeof number, ".%d", floor);
-            snprintf(key, sizeof key, "%s%s%s%s", prefix, *prefix ? "." : "", param[i].name, number);
-            add_field(tui, key, &param[i]);
+            snprintf(key, sizeof key, "%s%s%s%s", prefix, *prefix ? "." : "", param->name, number);
+            add_field(tui, key, param);
         }
     }
 }

@@ -186,10 +186,9 @@ static void designs_of_report(struct thud_tui *tui, struct thud_line *line)
 /* Where it writes comes first, then the title block, then what is the command's own; what the scene says too is last. */
 static int rank_of(const struct thud_option *option)
 {
-    int count;
-    const struct thud_param *block = thud_group_params(THUD_GROUP_DOCUMENT, &count);
-    for (int i = 0; i < count; i++)
-        if (strcmp(block[i].name, option->name) == 0)
+    const struct thud_param *block;
+    for (int i = 0; (block = thud_group_param(THUD_GROUP_DOCUMENT, i)); i++)
+        if (strcmp(block->name, option->name) == 0)
             return 1;
     return strcmp(option->name, "o") == 0 ? 0 : thud_option_belongs(option, THUD_COMMAND_RUN) ? 3 : 2;
 }

@@ -123,19 +123,18 @@ static void heading(const struct thud_pane *pane, int y, const char *text)
 static int link_rows(struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    int count;
-    const struct thud_param *param = thud_group_params(THUD_GROUP_LINK, &count);
+    const struct thud_param *param;
     for (int i = 0; i < scene->nlinks; i++) {
         char key[THUD_PATH_MAX], title[48];
         if (thud_link_interface(scene, i) != tui->interface)
             continue;
         snprintf(title, sizeof title, "Link %d (d takes it away)", i + 1);
         heading(pane, y++, title);
-        for (int k = 0; k < count; k++) {
+        for (int k = 0; (param = thud_group_param(THUD_GROUP_LINK, k)); k++) {
             if (!thud_link_has((enum thud_link_law)scene->link[i].law, k))
                 continue;
-            snprintf(key, sizeof key, "links.%d.%s", i + 1, param[k].name);
-            thud_field_row(tui, FORM, pane, y++, param[k].name, key);
+            snprintf(key, sizeof key, "links.%d.%s", i + 1, param->name);
+            thud_field_row(tui, FORM, pane, y++, param->name, key);
         }
     }
     return y;

@@ -110,15 +110,13 @@ static void keys(struct thud_help_text *text, int columns, int where, bool gener
     }
 }
 
-static void params(struct thud_help_text *text, int columns, const struct thud_param *param, int count)
+static void put_param(struct thud_help_text *text, int columns, const struct thud_param *param)
 {
-    for (int i = 0; i < count; i++) {
-        char name[100], words[700];
-        bool said = strcmp(param[i].name, param[i].title) == 0;
-        snprintf(name, sizeof name, "%.40s%s%.40s", param[i].name, said ? "" : ": ", said ? "" : param[i].title);
-        thud_param_words(&param[i], words, sizeof words);
-        wrap(text, columns, name, NAME_COLUMN, FIELD_COLUMN, words);
-    }
+    char name[100], words[700];
+    bool said = strcmp(param->name, param->title) == 0;
+    snprintf(name, sizeof name, "%.40s%s%.40s", param->name, said ? "" : ": ", said ? "" : param->title);
+    thud_param_words(param, words, sizeof words);
+    wrap(text, columns, name, NAME_COLUMN, FIELD_COLUMN, words);
 }
 
 /* The fields of a screen, or (`others`) those of all the rest. */
@@ -141,12 +139,11 @@ static void fields(struct thud_help_text *text, int columns, int screen, bool ot
                 {THUD_GROUP_ANALYSIS, THUD_SCREEN_RESULTS, "Fields of the analysis"},
                 {THUD_GROUP_STUDY, THUD_SCREEN_SWEEP, "Fields of the study"}};
     for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-        int count;
         if ((part[i].screen == screen) == others)
             continue;
-        const struct thud_param *param = thud_group_params(part[i].group, &count);
         head(text, part[i].title);
-        params(text, columns, param, count);
+        for (int k = 0; thud_group_param(part[i].group, k); k++)
+            put_param(text, columns, thud_group_param(part[i].group, k));
     }
 }
 
@@ -171,7 +168,8 @@ static void laws(struct thud_help_text *text, int columns, const struct thud_sce
         wrap(text, columns, "", 0, NAME_COLUMN, law->title);
         wrap(text, columns, "", 0, NAME_COLUMN, law->summary);
         wrap(text, columns, "", 0, NAME_COLUMN, law->reference);
-        params(text, columns, law->params, law->nparams);
+        for (int k = 0; k < law->nparams; k++)
+            put_param(text, columns, &law->params[k]);
     }
 }
 

@@ -175,10 +175,8 @@ static int draw_keys(struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
     static const char *const first[] = {"peak", "sign", "from", "to"};
     enum { FIRST = sizeof first / sizeof *first };
-    int count;
-    const struct thud_param *param = thud_group_params(THUD_GROUP_RECORD, &count);
-    for (int i = 0; i < FIRST + count; i++) {
-        const char *key = i < FIRST ? first[i] : param[i - FIRST].name;
+    for (int i = 0; i < FIRST || thud_group_param(THUD_GROUP_RECORD, i - FIRST); i++) {
+        const char *key = i < FIRST ? first[i] : thud_group_param(THUD_GROUP_RECORD, i - FIRST)->name;
         char path[THUD_PATH_MAX];
         bool before = false;
         for (int k = 0; k < FIRST && i >= FIRST; k++)
