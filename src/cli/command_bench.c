@@ -1,4 +1,4 @@
-/* thud bench: speed against accuracy, every method; and what a run costs as its scene grows. */
+/* thud bench: speed against accuracy, every method. */
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/bench_rows.h"
-#include "lab/bench/cost_jobs.h"
+#include "lab/bench/bench_jobs.h"
 
 static void show_progress(void *context, const char *what, int done, int count)
 {
@@ -35,12 +35,10 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
     if (json) {
         thud_text_append(table, "{");
         thud_json_head(table, preset);
-        if (bench) {
-            const struct thud_rows costs = thud_bench_cost_rows(bench);
-            thud_text_append(table, ", ");
-            THUD_JSON_FIELDS(table, {"moved", thud_bench_moved(bench)});
-            thud_json_list("costs", &costs, table);
-        }
+        const struct thud_rows costs = thud_bench_cost_rows(bench);
+        thud_text_append(table, ", ");
+        THUD_JSON_FIELDS(table, {"moved", thud_bench_moved(bench)});
+        thud_json_list("costs", &costs, table);
         thud_json_list("rows", rows, table);
         thud_text_append(table, "}\n");
     } else if (data) {
@@ -113,30 +111,6 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
     return status;
 }
 
-static enum thud_status cost(const struct thud_args *args, const struct thud_scene *scene,
-                             const struct thud_record *record, const struct thud_bench_jobs *jobs,
-                             struct thud_error *err)
-{
-    struct thud_cost *plan = NULL;
-    struct thud_text table = {0};
-    enum thud_cost_axis axis;
-    enum thud_status status = thud_cost_axis_find(thud_args_value(args, "cost"), &axis, err);
-    if (status == THUD_OK)
-        status = thud_cost_create(scene, record, axis, &plan, err);
-    if (status == THUD_OK)
-        status = thud_cost_jobs_run(plan, jobs, err);
-    thud_progress_end();
-    if (status == THUD_OK || (status == THUD_CANCELLED && plan)) {
-        thud_cost_table(plan, &table);
-        const struct thud_rows rows = thud_cost_rows(plan);
-        enum thud_status delivered =
-            deliver(args, scene->name, &table, &rows, NULL, thud_cost_figure(plan, scene->title), jobs->cancel, err);
-        status = delivered == THUD_OK ? status : delivered;
-    }
-    thud_cost_free(plan);
-    return status;
-}
-
 static enum thud_status patience(const struct thud_args *args, double *out, struct thud_error *err)
 {
     struct thud_quantity value;
@@ -167,9 +141,6 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
     if (thud_progress_start(args))
         jobs.progress = show_progress;
     enum thud_status status = thud_picture_options_read(args, &unused, err); /* wrong ones are said before the work */
-    if (status == THUD_OK && thud_args_has(args, "cost") && thud_args_has(args, "methods"))
-        status = thud_error_set(err, THUD_USAGE,
-                                "--methods is for the bench; --cost runs the scene's own (analysis.method)");
     if (status == THUD_OK)
         status = patience(args, &jobs.patience_s, err);
     if (status == THUD_OK)
@@ -180,7 +151,7 @@ static enum thud_status measure(const struct thud_args *args, struct thud_sessio
         status = thud_made_by_scene_file(args, "bench", session, scene, asked, &by, err);
     if (status != THUD_OK)
         return status;
-    status = (thud_args_has(args, "cost") ? cost : bench)(args, scene, session->record, &jobs, err);
+    status = bench(args, scene, session->record, &jobs, err);
     return thud_made_by_finish(args, &by, status, err);
 }
 

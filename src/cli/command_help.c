@@ -7,7 +7,6 @@
 #include "cli/help.h"
 #include "core/methods/method.h"
 #include "io/file/paths.h"
-#include "study/methods/cost.h"
 #include "study/scene/scene.h"
 
 static void add_presets(struct thud_text *out)
@@ -111,8 +110,6 @@ static void add_words(enum thud_word word, const char *line, struct thud_text *o
         thud_text_append(out, "import\n");
     else if (word == THUD_WORD_PROGRAM)
         thud_text_append(out, "opensees\n");
-    for (int i = 0; word == THUD_WORD_COST && i < THUD_COST_AXES; i++)
-        thud_text_append(out, "%s\n", thud_cost_axis_info((enum thud_cost_axis)i)->name);
     for (int i = 0; word == THUD_WORD_CASE && i < THUD_CASES; i++)
         thud_text_append(out, "%s\n", thud_case_name((enum thud_case)i));
     for (int i = -1; word == THUD_WORD_METHOD && i < thud_method_count(); i++)

@@ -27,17 +27,33 @@ static void cut(struct thud_record *record, const char *length)
         record->samples = (size_t)samples;
 }
 
+/* The row again and again, until it has so many structures. */
+static void grow(struct thud_scene *scene, int structures)
+{
+    const int n = scene->nstructures;
+    for (int i = n; i < structures && i < THUD_STRUCTURES_MAX; i++) {
+        scene->structure[i] = scene->structure[i % n];
+        snprintf(scene->structure[i].name, sizeof scene->structure[i].name, "%d", i + 1);
+        scene->interface[i - 1] = scene->interface[(i - 1) % (n - 1)];
+        scene->nstructures = i + 1;
+    }
+}
+
 void bench_scene_open(struct bench_scene *s, int argc, char **argv)
 {
     struct thud_error err = {0};
     enum thud_case which = THUD_CASE_AS_WRITTEN;
     const char *length = NULL;
+    int structures = 0;
     need(thud_session_open(&s->session, argc > 1 ? argv[1] : "towers", &err), &err);
     for (int i = 3; i < argc; i++)
         if (strncmp(argv[i], "first=", 6) == 0)
             length = argv[i] + 6;
+        else if (strncmp(argv[i], "row=", 4) == 0)
+            structures = atoi(argv[i] + 4);
         else
             need(thud_session_assign(&s->session, argv[i], &err), &err);
+    grow(&s->session.scene, structures);
     need(thud_session_read_record(&s->session, &err), &err);
     if (argc > 2 && strcmp(argv[2], "as-written") != 0)
         need(thud_case_find(argv[2], &which, &err), &err);

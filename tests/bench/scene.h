@@ -22,7 +22,8 @@ struct bench_solution {
     double acceleration_mps2[BENCH_FLOORS_MAX]; /* (floors) peaks */
 };
 
-/* usage: PRESET CASE KEY=VALUE... ; besides the preset's keys `first=30s` cuts the ground motion. A message and exit
+/* usage: PRESET CASE KEY=VALUE... ; besides the preset's keys `first=30s` cuts the ground motion and
+ * `row=8` repeats the row until it has 8 structures. A message and exit
  * status 1 on failure. */
 void bench_scene_open(struct bench_scene *scene, int argc, char **argv);
 void bench_scene_close(struct bench_scene *scene);

@@ -117,12 +117,21 @@ say "rubber at 1e-3 / at 1e-8" "$(paired "at bumper 1e-3" "at bumper 1e-8")" tim
 say "clearance 0 / 10 cm: rubber" "$(paired "at bumper 1e-6 gap=5cm" "at bumper 1e-6")" times most 3
 an_isolated_run() { "$build/bench-time" isolated-moat as-written | awk '{ print $1 }'; }
 say "an isolated building in its moat / concrete at 10 cm" "$(paired an_isolated_run "at none 1e-6")" times most 2
-a_tall_run() { # CASE: 100 storeys against 100, s
-    "$build/bench-time" towers "$1" structures.1.mass=320t structures.1.storeys=100 structures.2.mass=320t structures.2.storeys=100 \
-        structures.2.stiffness=420MN/m | awk '{ printf "%.3g\n", $1 / 1e3 }'
+tall_ms() { # CASE STOREYS: as many storeys against as many, ms
+    "$build/bench-time" towers "$1" structures.1.mass=320t "structures.1.storeys=$2" structures.2.mass=320t "structures.2.storeys=$2" \
+        structures.2.stiffness=420MN/m | awk '{ print $1 }'
 }
-say "100 storeys against 100: concrete" "$(a_tall_run none)" s most 0.5
-say "100 storeys against 100: rubber" "$(a_tall_run bumper)" s most 0.5
+in_seconds() { awk '{ printf "%.3g\n", $1 / 1e3 }'; }
+say "100 storeys against 100: concrete" "$(tall_ms none 100 | in_seconds)" s most 0.5
+say "100 storeys against 100: rubber" "$(tall_ms bumper 100 | in_seconds)" s most 0.5
+row_ms() { "$build/bench-time" towers "$1" "row=$2" | awk '{ print $1 }'; } # CASE STRUCTURES: the towers again and again
+power() { # COMMAND CASE FROM TO: the power of the size with which the time grows, both asked in turns
+    paired "$1 $2 $4" "$1 $2 $3" | awk -v sizes="$(($4 / $3))" '{ printf "%.2f", log($1) / log(sizes) }'
+}
+say "time by storeys, 10 to 100 a building: concrete" "$(power tall_ms none 10 100)" power most 2
+say "time by storeys, 10 to 100 a building: rubber" "$(power tall_ms bumper 10 100)" power most 2
+say "time by structures in a row, 4 to 16: concrete" "$(power row_ms none 4 16)" power most 2
+say "time by structures in a row, 4 to 16: rubber" "$(power row_ms bumper 4 16)" power most 2.5
 
 preset_ms() { # PRESET CASE KEY=VALUE...: a run of the preset, ms
     "$build/bench-time" "$@" "analysis.tolerance=1e-6" | awk '{ print $1 }'

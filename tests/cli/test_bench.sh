@@ -1,6 +1,6 @@
 #!/bin/sh
 # shellcheck disable=SC2317,SC2016 # functions are called through `is`; awk has dollars of its own
-# thud bench and thud bench --cost: tables, files, wrong usage, stopping.  TAP.
+# thud bench: tables, files, wrong usage, stopping.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 rows() { # FILE PATTERN: how many lines match
@@ -29,19 +29,6 @@ is "who reads the table's head alone has the files all the same" is_png "$tmp/pi
 run bench rigid-concrete --methods exact --format svg -o "$tmp/s"
 is "or an SVG" grep -q '<svg' "$tmp/s/bench.svg"
 
-run bench rigid-concrete --cost impacts -o "$tmp/c"
-is "the cost of impacts" [ "$code" -eq 0 ]
-is "with what each costs" shows '^steps  *= .* for each$'
-is "as CSV" grep -q '^impacts,clearance_m,state,' "$tmp/c/cost-impacts.csv"
-is "as a chart" is_png "$tmp/c/cost-impacts.png"
-run bench towers --case none --cost storeys --patience 1ms --quiet
-is "sizes that take too long are passed over" shows '200  skipped: would take'
-is "the axes are listed for shells" [ "$("$THUD" help --words costs | tr '\n' ' ')" = "storeys buildings duration impacts " ]
-
-run bench towers --cost buildings --patience 0.1s --quiet -o "$tmp/r"
-is "rubber in a row does not chatter: at most ten events an impact" awk -F, '
-    NR > 1 && $3 == "done" { n++; if ($13 > 10 * $6) bad = 1 } END { exit bad || n < 2 }' "$tmp/r/cost-buildings.csv"
-
 # a tower so stiff that large steps blow up, small ones take long
 run bench towers --case none --methods central-difference,lagged --patience 1ms --set record.to=4s --set analysis.tail=1s --set "structures.1.stiffness=60000 MN/m" -o "$tmp/bad"
 is "a step that blows up is told with its place" shows '^ *1e-02  FAILED the response blew up at t = [0-9.]* s, structure 1, floor 2$'
@@ -68,15 +55,8 @@ is "where none is missed nothing is marked" [ "$(cat "$tmp/out" "$tmp/none/bench
 is "a step at which contacts make energy gives no results" gives 4 run towers --case bumper --method lagged --step 0.01s
 is "and says how much" says 'the contacts made 7.62e+03 kJ out of nothing, 43 % of the energy that went in'
 is "nor numbers" [ ! -s "$tmp/out" ]
-run bench towers --cost floors
-is "an axis there is not is wrong usage" [ "$code" -eq 2 ]
-is "and the known ones are named" says 'storeys, buildings, duration or impacts'
-run bench rigid-concrete --cost duration
-is "a scene without a ground motion has none to make longer" [ "$code" -eq 3 ]
 run bench towers --methods exact,euler
 is "a method there is not is wrong usage" [ "$code" -eq 2 ]
-run bench rigid-concrete --cost impacts --methods rk4
-is "costs are those of the scene's own method" [ "$code" -eq 2 ]
 run bench towers --patience 0s
 is "no time at all is wrong usage" [ "$code" -eq 2 ]
 is "and is named" says '^thud: --patience: '
@@ -94,7 +74,7 @@ run bench rigid-concrete --methods exact --size 1x1
 is "a size out of bounds is says before the work" [ "$code" -eq 2 ]
 
 # TERM, for a shell's background jobs may ignore INT until the program asks for it
-"$THUD" bench towers --cost buildings --set analysis.method=rk4 --set analysis.step=1e-6s --patience 1000s -o "$tmp/i" >"$tmp/out" 2>"$tmp/err" &
+"$THUD" bench towers --methods rk4 --patience 1000s -o "$tmp/i" >"$tmp/out" 2>"$tmp/err" &
 pid=$!
 kill -0 $pid && kill -TERM $pid
 wait $pid

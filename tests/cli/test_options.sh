@@ -44,7 +44,6 @@ option --from 5 run towers
 option --cases foo sweep towers
 option --shard 3/2 sweep towers -o "$tmp/x"
 option --without foo sweep towers
-option --cost foo bench towers
 option --methods foo bench towers
 option --patience 0s bench towers
 option --unit furlong record info "$record"
@@ -110,7 +109,6 @@ json() { # WHAT ARGUMENTS...: is JSON
 }
 json "cases" run towers --cases none,bumper
 json "a bench" bench rigid-concrete --methods exact --patience 0.3s
-json "what costs" bench towers --cost duration --patience 0.02s
 json "the paper's figures" figures fig4 -o "$tmp/figures"
 is "a bench as CSV" gives 0 bench rigid-concrete --methods exact --patience 0.3s --csv --quiet
 is "has its header" shows '^method,located,setting,state,seconds'

@@ -103,12 +103,11 @@ listed "laws --csv|laws --json of each parameter" "laws parameters" "$tmp/laws.j
 "$THUD" methods --json >"$tmp/methods.json"
 listed methods methods "$tmp/methods.json"
 
-# studies over suites, fragility, uncertainty, gaps and costs
+# studies over suites, fragility, uncertainty and gaps
 two=kobe-surrogate.csv,northridge-surrogate.csv
 "$THUD" fragility towers --set p-delta=yes --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1
 "$THUD" gap towers --records $two --to 6s --quiet -o "$tmp/gap" >/dev/null 2>&1
 "$THUD" uncertainty towers --records $two --to 6s --samples 3 --indices --quiet -o "$tmp/uncertainty" >/dev/null 2>&1
-"$THUD" bench rigid-concrete --cost impacts --patience 0.01s --quiet -o "$tmp/cost" >/dev/null 2>&1
 "$THUD" figures fig8 -o "$tmp/figures" --quiet >/dev/null 2>&1
 "$THUD" verify --published --json >"$tmp/published.json" 2>/dev/null
 general_csv suite.csv "$tmp/fragility/suite.csv"
@@ -131,9 +130,6 @@ general_csv samples.csv "$tmp/uncertainty/samples.csv"
 general_csv sample-results.csv "$tmp/uncertainty/sample-results.csv"
 general_csv indices.csv "$tmp/uncertainty/indices.csv"
 general_json uncertainty.json "$tmp/uncertainty/uncertainty.json"
-{ columns "$tmp/cost/cost-impacts.csv" && printf '%s\n' storeys buildings duration_s; } | sort -u >"$tmp/written"
-is "no column stands twice" [ "$(head -1 "$tmp/cost/cost-impacts.csv" | tr , '\n' | sort | uniq -d | wc -l)" -eq 0 ]
-agree cost-AXIS.csv
 listed "verify --published" "examples values" "$tmp/published.json"
 is "FIGURE.csv: panel and series, then the axes" grep -q '^panel,series,kind,Gap (cm),Peak acceleration ratio,Peak drift ratio$' "$tmp/figures/fig8.csv"
 
@@ -150,7 +146,7 @@ described() { # FOLDER: the columns of every table, in their order; but of names
             on && /^ *\{"name": / && !/"description": "[^"]/ { print path, $0; lacks = 1 } END { exit lacks }' "$1/datapackage.json" || return 1
     done
 }
-for folder in run sweep suite gap fragility uncertainty bench stability cost; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
+for folder in run sweep suite gap fragility uncertainty bench stability; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
 is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Required gap' "$tmp/gap/datapackage.json"
 is "columns that are named by structures too" grep -q '"B.storey.2.shear_n", "type": "number", "unit": "N", "description": "Its shear, N."' "$tmp/run/datapackage.json"
 is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"
@@ -181,7 +177,7 @@ quantities uncertainty towers --to 5s --samples 3 --quiet
 modes building import presets/frame-beside-wall.frame.csv --set mass=300t
 END
     is "run: the floors of the CSV are those of the JSON" "$python" tests/cli/same_rows.py "$tmp/floors.csv" "$tmp/floors.json" structures/floors
-    for folder in run sweep suite gap fragility uncertainty bench stability cost figures; do
+    for folder in run sweep suite gap fragility uncertainty bench stability figures; do
         is "$folder: every table reads as datapackage.json says, scenes are SI too" "$python" tests/cli/read_tables.py "$tmp/$folder"
     done
     "$THUD" suite records --preset towers --quiet --csv >"$tmp/motions.csv" && "$THUD" suite records --preset towers --quiet --json >"$tmp/motions.json"

@@ -59,9 +59,6 @@ check "bench shows the reference" shows "0 of 2  reference"
 check "and the curve" shows "[1-9][0-9]* of [0-9]*  exact"
 check "bench: it is wiped out in the end" nothing "$tmp/err"
 check "bench ends well" [ $code -eq 0 ]
-on_terminal bench rigid-concrete --cost impacts --patience 0.1s
-check "bench --cost shows how far it is" shows "[0-9]* of [0-9]*  "
-check "bench --cost: it is wiped out in the end" [ -z "$(left)" ]
 # piped ARGUMENTS...: standard error of a run without a terminal until its first line, into $tmp/err; it rests, for the line tells of time gone by
 piped() {
     "$THUD" "$@" >"$tmp/out" 2>"$tmp/err" </dev/null &

@@ -48,7 +48,6 @@ enum thud_word {
     THUD_WORD_BUILDING_VERB,
     THUD_WORD_PROGRAM, /* that a scene is exported to */
     THUD_WORD_COMMAND,
-    THUD_WORD_COST,
     THUD_WORD_CHOICE, /* thud_option_choice */
     THUD_WORDS
 };

@@ -20,7 +20,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_UNCERTAINTY] = COMMAND("uncertainty", "PRESET", "propagation of the inputs' uncertainty", PRESET),
     [THUD_COMMAND_FIGURES] = COMMAND("figures", "[NAME...]", "fig2 to fig10 of the paper, or all", FIGURE),
     [THUD_COMMAND_SIMPLIFY] = COMMAND("simplify", "PRESET", "the cheapest model that keeps an accuracy", PRESET),
-    [THUD_COMMAND_BENCH] = COMMAND("bench", "[PRESET]", "speed against accuracy of every method; costs", PRESET),
+    [THUD_COMMAND_BENCH] = COMMAND("bench", "[PRESET]", "speed against accuracy of every method", PRESET),
     [THUD_COMMAND_STABILITY] = COMMAND("stability", "[PRESET]", "where methods fail", PRESET),
     [THUD_COMMAND_VERIFY] = COMMAND("verify", "[PRESET...]", "presets against their stored expectations", PRESET),
     [THUD_COMMAND_RECORD] = {"record", "VERB [FILE...]", "info, spectrum, convert, list or synthesize",
@@ -140,7 +140,6 @@ static const struct thud_option options[] = {
     {"pad", "AREA,MODULUS,THICKNESS", "alpha A K_r/d^n, e.g. 0.5m2,5MPa,5cm", THUD_WORD_TEXT, false, STIFFNESS},
     {"update", NULL, "write new expectations and show the difference", THUD_WORD_NONE, false, VERIFY},
     {"published", NULL, "compare with numbers of books and manuals", THUD_WORD_NONE, false, VERIFY},
-    {"cost", "AXIS", "cost by storeys, buildings, duration or impacts", THUD_WORD_COST, false, BENCH},
     {"methods", "NAME,NAME", "only these methods", THUD_WORD_METHOD, false, BENCH},
     {"patience", "TIME", "skip what takes longer, default 12 s", THUD_WORD_TEXT, false, BENCH},
     {"target", "SPECTRUM", "design spectrum, e.g. en1998:0.3g,B, or a CSV", THUD_WORD_TEXT, false, SUITE | REPORT},
@@ -271,7 +270,6 @@ const char *thud_word_list_name(enum thud_word word)
         [THUD_WORD_BUILDING_VERB] = "building-verbs",
         [THUD_WORD_PROGRAM] = "programs",
         [THUD_WORD_COMMAND] = "commands",
-        [THUD_WORD_COST] = "costs",
         [THUD_WORD_VARIED] = "varied",
     };
     return names[word];

@@ -4,8 +4,6 @@
 
 #include "base/statistics.h"
 
-enum { SLICE = 2000 };
-
 static double read_s(clockid_t clock)
 {
     struct timespec t;
@@ -21,17 +19,6 @@ double thud_timing_now_s(void)
 double thud_timing_processor_s(void)
 {
     return read_s(CLOCK_THREAD_CPUTIME_ID);
-}
-
-enum thud_status thud_timing_advance(struct thud_run *run, const atomic_int *cancel, struct thud_error *err)
-{
-    enum thud_status status = THUD_OK;
-    for (bool done = false; !done && status == THUD_OK;) {
-        if (cancel && *cancel)
-            return thud_error_set(err, THUD_CANCELLED, "stopped");
-        status = thud_run_advance(run, SLICE, &done, err);
-    }
-    return status;
 }
 
 double thud_timing_median(double *seconds, int n, double *spread)

@@ -35,7 +35,6 @@ const struct thud_schema thud_bench_schema = THUD_SCHEMA(
     bench_columns);
 
 static const char *const states[] = {"not-run", "done", "failed", "skipped"};
-_Static_assert((int)THUD_BENCH_SKIPPED == (int)THUD_COST_SKIPPED, "one list of states");
 
 static void make_bench(const void *of, int i, void *out)
 {
@@ -102,53 +101,6 @@ struct thud_rows thud_bench_cost_rows(const struct thud_bench *bench)
     for (int k = 0; k < THUD_BENCH_LEVELS; k++)
         n += thud_bench_costs(bench, thud_bench_level[k], cost);
     return (struct thud_rows){&thud_bench_cost_schema, 0, n, make_level, bench};
-}
-
-/* ---- the cost of growing scenes ---- */
-
-struct cost_row {
-    const char *state;
-    struct thud_cost_point own;
-};
-#define COST(member, name, text)    THUD_FIELD(struct cost_row, member, name, text)
-#define COST_AXIS(axis, name, text) THUD_FIELD_WITH(struct cost_row, own.size, name, text, .only = 1u << (axis))
-static const struct thud_column cost_columns[] = {
-    COST_AXIS(THUD_COST_STOREYS, "storeys", "Of each of the two buildings; with --cost storeys."),
-    COST_AXIS(THUD_COST_BUILDINGS, "buildings", "In the row; with --cost buildings."),
-    COST_AXIS(THUD_COST_DURATION, "duration_s", "Length of the ground motion, s; with --cost duration."),
-    COST_AXIS(THUD_COST_IMPACTS, "impacts", "Impacts of the run; the first column with --cost impacts."),
-    COST(own.clearance_m, "clearance_m", "Clearance of the scene, m."),
-    COST(state, "state", "done, failed, skipped or not-run."),
-    COST(own.floors, "floors", "Floors of the scene."),
-    COST(own.contacts, "contacts", "Pairs of floors that can meet."),
-    {THUD_COLUMN(struct cost_row, own.impacts, "impacts", "Impacts of the run."),
-     .only = 1u << THUD_COST_STOREYS | 1u << THUD_COST_BUILDINGS | 1u << THUD_COST_DURATION},
-    COST(own.seconds, "seconds", "Time of the run, s: the median of the repeats."),
-    COST(own.spread, "spread_s", "Interquartile range of the repeats, s."),
-    COST(own.setup_s, "setup_s", "Time to assemble the scene, s."),
-    COST(own.repeats, "repeats", "How often it was timed."),
-    COST(own.work.steps, "steps", "Steps."),
-    COST(own.work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
-    COST(own.work.events, "events", "Events.")};
-const struct thud_schema thud_cost_schema = THUD_SCHEMA(
-    "cost-AXIS.csv",
-    "Written by\n.Cm bench Fl -cost Ar AXIS Fl o :\na row for each scene, what grows first; with\n.Fl -json\nthe "
-    "list\n.Va rows .\n",
-    cost_columns);
-
-static void make_cost(const void *of, int i, void *out)
-{
-    const struct thud_cost_point *p = (const struct thud_cost_point *)of + i;
-    struct cost_row *row = out;
-    *row = (struct cost_row){states[p->state], *p};
-    if (p->state != THUD_COST_DONE)
-        row->own.seconds = row->own.spread = row->own.setup_s = NAN;
-}
-
-struct thud_rows thud_cost_rows(struct thud_cost *cost)
-{
-    return (struct thud_rows){&thud_cost_schema, 1u << thud_cost_axis(cost), thud_cost_count(cost), make_cost,
-                              thud_cost_point(cost, 0)};
 }
 
 /* ---- where methods fail ---- */
