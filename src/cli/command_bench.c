@@ -15,8 +15,10 @@
 
 static void show_progress(void *context, const char *what, int done, int count)
 {
-    (void)context;
+    struct thud_figure *figure = context ? thud_bench_figure(context, "Speed against accuracy so far") : NULL;
     thud_progress_show("%d of %d  %s", done, count, what);
+    thud_progress_figure(figure);
+    thud_figure_free(figure);
 }
 
 /* With -o the rows as NAME.csv and the figure; then the table, or the rows, on standard output, whose reader may be gone
@@ -95,6 +97,7 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
         status = choose_methods(plan, methods, err);
     struct thud_bench_jobs all = *jobs;
     all.scene = scene;
+    all.context = plan;
     if (status == THUD_OK)
         status = thud_bench_jobs_run(plan, &all, err);
     thud_progress_end();

@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "app/run/timing.h"
@@ -55,10 +56,27 @@ void thud_progress_what(void *context, const char *what)
     thud_progress_show("%s", what);
 }
 
-void thud_progress_drawing(void *context, const char *figure)
+void thud_progress_drawing(void *context, const struct thud_figure *figure)
 {
     (void)context;
-    thud_progress_show("drawing %s", figure);
+    thud_progress_show("drawing %s", figure->name);
+    thud_progress_figure(figure);
+}
+
+void thud_progress_figure(const struct thud_figure *figure)
+{
+    const char *to = getenv("THUD_FIGURES");
+    struct thud_text bytes = {0};
+    if (!to || thud_figure_check(figure, NULL) != THUD_OK)
+        return;
+    thud_figure_write(figure, &bytes);
+    FILE *file = bytes.failed ? NULL : fopen(to, "a");
+    if (file) {
+        fwrite(bytes.data, 1, bytes.size, file);
+        fclose(file);
+        fputs("\n", stderr); /* who reads it is woken */
+    }
+    thud_text_clear(&bytes);
 }
 
 void thud_progress_points(void *context, long done, long count, double elapsed_s)

@@ -353,7 +353,7 @@ colors() {
     command "TERM=$1 ./thud towers"
     wait_for "$1: running" 'ok *$'
     found=''
-    for key in 8 1 2 3 4 5 6 7; do # help first: q leads back from there
+    for key in 7 1 2 3 4 5 6; do # help first: q leads back from there
         keys $key
         wait_for "$1: screen $key" "\[$key "
         found="$found $(colors_of | tr '\n' ' ')"

@@ -634,9 +634,17 @@ START_TEST(a_copy_is_just_like_it)
     m->level = 3.0;
     struct thud_figure *copy = thud_figure_copy(figure);
     ck_assert_ptr_nonnull(copy);
-    struct thud_text script[2] = {{0}, {0}}, csv[2] = {{0}, {0}};
+    struct thud_text script[2] = {{0}, {0}}, csv[2] = {{0}, {0}}, bytes = {0};
     struct thud_picture_options options = {0};
     struct thud_error err;
+    thud_figure_write(figure, &bytes);
+    for (size_t n = 0; n < bytes.size; n++) { /* what is cut off is refused, wherever that was */
+        char *part = malloc(n + 1);
+        const char *at = memcpy(part, bytes.data, n);
+        ck_assert_msg(!thud_figure_read(&at, part + n), "%zu of %zu bytes", n, bytes.size);
+        free(part);
+    }
+    thud_text_clear(&bytes);
     for (int i = 0; i < 2; i++) {
         struct thud_figure *which = i ? copy : figure;
         ck_assert_int_eq(thud_gnuplot_script(which, &options, "all.png", &script[i], &err), THUD_OK);

@@ -9,6 +9,7 @@
 
 #include "app/run/command.h"
 #include "app/run/new_preset.h"
+#include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
 #include "tui/loop/form_over.h"
 #include "tui/loop/play.h"
@@ -717,6 +718,52 @@ START_TEST(commands_have_forms)
 }
 END_TEST
 
+/* A study's figures come while it runs, each in place of the one before it, of what stands on the screen; they stay, and
+ * say so, once that is another. */
+START_TEST(studies_show_their_figures)
+{
+    char program[200], expected[300];
+    const double x[] = {1, 2}, y[] = {3, 4};
+    struct thud_text bytes = {0};
+    ck_assert_int_eq(chdir(f.folder), 0);
+    for (int i = 0; i < 2; i++) {
+        struct thud_figure *figure = thud_figure_create("bench", i ? "All of it" : "So far", 1, 1);
+        thud_panel_add(thud_figure_panel(figure, 0, 0, ""), (struct thud_style){0}, "a curve", 2, x, y);
+        thud_figure_write(figure, &bytes);
+        ck_assert_int_eq(thud_text_write(&bytes, i ? "second" : "first", NULL), THUD_OK);
+        thud_figure_free(figure);
+    }
+    fixture_program(
+        &f, program, sizeof program,
+        "printf '[%s]' \"$@\" >said; cat first >$THUD_FIGURES; echo >&2; until test -f go; do sleep 0.01; done; "
+        "cat second >>$THUD_FIGURES; echo >&2; echo 'its table'");
+    fixture_keys(&f, "<Size 130x40>:set gap 3 cm<Enter>");
+    thud_tui_command(f.tui, "bench -o out");
+    while (f.tui->dialog.mode == THUD_MODE_NORMAL)
+        thud_tui_turn(f.tui, true);
+    while (thud_tui_turn(f.tui, false))
+        ;
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "So far");
+    fixture_expect(&f, "a curve");
+    fixture_write(&f, "go", "");
+    while (f.tui->files.command)
+        thud_tui_turn(f.tui, true);
+    fixture_keys(&f, "");
+    fixture_expect(&f, "All of it");
+    fixture_expect_not(&f, "So far");
+    fixture_expect(&f, "thud bench is done; Ctrl-O has its table");
+    char *said = fixture_file(&f, "said"); /* not the file that lacks the edit */
+    snprintf(expected, sizeof expected, "[bench][%s/towers.yaml.recovered][-o][out]", f.folder);
+    ck_assert_str_eq(said, expected);
+    free(said);
+    fixture_keys(&f, "<Esc><C-o>");
+    fixture_expect(&f, "its table");
+    fixture_keys(&f, "<Esc>uF");
+    fixture_expect(&f, "All of it (before edits)");
+}
+END_TEST
+
 /* Tabs between columns, as a spreadsheet takes them; of a chart its data. */
 START_TEST(numbers_are_copied)
 {
@@ -984,6 +1031,7 @@ Suite *thud_suite(void)
     tcase_add_test(files, the_walk_to_a_report);
     tcase_add_test(files, new_scenes_of_every_kind);
     tcase_add_test(files, commands_have_forms);
+    tcase_add_test(files, studies_show_their_figures);
     tcase_add_test(files, numbers_are_copied);
     tcase_add_test(files, settings_come_from_a_file);
     tcase_add_test(files, a_session_is_played_again);

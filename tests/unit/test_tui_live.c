@@ -386,7 +386,7 @@ START_TEST(the_verdict_says_what_changed)
     ck_assert(old != new);
     snprintf(expected, sizeof expected, " at 3 cm: %s -> %s MN  %d -> %d impacts  needs",
              thud_tui_number(1e-6 * old, a), thud_tui_number(1e-6 * new, b), before, now);
-    for (int screen = 1; screen <= 7; screen++) {
+    for (int screen = 1; screen <= 6; screen++) {
         char key[12];
         snprintf(key, sizeof key, "%d", screen);
         fixture_keys(&f, key);

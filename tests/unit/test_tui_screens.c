@@ -26,7 +26,7 @@ START_TEST(every_screen_in_ascii)
 {
     fixture_close(&f);
     fixture_open(&f, "towers", 80, 24, false);
-    fixture_keys(&f, ":live off<Enter>"); /* no bench unasked */
+    fixture_keys(&f, ":live off<Enter>");
     for (int i = 0; i < THUD_SCREENS; i++) {
         char keys[24];
         snprintf(keys, sizeof keys, "<A-%d>", i + 1);
@@ -82,8 +82,8 @@ END_TEST
 /* One list for all there is: also by letters in their order; what cannot be done now says why. */
 START_TEST(everything_is_found)
 {
-    fixture_keys(&f, "<C-p>bench<Enter>");
-    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_BENCH);
+    fixture_keys(&f, "<C-p>results<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_RESULTS);
     fixture_keys(&f, "<C-p>figure hysteresis<Enter>"); /* no storey yields: there is no such figure */
     fixture_expect(&f, "nothing fits");
     fixture_keys(&f, "<C-u>figure floor acc<Enter>");
@@ -606,9 +606,9 @@ START_TEST(a_screen_of_its_own)
     ck_assert_uint_eq(f.tui->run.revision, f.tui->doc.revision); /* and it was run again */
     fixture_keys(&f, "4/interfaces.1.gap<Enter>");               /* the field is found on it */
     ck_assert_int_eq(f.tui->screen, THUD_SCREENS);
-    fixture_keys(&f, "59y"); /* it is left for the screen before */
+    fixture_keys(&f, "58y"); /* it is left for the screen before */
     ck_assert_int_eq(f.tui->screen, THUD_SCREEN_PLOTS);
-    fixture_keys(&f, "<lt>:open bodies<Enter>y9"); /* and begins anew with every preset */
+    fixture_keys(&f, "<lt>:open bodies<Enter>y8"); /* and begins anew with every preset */
     fixture_expect(&f, "asked 0 times");
     ck_assert_int_eq(counter(f.tui)->begun, 7);
 }

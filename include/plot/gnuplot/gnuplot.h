@@ -28,8 +28,8 @@ struct thud_picture_options {
     double deadline_s;        /* 0: 20 */
     const atomic_int *cancel; /* not NULL: drawing stops when it becomes other than 0 */
     bool none;                /* where a figure is saved: it is not */
-    void (*drawing)(void *context, const char *figure); /* before each one that is saved; may be NULL */
-    bool no_title;                                      /* above the panels: a caption says it */
+    void (*drawing)(void *context, const struct thud_figure *figure); /* before each one that is saved; may be NULL */
+    bool no_title;                                                    /* above the panels: a caption says it */
     bool no_data;     /* where a figure is saved: no CSV of it, its data stand in another file */
     char motions[64]; /* what is said of the ground motions behind every title; empty: nothing */
 };

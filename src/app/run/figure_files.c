@@ -99,7 +99,7 @@ enum thud_status thud_figure_deliver(struct thud_figure *figure, const char *fol
     thud_figure_title_add(figure, options->motions);
     thud_figure_fit(figure, options);
     if (go_on && figure && options->drawing)
-        options->drawing(NULL, figure->name);
+        options->drawing(NULL, figure);
     enum thud_status status = go_on ? save(figure, folder, options, before == THUD_OK, &now) : before;
     thud_figure_free(figure);
     if (!go_on || status == THUD_OK)

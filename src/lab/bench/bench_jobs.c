@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "app/run/timing.h"
 
@@ -10,44 +9,48 @@ enum { SLICE = 2000 };
 /* A point is timed again while one run of it takes no longer than the first, and all of them no longer than the second. */
 static const double again_below_s = 1, spend_s = 2;
 
-void thud_bench_work_init(struct thud_bench_work *work, struct thud_bench *bench, const struct thud_bench_jobs *jobs)
-{
-    memset(work, 0, sizeof *work);
-    work->bench = bench;
-    work->jobs = *jobs;
-    work->at = -1;
-}
+/* Reference first, then every point, the first ones of all curves before the second ones; what is done stays when it is
+ * stopped. */
+struct bench_work {
+    struct thud_bench *bench;
+    struct thud_bench_jobs jobs;
+    int reference;                          /* the one in the making; 2: both are there; 3: inputs were changed, too */
+    int at;                                 /* the point in the making; -1: none */
+    struct thud_run *run;                   /* in hand; NULL: none */
+    bool judged;                            /* the point has its verdict, the run in hand is for its time */
+    double elapsed_s, processor_s;          /* of the run in hand */
+    double warm_s, spent_s;                 /* of the first run of the point; of the timed ones, about */
+    double all_s;                           /* of all runs */
+    int timed;                              /* runs whose time is known */
+    double seconds[THUD_TIMINGS_MAX + 1];   /* (timed) by the wall clock */
+    double processor[THUD_TIMINGS_MAX + 1]; /* (timed) */
+};
 
-void thud_bench_work_stop(struct thud_bench_work *work)
+static void let_go(struct bench_work *work)
 {
     thud_run_free(work->run);
     work->run = NULL;
 }
 
-static double now_s(const struct thud_bench_work *work)
-{
-    return work->jobs.now_s ? work->jobs.now_s(work->jobs.context) : thud_timing_now_s();
-}
-
-static void tell(const struct thud_bench_work *work, const char *what, int done, int count)
+static void tell(const struct bench_work *work, const char *what, int done, int count)
 {
     if (work->jobs.progress)
         work->jobs.progress(work->jobs.context, what, done, count);
 }
 
 /* A slice of the run in hand; only the time spent in it is counted. */
-static enum thud_status advance_run(struct thud_bench_work *work, long budget, bool *done, struct thud_error *err)
+static enum thud_status advance_run(struct bench_work *work, long budget, bool *done, struct thud_error *err)
 {
-    double start = now_s(work), begin = thud_timing_processor_s();
+    double start = thud_timing_now_s(), begin = thud_timing_processor_s();
     enum thud_status status = thud_run_advance(work->run, budget, done, err);
-    double took = now_s(work) - start;
+    double took = thud_timing_now_s() - start;
     work->elapsed_s += took;
     work->all_s += took;
     work->processor_s += thud_timing_processor_s() - begin;
     return status;
 }
 
-static enum thud_status advance_reference(struct thud_bench_work *work, long budget, struct thud_error *err)
+static enum thud_status advance_reference(struct bench_work *work, long budget, struct thud_error *err)
 {
     bool done = false;
     enum thud_status status = THUD_OK;
@@ -83,7 +86,7 @@ static double with_timings_s(const struct thud_bench_jobs *jobs, double run_s)
     return run_s + (run_s > again_below_s ? 0 : fmin(spend_s, jobs->repeats * run_s));
 }
 
-static bool is_too_long(const struct thud_bench_work *work, double run_s, double spent_s)
+static bool is_too_long(const struct bench_work *work, double run_s, double spent_s)
 {
     const struct thud_bench_jobs *jobs = &work->jobs;
     return (jobs->patience_s > 0 && run_s > jobs->patience_s) ||
@@ -91,7 +94,7 @@ static bool is_too_long(const struct thud_bench_work *work, double run_s, double
 }
 
 /* How long the points that wait will take, as far as their curves have begun. */
-static double left_s(const struct thud_bench_work *work)
+static double left_s(const struct bench_work *work)
 {
     double sum = 0, run_s = 0;
     for (int i = 0; i < thud_bench_count(work->bench); i++) {
@@ -105,7 +108,7 @@ static double left_s(const struct thud_bench_work *work)
     return sum;
 }
 
-static bool too_long(struct thud_bench_work *work)
+static bool too_long(struct bench_work *work)
 {
     struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
     double expected = expected_s(work->bench, work->at);
@@ -120,7 +123,7 @@ static bool too_long(struct thud_bench_work *work)
     return true;
 }
 
-static void next_point(struct thud_bench_work *work)
+static void next_point(struct bench_work *work)
 {
     work->at = -1;
     work->timed = 0;
@@ -128,7 +131,7 @@ static void next_point(struct thud_bench_work *work)
     work->judged = false;
 }
 
-static void finish_point(struct thud_bench_work *work)
+static void finish_point(struct bench_work *work)
 {
     struct thud_bench_point *p = thud_bench_point(work->bench, work->at);
     double unused;
@@ -139,8 +142,8 @@ static void finish_point(struct thud_bench_work *work)
 }
 
 /* The first run of a point warms up and is judged, the others are for its time; it alone counts where it takes long. */
-static enum thud_status finish_run(struct thud_bench_work *work, enum thud_status status,
-                                   const struct thud_error *failure, struct thud_error *err)
+static enum thud_status finish_run(struct bench_work *work, enum thud_status status, const struct thud_error *failure,
+                                   struct thud_error *err)
 {
     int most = work->jobs.repeats < THUD_TIMINGS_MAX ? work->jobs.repeats : THUD_TIMINGS_MAX;
     bool first = !work->judged, failed = status != THUD_OK;
@@ -155,7 +158,7 @@ static enum thud_status finish_run(struct thud_bench_work *work, enum thud_statu
         work->timed++;
         work->spent_s += work->warm_s;
     }
-    thud_bench_work_stop(work);
+    let_go(work);
     if (verdict != THUD_OK)
         return verdict;
     if ((first && failed) || work->warm_s > again_below_s || work->timed >= most || work->spent_s >= spend_s)
@@ -163,7 +166,7 @@ static enum thud_status finish_run(struct thud_bench_work *work, enum thud_statu
     return THUD_OK;
 }
 
-static enum thud_status advance_point(struct thud_bench_work *work, long budget, struct thud_error *err)
+static enum thud_status advance_point(struct bench_work *work, long budget, struct thud_error *err)
 {
     struct thud_error failure = {0};
     enum thud_status status = THUD_OK;
@@ -181,9 +184,9 @@ static enum thud_status advance_point(struct thud_bench_work *work, long budget,
                 return THUD_OK;
             }
         }
-        double start = now_s(work), begin = thud_timing_processor_s();
+        double start = thud_timing_now_s(), begin = thud_timing_processor_s();
         status = thud_bench_start(work->bench, work->at, &work->run, &failure);
-        work->elapsed_s = now_s(work) - start;
+        work->elapsed_s = thud_timing_now_s() - start;
         work->processor_s = thud_timing_processor_s() - begin;
     }
     if (status == THUD_OK)
@@ -197,17 +200,17 @@ static enum thud_status advance_point(struct thud_bench_work *work, long budget,
     return status;
 }
 
-static enum thud_status move_inputs(struct thud_bench_work *work, struct thud_error *err)
+static enum thud_status move_inputs(struct bench_work *work, struct thud_error *err)
 {
-    const double start = now_s(work);
+    const double start = thud_timing_now_s();
     tell(work, "0.1 % of input", 0, 1);
     enum thud_status status = thud_bench_move(work->bench, work->jobs.scene, err);
     work->reference++;
-    work->all_s += now_s(work) - start;
+    work->all_s += thud_timing_now_s() - start;
     return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status; /* a scene at an edge: not known */
 }
 
-enum thud_status thud_bench_work_advance(struct thud_bench_work *work, long budget, bool *done, struct thud_error *err)
+static enum thud_status advance_bench(struct bench_work *work, long budget, bool *done, struct thud_error *err)
 {
     enum thud_status status;
     *done = false;
@@ -223,17 +226,16 @@ enum thud_status thud_bench_work_advance(struct thud_bench_work *work, long budg
         status = THUD_OK;
     *done = work->reference >= (work->jobs.scene ? 3 : 2) && !work->judged && thud_bench_next(work->bench) < 0;
     if (status != THUD_OK)
-        thud_bench_work_stop(work);
+        let_go(work);
     return status;
 }
 
 enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud_bench_jobs *jobs,
                                      struct thud_error *err)
 {
-    struct thud_bench_work work;
+    struct bench_work work = {.bench = bench, .jobs = *jobs, .at = -1};
     enum thud_status status = THUD_OK;
-    thud_bench_work_init(&work, bench, jobs);
     for (bool done = false; status == THUD_OK && !done;)
-        status = thud_bench_work_advance(&work, SLICE, &done, err);
+        status = advance_bench(&work, SLICE, &done, err);
     return status;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plot/figure/figure.h"
+#include "plot/figure/figure_memory.h"
 
 struct thud_figure_block {
     struct thud_figure_block *next;
@@ -22,8 +22,7 @@ unsigned thud_color_rgb(int color)
     return color < 0 ? 0x808080 : palette[color % THUD_COLORS_ALL];
 }
 
-/* Zeroed memory that lives as long as the figure. */
-static void *keep(struct thud_figure *figure, size_t count, size_t size)
+void *thud_figure_keep(struct thud_figure *figure, size_t count, size_t size)
 {
     if (!figure || figure->failed)
         return NULL;
@@ -43,13 +42,13 @@ static const char *keep_text(struct thud_figure *figure, const char *text)
 {
     if (!text || !*text)
         return "";
-    char *copy = keep(figure, strlen(text) + 1, 1);
+    char *copy = thud_figure_keep(figure, strlen(text) + 1, 1);
     return copy ? strcpy(copy, text) : "";
 }
 
 static double *keep_numbers(struct thud_figure *figure, size_t n, const double *values)
 {
-    double *copy = keep(figure, n ? n : 1, sizeof *copy);
+    double *copy = thud_figure_keep(figure, n ? n : 1, sizeof *copy);
     if (copy && values && n)
         memcpy(copy, values, n * sizeof *copy);
     return copy;
@@ -60,7 +59,7 @@ static void *grow(struct thud_figure *figure, void *array, int n, size_t size)
 {
     if (n & (n - 1))
         return array;
-    void *more = keep(figure, n ? 2 * (size_t)n : 1, size);
+    void *more = thud_figure_keep(figure, n ? 2 * (size_t)n : 1, size);
     if (more && n)
         memcpy(more, array, (size_t)n * size);
     return more;
@@ -78,7 +77,7 @@ struct thud_figure *thud_figure_create(const char *name, const char *title, int 
     figure->name = keep_text(figure, name);
     figure->title = keep_text(figure, title);
     figure->note = "";
-    figure->panel = keep(figure, (size_t)panels, sizeof *figure->panel);
+    figure->panel = thud_figure_keep(figure, (size_t)panels, sizeof *figure->panel);
     if (!figure->panel) {
         thud_figure_free(figure);
         return NULL;
@@ -96,7 +95,7 @@ struct thud_figure *thud_figure_create(const char *name, const char *title, int 
 void thud_figure_title_add(struct thud_figure *figure, const char *text)
 {
     size_t room = figure && *text ? strlen(figure->title) + strlen(text) + 4 : 0;
-    char *title = room > 0 ? keep(figure, room, 1) : NULL;
+    char *title = room > 0 ? thud_figure_keep(figure, room, 1) : NULL;
     if (!title)
         return;
     snprintf(title, room, "%s%s(%s)", figure->title, *figure->title ? " " : "", text);
@@ -131,7 +130,7 @@ void thud_figure_rename(struct thud_figure *figure, const char *name)
 void thud_figure_note(struct thud_figure *figure, const char *text)
 {
     size_t room = figure && text ? strlen(figure->note) + strlen(text) + 2 : 0;
-    char *note = room > 0 ? keep(figure, room, 1) : NULL;
+    char *note = room > 0 ? thud_figure_keep(figure, room, 1) : NULL;
     if (!note)
         return;
     snprintf(note, room, "%s%s%s", figure->note, *figure->note && *text ? " " : "", text);
@@ -229,7 +228,7 @@ struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style s
     if (!panel)
         return NULL;
     struct thud_figure *figure = panel->figure;
-    struct thud_series *series = keep(figure, 1, sizeof *series);
+    struct thud_series *series = thud_figure_keep(figure, 1, sizeof *series);
     struct thud_series **list = grow(figure, panel->series, panel->nseries, sizeof *list);
     if (!series || !list)
         return NULL;
@@ -276,7 +275,7 @@ struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const doubl
     if (!panel)
         return NULL;
     struct thud_figure *figure = panel->figure;
-    struct thud_map *map = keep(figure, 1, sizeof *map);
+    struct thud_map *map = thud_figure_keep(figure, 1, sizeof *map);
     if (!map)
         return NULL;
     *map = (struct thud_map){nx,  ny,  NULL, NULL, NULL, keep_text(figure, label), keep_text(figure, unit),

@@ -7,21 +7,38 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 extern char **environ;
 
-enum { WORDS_MAX = 64, PRINTED_MAX = 1 << 20, SAID_MAX = 1 << 14 };
+enum { WORDS_MAX = 64, FIGURES = 3, PRINTED_MAX = 1 << 20, SAID_MAX = 1 << 14 };
 
 struct thud_command_work {
     pid_t pid;
     int messages;  /* the reading end of its standard error */
     FILE *printed; /* its standard output */
+    FILE *figures; /* as bytes; */
+    off_t taken;   /* so many of them were read */
     struct thud_text said;
 };
 
-/* In a group of its own, so that Ctrl-C is the screens'; nothing to read, its output into a file without a name. */
+/* The environment, and where figures go. */
+static char **surroundings(void)
+{
+    size_t n = 0;
+    while (environ[n])
+        n++;
+    char **all = calloc(n + 2, sizeof *all);
+    if (all) {
+        memcpy(all, environ, n * sizeof *all);
+        all[n] = (char *)"THUD_FIGURES=/dev/fd/3";
+    }
+    return all;
+}
+
+/* In a group of its own, so that Ctrl-C is the screens'; nothing to read, its output into files without a name. */
 static int spawn(struct thud_command_work *work, const char *program, char *const *argv, int messages)
 {
     posix_spawn_file_actions_t actions;
@@ -38,10 +55,22 @@ static int spawn(struct thud_command_work *work, const char *program, char *cons
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, fileno(work->printed), 1);
     posix_spawn_file_actions_adddup2(&actions, messages, 2);
-    int number = posix_spawnp(&work->pid, program, &actions, &attributes, argv, environ);
+    posix_spawn_file_actions_adddup2(&actions, fileno(work->figures), FIGURES);
+    char **around = surroundings();
+    int number = posix_spawnp(&work->pid, program, &actions, &attributes, argv, around ? around : environ);
+    free(around);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     return number;
+}
+
+static void release(struct thud_command_work *work)
+{
+    if (work && work->printed)
+        fclose(work->printed);
+    if (work && work->figures)
+        fclose(work->figures);
+    free(work);
 }
 
 enum thud_status thud_command_work_start(const char *program, char *const *word, struct thud_command_work **out,
@@ -54,11 +83,12 @@ enum thud_status thud_command_work_start(const char *program, char *const *word,
     for (int i = 0; i < WORDS_MAX && word[i]; i++)
         argv[i + 1] = word[i];
     struct thud_command_work *work = calloc(1, sizeof *work);
-    if (!work || !(work->printed = tmpfile())) {
-        free(work);
+    if (!work || !(work->printed = tmpfile()) || !(work->figures = tmpfile())) {
+        release(work);
         return thud_error_set(err, THUD_MEMORY, "no room for what the command prints");
     }
     fcntl(fileno(work->printed), F_SETFD, FD_CLOEXEC);
+    fcntl(fileno(work->figures), F_SETFD, FD_CLOEXEC);
     int number = pipe(ends) == 0 ? 0 : errno;
     if (number == 0) {
         for (int i = 0; i < 2; i++)
@@ -71,8 +101,7 @@ enum thud_status thud_command_work_start(const char *program, char *const *word,
             close(ends[0]);
     }
     if (number) {
-        fclose(work->printed);
-        free(work);
+        release(work);
         return thud_error_set(err, THUD_INPUT, "the command cannot be started: %s", strerror(number));
     }
     *out = work;
@@ -108,6 +137,23 @@ bool thud_command_work_look(struct thud_command_work *work, char *line, size_t s
     return n < 0 && (errno == EAGAIN || errno == EINTR);
 }
 
+struct thud_figure *thud_command_work_figure(struct thud_command_work *work)
+{
+    struct stat info;
+    struct thud_figure *figure = NULL;
+    if (fstat(fileno(work->figures), &info) != 0 || info.st_size <= work->taken)
+        return NULL;
+    const size_t size = (size_t)(info.st_size - work->taken);
+    char *bytes = malloc(size);
+    if (bytes && pread(fileno(work->figures), bytes, size, work->taken) == (ssize_t)size) {
+        const char *at = bytes;
+        figure = thud_figure_read(&at, bytes + size);
+        work->taken += figure ? at - bytes : 0; /* else it is not written whole yet */
+    }
+    free(bytes);
+    return figure;
+}
+
 void thud_command_work_stop(struct thud_command_work *work)
 {
     kill(-work->pid, SIGINT);
@@ -123,8 +169,7 @@ int thud_command_work_finish(struct thud_command_work *work, struct thud_text *p
     for (size_t n; printed->size < PRINTED_MAX && (n = fread(bytes, 1, sizeof bytes, work->printed)) > 0;)
         thud_text_bytes(printed, bytes, n);
     *said = work->said;
-    fclose(work->printed);
     close(work->messages);
-    free(work);
+    release(work);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "base/text.h"
+#include "plot/figure/figure.h"
 
 struct thud_command_work;
 
@@ -14,6 +14,8 @@ enum thud_status thud_command_work_start(const char *program, char *const *word,
 int thud_command_work_fd(const struct thud_command_work *work); /* readable when something has changed */
 /* Reads what is there; false: it has come to its end. `line` gets the last line of progress. */
 bool thud_command_work_look(struct thud_command_work *work, char *line, size_t size);
+/* The next of the figures that it has made so far, for the caller to free; NULL: there is none. */
+struct thud_figure *thud_command_work_figure(struct thud_command_work *work);
 void thud_command_work_stop(struct thud_command_work *work); /* as Ctrl-C does */
 /* Waits for the end and frees: the exit status (128 and the signal's number), with what was printed and what was said of
  * an error (both to be cleared). */

@@ -54,7 +54,6 @@ THUD_KEY_AGAIN(SWEEP, PREVIOUS_CONTACT, '[', 0, "[", "", "the panel before")
 THUD_KEY_AGAIN(SWEEP, RIGHT, THUD_KEY_RIGHT, 'l', "Right", "",
                "on the curves: read the next value of the first varied key; Enter gives it to the scene")
 THUD_KEY_AGAIN(SWEEP, LEFT, THUD_KEY_LEFT, 'h', "Left", "", "on the curves: read the value before")
-THUD_KEY_AGAIN(BENCH, QUANTITY, 'c', 0, "c", "chart", "wall time or force evaluations against error")
 THUD_KEY(HELP, SEARCH, '/', 0, "/", "search", "search in the help")
 THUD_KEY(HELP, NEXT_MATCH, 'n', 0, "n", "~n/N match", "the next match")
 THUD_KEY(HELP, PREVIOUS_MATCH, 'N', 0, "N", "", "the match before")
@@ -70,7 +69,7 @@ THUD_KEY(FORMS, LEAP_DOWN, '{', 0, "{", "", "ten steps down")
 THUD_KEY(FORMS, SOLVE, 'G', 0, "G", "+solve",
          "which value of this field makes something hold (force < 10 MN, drift < 1 %, no pounding); Enter takes it")
 THUD_KEY(FORMS, NEW, 'n', 0, "n", "new", "a new scene: two neighbours, their gap and a ground motion from nothing")
-THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study, on Bench every method, timed)")
+THUD_KEY(GENERAL, RUN, 'r', 0, "r", "run", "run the three cases now (on Sweep the study)")
 THUD_KEY(GENERAL, UNDO, 'u', 0, "u", "undo", "undo the last change")
 THUD_KEY(GENERAL, REDO, THUD_CTRL('r'), 0, "^R", "+redo", "do again what was undone")
 THUD_KEY(GENERAL, DESIGNS, 'U', 0, "U", "+designs",
@@ -84,7 +83,8 @@ THUD_KEY(GENERAL, EXPORT, 'e', 0, "e", "CSV", "write the numbers shown as CSV")
 THUD_KEY(GENERAL, COPY, 'y', 0, "y", "+copy",
          "copy the numbers of this pane, of a chart its data, to the clipboard (OSC 52)")
 THUD_KEY(GENERAL, REPORT, 'R', 0, "R", "+report",
-         "the form of `thud report`: a document about this preset (:gap, :fragility, :export and others have one too)")
+         "the form of `thud report`: a document about this preset (:gap, :fragility, :bench, :simplify, :export and "
+         "others have one too)")
 THUD_KEY(GENERAL, ZOOM, 'z', 0, "z", "zoom",
          "show less of the chart, around its cursor (the wheel: around the pointer; dragging moves it)")
 THUD_KEY(GENERAL, UNZOOM, 'Z', 0, "Z", "+wider", "show more of the chart")
@@ -104,7 +104,7 @@ THUD_KEY(GENERAL, BACK, THUD_KEY_ESC, 0, "Esc", "",
          "cancel what runs, or back one level, also from a screen chosen by mistake; never quits")
 THUD_KEY(GENERAL, NEXT_PANE, THUD_KEY_TAB, 0, "Tab", "pane", "the next pane")
 THUD_KEY(GENERAL, PREVIOUS_PANE, THUD_KEY_BACKTAB, 0, "S-Tab", "", "the pane before")
-THUD_KEY(GENERAL, NEXT_SCREEN, '>', 0, ">", "", "the next screen (1 to 8: that screen)")
+THUD_KEY(GENERAL, NEXT_SCREEN, '>', 0, ">", "", "the next screen (1 to 7: that screen)")
 THUD_KEY(GENERAL, PREVIOUS_SCREEN, '<', 0, "<", "", "the screen before")
 THUD_KEY(GENERAL, GO, 'g', 0, "g", "", "g and a digit: that screen, as the digit alone or with Alt")
 THUD_KEY(GENERAL, UP, THUD_KEY_UP, 'k', "Up", "", "up")

@@ -33,13 +33,19 @@ enum thud_action thud_key_action(int where, int key)
 static const struct {
     int where;
     const char *name;
-} places[] = {{THUD_AT_GENERAL, "All screens"}, {THUD_AT_FORMS, "Fields"},
-              {THUD_AT_MODEL, "Model"},         {THUD_AT_CONTACT, "Contact"},
-              {THUD_AT_RECORD, "Record"},       {THUD_AT_RESULTS, "Results"},
-              {THUD_AT_PLOTS, "Plots"},         {THUD_AT_SWEEP, "Sweep"},
-              {THUD_AT_BENCH, "Bench"},         {THUD_AT_HELP, "Help"},
-              {THUD_AT_TYPING, "While typing"}, {THUD_AT_CHOOSING, "In a list"},
-              {THUD_AT_NEW, "New scene"},       {THUD_AT_SHELF, "Shelf of figures"},
+} places[] = {{THUD_AT_GENERAL, "All screens"},
+              {THUD_AT_FORMS, "Fields"},
+              {THUD_AT_MODEL, "Model"},
+              {THUD_AT_CONTACT, "Contact"},
+              {THUD_AT_RECORD, "Record"},
+              {THUD_AT_RESULTS, "Results"},
+              {THUD_AT_PLOTS, "Plots"},
+              {THUD_AT_SWEEP, "Sweep"},
+              {THUD_AT_HELP, "Help"},
+              {THUD_AT_TYPING, "While typing"},
+              {THUD_AT_CHOOSING, "In a list"},
+              {THUD_AT_NEW, "New scene"},
+              {THUD_AT_SHELF, "Shelf of figures"},
               {THUD_AT_DESIGNS, "Designs"}};
 
 void thud_tui_keys_text(struct thud_text *out)

@@ -12,7 +12,6 @@ enum {
     THUD_AT_RESULTS = 8,
     THUD_AT_PLOTS = 16,
     THUD_AT_SWEEP = 32,
-    THUD_AT_BENCH = 64,
     THUD_AT_HELP = 128,
     THUD_AT_TYPING = 256,
     THUD_AT_CHOOSING = 512,
@@ -20,8 +19,8 @@ enum {
     THUD_AT_SIDE = 1024, /* the fields at the side of Plots on a wide terminal */
     THUD_AT_PLOTS_SIDE = THUD_AT_PLOTS | THUD_AT_SIDE,
     THUD_AT_OTHER = 4096, /* a screen without keys of its own */
-    THUD_AT_FORMS = THUD_AT_MODEL | THUD_AT_CONTACT | THUD_AT_RECORD | THUD_AT_RESULTS | THUD_AT_SWEEP | THUD_AT_BENCH |
-                    THUD_AT_SIDE | THUD_AT_OTHER,
+    THUD_AT_FORMS = THUD_AT_MODEL | THUD_AT_CONTACT | THUD_AT_RECORD | THUD_AT_RESULTS | THUD_AT_SWEEP | THUD_AT_SIDE |
+                    THUD_AT_OTHER,
     THUD_AT_NEW = 2048, /* the form of a new scene */
     THUD_AT_SHELF = 8192,
     THUD_AT_DESIGNS = 16384, /* their list */

@@ -34,8 +34,16 @@ void thud_tui_run(struct thud_tui *tui)
     thud_live_start(&tui->run.live, &tui->doc.scene, record, thud_tui_wants_history(tui));
 }
 
+void thud_tui_forget_made(struct thud_tui *tui)
+{
+    for (int i = 0; i < tui->files.nmade; i++)
+        thud_figure_free(tui->files.made[i].figure);
+    tui->files.nmade = 0;
+}
+
 void thud_tui_opened(struct thud_tui *tui)
 {
+    thud_tui_forget_made(tui);
     for (int i = 0; i < tui->screens; i++) { /* what the screens keep belongs to the preset before */
         const struct thud_view *view = tui->view[i];
         if (view->free)

@@ -172,8 +172,17 @@ struct thud_wrote {
     unsigned long long digest; /* of times, sizes and contents as they were written; 0: not written yet */
 };
 
+/* A figure that a command made, of the scene of that revision. */
+struct thud_made {
+    struct thud_figure *figure;
+    unsigned long revision;
+};
+
 /* Figures and tables that are written. */
 struct thud_files {
+    struct thud_made made[THUD_PICTURES_MAX]; /* (nmade) */
+    int nmade;
+    unsigned long arrived, asked_for;        /* how many came so far; the revision that the command runs with */
     char folder[512];                        /* empty: as given at the start */
     struct thud_wrote wrote[THUD_WROTE_MAX]; /* (nwrote) the last ones; the oldest gives way */
     int nwrote;
@@ -299,8 +308,9 @@ void thud_tui_opened(struct thud_tui *tui); /* another preset stands in the docu
  * change calls it first. */
 void thud_tui_follow(struct thud_tui *tui);
 void thud_tui_run(struct thud_tui *tui);
-void thud_tui_forget_run(struct thud_tui *tui); /* its runs look at the ground motion, which goes */
-bool thud_tui_cancel(struct thud_tui *tui);     /* false: nothing was running */
+void thud_tui_forget_made(struct thud_tui *tui); /* the figures of commands */
+void thud_tui_forget_run(struct thud_tui *tui);  /* its runs look at the ground motion, which goes */
+bool thud_tui_cancel(struct thud_tui *tui);      /* false: nothing was running */
 /* The model of the scene as it is written; NULL: it cannot be assembled. */
 const struct thud_model *thud_tui_model(struct thud_tui *tui);
 /* The cases to compare with; NULL: none, or not there yet. */

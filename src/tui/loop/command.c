@@ -250,12 +250,11 @@ static void run_quit(struct thud_tui *tui, char *rest)
     thud_tui_quit(tui, *rest == '!');
 }
 
-/* "sweep", "bench": the study of the screen of that name. */
-static void study(struct thud_tui *tui, const char *word, char *rest)
+static void run_sweep(struct thud_tui *tui, char *rest)
 {
     (void)rest;
-    if (go_to(tui, word))
-        thud_tui_act(tui, THUD_DO_RUN);
+    thud_tui_go(tui, THUD_SCREEN_SWEEP);
+    thud_tui_act(tui, THUD_DO_RUN);
 }
 
 static const struct command table[] = {

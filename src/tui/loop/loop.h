@@ -93,6 +93,7 @@ void thud_tui_verb_look(struct thud_tui *tui);                      /* says how 
 
 /* shelf.c */
 void thud_tui_shelf(struct thud_tui *tui);
+void thud_tui_shelf_at(struct thud_tui *tui, const char *name); /* with this figure on show */
 /* Writes the marked figures, where none is marked those of the screen; the live cases are run again where the histories
  * are missing. */
 void thud_tui_pictures(struct thud_tui *tui);

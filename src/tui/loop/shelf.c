@@ -13,8 +13,9 @@ enum { RUN = THUD_SCREEN_PLOTS, LEAST_BESIDE = 64 };
 struct shelf {
     struct thud_shelved item[THUD_PICTURES_MAX]; /* (n) */
     int n, at, top;
-    int panel;    /* shown alone, from 1; 0: all, or the one with the most curves */
-    long made_of; /* what they were made of; -1: nothing */
+    int panel;       /* shown alone, from 1; 0: all, or the one with the most curves */
+    long made_of;    /* what they were made of; -1: nothing */
+    char wanted[64]; /* the name of the one to be shown once it is there */
 };
 
 /* Of the cases that have a result, with the bumper's last: what `thud run --cases -o` draws. */
@@ -39,6 +40,12 @@ static int collect_run(const struct thud_tui *tui, struct thud_shelved *item, in
 static int collect(struct thud_tui *tui, int screen, struct thud_shelved *item)
 {
     int n = screen < 0 || !tui->view[screen]->figures ? collect_run(tui, item, THUD_PICTURES_MAX) : 0;
+    for (int i = 0; screen < 0 && i < tui->files.nmade && n < THUD_PICTURES_MAX; i++) {
+        const struct thud_made *made = &tui->files.made[i];
+        struct thud_figure *copy = thud_figure_copy(made->figure);
+        thud_figure_title_add(copy, made->revision == tui->doc.revision ? "" : "before edits");
+        item[n++] = (struct thud_shelved){copy, THUD_SCREEN_SWEEP};
+    }
     for (int s = 0; s < tui->screens; s++) {
         const struct thud_view *view = tui->view[s];
         int count = view->figures && (screen < 0 || screen == s) ? view->figures(tui) : 0;
@@ -130,6 +137,7 @@ static void release(struct thud_tui *tui)
 static void refresh(struct thud_tui *tui, struct shelf *shelf)
 {
     long now = 2 * (long)tui->doc.revision + (tui->run.live.history == THUD_LIVE_WHOLE && !tui->run.live.running);
+    now = 64 * now + (long)tui->files.arrived;
     for (int s = 0; s < tui->screens; s++)
         now = 64 * now + (tui->view[s]->figures ? tui->view[s]->figures(tui) : 0);
     if (now == shelf->made_of || tui->run.live.running)
@@ -137,6 +145,11 @@ static void refresh(struct thud_tui *tui, struct shelf *shelf)
     empty(shelf);
     shelf->n = collect(tui, -1, shelf->item);
     shelf->made_of = now;
+    for (int i = 0; *shelf->wanted && i < shelf->n; i++)
+        if (strcmp(shelf->item[i].figure->name, shelf->wanted) == 0) {
+            shelf->at = i;
+            shelf->wanted[0] = '\0';
+        }
     if (shelf->at >= shelf->n)
         shelf->at = shelf->n > 0 ? shelf->n - 1 : 0;
 }
@@ -292,4 +305,11 @@ void thud_tui_shelf(struct thud_tui *tui)
     struct shelf *shelf = thud_tui_over(tui, &over);
     if (shelf)
         shelf->made_of = -1;
+}
+
+void thud_tui_shelf_at(struct thud_tui *tui, const char *name)
+{
+    thud_tui_shelf(tui);
+    if (tui->dialog.mode == THUD_MODE_OVER)
+        snprintf(((struct shelf *)tui->dialog.own)->wanted, sizeof((struct shelf *)0)->wanted, "%.60s", name);
 }

@@ -81,6 +81,7 @@ void thud_tui_free(struct thud_tui *tui)
         thud_text_clear(&printed);
         thud_text_clear(&said);
     }
+    thud_tui_forget_made(tui);
     thud_live_clear(&tui->run.live);
     for (int i = 0; i < tui->screens; i++) {
         if (tui->view[i]->free)

@@ -35,6 +35,12 @@ static int cut_words(char *text, char **word, int most)
     return n;
 }
 
+/* What leaves the program is of a file that can be looked up; a study is of what stands on the screen. */
+static bool of_file(int id)
+{
+    return id == THUD_COMMAND_REPORT || id == THUD_COMMAND_EXPORT || id == THUD_COMMAND_VERIFY;
+}
+
 void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
 {
     const struct thud_command *command = thud_command_at((enum thud_command_id)id);
@@ -45,9 +51,14 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "Files are being written; Esc stops that");
         return;
     }
-    if (thud_doc_unsaved(&tui->doc)) {
+    const bool unsaved = thud_doc_unsaved(&tui->doc);
+    if (unsaved && of_file(id)) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! thud %s is of the file, and there are changes: w saves them first",
                      command->name);
+        return;
+    }
+    if (unsaved && thud_doc_recover(&tui->doc, &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
         return;
     }
     snprintf(copy, sizeof copy, "%s", text);
@@ -57,23 +68,54 @@ void thud_tui_verb(struct thud_tui *tui, int id, const char *text)
         typed--;
     }
     memmove(word + n + 1, word + n, (size_t)typed * sizeof *word);
-    word[n] = tui->doc.path;
+    word[n] = unsaved ? tui->doc.kept : tui->doc.path;
     word[n + 1 + typed] = NULL;
     if (thud_command_work_start(tui->options.program, word, &tui->files.command, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }
     tui->backend->also = thud_command_work_fd(tui->files.command);
+    tui->files.screen = tui->screen;
+    tui->files.asked_for = tui->doc.revision;
     snprintf(tui->files.written, sizeof tui->files.written, "thud %s", command->name);
     thud_tui_log(tui, "%s %s", command->name, text);
     thud_tui_say(tui, THUD_ROLE_PLAIN, "thud %s is running; Esc stops it", command->name);
 }
 
-/* Files that were written are said, the rest is shown as it is printed. */
+/* Takes the figures that have come, each in place of an older one of its name; the last one's, or NULL. */
+static const struct thud_figure *take_figures(struct thud_tui *tui)
+{
+    struct thud_files *files = &tui->files;
+    struct thud_figure *figure, *last = NULL;
+    while ((figure = thud_command_work_figure(files->command)) != NULL) {
+        int i = 0;
+        while (i < files->nmade && strcmp(files->made[i].figure->name, figure->name) != 0)
+            i++;
+        i = i < THUD_PICTURES_MAX ? i : THUD_PICTURES_MAX - 1;
+        if (i < files->nmade)
+            thud_figure_free(files->made[i].figure);
+        else
+            files->nmade = i + 1;
+        files->made[i] = (struct thud_made){figure, files->asked_for};
+        files->arrived++;
+        last = figure;
+    }
+    return last;
+}
+
+/* Files that were written are said, the rest is shown as it is printed: where figures are on show, in the list of
+ * messages. */
 static void show(struct thud_tui *tui, struct thud_text *printed)
 {
     char files[500] = "", title[96], *rest = printed->data;
     int lines = 0, named = 0;
+    if (tui->dialog.mode == THUD_MODE_OVER) {
+        for (char *line; rest && (line = thud_text_line(&rest)) != NULL;)
+            thud_tui_keep_message(tui, "  ", line);
+        thud_tui_say(tui, THUD_ROLE_GOOD, "%s is done%s", tui->files.written,
+                     printed->size > 0 ? "; Ctrl-O has its table" : "");
+        return;
+    }
     snprintf(title, sizeof title, "%.90s", tui->files.written);
     thud_tui_hush(tui);
     thud_tui_choose(tui, NULL, title);
@@ -94,6 +136,9 @@ void thud_tui_verb_look(struct thud_tui *tui)
     char line[200];
     struct thud_text printed = {0}, said = {0};
     bool going = thud_command_work_look(tui->files.command, line, sizeof line);
+    const struct thud_figure *figure = take_figures(tui);
+    if (figure && tui->dialog.mode == THUD_MODE_NORMAL && tui->files.screen == tui->screen && !tui->end.playing)
+        thud_tui_shelf_at(tui, figure->name);
     thud_tui_redraw(tui, false);
     if (going) {
         if (*line)
@@ -103,7 +148,8 @@ void thud_tui_verb_look(struct thud_tui *tui)
     int status = thud_command_work_finish(tui->files.command, &printed, &said);
     tui->files.command = NULL;
     tui->backend->also = -1;
-    if (status == 0 && tui->dialog.mode == THUD_MODE_NORMAL)
+    const bool shelf = tui->dialog.mode == THUD_MODE_OVER && tui->dialog.over->where == THUD_AT_SHELF;
+    if (status == 0 && (shelf || tui->dialog.mode == THUD_MODE_NORMAL))
         show(tui, &printed);
     else if (status == 0)
         thud_tui_say(tui, THUD_ROLE_GOOD, "%s is done", tui->files.written);

@@ -29,8 +29,8 @@ static const char *const model[] = {
     "Sweep follows every edit in the same way, and what it varies may have any value in the scene meanwhile; studies "
     "that would take more than some seconds wait for r. Of several ground motions (records: a folder, a list, files) "
     "it "
-    "shows medians and bands first, and after them the required gap and the fragility of the events. Bench shows "
-    "what is quick by default, each run once; r runs and times everything as thud bench does.",
+    "shows medians and bands first, and after them the required gap and the fragility of the events. Other "
+    "studies (:bench, :simplify, :stability, :uncertainty, ...) have a form each, and show their figures on the shelf.",
     "Values take units and convert: 50 mm, 5cm, 0.05 m, 320 t, 600 MN/m, 2500 kN/mm, 0.36 kN/mm^2.65, 0.821 g, 5 %. "
     "The decimal sign is a point. Without a unit the one shown is meant. All digits typed are kept.",
 };
