@@ -75,7 +75,7 @@ static bool may_jump(const void *own, const struct thud_rest *rest)
 
 const struct thud_observer thud_observe_stranger = {.segment = segment, .may_jump = may_jump};
 END
-    after src/core/run/run_setup.c '#include "core/observe/observe_shear.h"' <<'END'
+    after src/core/run/run_setup.c '#include "core/observe/observe_contacts.h"' <<'END'
 #include "core/observe/observe_stranger.h"
 END
     after src/core/run/run_setup.c 'thud_run_observe(run, &thud_observe_contacts' <<'END'

@@ -8,6 +8,7 @@
 #include "core/observe/observe_history.h"
 #include "core/observe/observe_peaks.h"
 #include "core/observe/observe_steps.h"
+#include "core/observe/observe_sums.h"
 #include "core/run/early_end.h"
 #include "core/run/run.h"
 
@@ -50,6 +51,7 @@ struct thud_run {
     struct thud_contact_work *contact_work; /* (ncontacts) over the segment at hand */
     struct thud_contact_log log;
     struct thud_peaks peaks;
+    struct thud_sums sums;
     struct thud_history_rows rows;
     struct thud_ledger ledger;
     struct thud_floor_oscillators floors;

@@ -7,10 +7,7 @@
 #include "base/arena.h"
 #include "base/quantity.h"
 #include "core/contact/storey.h"
-#include "core/observe/observe_columns.h"
 #include "core/observe/observe_contacts.h"
-#include "core/observe/observe_links.h"
-#include "core/observe/observe_shear.h"
 #include "core/run/run_private.h"
 
 void thud_run_options_init(struct thud_run_options *options)
@@ -200,12 +197,10 @@ static enum thud_status create_observers(struct thud_run *run, struct thud_error
     enum thud_status status = thud_peaks_init(&run->peaks, &run->state, &run->result, err);
     thud_run_observe(run, &thud_observe_peaks, &run->peaks);
     thud_run_observe(run, &thud_observe_contacts, &run->log);
-    if (m->ncolumns > 0)
-        thud_run_observe(run, &thud_observe_columns, &run->result);
-    if (m->nlinks > 0)
-        thud_run_observe(run, &thud_observe_links, &run->result);
-    if (m->sums)
-        thud_run_observe(run, &thud_observe_shear, &run->result);
+    if (status == THUD_OK)
+        status = thud_sums_init(&run->sums, m, &run->result, err);
+    if (run->sums.count > 0)
+        thud_run_observe(run, &thud_observe_sums, &run->sums);
     if (status == THUD_OK && run->options.keep_history) {
         status = thud_history_rows_init(&run->rows, m, &run->result, &run->ledger, run->options.history_step_s,
                                         run->options.history_look_s, err);
@@ -293,6 +288,7 @@ void thud_run_free(struct thud_run *run)
     thud_state_clear(&run->state);
     thud_contact_log_clear(&run->log);
     thud_peaks_clear(&run->peaks);
+    thud_sums_clear(&run->sums);
     thud_history_rows_clear(&run->rows);
     thud_ledger_clear(&run->ledger);
     thud_floor_oscillators_clear(&run->floors);

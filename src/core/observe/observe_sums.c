@@ -1,0 +1,359 @@
+#include "core/observe/observe_sums.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/largest.h"
+#include "core/contact/storey.h"
+#include "core/motion/free_vibration.h"
+#include "core/numerics/quadrature.h"
+#include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
+#include "core/observe/rest.h"
+
+enum { ENDS = THUD_FREE_VIBRATION_ENDS };
+
+/* The polynomial of a row's modal value in a segment and the sum of the sizes of its terms, kept for the sums that share
+ * it. */
+struct reading {
+    const double *row;
+    double value[THUD_SEGMENT_TERMS], size;
+};
+
+/* Sum of the sizes of a polynomial's terms: what it comes to at most. */
+static double size_of(const double *p, int apart, int terms)
+{
+    double sum = 0;
+    for (int k = 0; k < terms; k++)
+        sum += fabs(p[k * apart]);
+    return sum;
+}
+
+static const double *read_row(const struct thud_model *m, const struct thud_segment *seg, const struct thud_sum *sum,
+                              const double *row, struct reading *kept)
+{
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    if (kept->row == row)
+        return kept->value;
+    thud_dots(p->modes, row, seg->q + p->first_mode, m->nmodes, seg->terms, kept->value);
+    kept->row = row;
+    kept->size = size_of(kept->value, 1, seg->terms);
+    return kept->value;
+}
+
+/* Terms of a row's force in a segment. */
+static int terms_of(const struct thud_state *state, const struct thud_segment *seg, int row)
+{
+    return row >= state->model->ncontacts || thud_segment_has_force(state, seg, row) ? seg->terms : 0;
+}
+
+/* Most segments come nowhere near a peak, which a bound of their parts tells. */
+static void look(const struct thud_state *state, const struct thud_segment *seg, const struct thud_sum *sum, double s,
+                 struct reading *kept)
+{
+    const struct thud_model *m = state->model;
+    const double *value = read_row(m, seg, sum, sum->row, kept);
+    double x[THUD_SEGMENT_TERMS], most = sum->rate ? INFINITY : fabs(sum->by_row) * kept->size;
+    for (const struct thud_sum_force *f = sum->force; f < sum->force + sum->forces; f++)
+        most += fabs(f->by) * size_of(seg->force + f->row, m->nrows, terms_of(state, seg, f->row));
+    if (sum->peak->value >= thud_smaller(sum->limit, most))
+        return;
+    for (int k = 0; k < seg->terms; k++)
+        x[k] = sum->by_row * value[k];
+    for (const struct thud_sum_force *f = sum->force; f < sum->force + sum->forces; f++)
+        for (int k = 0; k < terms_of(state, seg, f->row); k++)
+            x[k] += f->by * seg->force[k * m->nrows + f->row];
+    if (sum->rate)
+        value = read_row(m, seg, sum, sum->rate, kept);
+    for (int k = 0; sum->rate && k + 1 < seg->terms; k++)
+        x[k] += sum->by_rate * ((k + 1) / seg->h_s) * value[k + 1];
+    thud_peak_raise(sum->peak, seg, x, seg->terms, s);
+    sum->peak->value = fmin(sum->peak->value, sum->limit);
+}
+
+/* Loss in a link's dashpot: of a step whose events are not located by its two ends, which are all that it knows. */
+static double loss(const struct thud_model *m, const struct thud_observation *o, const struct thud_sum *sum,
+                   struct reading *kept)
+{
+    const struct thud_segment *seg = o->seg;
+    const struct thud_motion *a = seg->start, *b = seg->end;
+    const int link = sum->index;
+    double power = 0;
+    if (b)
+        return 0.5 * sum->by_rate * (thud_model_link(m, link, a->qd) + thud_model_link(m, link, b->qd)) *
+               (thud_model_link(m, link, b->q) - thud_model_link(m, link, a->q));
+    const double *d = read_row(m, seg, sum, sum->row, kept);
+    for (int i = 0; i < THUD_QUADRATURE_POINTS; i++) {
+        double rate = 0, at = o->s * thud_quadrature_node[i];
+        for (int k = seg->terms - 1; k > 0; k--)
+            rate = rate * at + k * d[k];
+        power += thud_quadrature_weight[i] * rate * rate;
+    }
+    return sum->by_rate * o->s / seg->h_s * power;
+}
+
+/* While a link slips its force stays where it is, whatever rounding makes of it. */
+static bool slips(const struct thud_state *state, const struct thud_sum *sum)
+{
+    return sum->limit < INFINITY && state->storey[sum->force->row - state->model->ncontacts].direction != 0;
+}
+
+static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
+{
+    const struct thud_sums *sums = own;
+    struct reading kept = {.row = NULL};
+    (void)err;
+    for (int i = 0; i < sums->count; i++) {
+        const struct thud_sum *sum = &sums->sum[i];
+        if (slips(o->state, sum) && sum->peak->value < sum->limit)
+            *sum->peak = (struct thud_peak){sum->limit, o->seg->start_s};
+        look(o->state, o->seg, sum, o->s, &kept);
+        if (sum->lost_j)
+            *sum->lost_j += loss(o->state->model, o, sum, &kept);
+    }
+    return THUD_OK;
+}
+
+/* Largest size that the modes of the block can give the sum, without the forces of storeys, at the ends of its intervals;
+ * *margin: how far one inside an interval may lie above. */
+static double largest_sum(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum,
+                          double *margin)
+{
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    double most = 0, bend = 0;
+    for (int j = 0; j < p->modes; j++) {
+        const int mode = p->first_mode + j;
+        const double row = fabs(sum->by_row * sum->row[j]), rate = sum->rate ? fabs(sum->by_rate * sum->rate[j]) : 0;
+        most += row * (f->speed[mode] / m->omega[mode] + fabs(f->shift[mode])) + rate * f->speed[mode];
+        bend += row * thud_free_vibration_bend(f, m, sum->structure, mode, 2);
+        bend += rate > 0 ? rate * thud_free_vibration_bend(f, m, sum->structure, mode, 3) : 0;
+    }
+    *margin = bend * f->dt_s * f->dt_s / 8;
+    return most;
+}
+
+/* Values at the ends into f->gap, which all have `held`; the largest. */
+static double values(struct thud_free_vibration *f, const struct thud_model_structure *p, const struct thud_sum *sum,
+                     double held, int ends)
+{
+    for (int t = 0; t < ends; t++)
+        f->gap[t] = held;
+    for (int j = 0; j < p->modes; j++) {
+        const size_t at = (size_t)(p->first_mode + j) * ENDS;
+        for (int t = 0; t < ends; t++)
+            f->gap[t] += sum->by_row * sum->row[j] * f->q[at + (size_t)t];
+        for (int t = 0; sum->rate && t < ends; t++)
+            f->gap[t] += sum->by_rate * sum->rate[j] * f->qd[at + (size_t)t];
+    }
+    return thud_largest_size(f->gap, ends);
+}
+
+static void sum_block(const struct thud_state *state, struct thud_free_vibration *f, const struct thud_sum *sum,
+                      int intervals)
+{
+    const struct thud_model *m = state->model;
+    double margin, held = 0;
+    for (int i = 0; i < sum->forces; i++)
+        if (sum->force[i].row >= m->ncontacts) /* no contact has a force */
+            held += sum->force[i].by * thud_row_branch(state, sum->force[i].row)->f0_n;
+    if (largest_sum(f, m, sum, &margin) + fabs(held) + margin <= sum->peak->value)
+        return;
+    double most = values(f, &m->structure[sum->structure], sum, held, intervals + 1);
+    if (most + margin <= sum->peak->value)
+        return;
+    double limit = fmax(sum->peak->value, most) - margin;
+    for (int t = 0; t < intervals; t++)
+        for (int piece = 0; piece < f->pieces && fmax(fabs(f->gap[t]), fabs(f->gap[t + 1])) >= limit; piece++)
+            look(state, thud_free_vibration_series(f, state, sum->structure, t, piece), sum, 1,
+                 &(struct reading){.row = NULL});
+}
+
+static enum thud_status block(void *own, const struct thud_state *state, struct thud_free_vibration *f, int intervals,
+                              struct thud_error *err)
+{
+    const struct thud_sums *sums = own;
+    (void)err;
+    for (int i = 0; i < sums->count; i++) {
+        const struct thud_sum *sum = &sums->sum[i];
+        sum_block(state, f, sum, intervals);
+        if (sum->lost_j)
+            *sum->lost_j += thud_free_vibration_link_loss(f, state->model, sum->index, intervals);
+    }
+    return THUD_OK;
+}
+
+/* Nothing bounds the rest of a motion in links that always act. */
+static double most_of_rest(const struct thud_rest *rest, const struct thud_sum *sum)
+{
+    switch (sum->kind) {
+    case THUD_SUM_SHEAR:
+        return thud_rest_shear(rest, sum->structure, sum->index);
+    case THUD_SUM_LEAN:
+        return thud_rest_lean(rest, sum->structure, sum->index);
+    case THUD_SUM_MOMENT:
+        return thud_rest_moment(rest, sum->structure);
+    case THUD_SUM_COLUMN:
+        return fabs(sum->by_row) * thud_rest_drift(rest, &rest->model->column[sum->index]);
+    case THUD_SUM_LINK:
+        break;
+    }
+    return INFINITY;
+}
+
+static bool may_jump(const void *own, const struct thud_rest *rest)
+{
+    const struct thud_sums *sums = own;
+    for (int i = 0; i < sums->count; i++)
+        if (!(most_of_rest(rest, &sums->sum[i]) <= sums->sum[i].peak->value))
+            return false;
+    return true;
+}
+
+const struct thud_observer thud_observe_sums = {.segment = segment, .block = block, .may_jump = may_jump};
+
+/* ---- making them ---- */
+
+/* What the force of a row adds to the sum. */
+static double by_force(const struct thud_model *m, const struct thud_sum *sum, int row)
+{
+    const struct thud_model_storey *storey = thud_model_row_storey(m, row);
+    if (sum->kind == THUD_SUM_LINK)
+        return storey && storey->link == sum->index && sum->limit < INFINITY;
+    if (sum->kind == THUD_SUM_COLUMN && !storey)
+        return m->contact[row].column == sum->index ? m->contact[row].per_force[sum->quantity] : 0;
+    if (sum->kind == THUD_SUM_COLUMN)
+        return m->column[sum->index].yielding == row ? m->column[sum->index].per_yield[sum->quantity] : 0;
+    if (sum->kind != THUD_SUM_MOMENT || !storey || storey->link >= 0 || storey->structure != sum->structure ||
+        storey->floor == 0)
+        return 0;
+    const double *level = m->structure[sum->structure].level_m;
+    return level[storey->floor - 1] - level[storey->floor];
+}
+
+/* Notes the rows whose forces have a part; returns where the next ones are noted. */
+static struct thud_sum_force *add_forces(const struct thud_model *m, struct thud_sum *sum, struct thud_sum_force *next)
+{
+    sum->force = next;
+    for (int row = 0; row < m->nrows; row++) {
+        *next = (struct thud_sum_force){row, by_force(m, sum, row)};
+        next += next->by != 0;
+    }
+    sum->forces = (int)(next - sum->force);
+    return next;
+}
+
+static struct thud_sum *add(struct thud_sums *sums, int kind, int structure, int index, const double *row,
+                            struct thud_peak *peak)
+{
+    struct thud_sum *sum = &sums->sum[sums->count++];
+    *sum = (struct thud_sum){kind, structure, index, .row = row, .by_row = 1, .limit = INFINITY, .peak = peak};
+    return sum;
+}
+
+/* Shears from below, on soil the drifts on which the weight acts, then the moment. */
+static void add_structure(struct thud_sums *sums, const struct thud_model *m, int s, struct thud_result *result)
+{
+    const struct thud_model_structure *p = &m->structure[s];
+    struct thud_floor_result *floor = result->structure[s].floor;
+    for (int i = 0; i < p->n && p->shear; i++)
+        add(sums, THUD_SUM_SHEAR, s, i, p->shear + i * p->modes, &floor[i].shear);
+    for (int i = 0; i < p->n && p->rise; i++)
+        add(sums, THUD_SUM_LEAN, s, i, p->lean + i * p->modes, &floor[i].lean);
+    if (!p->moment)
+        return;
+    struct thud_sum *moment = add(sums, THUD_SUM_MOMENT, s, 0, p->moment, &floor[0].moment);
+    moment->rate = p->moment + p->modes;
+    moment->by_rate = 1;
+}
+
+static void add_column(struct thud_sums *sums, const struct thud_model *m, int column, struct thud_result *result)
+{
+    const struct thud_model_column *p = &m->column[column];
+    for (int q = 0; q < THUD_COLUMN_QUANTITIES; q++) {
+        struct thud_sum *sum =
+            add(sums, THUD_SUM_COLUMN, p->structure, column, p->row, &result->column[column].peak[q]);
+        sum->quantity = q;
+        sum->by_row = p->per_drift[q];
+    }
+}
+
+/* A link that always acts: d, and k d + c d'; one of friction has k (d - d_p), no larger than its slip force. */
+static void add_link(struct thud_sums *sums, const struct thud_model *m, int link, struct thud_result *result)
+{
+    const struct thud_model_link *p = &m->link[link];
+    struct thud_link_result *r = &result->link[link];
+    if (p->contact >= 0)
+        return;
+    add(sums, THUD_SUM_LINK, p->structure, link, p->row, &r->stroke);
+    struct thud_sum *force = add(sums, THUD_SUM_LINK, p->structure, link, p->row, &r->force);
+    force->by_row = p->stiffness_npm;
+    force->by_rate = p->damping_nspm;
+    force->rate = p->damping_nspm != 0 ? p->row : NULL;
+    force->lost_j = p->damping_nspm != 0 ? &r->lost_j : NULL;
+    if (p->storey >= 0)
+        force->limit = m->storey[p->storey].stiffness_npm * m->storey[p->storey].yield_m;
+}
+
+enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model *m, struct thud_result *result,
+                                struct thud_error *err)
+{
+    size_t most = (size_t)(2 * m->ndof + m->nstructures + THUD_COLUMN_QUANTITIES * m->ncolumns + 2 * m->nlinks);
+    sums->sum = calloc(most + 1, sizeof *sums->sum);
+    struct thud_sum_force *next = sums->force = calloc(most * (size_t)m->nrows + 1, sizeof *next);
+    if (!sums->sum || !next) {
+        thud_sums_clear(sums);
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    for (int i = 0; i < m->ncolumns; i++)
+        add_column(sums, m, i, result);
+    for (int i = 0; i < m->nlinks; i++)
+        add_link(sums, m, i, result);
+    for (int s = 0; s < m->nstructures; s++)
+        add_structure(sums, m, s, result);
+    for (int i = 0; i < sums->count; i++)
+        next = add_forces(m, &sums->sum[i], next);
+    return THUD_OK;
+}
+
+void thud_sums_clear(struct thud_sums *sums)
+{
+    free(sums->sum);
+    free(sums->force);
+    *sums = (struct thud_sums){0};
+}
+
+/* ---- links at the end ---- */
+
+void thud_links_finish(const struct thud_state *state, struct thud_result *result)
+{
+    const struct thud_model *m = state->model;
+    for (int i = 0; i < m->nlinks; i++) {
+        const int storey = m->link[i].storey;
+        if (storey >= 0) {
+            const double d = thud_model_link(m, i, state->q), held = d - thud_storey_plastic(state, storey, d);
+            result->link[i].lost_j = state->storey[storey].hysteretic_j;
+            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * held * held;
+            result->link[i].engaged = state->storey[storey].excursions;
+            result->link[i].residual_m = state->storey[storey].plastic_m;
+            result->link[i].contact = m->ncontacts + storey;
+            continue;
+        }
+        const int contact = result->link[i].contact = m->link[i].contact;
+        result->link[i].residual_m = NAN;
+        if (contact < 0) {
+            const double d = thud_model_link(m, i, state->q);
+            result->link[i].stored_j = 0.5 * m->link[i].stiffness_npm * d * d;
+            continue;
+        }
+        const struct thud_contact_result *from = &result->contact[contact];
+        const double least_j = THUD_TOL_LINK_LOSS * from->force.value * from->indentation.value;
+        result->link[i] =
+            (struct thud_link_result){.force = from->force,
+                                      .stroke = from->indentation,
+                                      .lost_j = fabs(from->dissipated_j) > least_j ? from->dissipated_j : 0,
+                                      .stored_j = from->stored_j,
+                                      .residual_m = from->residual_m,
+                                      .engaged = from->impacts,
+                                      .contact = contact};
+    }
+}
