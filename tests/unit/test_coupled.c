@@ -176,6 +176,62 @@ START_TEST(a_light_slab_that_strikes)
 }
 END_TEST
 
+/* Derivative of a floor's displacement of this order at s of a series. */
+static double derivative(const struct thud_model *m, const struct thud_segment *seg, int floor, int order, double s)
+{
+    double sum = 0;
+    for (int k = seg->terms - 1; k >= order; k--) {
+        double factor = 1;
+        for (int i = 0; i < order; i++)
+            factor *= (k - i) / seg->h_s;
+        sum = sum * s + factor * thud_model_floor(m, floor, seg->q + k * m->nmodes);
+    }
+    return sum;
+}
+
+/* The bounds of a block's margins against the series of its intervals. */
+static enum thud_status check_bounds(void *own, const struct thud_state *state, struct thud_free_vibration *f,
+                                     int intervals, struct thud_error *err)
+{
+    enum { POINTS = 16 };
+    double *nearest = own, h2 = f->dt_s * f->dt_s;
+    (void)err;
+    for (int t = 0; t < intervals; t++)
+        for (int piece = 0; piece < f->pieces; piece++) {
+            const struct thud_segment *seg = thud_free_vibration_all_series(f, state, t, piece);
+            for (int i = 0; i <= POINTS; i++)
+                for (int floor = 0; floor < state->model->ndof; floor++) {
+                    const double second = fabs(derivative(state->model, seg, floor, 2, (double)i / POINTS)) * h2 / 8,
+                                 fourth = fabs(derivative(state->model, seg, floor, 4, (double)i / POINTS)) * h2 * h2;
+                    ck_assert_double_le(second, f->margin[0] * (1 + 1e-9));
+                    ck_assert_double_le(fourth / 384, f->cubic_margin[0] * (1 + 1e-9));
+                    *nearest = fmax(*nearest, second / f->margin[0]);
+                }
+        }
+    return THUD_OK;
+}
+
+START_TEST(no_derivative_passes_its_bound)
+{
+    static const struct thud_observer bounds = {.block = check_bounds};
+    struct thud_record *record = march_motion(1);
+    struct thud_model *model = model_of(&slabs[_i]);
+    struct thud_run_options options;
+    struct thud_run *run;
+    double nearest = 0;
+    bool done = false;
+    thud_run_options_init(&options);
+    ck_assert_int_eq(thud_run_create(model, record, &options, &run, NULL), THUD_OK);
+    thud_run_observe(run, &bounds, &nearest);
+    while (!done)
+        ck_assert_int_eq(thud_run_advance(run, 1000, &done, NULL), THUD_OK);
+    ck_assert(nearest > 0.01 || !run->free_vibration); /* too fast for blocks */
+    thud_run_free(run);
+    thud_model_free(model);
+    thud_record_free(record);
+}
+END_TEST
+
 /* The run of a model with the propagator of one interval, or without it: by power series alone. */
 static struct march way(const struct thud_model *model, const struct thud_record *record, bool blocks)
 {
@@ -281,6 +337,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("coupled");
     TCase *tcase = tcase_create("coupled damping");
     tcase_set_timeout(tcase, 60);
+    tcase_add_loop_test(tcase, no_derivative_passes_its_bound, 0, SLABS);
     tcase_add_loop_test(tcase, against_the_exponential, 0, SLABS);
     tcase_add_loop_test(tcase, against_dormand_prince, 0, SLABS);
     tcase_add_test(tcase, a_light_slab_that_strikes);

@@ -1,8 +1,7 @@
 /* Which models a block of free vibration is for, its memory, and how long the next block is to be.
  *
- * A model has none where power series alone are as fast (very fast rates with coupled damping), or where a system with
- * strong dashpots has no complex modes to bound it by (double roots, free bodies): its run takes series for each interval,
- * right but slower. A block that a contact or a storey has cut short is followed by a short one, as another event is
+ * A model has none where power series alone are as fast (very fast rates with coupled damping): its run takes series for
+ * each interval. A block that a contact or a storey has cut short is followed by a short one, as another event is
  * likely soon; each that is not cut doubles the next, so that little is made in vain and long rests cost little. */
 #include "core/motion/free_vibration_parts.h"
 
@@ -15,9 +14,8 @@
 /* PIECES_MOST: of a block of more than one interval, so that a slice of work ends soon where modes are very fast. */
 enum { SHORT_BLOCK = 8, PIECES_MOST = 16384, BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
 
-/* Interval times the norm of damping that couples modes: above, bounds by that norm are worth nothing. And times the
- * fastest rate there: above, power series alone are as fast. */
-static const double damping_most_rad = 1, coupled_most_rad = 1e3;
+/* Interval times the fastest rate of damping that couples modes: above, power series alone are as fast. */
+static const double coupled_most_rad = 1e3;
 
 static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
 {
@@ -25,8 +23,9 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
            rows = (n + THUD_FREE_VIBRATION_BATCH - 1) / THUD_FREE_VIBRATION_BATCH * THUD_FREE_VIBRATION_BATCH,
            count = 0;
     double **by_mode[4 + 4 + 4 + 2 * THUD_FREE_VIBRATION_PRODUCTS + 4];
-    double **by_end[] = {&f->q, &f->qd, &f->spring}, **single[] = {&f->gap, &f->ground, &f->after};
-    size_t ends = sizeof by_end / sizeof *by_end, singles = sizeof single / sizeof *single;
+    double **by_end[] = {&f->q, &f->qd, &f->spring, &f->work[0], &f->work[1]},
+           **single[] = {&f->gap, &f->ground, &f->after};
+    size_t ends = m->couples ? 5 : 3, singles = sizeof single / sizeof *single;
     for (int i = 0; i < 4; i++) {
         by_mode[count++] = &f->tables.e[i];
         by_mode[count++] = &f->tables.p[i];
@@ -42,13 +41,12 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     by_mode[count++] = &f->shift;
     double *next = f->block =
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + (m->couples ? BOUNDS * n : 0),
+                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + BOUNDS * ns,
                sizeof *next);
     f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->series.has = calloc(ns + 1, sizeof *f->series.has);
     f->coupled = calloc(ns + 1, sizeof *f->coupled);
-    f->complex = calloc(ns + 1, sizeof *f->complex);
-    if (!next || !f->valued || !f->series.has || !f->coupled || !f->complex)
+    if (!next || !f->valued || !f->series.has || !f->coupled)
         return false;
     for (size_t i = 0; i < count; i++, next += rows)
         *by_mode[i] = next;
@@ -70,33 +68,6 @@ static bool suits(const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
     return m->nmodes > 0 && !(m->couples && state->fastest_radps * state->grid_dt_s > coupled_most_rad);
-}
-
-/* Whether coupled damping is strong in an interval. */
-static bool is_strong(const struct thud_model_structure *p, double dt_s)
-{
-    for (int i = 0; p->damping && i < p->modes; i++) {
-        double row = 0;
-        for (int j = 0; j < p->modes; j++)
-            row += fabs(p->damping[i * p->modes + j]);
-        if (row * dt_s > damping_most_rad)
-            return true;
-    }
-    return false;
-}
-
-/* The complex modes of systems with strong dashpots; *bounded: all have some. */
-static enum thud_status find_complex(struct thud_free_vibration *f, const struct thud_model *m, bool *bounded,
-                                     struct thud_error *err)
-{
-    enum thud_status status = THUD_OK;
-    for (int s = 0; s < m->nsystems && status == THUD_OK; s++) {
-        if (!is_strong(&m->structure[m->system[s]], f->dt_s))
-            continue;
-        status = thud_complex_modes_init(&f->complex[s], m, s, f->dt_s, err);
-        *bounded = *bounded && f->complex[s].n > 0;
-    }
-    return status;
 }
 
 /* The propagators of systems whose modes are coupled, in place of the recurrence. */
@@ -124,7 +95,6 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
     if (!suits(state))
         return THUD_OK;
     struct thud_free_vibration *f = calloc(1, sizeof *f);
-    bool bounded = true;
     enum thud_status status = f && allocate(f, m) ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK)
         status = thud_segment_init(&f->series.seg, m, err);
@@ -142,9 +112,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
     }
     if (status == THUD_OK)
         status = couple(f, state, err);
-    if (status == THUD_OK)
-        status = find_complex(f, m, &bounded, err);
-    if (status != THUD_OK || !bounded) {
+    if (status != THUD_OK) {
         thud_free_vibration_free(f);
         return status;
     }
@@ -159,10 +127,7 @@ void thud_free_vibration_free(struct thud_free_vibration *f)
     thud_segment_clear(&f->series.seg);
     for (int s = 0; s < f->nsystems; s++)
         thud_coupled_motion_clear(&f->coupled[s]);
-    for (int s = 0; f->complex && s < f->nsystems; s++)
-        thud_complex_modes_clear(&f->complex[s]);
     free(f->coupled);
-    free(f->complex);
     free(f->valued);
     free(f->series.has);
     free(f->block);

@@ -8,11 +8,9 @@
  *
  * Bounds show in which intervals no contact can close and no storey can yield; the others are looked at as power series. The motion is the
  * recurrence's in any case, so that gaps that do not close change nothing. Structures whose damping couples their modes
- * are moved by the propagator of coupled_motion in place of the recurrence; where their dashpots are so strong that their
- * rates are above one in an interval, the bounds are those of their complex modes. */
+ * are moved by the propagator of coupled_motion in place of the recurrence. */
 #pragma once
 
-#include "core/motion/complex_modes.h"
 #include "core/motion/coupled_motion.h"
 
 enum {
@@ -48,16 +46,16 @@ struct thud_free_vibration {
     double dt_s;
     struct thud_free_vibration_tables tables;
     struct thud_coupled_motion *coupled; /* (nsystems) of those whose damping couples modes; size 0: another */
-    struct thud_complex_modes *complex;  /* (nsystems) of those with strong dashpots; n 0: another */
-    double *bound;                       /* (7 x n) workspace: bounds of the modes' derivatives in a block, by order */
+    double *bound;                       /* (nsystems x 7) of the derivatives of such a system in a block, by order */
 
     struct thud_free_vibration_series series;
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *shift;                                 /* (n) s */
-    bool shifted;                                  /* it is not 0 */
-    double *q, *qd;                                /* (n x ENDS) modal state */
-    double *spring;                                /* (n x ENDS) workspace of one function at a time */
+    double *shift;            /* (n) s */
+    bool shifted;             /* it is not 0 */
+    double *q, *qd;           /* (n x ENDS) modal state */
+    double *spring, *work[2]; /* (n x ENDS) workspace of one function at a time; work: where damping
+                                                      couples modes */
     double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
     int summed;
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
@@ -94,9 +92,9 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 /* One quantity of a structure's floors into f->value, which is made only when asked for. */
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int quantity);
-/* Bound of a mode's derivative of order 2 or 3 in the block. */
+/* Bound of the derivative of order 2 or 3 of a sum over a structure's modes (modes) in the block. */
 double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
-                                int mode, int order);
+                                const double *row, int order);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,

@@ -191,18 +191,23 @@ static void floor_rows(struct thud_free_vibration *f, const struct thud_model_st
         some_rows(p, i, 1, from, ends, to + (size_t)i * ENDS);
 }
 
-/* Fills f->spring of one structure. */
-static void spring_rows(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_model_structure *p)
+void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
+                                const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
+                                double *out)
 {
     for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        const double *q = f->q + j * ENDS, *qd = f->qd + j * ENDS;
-        double *a = f->spring + j * ENDS, s = f->shift[j];
-        for (int t = 0; t < f->ends; t++)
-            a[t] = -(m->spring[j] * (q[t] - s) + m->dashpot[j] * qd[t]);
-        for (int k = 0; p->damping && k < p->modes; k++) {
-            const double d = p->damping[(j - p->first_mode) * p->modes + k], *rate = f->qd + (p->first_mode + k) * ENDS;
-            for (int t = 0; t < f->ends; t++)
-                a[t] -= d * rate[t];
+        const double s = shifted ? f->shift[j] : 0, spring = m->spring[j], dashpot = m->dashpot[j],
+                     *damping = p->damping ? p->damping + (j - p->first_mode) * p->modes : NULL;
+        for (int t = 0; t < f->ends; t += 4) { /* rows are long enough */
+            const double *xt = x + j * ENDS + t, *vt = v + j * ENDS + t, *rate = v + p->first_mode * ENDS + t;
+            thud_vec2 a = spring * (thud_vec2_at(xt) - s) + dashpot * thud_vec2_at(vt),
+                      b = spring * (thud_vec2_at(xt + 2) - s) + dashpot * thud_vec2_at(vt + 2);
+            for (int k = 0; damping && k < p->modes; k++, rate += ENDS) {
+                a += damping[k] * thud_vec2_at(rate);
+                b += damping[k] * thud_vec2_at(rate + 2);
+            }
+            thud_vec2_put(-a, out + j * ENDS + t);
+            thud_vec2_put(-b, out + j * ENDS + t + 2);
         }
     }
 }
@@ -230,7 +235,7 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         return;
     }
     if (quantity == THUD_FLOOR_ACCELERATION)
-        spring_rows(f, m, p);
+        thud_free_vibration_spring(f, m, p, f->q, f->qd, true, f->spring);
     floor_rows(f, p, quantity,
                quantity == THUD_FLOOR_DISPLACEMENT ? f->q
                : quantity == THUD_FLOOR_VELOCITY   ? f->qd

@@ -6,7 +6,8 @@
  *     S_j        f->speed: largest sqrt(q'^2 + omega^2 (q - s)^2) at the ends; inside an interval it grows by no more than
  *                dt |gamma| times the largest ground acceleration, as damping takes energy and the springs keep it
  *     bound[k]   B_k, bound of the k-th derivative of q_j inside the intervals: from q'' = -omega^2 (q - s) - z q' -
- *                gamma a_g (z = 2 zeta omega) with |omega (q - s)| and |q'| both below S, and its derivatives
+ *                gamma a_g (z = 2 zeta omega) with |omega (q - s)| and |q'| both below S, and its derivatives. Where
+ *                damping couples the modes of a system, f->bound: of sqrt(sum over its modes of (d^k q_j/dt^k)^2)
  *     slope      largest |da_g/dt|; a_g is a straight line in each interval, so that no higher one has a part
  *     margin     dt^2/8 B_2 of a value: error of the chord between its ends, whose largest is at an end
  *     cubic      dt^4/384 B_4 of a value: error of the cubic through values and rates at the ends (Hermite's)
@@ -22,6 +23,7 @@
 #include "base/largest.h"
 #include "core/numerics/poly.h"
 #include "core/numerics/tolerance.h"
+#include "core/numerics/vec.h"
 
 enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
 
@@ -37,53 +39,36 @@ static void mode_bounds(const struct thud_free_vibration *f, const struct thud_m
         bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
 }
 
-/* Size of the forces by which damping couples mode i of the structure, for rates of these sizes. */
-static double coupling(const struct thud_model_structure *p, int i, const double *rate)
+/* The same of a system whose damping couples its modes, by the energy norm of each derivative: with a_g a straight line
+ *
+ *     y_k = (Omega d^k q, d^(k+1) q),   d|y_k|/dt <= |gamma da_g/dt| for k = 1, and 0 from there on,
+ *
+ * whatever the damping, as that only takes energy. So the norms at the starts of the intervals are all that is needed. */
+static void system_bounds(struct thud_free_vibration *f, const struct thud_model *m, int system, int intervals,
+                          double slope)
 {
-    double sum = 0;
-    for (int k = 0; k < p->modes; k++)
-        sum += fabs(p->damping[i * p->modes + k]) * rate[k];
-    return sum;
-}
-
-/* The same where damping couples the modes: f->bound. The energy norm S of all modes together grows at most by the
- * ground's part, damping or not; a mode's own speed also by what couples it, for which S is a first bound of every
- * other's. */
-static void coupled_bounds(struct thud_free_vibration *f, const struct thud_model *m,
-                           const struct thud_model_structure *p, double slope)
-{
-    enum { TIMES = 3 }; /* the bound of one mode's speed by those of the others, made narrower so often */
-    const int n = p->modes, first = p->first_mode;
-    const double dt = f->dt_s, ground = f->ground_most;
-    double energy = 0, influence = 0;
-    double *row[BOUNDS];
-    for (int k = 0; k < BOUNDS; k++)
-        row[k] = f->bound + k * f->n + first;
-    for (int j = first; j < first + n; j++) {
-        energy += f->speed[j] * f->speed[j];
-        influence += m->gamma[j] * m->gamma[j];
+    const struct thud_model_structure *p = &m->structure[m->system[system]];
+    const double *gamma = m->gamma + p->first_mode;
+    double *x = f->q, *v = f->qd, *next[] = {f->spring, f->work[0], f->work[1]}, slopes[ENDS] = {0};
+    for (int t = 0; t < intervals; t++)
+        slopes[t] = (f->after[t] - f->ground[t]) / f->dt_s;
+    for (int k = 2; k < BOUNDS; k++) {
+        const double *ground = k == 2 ? f->ground : slopes;
+        double *out = next[(k - 2) % 3], norm[ENDS] = {0};
+        thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
+        for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
+            for (int t = 0; t < intervals; t += 2) {
+                double *at = out + j * ENDS + t;
+                const thud_vec2 rate = thud_vec2_at(v + j * ENDS + t),
+                                second = thud_vec2_at(at) - (k < 4 ? m->gamma[j] : 0) * thud_vec2_at(ground + t);
+                thud_vec2_put(second, at);
+                thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
+            }
+        f->bound[system * BOUNDS + k] = sqrt(thud_largest(norm, intervals));
+        x = v;
+        v = out;
     }
-    const double all = sqrt(energy) + dt * sqrt(influence) * ground;
-    for (int i = 0; i < n; i++)
-        row[1][i] = all;
-    for (int time = 0; time < TIMES; time++) {
-        for (int i = 0; i < n; i++) {
-            double own = f->speed[first + i] + dt * (fabs(m->gamma[first + i]) * ground + coupling(p, i, row[1]));
-            row[0][i] = own < all ? own : all;
-        }
-        memcpy(row[1], row[0], (size_t)n * sizeof(double));
-    }
-    for (int k = 2; k < BOUNDS; k++)
-        for (int i = 0; i < n; i++) {
-            const double w = m->omega[first + i], gamma = fabs(m->gamma[first + i]);
-            row[k][i] = (k == 2   ? w * row[1][i]
-                         : k == 3 ? w * w * row[1][i]
-                                  : w * w * row[k - 2][i]) +
-                        coupling(p, i, row[k - 1]) +
-                        (k == 2   ? gamma * ground
-                         : k == 3 ? gamma * slope
-                                  : 0);
-        }
+    f->bound[system * BOUNDS + 2] += sqrt(thud_dot(p->modes, gamma, gamma)) * f->dt_s * slope;
 }
 
 /* Bounds of the derivatives of the modes of one structure in the block, summed into margins: dt^2/8 times the second
@@ -93,39 +78,39 @@ static void coupled_bounds(struct thud_free_vibration *f, const struct thud_mode
 static void structure_margins(struct thud_free_vibration *f, const struct thud_model *m, int s, double slope)
 {
     const struct thud_model_structure *p = &m->structure[s];
-    double dt = f->dt_s, sum[THUD_FLOOR_QUANTITIES] = {0}, cubic[THUD_FLOOR_QUANTITIES] = {0}, bound[BOUNDS];
-    if (p->damping && f->complex[p->system].n == 0)
-        coupled_bounds(f, m, p, slope);
-    for (int j = p->first_mode; j < p->first_mode + p->modes; j++) {
-        double most = m->mode_max[j], drift = m->mode_max[f->n + j];
-        if (p->damping)
-            for (int k = 2; k < BOUNDS; k++)
-                bound[k] = f->bound[k * f->n + j];
-        else
-            mode_bounds(f, m, j, slope, bound);
-        sum[THUD_FLOOR_DISPLACEMENT] += most * bound[2];
-        sum[THUD_FLOOR_VELOCITY] += most * bound[3];
-        sum[THUD_FLOOR_ACCELERATION] += most * bound[4];
-        sum[THUD_FLOOR_DRIFT] += drift * bound[2];
-        cubic[THUD_FLOOR_DISPLACEMENT] += most * bound[4];
-        cubic[THUD_FLOOR_VELOCITY] += most * bound[5];
-        cubic[THUD_FLOOR_ACCELERATION] += most * bound[6];
-        cubic[THUD_FLOOR_DRIFT] += drift * bound[4];
+    const double *most = m->mode_max + p->first_mode, *drift = most + f->n;
+    double sum[2][BOUNDS] = {0}, bound[BOUNDS]; /* of displacements, and of drifts */
+    for (int j = 0; j < p->modes && !p->damping; j++) {
+        mode_bounds(f, m, p->first_mode + j, slope, bound);
+        for (int k = 2; k < BOUNDS; k++) {
+            sum[0][k] += most[j] * bound[k];
+            sum[1][k] += drift[j] * bound[k];
+        }
+    }
+    for (int k = 2; k < BOUNDS && p->damping; k++) {
+        sum[0][k] = sqrt(thud_dot(p->modes, most, most)) * f->bound[p->system * BOUNDS + k];
+        sum[1][k] = sqrt(thud_dot(p->modes, drift, drift)) * f->bound[p->system * BOUNDS + k];
     }
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
-        f->margin[x * m->nstructures + s] = sum[x] * dt * dt / 8;
-        f->cubic_margin[x * m->nstructures + s] = cubic[x] * dt * dt * dt * dt / 384;
+        const int order = x == THUD_FLOOR_DRIFT ? 2 : 2 + x;
+        const double second = f->dt_s * f->dt_s, *of = sum[x == THUD_FLOOR_DRIFT];
+        f->margin[x * m->nstructures + s] = of[order] * second / 8;
+        f->cubic_margin[x * m->nstructures + s] = of[order + 2] * second * second / 384;
     }
 }
 
 double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
-                                int mode, int order)
+                                const double *row, int order)
 {
-    double bound[BOUNDS];
-    if (m->structure[structure].damping)
-        return f->bound[order * f->n + mode];
-    mode_bounds(f, m, mode, 2 * f->ground_most / f->dt_s, bound);
-    return bound[order];
+    const struct thud_model_structure *p = &m->structure[structure];
+    double bound[BOUNDS], sum = 0;
+    if (p->damping)
+        return sqrt(thud_dot(p->modes, row, row)) * f->bound[p->system * BOUNDS + order];
+    for (int j = 0; j < p->modes; j++) {
+        mode_bounds(f, m, p->first_mode + j, 2 * f->ground_most / f->dt_s, bound);
+        sum += fabs(row[j]) * bound[order];
+    }
+    return sum;
 }
 
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
@@ -133,12 +118,9 @@ void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thu
     double slope = 0;
     for (int t = 0; t < intervals; t++)
         slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
-    for (int s = 0; s < m->nsystems; s++) {
-        const int first = m->structure[m->system[s]].first_mode;
-        if (f->complex[s].n > 0)
-            thud_complex_modes_bounds(&f->complex[s], f->q + first * ENDS, f->qd + first * ENDS, ENDS, f->shift + first,
-                                      f->ground, f->after, intervals, f->bound + first, f->n);
-    }
+    for (int s = 0; s < m->nsystems; s++)
+        if (m->structure[m->system[s]].damping)
+            system_bounds(f, m, s, intervals, slope / f->dt_s);
     for (int s = 0; s < m->nstructures; s++)
         structure_margins(f, m, s, slope / f->dt_s);
 }

@@ -21,6 +21,10 @@ void thud_free_vibration_copy_tables(struct thud_free_vibration *f, const struct
  * and the modes' largest speeds. */
 void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_state *state, int intervals);
 void thud_free_vibration_sum(struct thud_free_vibration *f, const struct thud_model *m, int intervals);
+/* -(Omega^2 x + D v) of the modes of a structure at the ends of the block, all rows; shifted: x is the modes' places. */
+void thud_free_vibration_spring(const struct thud_free_vibration *f, const struct thud_model *m,
+                                const struct thud_model_structure *p, const double *x, const double *v, bool shifted,
+                                double *out);
 
 /* free_vibration_limits.c: fills f->margin and f->cubic_margin; intervals until a contact closes, or a storey yields or may collapse, at
  * most `intervals`. */

@@ -120,13 +120,13 @@ static double largest_sum(const struct thud_free_vibration *f, const struct thud
                           double *margin)
 {
     const struct thud_model_structure *p = &m->structure[sum->structure];
-    double most = 0, bend = 0;
+    double most = 0, bend = fabs(sum->by_row) * thud_free_vibration_bend(f, m, sum->structure, sum->row, 2);
+    if (sum->rate)
+        bend += fabs(sum->by_rate) * thud_free_vibration_bend(f, m, sum->structure, sum->rate, 3);
     for (int j = 0; j < p->modes; j++) {
         const int mode = p->first_mode + j;
         const double row = fabs(sum->by_row * sum->row[j]), rate = sum->rate ? fabs(sum->by_rate * sum->rate[j]) : 0;
         most += row * (f->speed[mode] / m->omega[mode] + fabs(f->shift[mode])) + rate * f->speed[mode];
-        bend += row * thud_free_vibration_bend(f, m, sum->structure, mode, 2);
-        bend += rate > 0 ? rate * thud_free_vibration_bend(f, m, sum->structure, mode, 3) : 0;
     }
     *margin = bend * f->dt_s * f->dt_s / 8;
     return most;
