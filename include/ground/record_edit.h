@@ -20,9 +20,11 @@ enum thud_status thud_record_taper(struct thud_record *record, double taper_s, s
 enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
                                   struct thud_record **out, struct thud_error *err);
 
-/* Keeps one sample in `every` (2 or more), from the first on, after a low pass at half of their rate: a sinc in a
- * Blackman window, which shifts no phase. Beyond its ends the motion is 0. Errors: THUD_INPUT (fewer than two remain),
- * THUD_MEMORY. */
+/* Keeps one sample in `every` (1: all), from the first on, after a low pass at half the rate of samples that are `spacing`
+ * (1 or more) of its own apart: a sinc in a Blackman window, which shifts no phase and falls within a sixth of its corner.
+ * Beyond its ends the motion is 0. Errors: THUD_INPUT (fewer than two remain), THUD_MEMORY. */
+enum thud_status thud_record_low_pass(struct thud_record *record, double spacing, int every, struct thud_error *err);
+/* One sample in `every` (2 or more), after a low pass at half of their rate. */
 enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err);
 
 /* A new record at another step. It goes straight between the samples, as every run takes the record: at a whole

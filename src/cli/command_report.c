@@ -132,6 +132,7 @@ static enum thud_status report(const struct thud_args *args, struct thud_session
                                                .beside = thud_args_value(args, "beside"),
                                                .drawn = thud_args_value(args, "figures"),
                                                .threads = threads,
+                                               .simplify = !thud_args_has(args, "no-simplify"),
                                                .pdf = !thud_args_has(args, "no-pdf"),
                                                .no_pdf = thud_args_has(args, "pdf") ? NULL : &no_pdf,
                                                .records = &records,

@@ -59,9 +59,8 @@ static void move_record(const struct thud_session *session, const char *to, stru
     free(whole);
 }
 
-static enum thud_status write_preset(const struct thud_session *session, const struct thud_simplify *found,
-                                     const struct thud_simplify_suite *suite, const char *folder,
-                                     struct thud_error *err)
+static enum thud_status write_preset(const struct thud_session *session, const struct thud_simplify_found *found,
+                                     const char *folder, struct thud_error *err)
 {
     struct thud_scene *scene = malloc(sizeof *scene);
     struct thud_text text = {0};
@@ -69,13 +68,13 @@ static enum thud_status write_preset(const struct thud_session *session, const s
     unsigned long size;
     if (!scene)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    *scene = *thud_simplify_scene(found);
+    *scene = found->scene;
     snprintf(path, sizeof path, "%s/simplest.yaml", folder);
     thud_building_files_move(scene, session->preset_path, path);
     move_record(session, path, scene);
     enum thud_status status = thud_preset_text(session->preset, scene, &preset, &size, err);
     if (status == THUD_OK) {
-        thud_simplify_comments(found, suite, &text);
+        thud_simplify_comments(found, &text);
         thud_text_bytes(&text, preset, size);
         status = thud_text_write_in(&text, folder, "simplest.yaml", err);
     }
@@ -86,8 +85,8 @@ static enum thud_status write_preset(const struct thud_session *session, const s
 }
 
 static enum thud_status save(const struct thud_args *args, const struct thud_session *session,
-                             const struct thud_simplify *found, const struct thud_simplify_suite *suite,
-                             struct thud_picture_choice *picture, struct thud_error *err)
+                             const struct thud_simplify_found *found, struct thud_picture_choice *picture,
+                             struct thud_error *err)
 {
     const char *folder = thud_args_value(args, "o"),
                *title = session->scene.title[0] ? session->scene.title : session->scene.name;
@@ -97,7 +96,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_ses
     enum thud_status status = thud_text_write_in(&text, folder, "simplifications.csv", err);
     thud_text_clear(&text);
     if (status == THUD_OK)
-        status = write_preset(session, found, suite, folder, err);
+        status = write_preset(session, found, folder, err);
     picture->options.cancel = thud_interrupt_watch();
     return status == THUD_OK
                ? thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err)
@@ -108,13 +107,14 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
                                  struct thud_error *err)
 {
     struct thud_record_list records = {0};
-    struct thud_simplify *found = NULL;
-    struct thud_simplify_suite suite;
+    struct thud_simplify *search = NULL;
+    const struct thud_simplify_found *found = NULL;
     struct thud_simplify_ask ask;
     struct thud_picture_choice picture;
     struct thud_made_by by;
     struct thud_text text = {0};
     static const char *const asked[] = {"within", "cases", "records", NULL};
+    bool begun = false;
     *scene = session->scene;
     enum thud_status status = read_ask(args, &ask, err);
     if (status == THUD_OK)
@@ -123,22 +123,24 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
         status = thud_records_option_read(args, session, &records, err);
     if (status == THUD_OK)
         status = thud_scene_check_motion(scene, records.n > 0 ? records.record[0] : NULL, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK) /* nothing is written before the end: a signal stops it at once, inside a run too */
+        status = thud_simplify_search(scene, &records, &ask, NULL, &search, err);
+    if (status == THUD_OK) {
+        found = thud_simplify_found(search);
         status = thud_made_by_scene_file(args, "simplify", session, scene, asked, &by, err);
-    const bool begun = status == THUD_OK;
-    if (status == THUD_OK)
-        status = thud_simplify_search(scene, &records, &ask, thud_interrupt_watch(), &found, &suite, err);
-    const struct thud_rows rows = status == THUD_OK ? thud_simplify_table_rows(found) : (struct thud_rows){0};
+        begun = status == THUD_OK;
+    }
     if (status == THUD_OK && thud_args_has(args, "o"))
-        status = save(args, session, found, &suite, &picture, err);
+        status = save(args, session, found, &picture, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
-        thud_simplify_json(found, &suite, scene->name, &text);
-    else if (status == THUD_OK && thud_args_has(args, "csv"))
+        thud_simplify_json(found, scene->name, &text);
+    else if (status == THUD_OK && thud_args_has(args, "csv")) {
+        const struct thud_rows rows = thud_simplify_table_rows(found);
         thud_rows_csv(&rows, &text);
-    else if (status == THUD_OK)
-        thud_simplify_report(found, &suite, &text);
+    } else if (status == THUD_OK)
+        thud_simplify_report(found, &text);
     status = thud_cli_print_as(args, &text, status, err);
-    thud_simplify_free(found);
+    thud_simplify_free(search);
     thud_record_list_clear(&records);
     return begun ? thud_made_by_finish(args, &by, status, err) : status;
 }

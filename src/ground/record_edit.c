@@ -138,12 +138,12 @@ enum thud_status thud_record_resample(const struct thud_record *record, double d
     return status;
 }
 
-/* The low pass of record_thin: weights of the samples up to `half` away, whose sum is 1. */
-static void sinc_weights(int every, int half, double *weight)
+/* Weights of the samples up to `half` away, whose sum is 1. */
+static void sinc_weights(double spacing, int half, double *weight)
 {
     double sum = 0;
     for (int k = 0; k <= half; k++) {
-        const double x = THUD_PI * k / every, at = THUD_PI * (k + half + 1) / (half + 1);
+        const double x = THUD_PI * k / spacing, at = THUD_PI * (k + half + 1) / (half + 1);
         weight[k] = (k > 0 ? sin(x) / x : 1) * (0.42 - 0.5 * cos(at) + 0.08 * cos(2 * at));
         sum += (k > 0 ? 2 : 1) * weight[k];
     }
@@ -151,10 +151,10 @@ static void sinc_weights(int every, int half, double *weight)
         weight[k] /= sum;
 }
 
-enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err)
+enum thud_status thud_record_low_pass(struct thud_record *record, double spacing, int every, struct thud_error *err)
 {
-    static const int crossings = 16; /* of 0 by the sinc to either side: the pass falls over a tenth of its corner */
-    const int half = crossings * every - 1;
+    static const int crossings = 16; /* of 0 by the sinc to either side */
+    const int half = (int)(crossings * spacing) - 1;
     const size_t step = (size_t)every, n = (record->samples - 1) / step + 1;
     if (n < 2)
         return thud_error_refuse(err, THUD_INPUT, NULL, "fewer, or a longer part", "every %d of %zu samples leave one",
@@ -162,7 +162,7 @@ enum thud_status thud_record_thin(struct thud_record *record, int every, struct 
     double *weight = malloc(((size_t)half + 1 + n) * sizeof *weight), *kept = weight + half + 1;
     if (!weight)
         return thud_error_set(err, THUD_MEMORY, "out of memory for %zu samples", n);
-    sinc_weights(every, half, weight);
+    sinc_weights(spacing, half, weight);
     for (size_t i = 0; i < n; i++) {
         const size_t at = i * step;
         kept[i] = weight[0] * record->a_mps2[at];
@@ -175,4 +175,9 @@ enum thud_status thud_record_thin(struct thud_record *record, int every, struct 
     record->dt_s *= every;
     free(weight);
     return THUD_OK;
+}
+
+enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err)
+{
+    return thud_record_low_pass(record, every, every, err);
 }

@@ -185,6 +185,25 @@ START_TEST(thinning_keeps_what_is_slow)
 }
 END_TEST
 
+/* A low pass at a corner that is no whole fraction of the rate: what is slower by a sixth stays, what is faster is gone. */
+START_TEST(a_low_pass_keeps_what_is_slow)
+{
+    const double dt = 0.01, corner_hz = 7.3, slow_hz = corner_hz / 1.25, fast_hz = corner_hz * 1.25;
+    struct thud_record *record = make(2001, dt);
+    for (size_t i = 0; i < record->samples; i++) {
+        const double t = dt * (double)i, away = (t - 10) / 3;
+        record->a_mps2[i] = exp(-away * away) * (sin(2 * PI * slow_hz * t) + sin(2 * PI * fast_hz * t));
+    }
+    ck_assert_int_eq(thud_record_low_pass(record, 1 / (2 * corner_hz * dt), 1, NULL), THUD_OK);
+    ck_assert_uint_eq(record->samples, 2001);
+    for (size_t i = 0; i < record->samples; i++) {
+        const double t = dt * (double)i, away = (t - 10) / 3;
+        ck_assert_double_eq_tol(record->a_mps2[i], exp(-away * away) * sin(2 * PI * slow_hz * t), 2e-3);
+    }
+    thud_record_free(record);
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -197,6 +216,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, tapers_are_cosines);
     tcase_add_test(all, a_sine_is_resampled);
     tcase_add_loop_test(all, thinning_keeps_what_is_slow, 2, 6);
+    tcase_add_test(all, a_low_pass_keeps_what_is_slow);
     suite_add_tcase(suite, all);
     return suite;
 }

@@ -5,4 +5,4 @@
 #include "study/simplify/simplify.h"
 
 extern const struct thud_schema thud_simplify_schema;
-struct thud_rows thud_simplify_table_rows(const struct thud_simplify *simplify);
+struct thud_rows thud_simplify_table_rows(const struct thud_simplify_found *found);

@@ -5,4 +5,4 @@
 #include "study/simplify/simplify.h"
 
 /* `title` of the scene. NULL, or failed (thud_figure_check), when out of memory. */
-struct thud_figure *thud_figure_of_simplify(const struct thud_simplify *simplify, const char *title);
+struct thud_figure *thud_figure_of_simplify(const struct thud_simplify_found *found, const char *title);

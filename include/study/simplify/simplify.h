@@ -18,54 +18,53 @@ struct thud_simplify_change {
 
 struct thud_simplification {
     char words[120];
+    char input[100]; /* what need not be known with it; empty: nothing */
     enum thud_simplify_group group;
-    bool information; /* no key says it, or it saves nothing: never a step of the cheapest */
+    bool information; /* no key says it, or it is only compared: never a step of the cheapest */
     bool failed;      /* it has no result */
     struct thud_simplify_change change;
-    int inputs;        /* numbers that have to be known with it */
-    double work;       /* steps and evaluations times modes, over those of the full run */
-    double seconds;    /* of its evaluation, by who times; 0: not taken */
-    int row, at, size; /* its row in the table, and what of the scene: private */
+    double median, worst; /* change over several ground motions, where it was run on all of them; NaN: it was not */
+    int inputs;           /* numbers that have to be known with it */
+    double work;          /* steps and evaluations times modes, over those of the full run; NaN: of another method */
+    double seconds;       /* of its evaluation, by who times; 0: not taken */
+    int row, at, size;    /* its row in the table, and what of the scene: the same row and place, a curve of sizes */
 };
 
-enum { THUD_SIMPLIFY_MAX = 128, THUD_SIMPLIFY_CASES = THUD_CASES + 1 };
+enum { THUD_SIMPLIFY_MAX = 160, THUD_SIMPLIFY_CASES = THUD_CASES + 1 };
 struct thud_simplify_ask {
     double within; /* 0.05 */
     int ncases;    /* 0: as written */
     enum thud_case cases[THUD_SIMPLIFY_CASES];
-    bool suite; /* the record is one of several: what is said of its file alone is left out */
+    bool no_methods;  /* nothing is compared with other methods */
+    double work_most; /* steps and evaluations times modes after which nothing more is tried; 0: no limit */
 };
 
+/* What was found so far. */
+struct thud_simplify_found {
+    double within;
+    double moved;                    /* the largest change by 0.1 % more or less of an input; NaN: not known */
+    int runs;                        /* on the one ground motion, or the governing one */
+    int nmotions, governing;         /* from 0: largest contact force, without contact largest required gap */
+    struct thud_simplification full; /* the full run itself: change 0 */
+    struct thud_simplification cheapest, one[THUD_SIMPLIFY_MAX];
+    int untried;                           /* rows that were not run, since the runs or the work were at their limit */
+    int n, steps, step[THUD_SIMPLIFY_MAX]; /* of the cheapest in the order in which they were found, by their indices */
+    struct thud_scene scene;               /* with these steps: its keys say all of them */
+};
+bool thud_simplification_within(const struct thud_simplify_found *found, const struct thud_simplification *of);
+
 struct thud_simplify;
-/* `scene` is copied; `record` (NULL: none) stays the caller's and is as the scene's record says. Errors: THUD_MEMORY. */
-enum thud_status thud_simplify_create(const struct thud_scene *scene, const struct thud_record *record,
+/* `scene` is copied; the records (n 0: none) stay the caller's and are as the scene's record says. Of several the search
+ * is on the governing one; its cheapest is then run on all, and loses its last steps until it keeps the accuracy on all
+ * of them. Errors: THUD_MEMORY. */
+enum thud_status thud_simplify_create(const struct thud_scene *scene, struct thud_record *const *record, int n,
                                       const struct thud_simplify_ask *ask, struct thud_simplify **out,
                                       struct thud_error *err);
 void thud_simplify_free(struct thud_simplify *simplify);
+const struct thud_simplify_found *thud_simplify_found(const struct thud_simplify *simplify);
 
-/* One evaluation: the full run, what 0.1 % of input moves, a simplification, or a step of the cheapest. *timed: the
- * simplification whose `seconds` it took, or NULL. Errors: of the full run, those of thud_scene_solve; THUD_MEMORY. */
-enum thud_status thud_simplify_advance(struct thud_simplify *simplify, struct thud_simplification **timed, bool *done,
+/* One evaluation: the full run, what 0.1 % of input moves, a simplification, a step of the cheapest, or one on another
+ * ground motion. *seconds: where the time it took belongs, or NULL. Errors: of the full run, those of thud_scene_solve;
+ * THUD_MEMORY. */
+enum thud_status thud_simplify_advance(struct thud_simplify *simplify, double **seconds, bool *done,
                                        struct thud_error *err);
-int thud_simplify_runs(const struct thud_simplify *simplify); /* made so far, on one motion */
-
-int thud_simplify_count(const struct thud_simplify *simplify);
-const struct thud_simplification *thud_simplify_at(const struct thud_simplify *simplify, int i);
-/* The full run itself (change 0), and the cheapest of all. */
-const struct thud_simplification *thud_simplify_full(const struct thud_simplify *simplify);
-const struct thud_simplification *thud_simplify_cheapest(const struct thud_simplify *simplify);
-bool thud_simplification_within(const struct thud_simplify *simplify, const struct thud_simplification *of);
-double thud_simplify_within(const struct thud_simplify *simplify);
-/* The largest change of 0.1 % more or less of an input; NaN: not known. */
-double thud_simplify_moved(const struct thud_simplify *simplify);
-/* The steps of the cheapest, in the order in which they were found; the i-th, by its index. */
-int thud_simplify_steps(const struct thud_simplify *simplify);
-int thud_simplify_step(const struct thud_simplify *simplify, int i);
-/* The scene with these steps: its keys say all of them. */
-const struct thud_scene *thud_simplify_scene(const struct thud_simplify *simplify);
-
-/* The cheapest on another ground motion, against the full scene there. Errors: as thud_simplify_advance. */
-enum thud_status thud_simplify_try(struct thud_simplify *simplify, const struct thud_record *record,
-                                   struct thud_simplify_change *out, struct thud_error *err);
-/* Takes its last step back. */
-void thud_simplify_step_back(struct thud_simplify *simplify);

@@ -53,7 +53,8 @@ enum thud_remark_about {
     THUD_REMARK_RESULT = 16,   /* what the peaks of a run show */
     THUD_REMARK_STUDY = 32,    /* what the runs of a study show */
     THUD_REMARK_COMPUTED = 64, /* motions that no earthquake was like */
-    THUD_REMARK_LEDGER = 128   /* energy of a run that is not balanced */
+    THUD_REMARK_LEDGER = 128,  /* energy of a run that is not balanced */
+    THUD_REMARK_SIMPLER = 256  /* what a scene might do without: the command that tells */
 };
 /* What weighs most stands first where few are shown. */
 enum thud_remark_weight {

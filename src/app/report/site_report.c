@@ -261,6 +261,8 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
     if (status == THUD_OK)
         status = stopped(site, err);
     if (status == THUD_OK)
+        status = thud_site_simplify_run(site, err);
+    if (status == THUD_OK)
         status = thud_site_variants_run(site, err);
     return status == THUD_OK ? run_second(site, err) : status;
 }
@@ -313,6 +315,7 @@ static void clear(struct site *site)
     thud_uncertainty_study_clear(&site->samples);
     thud_uncertainty_free(site->uncertainty);
     thud_site_suite_clear(site);
+    thud_simplify_free(site->simplify);
     for (int i = 0; i < site->ndrawn; i++)
         thud_text_clear(&site->drawn[i]);
     thud_document_clear(&site->document);

@@ -22,6 +22,7 @@ struct thud_site_report_options {
     const char *limits;               /* of criteria, "drift=1%,force=5MN"; "": none */
     const struct thud_target *target; /* design spectrum of the suite; NULL: not given */
     int threads;                      /* 0: the processors that are online */
+    bool simplify;                    /* what the model needs, too */
     bool pdf;                         /* report.pdf too */
     struct thud_error *no_pdf;        /* why none could be made, where it need not be; NULL: it has to be */
     const struct thud_picture_options *pictures;

@@ -11,6 +11,7 @@
 #include "study/scene/needed_gap.h"
 #include "study/scene/solution.h"
 #include "study/scene/stiffness.h"
+#include "study/simplify/simplify.h"
 #include "study/suite/fragility.h"
 #include "study/sweep/floor_spectra.h"
 #include "study/sweep/remark.h"
@@ -69,6 +70,7 @@ struct site {
     struct thud_event limit[THUD_MEASURES];         /* by measure; an empty text: none */
     struct site_variant variant[SITE_VARIANTS_MAX]; /* (nvariants) */
     int nvariants;                                  /* 0: none are asked for */
+    struct thud_simplify *simplify;                 /* NULL: not asked for */
     struct thud_text drawn[SITE_DRAWN_MAX];         /* (ndrawn) SVG pictures that were drawn before */
     int ndrawn;
     struct {
@@ -155,6 +157,12 @@ void thud_site_drawn(struct site *site);
 
 void thud_site_samples_summary(struct site *site);
 void thud_site_sure_section(struct site *site);
+
+/* ---- what the model needs ---- */
+
+/* Errors: THUD_MEMORY, THUD_CANCELLED. */
+enum thud_status thud_site_simplify_run(struct site *site, struct thud_error *err);
+void thud_site_simplify(struct site *site);
 
 /* ---- words ---- */
 

@@ -618,9 +618,9 @@ static section *const sections[] = {thud_site_conclusion,    thud_site_verdicts,
                                     thud_site_method,        results,
                                     thud_site_variants,      gap,
                                     thud_site_suite_section, thud_site_sure_section,
-                                    thud_site_drawn,         thud_site_cautions,
-                                    thud_site_checks,        thud_site_unmade,
-                                    thud_site_provenance};
+                                    thud_site_simplify,      thud_site_drawn,
+                                    thud_site_cautions,      thud_site_checks,
+                                    thud_site_unmade,        thud_site_provenance};
 
 enum thud_status thud_site_write(struct site *site, struct thud_error *err)
 {

@@ -176,6 +176,7 @@ static const struct thud_option options[] = {
     {"date", "DATE", "date printed on the report", THUD_WORD_TEXT, false, REPORT},
     {"revision", "TEXT", "revision of the report", THUD_WORD_TEXT, false, REPORT},
     {"pdf", NULL, "an error if report.pdf cannot be made", THUD_WORD_NONE, false, REPORT},
+    {"no-simplify", NULL, "nothing on what the model needs", THUD_WORD_NONE, false, REPORT},
     {"no-pdf", NULL, "no report.pdf, which takes longest", THUD_WORD_NONE, false, REPORT},
     {"play", "FILE", "play a session of :log, also without a terminal", THUD_WORD_FILE, false, SCREEN},
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},

@@ -80,6 +80,15 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     }
 }
 
+static void add_hint(const struct thud_report *report, struct thud_text *out)
+{
+    const struct thud_remark_scope scope = {.scene = report->scene};
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_SIMPLER);
+    for (int i = 0; i < found.n; i++)
+        thud_text_append(out, "simpler        %s\n", found.item[i].said.what);
+    thud_remarks_clear(&found);
+}
+
 static void add_structure(const struct thud_report *report, int s, struct thud_text *out)
 {
     const struct thud_structure_result *r = &report->result->structure[s];
@@ -219,6 +228,7 @@ void thud_result_table(const struct thud_report *report, struct thud_text *out)
 {
     add_head(report, out);
     add_results(report, out);
+    add_hint(report, out);
     for (int s = 0; s < report->result->nstructures; s++)
         add_structure(report, s, out);
     add_contacts(report, out);

@@ -5,7 +5,7 @@
 struct simplify_row {
     const char *name, *group;
     bool needed, step, information;
-    double time;
+    double time, saving;
     struct thud_simplification own;
 };
 #define ROW(member, key, text)        THUD_FIELD(struct simplify_row, member, key, text)
@@ -13,6 +13,11 @@ struct simplify_row {
 #define PERCENT(member, key, text, head_)                                                                              \
     THUD_FIELD_WITH(struct simplify_row, member, key, text, .infinite = true,                                          \
                     .shown = {head_, "%", 100, 9, 3, THUD_DIGITS_FREE})
+/* Of several ground motions. */
+enum { OF_MOTIONS = 1 };
+#define MOTIONS(member, key, text)                                                                                     \
+    THUD_FIELD_WITH(struct simplify_row, member, key, text, .only = OF_MOTIONS, .infinite = true,                      \
+                    .shown = {key, "%", 100, 9, 3, THUD_DIGITS_FREE})
 static const struct thud_column columns[] = {
     SHOWN(name, "name", "What is simplified.", "simplification", "", 0, -30, 0, THUD_DIGITS_WORD),
     ROW(group, "group", "What it is a part of: model, contact, motion or method."),
@@ -24,14 +29,19 @@ static const struct thud_column columns[] = {
     PERCENT(own.change.drift, "drift", "The same of storey drifts.", "drift"),
     PERCENT(own.change.force, "force", "The same of contact forces, over the largest of all.", "force"),
     PERCENT(own.change.gap, "gap", "Of the required gap, relative to itself.", "gap"),
+    MOTIONS(own.median, "median", "Median change over several ground motions, of steps of the cheapest model."),
+    MOTIONS(own.worst, "worst", "The largest over them."),
     SHOWN(own.change.impacts, "impacts", "Impacts, of all cases.", "impacts", "", 0, 7, 0, THUD_DIGITS_WORD),
     SHOWN(own.inputs, "inputs", "Numbers that have to be known with it.", "inputs", "", 0, 6, 0, THUD_DIGITS_WORD),
-    SHOWN(own.work, "work", "Steps and evaluations of forces, times modes, over those of the full run.", "work", "%",
-          100, 7, 3, THUD_DIGITS_FREE),
-    ROW(time, "time", "Measured time of its evaluation over that of the full run."),
+    SHOWN(own.work, "work",
+          "Steps and evaluations of forces, times modes, over those of the full run; none of another method.", "work",
+          "%", 100, 7, 3, THUD_DIGITS_FREE),
+    SHOWN(time, "time", "Measured time of its evaluation over that of the full run.", "time", "%", 100, 7, 2,
+          THUD_DIGITS_FREE),
     ROW(needed, "needed", "1: leaving it out changes more than the accuracy that was asked for."),
     ROW(information, "information", "1: no preset can say it so, or it is only looked at."),
-    ROW(step, "step", "1: a step of the cheapest model.")};
+    ROW(step, "step", "1: a step of the cheapest model."),
+    ROW(saving, "saving", "Part of the full run's work that is saved; below 0 it takes more.")};
 const struct thud_schema thud_simplify_schema =
     THUD_SCHEMA("simplifications.csv",
                 "Written by\n.Cm simplify Fl o :\na row for each simplification that applies; with\n.Fl -json\nthe "
@@ -41,21 +51,21 @@ const struct thud_schema thud_simplify_schema =
 
 static void make(const void *of, int i, void *out)
 {
-    const struct thud_simplify *s = of;
-    const struct thud_simplification *one = thud_simplify_at(s, i);
-    const double full_s = thud_simplify_full(s)->seconds;
+    const struct thud_simplify_found *f = of;
+    const struct thud_simplification *one = &f->one[i];
     struct simplify_row *row = out;
     *row = (struct simplify_row){.name = one->words,
                                  .group = thud_simplify_group_name(one->group),
-                                 .needed = !thud_simplification_within(s, one),
+                                 .needed = !thud_simplification_within(f, one),
                                  .information = one->information,
-                                 .time = full_s > 0 && one->seconds > 0 ? one->seconds / full_s : NAN,
+                                 .time = f->full.seconds > 0 && one->seconds > 0 ? one->seconds / f->full.seconds : NAN,
+                                 .saving = 1 - one->work,
                                  .own = *one};
-    for (int k = 0; k < thud_simplify_steps(s); k++)
-        row->step = row->step || thud_simplify_step(s, k) == i;
+    for (int k = 0; k < f->steps; k++)
+        row->step = row->step || f->step[k] == i;
 }
 
-struct thud_rows thud_simplify_table_rows(const struct thud_simplify *s)
+struct thud_rows thud_simplify_table_rows(const struct thud_simplify_found *found)
 {
-    return (struct thud_rows){&thud_simplify_schema, 0, thud_simplify_count(s), make, s};
+    return (struct thud_rows){&thud_simplify_schema, found->nmotions > 1 ? OF_MOTIONS : 0, found->n, make, found};
 }

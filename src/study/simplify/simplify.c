@@ -1,6 +1,7 @@
-/* The search: every simplification by itself; then, by what it saves for what it changes, one after the other on top of
- * those that were taken, where the whole keeps the accuracy. A row that was taken for the same thing is replaced by one
- * that saves more. */
+/* The search: the full run on every ground motion; every simplification by itself on the governing one; then, by what it
+ * saves for what it changes, one after the other on top of those that were taken, where the whole keeps the accuracy. A
+ * row that was taken for the same thing is replaced by one that saves more. At last the cheapest, and each of its steps
+ * by itself, on the other ground motions. */
 #include "study/simplify/simplify.h"
 
 #include <math.h>
@@ -8,27 +9,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/statistics.h"
 #include "ground/record_edit.h"
 #include "study/scene/needed_gap.h"
 #include "study/simplify/simplify_private.h"
 #include "study/sweep/sensitivity.h"
 
 enum { RUNS_MOST = 150 };
-enum stage { STAGE_FULL, STAGE_MOVED, STAGE_SINGLE, STAGE_TOGETHER, STAGE_DONE };
+enum stage { STAGE_MOTIONS, STAGE_MOVED, STAGE_SINGLE, STAGE_TOGETHER, STAGE_WHOLE, STAGE_EACH, STAGE_DONE };
+
+/* The full run on a ground motion. */
+struct motion {
+    const struct thud_record *record;                      /* NULL: none */
+    struct thud_simplify_peaks peaks[THUD_SIMPLIFY_CASES]; /* of its cases */
+    double gap_m, work, force_n, seconds;                  /* gap: required; NaN: none */
+};
 
 struct thud_simplify {
-    struct thud_simplify_ask ask;
-    struct thud_scene base, scene; /* as given, scaled by a peak alone; of the cheapest */
+    struct thud_simplify_ask ask; /* with one case where none was asked for */
+    struct thud_scene base;       /* as given, scaled by a peak alone */
     struct thud_scene trial, cased;
-    const struct thud_record *record;
-    struct thud_solution full;                             /* of the scene as written */
-    struct thud_simplify_peaks peaks[THUD_SIMPLIFY_CASES]; /* of its cases */
-    double gap_m;                                          /* required; NaN: none */
-    struct thud_simplification self, cheapest, one[THUD_SIMPLIFY_MAX];
-    int n, steps, step[THUD_SIMPLIFY_MAX], order[THUD_SIMPLIFY_MAX];
+    struct thud_solution full; /* of the scene as written, on the governing motion */
+    struct motion *motion, *on;
+    double *change; /* (nmotions) */
+    struct thud_simplify_found found;
+    int order[THUD_SIMPLIFY_MAX + 1];
     enum stage stage;
-    int at, runs;
-    double moved, work;
+    int at, listed, each;
+    double worked; /* in all */
 };
 
 const char *thud_simplify_group_name(enum thud_simplify_group group)
@@ -37,37 +45,42 @@ const char *thud_simplify_group_name(enum thud_simplify_group group)
     return names[group];
 }
 
-static int cases(const struct thud_simplify *s)
-{
-    return s->ask.ncases > 0 ? s->ask.ncases : 1;
-}
-
-static enum thud_case case_at(const struct thud_simplify *s, int i)
-{
-    return s->ask.ncases > 0 ? s->ask.cases[i] : THUD_CASE_AS_WRITTEN;
-}
-
-enum thud_status thud_simplify_create(const struct thud_scene *scene, const struct thud_record *record,
+enum thud_status thud_simplify_create(const struct thud_scene *scene, struct thud_record *const *record, int n,
                                       const struct thud_simplify_ask *ask, struct thud_simplify **out,
                                       struct thud_error *err)
 {
     struct thud_simplify *s = *out = calloc(1, sizeof *s);
-    if (!s)
+    const size_t motions = n > 0 ? (size_t)n : 1;
+    if (s) {
+        s->on = s->motion = calloc(motions, sizeof *s->motion);
+        s->change = calloc(motions, sizeof *s->change);
+    }
+    if (!s || !s->motion || !s->change) {
+        thud_simplify_free(s);
+        *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    }
+    for (int i = 0; i < n; i++)
+        s->motion[i].record = record[i];
     s->ask = *ask;
+    if (ask->ncases == 0)
+        s->ask.cases[s->ask.ncases++] = THUD_CASE_AS_WRITTEN;
     s->base = *scene;
-    s->record = record;
-    s->moved = s->gap_m = NAN;
     struct thud_record_choice *choice = &s->base.record;
-    if (record && (choice->sa_mps2 > 0 || choice->target[0])) { /* their scale hangs on the buildings' periods */
+    if (n > 0 && (choice->sa_mps2 > 0 || choice->target[0])) { /* their scale hangs on the buildings' periods */
         choice->sa_mps2 = choice->period_s = choice->target_from_s = choice->target_to_s = NAN;
         memset(choice->target, 0, sizeof choice->target);
-        choice->peak_mps2 = thud_record_peak(record);
+        choice->peak_mps2 = thud_record_peak(record[0]);
         choice->factor = 1;
     }
-    s->scene = s->base;
-    s->self.inputs = s->cheapest.inputs = thud_scene_inputs(&s->base);
-    s->self.work = s->cheapest.work = 1;
+    struct thud_simplify_found *f = &s->found;
+    f->within = ask->within;
+    f->moved = NAN;
+    f->nmotions = (int)motions;
+    f->scene = s->base;
+    f->full = (struct thud_simplification){
+        .inputs = thud_scene_inputs(&s->base), .work = 1, .median = NAN, .worst = NAN, .row = -1};
+    f->cheapest = f->full;
     return THUD_OK;
 }
 
@@ -75,16 +88,18 @@ void thud_simplify_free(struct thud_simplify *s)
 {
     if (!s)
         return;
-    for (int i = 0; i < THUD_SIMPLIFY_CASES; i++)
-        thud_simplify_peaks_clear(&s->peaks[i]);
+    for (int i = 0; s->motion && i < s->found.nmotions; i++)
+        for (int k = 0; k < THUD_SIMPLIFY_CASES; k++)
+            thud_simplify_peaks_clear(&s->motion[i].peaks[k]);
     thud_solution_clear(&s->full);
+    free(s->motion);
+    free(s->change);
     free(s);
 }
 
-static double work_of(const struct thud_solution *solution)
+const struct thud_simplify_found *thud_simplify_found(const struct thud_simplify *s)
 {
-    const struct thud_work *w = &thud_run_result(solution->run)->work;
-    return (double)(w->steps + w->force_evaluations + w->samples_fast) * fmax(1, solution->model->nmodes);
+    return &s->found;
 }
 
 /* Its required gap; NaN: nothing can meet. */
@@ -100,38 +115,55 @@ static enum thud_status needed_gap(const struct thud_scene *scene, const struct 
     return status;
 }
 
-/* The run of a case (by its index) and its peaks; its work is added. */
-static enum thud_status run_case(struct thud_simplify *s, const struct thud_scene *scene,
-                                 const struct thud_record *record, int which, struct thud_simplify_peaks *peaks,
-                                 double *work, struct thud_error *err)
+/* The peaks of all cases of a scene, its required gap and its work. `*keep`, unless NULL: the run as written. */
+static enum thud_status run_cases(struct thud_simplify *s, const struct thud_scene *scene, struct motion *to,
+                                  struct thud_solution *keep, struct thud_error *err)
 {
-    struct thud_solution solution = {0};
-    *peaks = (struct thud_simplify_peaks){0};
-    enum thud_status status = thud_scene_case(scene, case_at(s, which), &s->cased, err);
-    if (status == THUD_OK)
-        status = thud_scene_solve(&s->cased, record, NULL, &solution, err);
-    s->runs += status == THUD_OK || status == THUD_DIVERGED;
-    if (status == THUD_OK)
-        status = thud_simplify_peaks_take(thud_run_result(solution.run), peaks, err);
-    if (status == THUD_OK)
-        *work += work_of(&solution);
-    thud_solution_clear(&solution);
-    return status;
+    enum thud_status status = THUD_OK;
+    for (int i = 0; status == THUD_OK && i < s->ask.ncases; i++) {
+        struct thud_solution solution = {0};
+        status = thud_scene_case(scene, s->ask.cases[i], &s->cased, err);
+        if (status == THUD_OK)
+            status = thud_scene_solve(&s->cased, to->record, NULL, &solution, err);
+        s->found.runs++;
+        if (status == THUD_OK)
+            status = thud_simplify_peaks_take(thud_run_result(solution.run), &to->peaks[i], err);
+        if (status == THUD_OK) {
+            const struct thud_work *w = &thud_run_result(solution.run)->work;
+            const double work =
+                (double)(w->steps + w->force_evaluations + w->samples_fast) * fmax(1, solution.model->nmodes);
+            to->work += work;
+            s->worked += work;
+            for (int c = 0; c < to->peaks[i].contacts; c++)
+                to->force_n = fmax(to->force_n, to->peaks[i].contact[c].force.value);
+        }
+        if (keep && status == THUD_OK && s->ask.cases[i] == THUD_CASE_AS_WRITTEN) {
+            *keep = solution;
+            continue;
+        }
+        thud_solution_clear(&solution);
+    }
+    return status == THUD_OK ? needed_gap(scene, to->record, &to->gap_m, err) : status;
 }
 
-static enum thud_status run_full(struct thud_simplify *s, struct thud_error *err)
+/* The full run on the next ground motion; the hardest governs. */
+static enum thud_status run_motion(struct thud_simplify *s, double **seconds, struct thud_error *err)
 {
-    enum thud_status status = thud_scene_solve(&s->base, s->record, NULL, &s->full, err);
-    s->runs++;
-    for (int i = 0; status == THUD_OK && i < cases(s); i++)
-        if (case_at(s, i) != THUD_CASE_AS_WRITTEN)
-            status = run_case(s, &s->base, s->record, i, &s->peaks[i], &s->work, err);
-        else if ((status = thud_simplify_peaks_take(thud_run_result(s->full.run), &s->peaks[i], err)) == THUD_OK)
-            s->work += work_of(&s->full);
-    for (int i = 0; i < cases(s); i++)
-        s->self.change.impacts += s->peaks[i].impacts;
-    s->cheapest.change = s->self.change;
-    return status == THUD_OK ? needed_gap(&s->base, s->record, &s->gap_m, err) : status;
+    struct motion *now = &s->motion[s->at++];
+    struct thud_solution solution = {0};
+    const bool first = now == s->motion;
+    enum thud_status status = run_cases(s, &s->base, now, &solution, err);
+    if (status == THUD_OK && !solution.run && (first || now->force_n > s->on->force_n))
+        status = thud_scene_solve(&s->base, now->record, NULL, &solution, err);
+    s->found.runs += s->ask.cases[0] != THUD_CASE_AS_WRITTEN;
+    if (first || now->force_n > s->on->force_n || (s->on->force_n == 0 && now->gap_m > s->on->gap_m)) {
+        thud_solution_clear(&s->full);
+        s->full = solution;
+        s->on = now;
+    } else
+        thud_solution_clear(&solution);
+    *seconds = &now->seconds;
+    return status;
 }
 
 static void largest(struct thud_simplify_change *c)
@@ -141,9 +173,11 @@ static void largest(struct thud_simplify_change *c)
         c->all = fmax(c->all, isnan(part[i]) ? 0 : part[i]);
 }
 
-/* The motion of a scene: that of the search, cut and thinned where the scene says so. */
+/* The motion of a scene: that of the search, cut and thinned where the scene says so, or without what lies above a
+ * frequency. */
 static enum thud_status make_record(const struct thud_simplify *s, const struct thud_scene *scene,
-                                    const struct thud_record *record, struct thud_record **out, struct thud_error *err)
+                                    const struct thud_record *record, double low_pass, struct thud_record **out,
+                                    struct thud_error *err)
 {
     *out = NULL;
     if (!record)
@@ -155,35 +189,37 @@ static enum thud_status make_record(const struct thud_simplify *s, const struct 
         status = thud_record_trim(*out, scene->record.from_s - begin, scene->record.to_s - begin, err);
     if (status == THUD_OK && scene->record.every > 1 && s->base.record.every != scene->record.every)
         status = thud_record_thin(*out, scene->record.every, err);
-    return status;
+    return status == THUD_OK && low_pass > 0 ? thud_record_low_pass(*out, low_pass, 1, err) : status;
 }
 
-/* A scene against the full one, on a motion of which the full peaks are given. A run that fails is no error: `failed`. */
-static enum thud_status evaluate(struct thud_simplify *s, const struct thud_scene *scene,
-                                 const struct thud_record *motion, const struct thud_simplify_peaks *full, double gap_m,
-                                 struct thud_simplification *to, struct thud_error *err)
+/* A scene against the full one on a ground motion. A run that fails is no error: `failed`. */
+static enum thud_status evaluate(struct thud_simplify *s, const struct thud_scene *scene, const struct motion *full,
+                                 double low_pass, struct thud_simplification *to, struct thud_error *err)
 {
     struct thud_record *record = NULL;
-    double work = 0, gap = NAN;
-    to->change = (struct thud_simplify_change){NAN, NAN, NAN, NAN, 0, 0};
+    struct motion simple = {.gap_m = NAN};
+    const int runs = s->found.runs;
+    to->change = thud_simplify_unchanged();
     to->inputs = thud_scene_inputs(scene);
-    enum thud_status status = make_record(s, scene, motion, &record, err);
-    for (int i = 0; status == THUD_OK && i < cases(s); i++) {
-        struct thud_simplify_peaks peaks;
-        status = run_case(s, scene, record, i, &peaks, &work, err);
-        if (status == THUD_OK)
-            thud_simplify_compare(&full[i], &peaks, &to->change);
-        thud_simplify_peaks_clear(&peaks);
-    }
+    enum thud_status status = make_record(s, scene, full->record, low_pass, &record, err);
+    simple.record = record;
     if (status == THUD_OK)
-        status = needed_gap(scene, record, &gap, err);
-    if (gap_m > 0)
-        to->change.gap = isnan(gap) ? 1 : fabs(gap - gap_m) / gap_m;
+        status = run_cases(s, scene, &simple, NULL, err);
+    for (int i = 0; i < s->ask.ncases; i++) {
+        if (status == THUD_OK)
+            thud_simplify_compare(&full->peaks[i], &simple.peaks[i], &to->change);
+        thud_simplify_peaks_clear(&simple.peaks[i]);
+    }
+    thud_simplify_compare_gap(full->gap_m, simple.gap_m, &to->change);
     largest(&to->change);
-    to->work = s->work > 0 ? work / s->work : 1;
+    to->work = full->work > 0 ? simple.work / full->work : 1;
     to->failed = status != THUD_OK;
-    if (to->failed)
-        to->change = (struct thud_simplify_change){NAN, NAN, NAN, NAN, INFINITY, 0};
+    if (to->failed) {
+        to->change = thud_simplify_unchanged();
+        to->change.all = INFINITY;
+    }
+    if (full != s->on)
+        s->found.runs = runs;
     thud_record_free(record);
     return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status;
 }
@@ -197,10 +233,10 @@ static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *er
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
         struct thud_solution solution;
         struct thud_simplify_peaks peaks = {0};
-        struct thud_simplify_change change = {NAN, NAN, NAN, NAN, 0, 0};
-        status =
-            thud_change_solve(&s->base, s->record, (enum thud_change)(i / 2), i % 2 ? 1.001 : 0.999, &solution, err);
-        s->runs++;
+        struct thud_simplify_change change = thud_simplify_unchanged();
+        status = thud_change_solve(&s->base, s->on->record, (enum thud_change)(i / 2), i % 2 ? 1.001 : 0.999, &solution,
+                                   err);
+        s->found.runs++;
         if (status == THUD_OK)
             status = thud_simplify_peaks_take(thud_run_result(solution.run), &peaks, err);
         if (status == THUD_OK)
@@ -211,60 +247,112 @@ static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *er
         thud_solution_clear(&solution);
     }
     thud_simplify_peaks_clear(&full);
-    s->moved = status == THUD_OK ? most : NAN;
+    s->found.moved = status == THUD_OK ? most : NAN;
     return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status; /* a scene at an edge: not known */
 }
 
-/* Every row that applies. */
-static void list_rows(struct thud_simplify *s)
+static struct thud_simplify_from from(const struct thud_simplify *s)
 {
-    for (int r = 0; r < thud_simplify_rows(); r++) {
-        const struct thud_simplify_row *row = thud_simplify_row_at(r);
-        const int span = thud_simplify_span(row, &s->base);
-        if (row->group == THUD_SIMPLIFY_MOTION && (s->ask.suite || !s->record))
-            continue;
-        for (int i = 0; i < span; i++)
-            for (int size = 0; size == 0 || (row->size && row->size[size]); size++) {
-                struct thud_simplification one = {
-                    .group = row->group, .information = row->information, .row = r, .at = i, .size = size};
-                s->trial = s->base;
-                if (s->n == THUD_SIMPLIFY_MAX ||
-                    !thud_simplify_apply(&one, &s->base, s->record, thud_run_result(s->full.run), &s->trial))
-                    continue;
-                thud_simplify_words(&one, &s->base, one.words, sizeof one.words);
-                s->one[s->n++] = one;
-            }
+    return (struct thud_simplify_from){.base = &s->base, .record = s->on->record, .full = thud_run_result(s->full.run)};
+}
+
+/* One ground motion in place of all: the one whose peaks and required gap are nearest to the means of all. */
+static enum thud_status list_one_motion(struct thud_simplify *s, struct thud_error *err)
+{
+    struct thud_simplify_found *f = &s->found;
+    struct thud_simplify_peaks mean[THUD_SIMPLIFY_CASES] = {{0}};
+    struct thud_simplification *to = &f->one[s->listed];
+    double gap_m = 0;
+    enum thud_status status = THUD_OK;
+    for (int m = 0; status == THUD_OK && m < f->nmotions; m++) {
+        for (int i = 0; status == THUD_OK && i < s->ask.ncases; i++)
+            status = thud_simplify_peaks_add(&s->motion[m].peaks[i], 1.0 / f->nmotions, &mean[i], err);
+        gap_m += s->motion[m].gap_m / f->nmotions;
     }
+    *to = (struct thud_simplification){.group = THUD_SIMPLIFY_MOTION,
+                                       .information = true,
+                                       .inputs = f->full.inputs,
+                                       .work = 1.0 / f->nmotions,
+                                       .median = NAN,
+                                       .worst = NAN,
+                                       .row = -1};
+    for (int m = 0; status == THUD_OK && m < f->nmotions; m++) {
+        struct thud_simplify_change change = thud_simplify_unchanged();
+        for (int i = 0; i < s->ask.ncases; i++)
+            thud_simplify_compare(&mean[i], &s->motion[m].peaks[i], &change);
+        thud_simplify_compare_gap(gap_m, s->motion[m].gap_m, &change);
+        largest(&change);
+        if (m == 0 || change.all < to->change.all) {
+            to->change = change;
+            snprintf(to->words, sizeof to->words, "ground motion %d alone in place of %d", m + 1, f->nmotions);
+        }
+    }
+    for (int i = 0; i < s->ask.ncases; i++)
+        thud_simplify_peaks_clear(&mean[i]);
+    return status;
+}
+
+/* Every row that applies. What is said of the file of one motion alone is no step for several. */
+static enum thud_status list_rows(struct thud_simplify *s, struct thud_error *err)
+{
+    struct thud_simplify_found *f = &s->found;
+    s->listed = thud_simplify_list(from(s), s->ask.no_methods, THUD_SIMPLIFY_MAX - 1, f->one);
+    for (int i = 0; i < s->listed && f->nmotions > 1; i++)
+        f->one[i].information |= f->one[i].group == THUD_SIMPLIFY_MOTION;
+    return f->nmotions > 1 ? list_one_motion(s, err) : THUD_OK;
+}
+
+bool thud_simplification_within(const struct thud_simplify_found *f, const struct thud_simplification *of)
+{
+    return !of->failed && of->change.all <= f->within;
+}
+
+/* The next of the listed rows by itself; those of which enough is known are left out. */
+static enum thud_status run_single(struct thud_simplify *s, double **seconds, struct thud_error *err)
+{
+    static const double enough = 0.25; /* of the accuracy: half a step of second order further on */
+    struct thud_simplify_found *f = &s->found;
+    struct thud_simplification *one = &f->one[f->n];
+    const struct thud_simplification *last = f->n > 0 ? one - 1 : NULL;
+    *one = f->one[s->at++];
+    if (last && thud_simplify_row_of(one)->enough && last->row == one->row && last->at == one->at && !last->failed &&
+        last->change.all <= enough * f->within)
+        return THUD_OK;
+    f->n++;
+    s->trial = s->base;
+    thud_simplify_apply(one, from(s), &s->trial);
+    *seconds = &one->seconds;
+    const enum thud_status status =
+        evaluate(s, &s->trial, s->on, thud_simplify_low_pass(one, from(s).full, s->on->record), one, err);
+    if (thud_simplify_row_of(one)->span == THUD_SPAN_METHOD)
+        one->work = NAN; /* a step of another method is another amount of work */
+    return status;
 }
 
 /* What a model saves: of the numbers to be known and of the work, each up to 1. */
-static double saving(const struct thud_simplify *s, const struct thud_simplification *of)
+static double saving(const struct thud_simplify_found *f, const struct thud_simplification *of)
 {
-    return (double)(s->self.inputs - of->inputs) / fmax(1, s->self.inputs) + fmax(0, 1 - of->work);
+    return (double)(f->full.inputs - of->inputs) / fmax(1, f->full.inputs) + fmax(0, 1 - of->work);
 }
 
-bool thud_simplification_within(const struct thud_simplify *s, const struct thud_simplification *of)
-{
-    return !of->failed && of->change.all <= s->ask.within;
-}
-
-static double rank(const struct thud_simplify *s, const struct thud_simplification *of)
+static double rank(const struct thud_simplify_found *f, const struct thud_simplification *of)
 {
     const double least = 1e-3; /* changes below are alike */
-    return saving(s, of) / fmax(of->change.all, least);
+    return saving(f, of) / fmax(of->change.all, least);
 }
 
 /* Those that keep the accuracy by themselves and save something, the best first. */
 static void sort_steps(struct thud_simplify *s)
 {
+    const struct thud_simplify_found *f = &s->found;
     int n = 0;
-    for (int i = 0; i < s->n; i++) {
-        const struct thud_simplification *one = &s->one[i];
-        if (one->information || !thud_simplification_within(s, one) || one->inputs > s->self.inputs ||
-            !(saving(s, one) > 0))
+    for (int i = 0; i < f->n; i++) {
+        const struct thud_simplification *one = &f->one[i];
+        if (one->information || !thud_simplification_within(f, one) || one->inputs > f->full.inputs ||
+            !(saving(f, one) > 0))
             continue;
         int at = n++;
-        for (; at > 0 && rank(s, &s->one[s->order[at - 1]]) < rank(s, one); at--)
+        for (; at > 0 && rank(f, &f->one[s->order[at - 1]]) < rank(f, one); at--)
             s->order[at] = s->order[at - 1];
         s->order[at] = i;
     }
@@ -272,149 +360,144 @@ static void sort_steps(struct thud_simplify *s)
 }
 
 /* The scene of steps in their order; false where one does not apply any more. */
-static bool make_scene(struct thud_simplify *s, const int *step, int n, struct thud_scene *scene)
+static bool make_scene(const struct thud_simplify *s, const int *step, int n, struct thud_scene *scene)
 {
     *scene = s->base;
     bool made = true;
     for (int i = 0; i < n && made; i++)
-        made = thud_simplify_apply(&s->one[step[i]], &s->base, s->record, thud_run_result(s->full.run), scene);
+        made = thud_simplify_apply(&s->found.one[step[i]], from(s), scene);
     return made;
 }
 
 /* One more step, in place of one of the same row for the same thing. */
-static enum thud_status take_step(struct thud_simplify *s, int next, struct thud_error *err)
+static enum thud_status take_step(struct thud_simplify *s, int next, double **seconds, struct thud_error *err)
 {
+    struct thud_simplify_found *f = &s->found;
     int step[THUD_SIMPLIFY_MAX], n = 0;
-    for (int i = 0; i < s->steps; i++)
-        if (s->one[s->step[i]].row != s->one[next].row || s->one[s->step[i]].at != s->one[next].at)
-            step[n++] = s->step[i];
+    for (int i = 0; i < f->steps; i++)
+        if (f->one[f->step[i]].row != f->one[next].row || f->one[f->step[i]].at != f->one[next].at)
+            step[n++] = f->step[i];
     step[n++] = next;
-    struct thud_simplification whole = {0};
+    struct thud_simplification whole = f->full;
     if (!make_scene(s, step, n, &s->trial))
         return THUD_OK;
-    enum thud_status status = evaluate(s, &s->trial, s->record, s->peaks, s->gap_m, &whole, err);
-    if (status != THUD_OK || !thud_simplification_within(s, &whole) || !(saving(s, &whole) > saving(s, &s->cheapest)))
+    enum thud_status status = evaluate(s, &s->trial, s->on, 0, &whole, err);
+    if (status != THUD_OK || !thud_simplification_within(f, &whole) || !(saving(f, &whole) > saving(f, &f->cheapest)))
         return status;
-    s->cheapest = whole;
-    s->scene = s->trial;
-    s->steps = n;
-    memcpy(s->step, step, sizeof step);
+    f->cheapest = whole;
+    f->scene = s->trial;
+    f->steps = n;
+    *seconds = &f->cheapest.seconds;
+    memcpy(f->step, step, (size_t)n * sizeof *step);
     return status;
 }
 
-enum thud_status thud_simplify_advance(struct thud_simplify *s, struct thud_simplification **timed, bool *done,
-                                       struct thud_error *err)
+/* The next of all ground motions with these steps; after the last, their median and worst. */
+static enum thud_status run_on(struct thud_simplify *s, const int *step, int n, struct thud_simplification *of,
+                               struct thud_error *err)
 {
+    struct thud_simplification here = *of;
+    const struct motion *motion = &s->motion[s->at];
     enum thud_status status = THUD_OK;
-    *timed = NULL;
-    if (s->stage == STAGE_FULL) {
-        status = run_full(s, err);
-        *timed = &s->self;
-        s->stage++;
-    } else if (s->stage == STAGE_MOVED) {
+    if (motion != s->on && make_scene(s, step, n, &s->trial))
+        status = evaluate(s, &s->trial, motion, 0, &here, err);
+    s->change[s->at++] = here.change.all;
+    of->worst = s->at == 1 ? here.change.all : fmax(of->worst, here.change.all);
+    if (s->at == s->found.nmotions)
+        of->median = thud_quantile(s->change, thud_sort_numbers(s->change, (size_t)s->at), 0.5, false);
+    return status;
+}
+
+/* Without its last step, where it does not keep the accuracy on all ground motions. */
+static enum thud_status step_back(struct thud_simplify *s, struct thud_error *err)
+{
+    struct thud_simplify_found *f = &s->found;
+    make_scene(s, f->step, --f->steps, &f->scene);
+    f->cheapest = f->full;
+    return f->steps > 0 ? evaluate(s, &f->scene, s->on, 0, &f->cheapest, err) : THUD_OK;
+}
+
+static bool may_run(const struct thud_simplify *s)
+{
+    return s->found.runs < RUNS_MOST && (s->ask.work_most == 0 || s->worked < s->ask.work_most);
+}
+
+static void next_stage(struct thud_simplify *s)
+{
+    s->stage++;
+    s->at = 0;
+}
+
+enum thud_status thud_simplify_advance(struct thud_simplify *s, double **seconds, bool *done, struct thud_error *err)
+{
+    static const double runs_least = 20; /* below, a search says nothing */
+    struct thud_simplify_found *f = &s->found;
+    enum thud_status status = THUD_OK;
+    *seconds = NULL;
+    switch (s->stage) {
+    case STAGE_MOTIONS:
+        status = run_motion(s, seconds, err);
+        if (s->at == f->nmotions) {
+            f->governing = (int)(s->on - s->motion);
+            f->runs /= f->nmotions;
+            for (int i = 0; i < s->ask.ncases; i++)
+                f->full.change.impacts += s->on->peaks[i].impacts;
+            f->cheapest.change = f->full.change;
+            next_stage(s);
+        }
+        break;
+    case STAGE_MOVED:
+        if (s->ask.work_most > 0 && runs_least * s->worked > s->ask.work_most) {
+            s->stage = STAGE_DONE;
+            break;
+        }
+        f->full.seconds = s->on->seconds;
         status = run_moved(s, err);
-        list_rows(s);
-        s->stage++;
-    } else if (s->stage == STAGE_SINGLE && s->at < s->n && s->runs < RUNS_MOST) {
-        struct thud_simplification *one = *timed = &s->one[s->at++];
-        s->trial = s->base;
-        thud_simplify_apply(one, &s->base, s->record, thud_run_result(s->full.run), &s->trial);
-        status = evaluate(s, &s->trial, s->record, s->peaks, s->gap_m, one, err);
-    } else if (s->stage == STAGE_SINGLE) {
-        s->n = s->at;
-        s->at = 0;
+        if (status == THUD_OK)
+            status = list_rows(s, err);
+        next_stage(s);
+        break;
+    case STAGE_SINGLE:
+        if (s->at < s->listed && may_run(s)) {
+            status = run_single(s, seconds, err);
+            break;
+        }
+        f->untried = s->listed - s->at;
+        if (f->nmotions > 1)
+            f->one[f->n++] = f->one[s->listed];
         sort_steps(s);
-        s->stage++;
-    } else if (s->stage == STAGE_TOGETHER) {
-        if (s->order[s->at] < 0 || s->runs >= RUNS_MOST)
-            s->stage++;
+        next_stage(s);
+        break;
+    case STAGE_TOGETHER:
+        if (s->order[s->at] < 0 || !may_run(s))
+            next_stage(s);
         else
-            status = take_step(s, s->order[s->at++], err);
+            status = take_step(s, s->order[s->at++], seconds, err);
+        break;
+    case STAGE_WHOLE:
+        if (f->nmotions == 1 || f->steps == 0 || (s->at == f->nmotions && f->cheapest.worst <= f->within))
+            next_stage(s);
+        else if (s->at < f->nmotions)
+            status = run_on(s, f->step, f->steps, &f->cheapest, err);
+        else {
+            s->at = 0;
+            status = step_back(s, err);
+        }
+        break;
+    case STAGE_EACH:
+        if (f->nmotions == 1 || s->each == f->steps) {
+            next_stage(s);
+            break;
+        }
+        status = run_on(s, &f->step[s->each], 1, &f->one[f->step[s->each]], err);
+        if (s->at == f->nmotions) {
+            s->each++;
+            s->at = 0;
+        }
+        break;
+    case STAGE_DONE:
+        break;
     }
     *done = s->stage == STAGE_DONE;
     return status;
-}
-
-enum thud_status thud_simplify_try(struct thud_simplify *s, const struct thud_record *record,
-                                   struct thud_simplify_change *out, struct thud_error *err)
-{
-    struct thud_simplify_peaks full[THUD_SIMPLIFY_CASES] = {0};
-    struct thud_simplification tried = {0};
-    double gap = NAN, work = 0;
-    enum thud_status status = THUD_OK;
-    for (int i = 0; status == THUD_OK && i < cases(s); i++)
-        status = run_case(s, &s->base, record, i, &full[i], &work, err);
-    if (status == THUD_OK)
-        status = needed_gap(&s->base, record, &gap, err);
-    if (status == THUD_OK)
-        status = evaluate(s, &s->scene, record, full, gap, &tried, err);
-    for (int i = 0; i < cases(s); i++)
-        thud_simplify_peaks_clear(&full[i]);
-    *out = tried.change;
-    if (tried.failed)
-        out->all = INFINITY;
-    return status;
-}
-
-void thud_simplify_step_back(struct thud_simplify *s)
-{
-    struct thud_error err = {0};
-    if (s->steps == 0)
-        return;
-    s->steps--;
-    make_scene(s, s->step, s->steps, &s->scene);
-    if (s->steps == 0)
-        s->cheapest = s->self;
-    else
-        evaluate(s, &s->scene, s->record, s->peaks, s->gap_m, &s->cheapest, &err);
-}
-
-int thud_simplify_runs(const struct thud_simplify *s)
-{
-    return s->runs;
-}
-
-int thud_simplify_count(const struct thud_simplify *s)
-{
-    return s->n;
-}
-
-const struct thud_simplification *thud_simplify_at(const struct thud_simplify *s, int i)
-{
-    return &s->one[i];
-}
-
-const struct thud_simplification *thud_simplify_full(const struct thud_simplify *s)
-{
-    return &s->self;
-}
-
-const struct thud_simplification *thud_simplify_cheapest(const struct thud_simplify *s)
-{
-    return &s->cheapest;
-}
-
-double thud_simplify_within(const struct thud_simplify *s)
-{
-    return s->ask.within;
-}
-
-double thud_simplify_moved(const struct thud_simplify *s)
-{
-    return s->moved;
-}
-
-int thud_simplify_steps(const struct thud_simplify *s)
-{
-    return s->steps;
-}
-
-int thud_simplify_step(const struct thud_simplify *s, int i)
-{
-    return s->step[i];
-}
-
-const struct thud_scene *thud_simplify_scene(const struct thud_simplify *s)
-{
-    return &s->scene;
 }

@@ -7,13 +7,10 @@
 /* Of the largest of its kind: what is smaller in both runs is not compared. */
 static const double least_part = 0.01;
 
-enum thud_status thud_simplify_peaks_take(const struct thud_result *r, struct thud_simplify_peaks *out,
-                                          struct thud_error *err)
+/* Room for `out->floors` and `out->contacts`, zeros. */
+static enum thud_status make_room(struct thud_simplify_peaks *out, struct thud_error *err)
 {
-    *out = (struct thud_simplify_peaks){.contacts = r->ncontacts, .collapsed = r->collapse.happened};
-    for (int s = 0; s < r->nstructures; s++)
-        out->floors += r->structure[s].floors;
-    const size_t floors = (size_t)out->floors + 1, contacts = (size_t)r->ncontacts + 1;
+    const size_t floors = (size_t)out->floors + 1, contacts = (size_t)out->contacts + 1;
     out->structure = calloc(floors, sizeof *out->structure);
     out->contact = calloc(contacts, sizeof *out->contact);
     out->acceleration = calloc(2 * floors + contacts, sizeof(double));
@@ -23,6 +20,18 @@ enum thud_status thud_simplify_peaks_take(const struct thud_result *r, struct th
     }
     out->drift = out->acceleration + floors;
     out->force = out->drift + floors;
+    return THUD_OK;
+}
+
+enum thud_status thud_simplify_peaks_take(const struct thud_result *r, struct thud_simplify_peaks *out,
+                                          struct thud_error *err)
+{
+    *out = (struct thud_simplify_peaks){.contacts = r->ncontacts, .collapsed = r->collapse.happened};
+    for (int s = 0; s < r->nstructures; s++)
+        out->floors += r->structure[s].floors;
+    const enum thud_status status = make_room(out, err);
+    if (status != THUD_OK)
+        return status;
     for (int s = 0, k = 0; s < r->nstructures; s++)
         for (int i = 0; i < r->structure[s].floors; i++, k++) {
             out->structure[k] = s;
@@ -37,12 +46,44 @@ enum thud_status thud_simplify_peaks_take(const struct thud_result *r, struct th
     return THUD_OK;
 }
 
+enum thud_status thud_simplify_peaks_add(const struct thud_simplify_peaks *of, double share,
+                                         struct thud_simplify_peaks *to, struct thud_error *err)
+{
+    const bool first = !to->structure;
+    to->floors = of->floors;
+    to->contacts = of->contacts;
+    to->impacts += of->impacts;
+    to->collapsed = to->collapsed || of->collapsed;
+    const enum thud_status status = first ? make_room(to, err) : THUD_OK;
+    for (int i = 0; status == THUD_OK && i < of->floors; i++) {
+        to->structure[i] = of->structure[i];
+        to->acceleration[i] += share * of->acceleration[i];
+        to->drift[i] += share * of->drift[i];
+    }
+    for (int c = 0; status == THUD_OK && c < of->contacts; c++) {
+        to->contact[c] = of->contact[c];
+        to->force[c] += share * of->force[c];
+    }
+    return status;
+}
+
 void thud_simplify_peaks_clear(struct thud_simplify_peaks *peaks)
 {
     free(peaks->structure);
     free(peaks->contact);
     free(peaks->acceleration);
     *peaks = (struct thud_simplify_peaks){0};
+}
+
+struct thud_simplify_change thud_simplify_unchanged(void)
+{
+    return (struct thud_simplify_change){NAN, NAN, NAN, NAN, 0, 0};
+}
+
+void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simplify_change *change)
+{
+    if (full_m > 0)
+        change->gap = isnan(simple_m) ? 1 : fabs(simple_m - full_m) / full_m;
 }
 
 static void widen(double *change, double full, double simple, double most, double kind)

@@ -5,17 +5,16 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "core/methods/method.h"
 #include "ground/intensity.h"
 #include "study/scene/level.h"
 #include "study/simplify/simplify_private.h"
 
 /* Masses and stiffnesses of all storeys are their means. */
-static bool make_equal(const struct thud_scene *base, const struct thud_record *record, const struct thud_result *full,
-                       int at, int size, struct thud_scene *scene)
+static bool make_equal(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_structure *s = &scene->structure[at];
+    struct thud_structure *s = &scene->structure[from->at];
     double mass = 0, stiffness = 0;
-    (void)base, (void)record, (void)full, (void)size;
     if (s->storeys < 2 || (s->kind != THUD_SHEAR && s->kind != THUD_ISOLATED))
         return false;
     for (int i = 0; i < s->storeys; i++) {
@@ -31,17 +30,15 @@ static bool make_equal(const struct thud_scene *base, const struct thud_record *
 
 /* Linear isolators of the same secant stiffness and the same energy lost in a cycle at the displacement D of the full run:
  *     k_e = k (r D + (1 - r) u_y)/D,   zeta_e = 2 (1 - r) k u_y (D - u_y)/(pi k_e D^2). */
-static bool make_linear_isolators(const struct thud_scene *base, const struct thud_record *record,
-                                  const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_linear_isolators(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    const struct thud_structure *was = &base->structure[at];
-    struct thud_structure *s = &scene->structure[at];
+    const struct thud_structure *was = &from->base->structure[from->at];
+    struct thud_structure *s = &scene->structure[from->at];
     const double most = 0.9;
-    (void)record, (void)size;
     if (s->kind != THUD_ISOLATED || !thud_isolator_slides(s))
         return false;
     const struct thud_isolator i = thud_structure_isolator(was);
-    const double d = fmax(full->structure[at].floor[0].displacement.value, i.yield_m),
+    const double d = fmax(from->full->structure[from->at].floor[0].displacement.value, i.yield_m),
                  q = (1 - i.hardening) * i.stiffness_npm * i.yield_m, k = i.hardening * i.stiffness_npm + q / d;
     s->isolator_law = THUD_ISOLATOR_LINEAR;
     s->isolator_strength_n = s->isolator_post_yield_npm = s->isolator_yield_m = NAN;
@@ -51,11 +48,9 @@ static bool make_linear_isolators(const struct thud_scene *base, const struct th
     return true;
 }
 
-static bool make_rigid_wall(const struct thud_scene *base, const struct thud_record *record,
-                            const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_rigid_wall(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_structure *s = &scene->structure[at];
-    (void)base, (void)record, (void)full, (void)size;
+    struct thud_structure *s = &scene->structure[from->at];
     s->wall_mass_kg = s->wall_stiffness_npm = s->wall_damping = NAN;
     s->backfill_stiffness_npm = s->backfill_strength_n = s->backfill_ratio = s->backfill_gap_m = NAN;
     return s->kind == THUD_WALL;
@@ -73,34 +68,32 @@ static void keep_levels(struct thud_by_level *list, const bool *kept, int n)
 
 enum { TOP_LEVEL, TOUCHED_LEVELS };
 static const char *const level_words[] = {"the top level", "the levels that touch", NULL};
-static bool make_levels(const struct thud_scene *base, const struct thud_record *record, const struct thud_result *full,
-                        int at, int size, struct thud_scene *scene)
+static bool make_levels(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
-    struct thud_interface *to = &scene->interface[at];
-    const int n = thud_interface_contact_pairs(base, at, pair);
+    struct thud_interface *to = &scene->interface[from->at];
+    const int n = thud_interface_contact_pairs(from->base, from->at, pair);
     bool kept[THUD_CONTACT_PAIRS_MAX] = {false};
     int top = 0, levels = 0, all = 0, contact = 0;
-    (void)record;
-    if (to->contact_levels.n != base->interface[at].contact_levels.n)
+    if (to->contact_levels.n != from->base->interface[from->at].contact_levels.n)
         return false;
     for (int i = 0; i < n; i++)
-        top = (int)fmax(top, thud_contact_level(base, at, &pair[i]));
-    while (contact < full->ncontacts && full->contact[contact].interface != at + 1)
+        top = (int)fmax(top, thud_contact_level(from->base, from->at, &pair[i]));
+    while (contact < from->full->ncontacts && from->full->contact[contact].interface != from->at + 1)
         contact++;
     struct thud_by_level list = {0};
     for (int level = 1; level <= top; level++) {
-        bool touches = size == TOP_LEVEL && level == top, there = false;
+        bool touches = from->size == TOP_LEVEL && level == top, there = false;
         for (int i = 0; i < n; i++)
-            if (thud_contact_level(base, at, &pair[i]) == level) {
-                touches = touches || (size == TOUCHED_LEVELS && full->contact[contact + i].impacts > 0);
+            if (thud_contact_level(from->base, from->at, &pair[i]) == level) {
+                touches = touches || (from->size == TOUCHED_LEVELS && from->full->contact[contact + i].impacts > 0);
                 there = true;
             }
         all += there;
         if (touches && list.n < THUD_LEVELS_MAX)
             list.value_m[list.n++] = level;
         for (int i = 0; i < n; i++)
-            kept[i] = kept[i] || (touches && thud_contact_level(base, at, &pair[i]) == level);
+            kept[i] = kept[i] || (touches && thud_contact_level(from->base, from->at, &pair[i]) == level);
         levels += touches;
     }
     if (levels == 0 || levels == all || levels > THUD_LEVELS_MAX)
@@ -141,41 +134,35 @@ static bool make_law(struct thud_interface *at, const char *name, double stiffne
 }
 
 /* The secant stiffness of the hardest contact of the full run. */
-static bool make_linear_law(const struct thud_scene *base, const struct thud_record *record,
-                            const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_linear_law(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_law_choice *choice = acting_law(&scene->interface[at]);
+    struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
     double force = 0, depth = 0;
-    (void)base, (void)record, (void)size;
     if (!choice->law || thud_law_is_linear(choice->law))
         return false;
-    for (int c = 0; c < full->ncontacts; c++)
-        if (full->contact[c].interface == at + 1 && full->contact[c].force.value > force) {
-            force = full->contact[c].force.value;
-            depth = full->contact[c].indentation.value;
+    for (int c = 0; c < from->full->ncontacts; c++)
+        if (from->full->contact[c].interface == from->at + 1 && from->full->contact[c].force.value > force) {
+            force = from->full->contact[c].force.value;
+            depth = from->full->contact[c].indentation.value;
         }
     if (!(force > 0) || !(depth > 0))
         return false;
     const bool loses = law_value(choice, "restitution") < 1;
-    return make_law(&scene->interface[at], loses ? "kelvin-voigt-no-tension" : "linear", force / depth);
+    return make_law(&scene->interface[from->at], loses ? "kelvin-voigt-no-tension" : "linear", force / depth);
 }
 
-static bool make_impulses(const struct thud_scene *base, const struct thud_record *record,
-                          const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_impulses(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    const struct thud_law *law = acting_law(&scene->interface[at])->law;
-    (void)base, (void)record, (void)full, (void)size;
+    const struct thud_law *law = acting_law(&scene->interface[from->at])->law;
     if (!law || law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
         return false;
-    return make_law(&scene->interface[at], "stereomechanical", NAN);
+    return make_law(&scene->interface[from->at], "stereomechanical", NAN);
 }
 
-static bool make_no_contact(const struct thud_scene *base, const struct thud_record *record,
-                            const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_no_contact(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_interface *i = &scene->interface[at];
-    (void)record, (void)full, (void)size;
-    if (base->nstructures < 3 || !i->contact.law || i->contact.law->flags & THUD_LAW_NO_FORCE)
+    struct thud_interface *i = &scene->interface[from->at];
+    if (from->base->nstructures < 3 || !i->contact.law || i->contact.law->flags & THUD_LAW_NO_FORCE)
         return false;
     i->has_bumper = false;
     i->thickness.n = 0;
@@ -183,35 +170,29 @@ static bool make_no_contact(const struct thud_scene *base, const struct thud_rec
 }
 
 static const char *const stiffnesses[] = {"twice", "half", NULL};
-static bool make_stiffness(const struct thud_scene *base, const struct thud_record *record,
-                           const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_stiffness(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_law_choice *choice = acting_law(&scene->interface[at]);
+    struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
     const int k = choice->law ? thud_law_param(choice->law, "stiffness") : -1;
-    (void)base, (void)record, (void)full;
     if (k < 0 || !isfinite(choice->value[k]))
         return false;
-    choice->value[k] *= size == 0 ? 2 : 0.5;
+    choice->value[k] *= from->size == 0 ? 2 : 0.5;
     return true;
 }
 
-static bool make_residual(const struct thud_scene *base, const struct thud_record *record,
-                          const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_residual(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    struct thud_law_choice *choice = acting_law(&scene->interface[at]);
+    struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
     const int i = choice->law ? thud_law_param(choice->law, "residual") : -1;
-    (void)base, (void)record, (void)full, (void)size;
     if (i >= 0)
         choice->value[i] = 1;
     return i >= 0;
 }
 
-static bool make_without_link(const struct thud_scene *base, const struct thud_record *record,
-                              const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_without_link(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    (void)record, (void)full, (void)size;
     for (int i = 0; i < scene->nlinks; i++)
-        if (memcmp(&scene->link[i], &base->link[at], sizeof scene->link[i]) == 0) {
+        if (memcmp(&scene->link[i], &from->base->link[from->at], sizeof scene->link[i]) == 0) {
             thud_link_remove(scene, i);
             return true;
         }
@@ -224,68 +205,77 @@ double thud_simplify_begin(const struct thud_scene *base, const struct thud_reco
 }
 
 /* From 5 to 95 % of the Arias intensity, where the peak lies between: then the scale stays. */
-static bool make_strong_part(const struct thud_scene *base, const struct thud_record *record,
-                             const struct thud_result *full, int at, int size, struct thud_scene *scene)
+static bool make_strong_part(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
-    (void)full, (void)at, (void)size;
-    if (!record || base->record.every > 1)
+    if (!from->record || from->base->record.every > 1)
         return false;
-    const struct thud_intensity i = thud_intensity_of(record); /* NaN of a motion of zeros */
-    const double begin = thud_simplify_begin(base, record), ms = 1e-3;
-    if (!(i.t95_s > i.t5_s) || i.pga_time_s < i.t5_s + record->dt_s || i.pga_time_s > i.t95_s - record->dt_s)
+    const struct thud_intensity i = thud_intensity_of(from->record); /* NaN of a motion of zeros */
+    const double begin = thud_simplify_begin(from->base, from->record), ms = 1e-3;
+    if (!(i.t95_s > i.t5_s) || i.pga_time_s < i.t5_s + from->record->dt_s ||
+        i.pga_time_s > i.t95_s - from->record->dt_s)
         return false;
     scene->record.from_s = floor((begin + i.t5_s) / ms) * ms;
     scene->record.to_s = ceil((begin + i.t95_s) / ms) * ms;
     return true;
 }
 
+/* A method of fixed steps, or one that takes a tolerance, other than those of closed forms. */
+static bool make_method(const struct thud_simplify_from *from, struct thud_scene *scene, bool steps)
+{
+    const struct thud_method *method = thud_method_at(from->at);
+    return !(method->flags & THUD_METHOD_DEMONSTRATION) && method->order > 0 &&
+           strcmp(scene->analysis.method, method->name) != 0 &&
+           steps == ((method->flags & THUD_METHOD_FIXED_STEP) != 0);
+}
+
+static bool make_stepped(const struct thud_simplify_from *from, struct thud_scene *scene)
+{
+    return make_method(from, scene, true);
+}
+
+static bool make_tolerant(const struct thud_simplify_from *from, struct thud_scene *scene)
+{
+    return make_method(from, scene, false);
+}
+
 static const char *const modes[] = {"1", "2", "3", "4", "5", "6", "8", "10", "13", "17", "22", "30", "50", "80", NULL},
                          *const every[] = {"2", "4", NULL}, *const tolerance[] = {"1e-3", "1e-4", NULL},
-                         *const steps[] = {"5 ms", "2 ms", "1 ms", "0.5 ms", NULL};
+                         *const tolerances[] = {"1e-2", "1e-3", "1e-4", "1e-6", NULL},
+                         *const steps[] = {"10 ms", "5 ms", "2 ms", "1 ms", "0.5 ms", "0.2 ms", NULL};
 #define NO_FOUNDATION(key) "structures.@.foundation." key "=;"
 
 /* clang-format off */
-#define WORDS(words_, keys_, size_, group_, span_) .words = (words_), .keys = (keys_), .size = (size_), .group = (group_), .span = (span_)
+#define ROW(group_, span_, words_, keys_, size_, input_) .words = (words_), .keys = (keys_), .size = (size_), .input = (input_), .group = THUD_SIMPLIFY_##group_, .span = THUD_SPAN_##span_
 static const struct thud_simplify_row rows[] = {
-    {WORDS("# modes of $", "structures.@.modes=#", modes, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE)},
-    {WORDS("equal storeys of $", NULL, NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE), .make = make_equal},
-    {WORDS("elastic storeys of $", "structures.@.yield=;structures.@.yield-shear=;structures.@.hardening=", NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE)},
-    {WORDS("fixed base of $", NO_FOUNDATION("mass") NO_FOUNDATION("inertia") NO_FOUNDATION("sway-stiffness") NO_FOUNDATION("sway-damping")
+    {ROW(MODEL, STRUCTURE, "# modes of $", "structures.@.modes=#", modes, "higher modes of $")},
+    {ROW(MODEL, STRUCTURE, "equal storeys of $", NULL, NULL, "how the storeys of $ differ"), .make = make_equal},
+    {ROW(MODEL, STRUCTURE, "elastic storeys of $", "structures.@.yield=;structures.@.yield-shear=;structures.@.hardening=", NULL, "strength of $")},
+    {ROW(MODEL, STRUCTURE, "fixed base of $", NO_FOUNDATION("mass") NO_FOUNDATION("inertia") NO_FOUNDATION("sway-stiffness") NO_FOUNDATION("sway-damping")
      NO_FOUNDATION("rocking-stiffness") NO_FOUNDATION("rocking-damping") NO_FOUNDATION("vs") NO_FOUNDATION("density")
-     NO_FOUNDATION("poisson") NO_FOUNDATION("radius"), NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE)},
-    {WORDS("no P-Delta", "p-delta=no", NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_SCENE)},
-    {WORDS("linear isolators of $", NULL, NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE), .make = make_linear_isolators},
-    {WORDS("rigid wall $", NULL, NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE), .make = make_rigid_wall},
-    {WORDS("slabs of $ without depth", "structures.@.slab-depth=0 cm", NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_STRUCTURE)},
-    {WORDS("without link $", NULL, NULL, THUD_SIMPLIFY_MODEL, THUD_SPAN_LINK), .make = make_without_link},
-    {WORDS("contact of $ at # alone", NULL, level_words, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .contacts = true, .make = make_levels},
-    {WORDS("no contact of $", NULL, NULL, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .contacts = true, .make = make_no_contact},
-    {WORDS("linear law of $", NULL, NULL, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .contacts = true, .make = make_linear_law},
-    {WORDS("impulses by restitution of $", NULL, NULL, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .contacts = true, .make = make_impulses},
-    {WORDS("no residual of $", NULL, NULL, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .contacts = true, .make = make_residual},
-    {WORDS("contact of $ # as stiff", NULL, stiffnesses, THUD_SIMPLIFY_CONTACT, THUD_SPAN_INTERFACE), .information = true, .contacts = true, .make = make_stiffness},
-    {WORDS("strong part of the motion (5 to 95 %)", NULL, NULL, THUD_SIMPLIFY_MOTION, THUD_SPAN_SCENE), .make = make_strong_part},
-    {WORDS("one sample in #", "record.every=#", every, THUD_SIMPLIFY_MOTION, THUD_SPAN_SCENE)},
-    {WORDS("tolerance #", "analysis.tolerance=#", tolerance, THUD_SIMPLIFY_METHOD, THUD_SPAN_SCENE), .contacts = true},
-    {WORDS("newmark in steps of #", "analysis.method=newmark;analysis.step=#", steps, THUD_SIMPLIFY_METHOD, THUD_SPAN_SCENE), .information = true, .contacts = true},
-    {WORDS("rk4 in steps of #", "analysis.method=rk4;analysis.step=#", steps, THUD_SIMPLIFY_METHOD, THUD_SPAN_SCENE), .information = true, .contacts = true},
+     NO_FOUNDATION("poisson") NO_FOUNDATION("radius"), NULL, "soil under $")},
+    {ROW(MODEL, SCENE, "no P-Delta", "p-delta=no", NULL, "weight on drifting storeys")},
+    {ROW(MODEL, STRUCTURE, "linear isolators of $", NULL, NULL, "law of the isolators of $"), .make = make_linear_isolators},
+    {ROW(MODEL, STRUCTURE, "rigid wall $", NULL, NULL, "how far $ gives"), .make = make_rigid_wall},
+    {ROW(MODEL, STRUCTURE, "slabs of $ without depth", "structures.@.slab-depth=0 cm", NULL, "slab depth of $")},
+    {ROW(MODEL, LINK, "without link $", NULL, NULL, "link $"), .make = make_without_link},
+    {ROW(CONTACT, INTERFACE, "contact of $ at # alone", NULL, level_words, ""), .make = make_levels},
+    {ROW(CONTACT, INTERFACE, "no contact of $", NULL, NULL, "contact of $"), .make = make_no_contact},
+    {ROW(CONTACT, INTERFACE, "linear law of $", NULL, NULL, "contact law of $"), .make = make_linear_law},
+    {ROW(CONTACT, INTERFACE, "impulses by restitution of $", NULL, NULL, "contact law of $"), .make = make_impulses},
+    {ROW(CONTACT, INTERFACE, "no residual of $", NULL, NULL, "residual indentation of $"), .make = make_residual},
+    {ROW(CONTACT, INTERFACE, "contact of $ # as stiff", NULL, stiffnesses, "contact stiffness of $"), .information = true, .make = make_stiffness},
+    {ROW(MOTION, SCENE, "strong part of the motion (5 to 95 %)", NULL, NULL, "motion outside its strong part"), .make = make_strong_part},
+    {ROW(MOTION, SCENE, "one sample in #", "record.every=#", every, "")},
+    {ROW(MOTION, SCENE, "motion without what lies above mode #", NULL, modes, ""), .information = true, .enough = true},
+    {ROW(METHOD, SCENE, "tolerance #", "analysis.tolerance=#", tolerance, "")},
+    {ROW(METHOD, METHOD, "$ in steps of #", "analysis.method=$;analysis.step=#", steps, ""), .information = true, .enough = true, .make = make_stepped},
+    {ROW(METHOD, METHOD, "$ at tolerance #", "analysis.method=$;analysis.tolerance=#", tolerances, ""), .information = true, .enough = true, .make = make_tolerant},
 };
 /* clang-format on */
 
-int thud_simplify_rows(void)
+const struct thud_simplify_row *thud_simplify_row_of(const struct thud_simplification *of)
 {
-    return (int)(sizeof rows / sizeof *rows);
-}
-
-const struct thud_simplify_row *thud_simplify_row_at(int i)
-{
-    return &rows[i];
-}
-
-int thud_simplify_span(const struct thud_simplify_row *row, const struct thud_scene *scene)
-{
-    const int count[THUD_SPANS] = {1, scene->nstructures, scene->nstructures - 1, scene->nlinks};
-    return count[row->span];
+    return &rows[of->row];
 }
 
 /* The template with name, number and size in it. */
@@ -305,16 +295,10 @@ static void fill(const char *template, const struct thud_simplification *of, con
         else if (*c == '$' && row->span == THUD_SPAN_INTERFACE)
             snprintf(part, sizeof part, "%s-%s", scene->structure[of->at].name, scene->structure[of->at + 1].name);
         else if (*c == '$')
-            snprintf(part, sizeof part, "%s", scene->structure[of->at].name);
+            snprintf(part, sizeof part, "%s",
+                     row->span == THUD_SPAN_METHOD ? thud_method_at(of->at)->name : scene->structure[of->at].name);
         used += (size_t)snprintf(text + used, size - used, "%s", part);
     }
-}
-
-void thud_simplify_words(const struct thud_simplification *of, const struct thud_scene *scene, char *text, size_t size)
-{
-    fill(rows[of->row].words, of, scene, text, size);
-    if (strncmp(text, "1 modes", 7) == 0)
-        memmove(text + 6, text + 7, strlen(text + 7) + 1);
 }
 
 /* Sets each key of the row; a key that the scene does not have is passed over. */
@@ -339,20 +323,69 @@ static bool leaves_modes(const struct thud_scene *before, const struct thud_scen
     return s->modes == was || (s->modes < most && (was == 0 || s->modes < was) && (all == 0 || s->modes < all));
 }
 
-bool thud_simplify_apply(const struct thud_simplification *of, const struct thud_scene *base,
-                         const struct thud_record *record, const struct thud_result *full, struct thud_scene *scene)
+bool thud_simplify_apply(const struct thud_simplification *of, struct thud_simplify_from from, struct thud_scene *scene)
 {
     const struct thud_simplify_row *row = &rows[of->row];
     struct thud_scene *before = malloc(sizeof *before);
     if (!before)
         return false;
+    from.at = of->at;
+    from.size = of->size;
     *before = *scene;
-    bool made = !row->make || row->make(base, record, full, of->at, of->size, scene);
-    if (!row->make)
+    bool made = !row->make || row->make(&from, scene);
+    if (made && row->keys)
         set_keys(of, scene);
-    made = made && memcmp(before, scene, sizeof *scene) != 0 && thud_scene_check(scene, NULL) == THUD_OK;
+    made = made &&
+           (memcmp(before, scene, sizeof *scene) != 0 || thud_simplify_low_pass(of, from.full, from.record) > 0) &&
+           thud_scene_check(scene, NULL) == THUD_OK;
     if (made && row->span == THUD_SPAN_STRUCTURE)
         made = leaves_modes(before, scene, of->at);
     free(before);
     return made;
+}
+
+double thud_simplify_low_pass(const struct thud_simplification *of, const struct thud_result *full,
+                              const struct thud_record *record)
+{
+    static const double margin = 1.25; /* the pass has fallen within a sixth of its corner */
+    const int mode = rows[of->row].size == modes ? atoi(modes[of->size]) : 0;
+    double shortest_s = INFINITY;
+    if (rows[of->row].group != THUD_SIMPLIFY_MOTION || mode == 0)
+        return 0;
+    for (int s = 0; s < full->nstructures; s++)
+        if (mode <= full->structure[s].floors)
+            shortest_s = fmin(shortest_s, full->structure[s].period_s[mode - 1]);
+    const double spacing = shortest_s / (2 * margin * record->dt_s);
+    return isfinite(spacing) && spacing > 1 ? spacing : 0;
+}
+
+int thud_simplify_list(struct thud_simplify_from from, bool no_methods, int most, struct thud_simplification *one)
+{
+    const struct thud_scene *scene = from.base;
+    const int count[] = {1, scene->nstructures, scene->nstructures - 1, scene->nlinks,
+                         no_methods ? 0 : thud_method_count()};
+    struct thud_scene *trial = malloc(sizeof *trial);
+    int n = 0;
+    for (int r = 0; trial && r < (int)(sizeof rows / sizeof *rows); r++)
+        for (int at = 0; at < count[rows[r].span] && (from.record || rows[r].group != THUD_SIMPLIFY_MOTION); at++)
+            for (int size = 0; n < most && (size == 0 || (rows[r].size && rows[r].size[size])); size++) {
+                struct thud_simplification *to = &one[n];
+                *to = (struct thud_simplification){.group = rows[r].group,
+                                                   .information = rows[r].information,
+                                                   .median = NAN,
+                                                   .worst = NAN,
+                                                   .row = r,
+                                                   .at = at,
+                                                   .size = size};
+                *trial = *scene;
+                if (!thud_simplify_apply(to, from, trial))
+                    continue;
+                fill(rows[r].words, to, scene, to->words, sizeof to->words);
+                if (strncmp(to->words, "1 modes", 7) == 0)
+                    memmove(to->words + 6, to->words + 7, strlen(to->words + 7) + 1);
+                fill(rows[r].input, to, scene, to->input, sizeof to->input);
+                n++;
+            }
+    free(trial);
+    return n;
 }

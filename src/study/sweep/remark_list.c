@@ -36,6 +36,7 @@ static const struct row {
     SCENE(ONCE, setup),
     SCENE(ONCE, levels),
     SCENE(ONCE, step),
+    ROW(SIMPLER, ONCE, UNUSUAL, simpler),
     ROW(CHANGE, VARIED, UNUSUAL, kept_key),
     ROW(CHANGE, INTERFACE, UNUSUAL, kept_stiffness),
     ROW(RESULT, INTERFACE, MODEL, bumper),
@@ -70,6 +71,7 @@ static bool has(const struct thud_remark_scope *s, enum thud_remark_about about,
         return s->scene && s->result;
     case THUD_REMARK_SCENE:
     case THUD_REMARK_EFFORT:
+    case THUD_REMARK_SIMPLER:
         break;
     }
     return s->scene != NULL;

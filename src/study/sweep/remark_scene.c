@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "core/methods/method.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
@@ -262,4 +263,33 @@ void thud_remark_step(const struct thud_remark_scope *scope, int i, struct thud_
     thud_error_set(said, THUD_OK, "%.4g ms is long for a contact that swings in %.4g ms", 1e3 * step_s, 1e3 * shortest);
     thud_error_allow(said, "usually up to a twentieth of that, %.4g ms", 50 * shortest);
     thud_error_key(said, "analysis.step");
+}
+
+/* A scene of much detail: which command tells what of it is needed. */
+void thud_remark_simpler(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    enum { FLOORS = 10 };
+    const struct thud_scene *scene = scope->scene;
+    bool soil = false;
+    int floors = 0;
+    (void)i;
+    for (int s = 0; s < scene->nstructures; s++) {
+        soil = soil || thud_structure_on_soil(&scene->structure[s]);
+        floors += thud_structure_floors(&scene->structure[s]);
+    }
+    const struct {
+        bool has;
+        const char *words;
+    } detail[] = {{scene->p_delta, "P-Delta"},
+                  {soil, "soil"},
+                  {thud_scene_yields(scene), "yielding"},
+                  {scene->nlinks > 0, "links"},
+                  {floors > FLOORS, "its floors"}};
+    struct thud_text words = {0};
+    for (size_t k = 0; k < sizeof detail / sizeof *detail; k++)
+        if (detail[k].has)
+            thud_text_append(&words, "%s%s", words.size > 0 ? ", " : "", detail[k].words);
+    if (words.data)
+        thud_error_set(thud_remark_add(out), THUD_OK, "`thud simplify` tells what of %s this scene needs", words.data);
+    thud_text_clear(&words);
 }
