@@ -20,6 +20,7 @@ struct thud_fractiles {
     size_t n;                  /* numbers among the values; NaN is left out */
     double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0, and of few motions */
     double least, most, share; /* share: of the n values that are above `limit` */
+    size_t below, above;       /* how many values are, by more than rounding; the others equal `limit` */
     size_t half, most84;       /* of gaps: for how many motions the median and p84 are enough */
 };
 /* Sorts the values in place (NaN last). `draws`: how many of them are of independent motions. */

@@ -37,8 +37,8 @@ double thud_quantile(const double *sorted, size_t n, double p, bool logarithms)
 
 struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit)
 {
+    static const double equal = 1e-9; /* relative: values nearer to the limit are neither below nor above */
     struct thud_fractiles f = {.n = thud_sort_numbers(value, n), .least = NAN, .most = NAN, .share = NAN};
-    size_t above = 0;
     bool logarithms = f.n > 0 && value[0] > 0 && isfinite(value[f.n - 1]);
     const size_t enough = draws >= THUD_SHARES_LEAST ? f.n : 0;
     f.p16 = thud_quantile(value, enough, 0.16, logarithms);
@@ -48,9 +48,11 @@ struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, doub
         return f;
     f.least = value[0];
     f.most = value[f.n - 1];
-    for (size_t i = 0; i < f.n; i++)
-        above += value[i] > limit;
-    f.share = (double)above / (double)f.n;
+    for (size_t i = 0; i < f.n; i++) {
+        f.below += value[i] < limit - equal * fabs(limit);
+        f.above += value[i] > limit + equal * fabs(limit);
+    }
+    f.share = (double)f.above / (double)f.n;
     return f;
 }
 

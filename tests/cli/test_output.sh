@@ -36,7 +36,7 @@ listed() { # "SECTION|SECTION" "LIST..." FILE: rows in lists, behind format and 
 
 # general names of columns and keys: those of inputs, varied keys, cases and quantities
 general() {
-    sed -E 's/^(record[.]peak|bumper[.]thickness)(_m|_mps2)?$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity)_(p16|median|p84)$/MEASURE_\2/
+    sed -E 's/^(record[.]peak|bumper[.]thickness)(_m|_mps2)?$/KEY/; s/^(force_n|acceleration_mps2|drift_m|drift_angle|acceleration_ratio|drift_ratio|ductility|permanent_m|shear_over_capacity|link_n)_(p16|median|p84|lower|equal|higher)$/MEASURE_\2/
         s/^(gap|stiffness.[AB]|damping.[AB]|contact-stiffness|restitution|bumper-stiffness|ground-motion)$/INPUT/
         s/^(theta|theta_low|theta_high|median_above|median_below|exact_p16|exact_median|exact_p84|exact_median_low|exact_median_high)_mps2$/\1UNIT/
         s/^((none|bumper)[.].*|needed_gap_m$)/QUANTITY/' "$1" | sort -u >"$tmp/written"

@@ -113,7 +113,7 @@ allowed="fragility-curves.csv:annual_rate fragility-curves.csv:annual_rate_high 
     gap-rules.csv:clause gap-rules.csv:numbers gap-rules.csv:source contacts.csv:moment_upper_nm contacts.csv:shear_lower_n
     contacts.csv:shear_over_capacity contacts.csv:shear_upper_n contacts.csv:struck_columns sweep.csv:excursions sweep.csv:hysteretic_j
     sweep.csv:permanent_m sample-results.csv:case sample-results.csv:structure uncertainty.csv:below_1_share
-    suite.csv:shear_over_capacity_median"
+    suite.csv:shear_over_capacity_median suite.csv:link_n_median"
 # without a ground motion; without heights; a body has no storeys
 case $name in rigid*) allowed="$allowed contacts.csv:record needed-gaps.csv:record needed-gaps.csv:tbdy2018_m needed-gaps.csv:e030_m sweep.csv:drift_ratio
     sweep.csv:acceleration_free_ratio sweep.csv:drift_free_ratio sweep.csv:displacement_free_ratio suite.csv:drift_angle_median
@@ -125,7 +125,7 @@ case $name in rigid*) allowed="$allowed contacts.csv:record needed-gaps.csv:reco
     sample-results.csv:value uncertainty.csv:nominal uncertainty.csv:p5 uncertainty.csv:median uncertainty.csv:p95"
 allowed="$allowed bench.csv:seconds bench.csv:error bench.csv:error_acceleration bench.csv:error_drift bench.csv:error_force bench.csv:impact_time_s
     bench.csv:processor_s restitutions.csv:nominal verdicts.csv:scene_growth" # of methods that do not get so far
-for measure in force_n acceleration_mps2 acceleration_ratio drift_m drift_angle drift_ratio ductility isolator_m permanent_m shear_over_capacity; do
+for measure in force_n acceleration_mps2 acceleration_ratio drift_m drift_angle drift_ratio ductility isolator_m permanent_m shear_over_capacity link_n; do
     allowed="$allowed suite.csv:${measure}_p84" # two motions have no fractiles
 done
 

@@ -36,6 +36,15 @@ is "table" gives 0 run towers
 is "table: two remarks on standard error" [ "$(grep -c 'the bumper of 50 mm is pressed by\|drifts by' "$tmp/err")" -eq "$(wc -l <"$tmp/err")" ]
 is "table: a row per floor, contact, and the balance" shows "base shear"
 is "table: restitution" shows "real nominal"
+# what remains of a speed says something of the law alone where the contact is short beside the buildings' periods
+is "impacts in which the buildings act" gives 0 run towers --case none --json -o "$tmp/long" --quiet
+shortest=$(grep -o '"periods_s": \[[^]]*' "$tmp/out" | tr ',[' '\n\n' | awk '/^ *0[.]/ && (!t || $1 < t) { t = $1 } END { print t }')
+# shellcheck disable=SC2016 # a program of awk
+is "have no restitution, and only those" awk -F, -v t="$shortest" 'FILENAME ~ /csv/ { last[$2] = $5; next } # by floor: of level floors
+    match($0, /"left_floor": [0-9]+/) && /"nominal_restitution"/ { floor = substr($0, RSTART + 14, RLENGTH - 14)
+        if (floor in last) { long = last[floor] > t / 4; n[long]++; bad += long != /"restitution": null/ } }
+    END { exit bad || !n[0] || !n[1] }' "$tmp/long/impacts.csv" "$tmp/out"
+gives 0 run towers
 is "table: energy" shows "^energy"
 is "table: method and why" shows "^method .*(.*)"
 cp "$tmp/out" "$tmp/table"

@@ -155,6 +155,23 @@ is "a list says which line" gives 3 gap towers --records "$tmp/folder/bad.list"
 is "by file and number" says "bad.list:2: "
 is "--signs takes both alone" gives 2 gap towers --signs minus
 
+# under how many motions a bumper lowers and raises what: counted again from the rows of the runs, equal ones apart
+is "a study over motions" gives 0 sweep towers --records "$three" --vary gap=5cm:30cm:2.5cm --cases none,bumper -o "$tmp/counted" --format svg --quiet
+# shellcheck disable=SC2016 # a program of awk
+is "lower, equal and higher are those of its runs" awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) c[FILENAME, $i] = i; next }
+    FILENAME ~ /sweep.csv/ && $c[FILENAME, "floor"] == 0 { for (k = 1; k <= 2; k++) {
+        name = k == 1 ? "acceleration_ratio" : "drift_ratio"; x = $c[FILENAME, name]; at = $2 FS $3 FS $4
+        n[at, name, x < 1 - 1e-9 ? "lower" : x > 1 + 1e-9 ? "higher" : "equal"]++ } }
+    FILENAME ~ /suite.csv/ { for (k = 1; k <= 2; k++) for (s = 1; s <= 3; s++) {
+        name = k == 1 ? "acceleration_ratio" : "drift_ratio"; side = s == 1 ? "lower" : s == 2 ? "equal" : "higher"
+        rows++; seen[side] += $c[FILENAME, name "_" side]; bad += n[$1 FS $2 FS $3, name, side] + 0 != $c[FILENAME, name "_" side] } }
+    END { exit bad || rows < 200 || !seen["lower"] || !seen["equal"] || !seen["higher"] }' "$tmp/counted/sweep.csv" "$tmp/counted/suite.csv"
+is "in words for the first, the preset's own and the last gap" shows '^  *5 cm  *10 cm  *30 cm$'
+is "without contact nothing is lower" shows '^mean acceleration of A .* 1[.]000  0  3  0$'
+is "medians of ratios are geometric" shows 'geometric median ratio'
+is "periods that are left out have as many digits" gives 0 suite records --target en1998:0.2g,B --preset towers
+is "as those in their place" shows 'periods 0.0800 to 1.16 s in place of 0.0796 to 1.16 s'
+
 # how likely
 grid="--vary record.factor=0.5,1,1.5 --vary gap=5cm:21cm:4cm --cases none,bumper"
 printf 'factor,annual_rate\n0.1,0.1\n0.5,0.01\n1,0.002\n2,0.0001\n' >"$tmp/hazard.csv"
@@ -484,7 +501,7 @@ is "more than there are: said" gives 0 suite "$tmp/motions" --target en1998:0.3g
 is "with their number" shows "^chosen  *3, fewer than the 7 asked for"
 printf 'period_s,sa_g\n0.05,0.4\n0.5,0.9\n2,0.2\n' >"$tmp/target.csv"
 is "a target from a file" gives 0 suite "$tmp/motions" --target "$tmp/target.csv" --range 0.1s:3s
-is "its ends are the range's, and it is said" shows "periods 0.1 to 2 s in place of 0.1 to 3 s"
+is "its ends are the range's, and it is said" shows "periods 0.100 to 2.00 s in place of 0.100 to 3.00 s"
 printf 'period_s,sa\n0.05,0.4\n0.5,0.9\n' >"$tmp/target.csv"
 is "a target without a unit" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
 is "is told with its line" says "target.csv:1:1: .*does not say the unit"

@@ -54,3 +54,24 @@ is "it holds" gives 0 verify $scene
 is "a wall that gives no more" gives 0 run $scene --set structures.1.mass= --set structures.1.stiffness= --set structures.1.damping= \
     --set structures.1.backfill.stiffness= --set structures.1.backfill.strength= --set structures.1.backfill.ratio= --quiet
 is "moves with the ground" shows '^  1 wall-1 '
+# a light stiff wall hardly moves, but takes most of the dashpot from laws that have one by the effective mass: held
+# against the fixed wall
+force() { "$THUD" run isolated-moat --json --quiet "$@" 2>"$tmp/err" | sed -n 's/.*"force_n": \([0-9.e+]*\).*/\1/p' | head -1; }
+near() { awk "BEGIN { d = $1 - $2; exit !(d * d <= ($3 * $2) ^ 2) }"; }
+stiff='--set structures.1.mass=27t --set structures.1.stiffness=1e6MN/m'
+hertz='--set interfaces.1.contact.law=hertz-damp --set interfaces.1.contact.stiffness=2500kN/mm^1.5'
+fixed=$(force)
+# shellcheck disable=SC2086 # words
+light=$(force $stiff)
+# shellcheck disable=SC2086 # words
+is "a light stiff wall is not the fixed one" gives 0 run isolated-moat $stiff
+is "and it is said why" says 'structures.1.mass: the wall of 27 t hardly moves .* the dashpot of kelvin-voigt-no-tension is that of their effective mass, 24.9 t'
+is "its force is another one" awk "BEGIN { exit !($light / $fixed > 1.05) }"
+# shellcheck disable=SC2086 # words
+fixed=$(force $hertz) light=$(force $hertz $stiff)
+is "of a law without such a dashpot it is the same" near "$light" "$fixed" 0.006
+# shellcheck disable=SC2086 # words
+is "and nothing is said" gives 0 run isolated-moat $hertz $stiff
+is "of it" unsaid 'hardly moves'
+is "nor of a wall that gives way" gives 0 run $scene
+is "as shipped" unsaid 'hardly moves'

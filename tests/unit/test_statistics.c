@@ -22,6 +22,9 @@ START_TEST(quantiles_by_hand)
     ck_assert_double_eq_tol(f.p16, -1 + 0.32 * 3, 1e-15);
     ck_assert(f.least == -1);
     ck_assert(f.most == 3);
+    double ratios[] = {0.5, 1 + 1e-12, NAN, 1, 1.5, 2};
+    f = thud_fractiles_of(ratios, 6, 6, 1); /* what is equal but for rounding is neither */
+    ck_assert(f.n == 5 && f.below == 1 && f.above == 2);
     double same[] = {7, 7, 7};
     f = thud_fractiles_of(same, 3, 3, 7);
     ck_assert(f.p16 == 7 && f.median == 7 && f.p84 == 7 && f.share == 0);

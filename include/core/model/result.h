@@ -34,7 +34,7 @@ struct thud_contact_result {
     double impulse_ns, contact_time_s, residual_m;
     double work_j, stored_j, dissipated_j; /* done on it; of that held as elastic energy at the end, and the rest */
     double approach_mps, separation_mps;   /* of the last impact */
-    double restitution;                    /* of the last impact; NaN: it did not close, or did not part */
+    double restitution;                    /* of the last impact; NaN: it did not close or part, or was long */
     double nominal_restitution;            /* as asked for */
     bool impulsive;                        /* its law passes impulses */
 };
@@ -92,7 +92,7 @@ struct thud_event_entry {
 struct thud_impact {
     int contact; /* index into contacts, from 0 */
     double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
-    double restitution; /* NaN: it did not close, or did not part */
+    double restitution; /* NaN: it did not close or part, or was long */
 };
 
 struct thud_energy {

@@ -27,6 +27,7 @@ enum thud_measure {
     THUD_MEASURE_ISOLATOR,  /* largest displacement of its isolators, m; NaN: it has none */
     THUD_MEASURE_COLUMNS,   /* largest shear over capacity of the columns that slabs strike; NaN: none, or not given */
     THUD_MEASURE_STRAIN,    /* largest compression of a bumper over its thickness; NaN: there is none */
+    THUD_MEASURE_LINK,      /* largest force of all links, N; NaN: there are none */
     THUD_MEASURE_COLLAPSED, /* 1: the drift of a storey comes to where it collapses */
     THUD_MEASURES
 };
@@ -42,12 +43,13 @@ enum thud_measure_document {
 
 /* What a scene must have so that there is such a number. */
 enum {
-    THUD_HAS_YIELDING = 1,   /* storeys that may yield */
-    THUD_HAS_ISOLATORS = 2,  /* a structure on isolators */
-    THUD_HAS_COLUMNS = 4,    /* columns that slabs strike */
-    THUD_HAS_CAPACITY = 8,   /* and a capacity of columns */
-    THUD_HAS_REFERENCE = 16, /* another run to compare with */
-    THUD_HAS_COLLAPSES = 32  /* P-Delta */
+    THUD_HAS_YIELDING = 1,    /* storeys that may yield */
+    THUD_HAS_ISOLATORS = 2,   /* a structure on isolators */
+    THUD_HAS_COLUMNS = 4,     /* columns that slabs strike */
+    THUD_HAS_CAPACITY = 8,    /* and a capacity of columns */
+    THUD_HAS_REFERENCE = 16,  /* another run to compare with */
+    THUD_HAS_COLLAPSES = 32,  /* P-Delta */
+    THUD_HAS_LINK_FORCES = 64 /* links */
 };
 
 /* A run of a finished point. */

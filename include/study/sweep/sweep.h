@@ -67,7 +67,8 @@ int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
  * `but` (-1: on all). Returns the text; "nominal" without axes. */
 const char *thud_sweep_setting(const struct thud_sweep_plan *plan, int n, const int *at, int but, bool keys, char *text,
                                size_t size);
-/* Whether at[] is, on every axis but `but`, one of at most five evenly spread values: those that a table shows. */
+/* Whether at[] is, on every axis but `but`, one of at most five evenly spread values or the preset's own: those that a
+ * table shows. */
 bool thud_sweep_is_spread(const struct thud_sweep_plan *plan, const int *at, int but);
 /* The same of the i-th of n. */
 bool thud_is_spread(int n, int i);
@@ -101,6 +102,7 @@ struct thud_sweep_effort {
     bool reference;          /* not asked for: case `none`, run for the ratios */
     bool collapsed;          /* the peaks are those until then */
     double shared_s, end_s;  /* motion taken from the baseline, and the whole */
+    double link_n;           /* largest force of all links; NaN: there are none */
     int left_out;            /* contacts left out */
     long steps, events;
 };

@@ -12,7 +12,7 @@
 struct thud_sweep_axis {
     char key[96];
     const struct thud_param *param;
-    int n;
+    int n, own;                  /* own: the preset's own value among them; -1: it is not there, or is no number */
     bool words;                  /* of choices, texts or lists, which no number says */
     double *value;               /* (n) SI; of words their places in the list, from 0 */
     char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */

@@ -8,7 +8,7 @@
 #include "plot/figures/figures_case.h"
 
 enum { SHOWN_MAX = 3 };
-static const double equal = 1e-9;         /* ratios nearer to 1 are neither lower nor higher */
+static const double rounding = 1e-9;      /* of a median of 1 */
 static const double from_nothing = 1e100; /* the ratio to 0: larger than any other, and still a number */
 
 /* A case other than none at one setting; of a bumper where the links alone are varied at any of them. */
@@ -27,25 +27,19 @@ struct compared {
     double *room;                              /* (nrecords), behind it */
 };
 
-/* Of a response over that of case none, of how many ground motions, and under how many it is lower. */
-struct lowered {
-    struct thud_fractiles ratio;
-    int lower, n;
-};
-
-static struct lowered ratio_of(const struct compared *c, const struct measure *m, int q, int s)
+/* Of a response over that of case none: under how many ground motions it is lower and higher. */
+static struct thud_fractiles ratio_of(const struct compared *c, const struct measure *m, int q, int s)
 {
     const struct thud_suite *suite = c->suite;
-    size_t n = 0, lowered = 0;
+    size_t n = 0;
     for (int r = 0; r < suite->nrecords; r++) {
         double with = thud_suite_value(suite, r, m->setting, m->k, c->response[q], s),
                without = thud_suite_value(suite, r, m->setting, c->none, c->response[q], s);
         if (isnan(with) || isnan(without) || !(with > 0 || without > 0))
             continue;
         c->room[n++] = without > 0 ? with / without : from_nothing;
-        lowered += c->room[n - 1] < 1 - equal;
     }
-    return (struct lowered){thud_fractiles_of(c->room, n, suite->ndraws, 1), (int)lowered, (int)n};
+    return thud_fractiles_of(c->room, n, suite->ndraws, 1);
 }
 
 /* ---- what is compared ---- */
@@ -93,11 +87,27 @@ static void add_measure(struct compared *c, int k, long setting)
     snprintf(m->column, sizeof m->column, "%s", link || (alone && varied) ? m->name : at);
 }
 
-/* Of every case at up to three settings: the first, the middle, the last. NULL: out of memory. */
+/* The setting between the first and the last that is shown: the preset's own, where it is one, else the middle. */
+static long middle_setting(const struct thud_suite *suite)
+{
+    const struct thud_sweep_plan *plan = suite->plan;
+    int at[THUD_VARY_MAX] = {0};
+    bool own = true;
+    for (int a = 0; a < plan->naxes; a++) {
+        at[a] = plan->axis[a].own;
+        own &= at[a] >= 0;
+    }
+    const long setting = own ? thud_suite_setting(plan, at) : 0;
+    return setting > 0 && setting < suite->settings - 1 ? setting : (suite->settings - 1) / 2;
+}
+
+/* Of every case at up to three settings: the first, the preset's own or the middle, the last. NULL: out of memory. */
 static struct compared *compare(const struct thud_suite *suite)
 {
     const struct thud_sweep_plan *plan = suite->plan;
     const int nshown = suite->settings < SHOWN_MAX ? (int)suite->settings : SHOWN_MAX;
+    const long shown[SHOWN_MAX] = {0, nshown < SHOWN_MAX ? suite->settings - 1 : middle_setting(suite),
+                                   suite->settings - 1};
     struct compared *c = calloc(1, sizeof *c + (size_t)suite->nrecords * sizeof(double));
     if (!c)
         return NULL;
@@ -110,7 +120,7 @@ static struct compared *compare(const struct thud_suite *suite)
     for (int k = 0; c->none >= 0 && k < plan->ncases; k++) {
         const bool once = plan->cases[k] != THUD_CASE_LINK && varies_links_alone(plan);
         for (int i = 0; k != c->none && i < (once ? 1 : nshown); i++)
-            add_measure(c, k, nshown > 1 ? i * (suite->settings - 1) / (nshown - 1) : 0);
+            add_measure(c, k, shown[i]);
     }
     return c;
 }
@@ -139,13 +149,14 @@ static void name_response(const struct compared *c, int q, int s, char name[NAME
 
 /* ---- words ---- */
 
-static void put_cell(const struct lowered *r, int width, struct thud_text *out)
+/* "0.860 3 0 0": the median, and under how many motions it is lower, equal and higher. */
+static void put_cell(const struct thud_fractiles *r, int width, struct thud_text *out)
 {
-    char cell[40] = "-";
-    if (r->n > 0 && r->ratio.median < 1 / equal)
-        snprintf(cell, sizeof cell, "%.3f %d of %d", r->ratio.median, r->lower, r->n);
-    else if (r->n > 0)
-        snprintf(cell, sizeof cell, "from 0 %d of %d", r->lower, r->n);
+    char cell[80] = "-", median[24] = "from 0";
+    if (r->n > 0 && r->median < sqrt(from_nothing))
+        snprintf(median, sizeof median, "%.3f", r->median);
+    if (r->n > 0)
+        snprintf(cell, sizeof cell, "%s %2zu %2zu %2zu", median, r->below, r->n - r->below - r->above, r->above);
     thud_text_append(out, " %*s", width, cell);
 }
 
@@ -159,7 +170,7 @@ static void put_case(const struct compared *c, int k, struct thud_text *out)
         name_response(c, q, s, name);
         width = thud_text_wider(width, name);
     }
-    thud_text_append(out, "\n%s over none: median ratio, and under how many motions it is lower\n%*s",
+    thud_text_append(out, "\n%s over none: geometric median ratio, and motions lower, equal, higher\n%*s",
                      thud_case_name(c->suite->plan->cases[k]), width, "");
     for (int i = 0; i < c->nmeasures; i++)
         if (c->measure[i].k == k)
@@ -171,7 +182,7 @@ static void put_case(const struct compared *c, int k, struct thud_text *out)
         thud_text_padded(out, name, width);
         for (int i = 0; i < c->nmeasures; i++)
             if (c->measure[i].k == k) {
-                const struct lowered r = ratio_of(c, &c->measure[i], q, s);
+                const struct thud_fractiles r = ratio_of(c, &c->measure[i], q, s);
                 put_cell(&r, cell, out);
             }
         thud_text_append(out, "\n");
@@ -179,22 +190,21 @@ static void put_case(const struct compared *c, int k, struct thud_text *out)
 }
 
 /* Whether one lowers a response more: in the median, and where that is the same under the worse motions. */
-static bool is_better(const struct lowered *a, const struct lowered *b)
+static bool is_better(const struct thud_fractiles *a, const struct thud_fractiles *b)
 {
     if (a->n == 0 || b->n == 0)
         return a->n > 0;
-    return a->ratio.median < b->ratio.median ||
-           (a->ratio.median == b->ratio.median && (a->ratio.p84 < b->ratio.p84 || a->ratio.most < b->ratio.most));
+    return a->median < b->median || (a->median == b->median && (a->p84 < b->p84 || a->most < b->most));
 }
 
 /* "mean drift of A: damper (0 MN/m), 0.789 in the median, lower under 8 of 8 motions" */
 static void put_best(const struct compared *c, int q, int s, struct thud_text *out)
 {
-    struct lowered best = {.n = 0};
+    struct thud_fractiles best = {.n = 0};
     char name[NAMED_MAX];
     int which = -1;
     for (int i = 0; i < c->nmeasures; i++) {
-        const struct lowered r = ratio_of(c, &c->measure[i], q, s);
+        const struct thud_fractiles r = ratio_of(c, &c->measure[i], q, s);
         if (!is_better(&r, &best))
             continue;
         best = r;
@@ -203,9 +213,9 @@ static void put_best(const struct compared *c, int q, int s, struct thud_text *o
     if (which < 0)
         return;
     name_response(c, q, s, name);
-    if (best.ratio.median < 1 - equal)
-        thud_text_append(out, "  %s: %s, %.3f in the median, lower under %d of %d motions\n", name,
-                         c->measure[which].name, best.ratio.median, best.lower, best.n);
+    if (best.median < 1 - rounding)
+        thud_text_append(out, "  %s: %s, %.3f in the median, lower under %zu of %zu motions\n", name,
+                         c->measure[which].name, best.median, best.below, best.n);
     else
         thud_text_append(out, "  %s: none of them lowers it in the median\n", name);
 }
@@ -216,8 +226,8 @@ static void put_bests(const struct compared *c, struct thud_text *out)
     int q = 0, of = 0, lowers[MEASURES_MAX] = {0};
     for (int s = -2; next_response(c, &q, &s); of++)
         for (int i = 0; i < c->nmeasures; i++)
-            lowers[i] += ratio_of(c, &c->measure[i], q, s).ratio.median < 1 - equal;
-    thud_text_append(out, "\nIn the median over %d motions, of %d responses\n", c->suite->nrecords, of);
+            lowers[i] += ratio_of(c, &c->measure[i], q, s).median < 1 - rounding;
+    thud_text_append(out, "\nIn the geometric median over %d motions, of %d responses\n", c->suite->nrecords, of);
     for (int i = 0; i < c->nmeasures; i++)
         thud_text_append(out, "  %s lowers %d\n", c->measure[i].name, lowers[i]);
     thud_text_append(out, "What lowers each response most:\n");
@@ -263,19 +273,18 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     size_t row = 0;
     int q = 0;
     for (int s = -2; share && next_response(c, &q, &s); row++) {
-        const struct lowered r = ratio_of(c, m, q, s);
-        const bool shown = r.n > 0 && r.ratio.median < most_shown, ends = shown && r.ratio.p84 < most_shown;
+        const struct thud_fractiles r = ratio_of(c, m, q, s);
+        const bool shown = r.n > 0 && r.median < most_shown, ends = shown && r.p84 < most_shown;
         const double level = (double)(rows - row) + broad * (0.5 - (i + 0.5) / c->nmeasures);
-        spread->x[PIECE * row + FROM] = ends ? r.ratio.p16 : NAN;
-        spread->x[PIECE * row + TO] = ends ? r.ratio.p84 : NAN;
-        thud_suite_share_band(c->suite, (size_t)r.lower, (size_t)r.n, &band->x[PIECE * row + FROM],
-                              &band->x[PIECE * row + TO]);
+        spread->x[PIECE * row + FROM] = ends ? r.p16 : NAN;
+        spread->x[PIECE * row + TO] = ends ? r.p84 : NAN;
+        thud_suite_share_band(c->suite, r.below, r.n, &band->x[PIECE * row + FROM], &band->x[PIECE * row + TO]);
         for (size_t k = FROM; k < PIECE; k++) {
             spread->y[PIECE * row + k] = band->y[PIECE * row + k] = k == NOTHING ? NAN : level;
             band->x[PIECE * row + k] *= 100;
         }
-        median->x[row] = shown ? r.ratio.median : NAN;
-        share->x[row] = r.n > 0 ? 100.0 * r.lower / r.n : NAN;
+        median->x[row] = shown ? r.median : NAN;
+        share->x[row] = r.n > 0 ? 100.0 * (double)r.below / (double)r.n : NAN;
         median->y[row] = share->y[row] = level;
     }
 }
@@ -315,10 +324,11 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
         thud_panel_mark(ratios, THUD_X, 1, 1, "");
         for (int i = 0; i < c->nmeasures; i++)
             draw_measure(c, i, (size_t)rows, ratios, shares);
-        thud_figure_note(figure, suite->ndraws < THUD_SHARES_LEAST
-                                     ? "Medians over the ground motions as points; shaded: lower."
-                                     : "Medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. "
-                                       "Lines of the shares: 90 % bands (Wilson).");
+        thud_figure_note(
+            figure, suite->ndraws < THUD_SHARES_LEAST
+                        ? "Geometric medians over the ground motions as points; shaded: lower."
+                        : "Geometric medians over the ground motions as points, 16 to 84 % as lines; shaded: lower. "
+                          "Lines of the shares: 90 % bands (Wilson).");
     }
     free(c);
     return figure;

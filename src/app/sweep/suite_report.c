@@ -13,8 +13,9 @@ enum {
     POUNDING,
     AMPLIFIED,
     COUNTS,
-    ENDS = 3
-}; /* of a row: these, then 16 %, median and 84 % of each measure */
+    FRACTILES = 3,
+    ENDS = 6
+}; /* of a row: these, then 16 %, median and 84 % of each measure, of a ratio also under how many it is less, 1, more */
 struct suite_row {
     double count[COUNTS], of[THUD_MEASURES][ENDS];
     double collapsed; /* 1: a run of theirs did */
@@ -22,9 +23,9 @@ struct suite_row {
     enum thud_measure told[THUD_MEASURES]; /* (n) */
 };
 
-static double happened(struct thud_fractiles f)
+static int ends_of(enum thud_measure measure)
 {
-    return f.n ? round(f.share * (double)f.n) : 0;
+    return thud_measure_info(measure)->ratio_of ? ENDS : FRACTILES;
 }
 
 /* One setting, case and structure: how many motions, how many of them pound and are amplified, fractiles of every
@@ -34,27 +35,32 @@ static void suite_values(const struct thud_suite *suite, long setting, int k, in
 {
     struct thud_fractiles f = thud_suite_fractiles(suite, setting, k, THUD_MEASURE_IMPACTS, -1, 0, room);
     row->count[MOTIONS] = (double)f.n;
-    row->count[POUNDING] = happened(f);
+    row->count[POUNDING] = (double)f.above;
     row->count[AMPLIFIED] =
-        happened(thud_suite_fractiles(suite, setting, k, THUD_MEASURE_ACCELERATION_RATIO, s, 1 + 1e-9, room));
+        (double)thud_suite_fractiles(suite, setting, k, THUD_MEASURE_ACCELERATION_RATIO, s, 1, room).above;
     row->collapsed = thud_suite_fractiles(suite, setting, k, THUD_MEASURE_COLLAPSED, -1, 0, room).share > 0;
     for (int i = 0; i < row->n; i++) {
-        f = thud_suite_fractiles(suite, setting, k, row->told[i], s, 0, room);
-        memcpy(row->of[row->told[i]], (const double[ENDS]){f.p16, f.median, f.p84}, sizeof row->of[0]);
+        f = thud_suite_fractiles(suite, setting, k, row->told[i], s, 1, room);
+        const double of[ENDS] = {f.p16,          f.median, f.p84, (double)f.below, (double)(f.n - f.below - f.above),
+                                 (double)f.above};
+        memcpy(row->of[row->told[i]], of, sizeof of);
     }
 }
 
 /* A row of statistics: case, varied keys, structure, and what there is of the measures. */
 static void name_suite(const struct thud_suite *suite, const struct suite_row *row, struct thud_made_columns *out)
 {
-    static const char *const counts[] = {"motions", "pounding", "amplified"}, *const end[] = {"p16", "median", "p84"};
+    static const char *const counts[] = {"motions", "pounding", "amplified"}, *const end[] = {"p16",   "median",
+                                                                                              "p84",   "lower",
+                                                                                              "equal", "higher"};
     thud_column_add(out, true, "case");
     thud_axis_columns(suite->plan, NULL, out);
     thud_column_add(out, true, "structure");
     for (int c = 0; c < COUNTS; c++)
         thud_column_add(out, false, "%s", counts[c]);
-    for (int c = 0; c < row->n * ENDS; c++)
-        thud_column_add(out, false, "%s_%s", thud_measure_info(row->told[c / ENDS])->column, end[c % ENDS]);
+    for (int i = 0; i < row->n; i++)
+        for (int c = 0; c < ends_of(row->told[i]); c++)
+            thud_column_add(out, false, "%s_%s", thud_measure_info(row->told[i])->column, end[c]);
     if (suite->features & THUD_HAS_COLLAPSES)
         thud_column_add(out, false, "%s", thud_measure_info(THUD_MEASURE_COLLAPSED)->column);
 }
@@ -69,8 +75,9 @@ static void put_data_row(const struct thud_suite *suite, const int *at, int k, i
     cell++->text = suite->plan->scene.structure[s].name;
     for (int c = 0; c < COUNTS; c++)
         cell++->number = row->count[c];
-    for (int c = 0; c < row->n * ENDS; c++)
-        cell++->number = row->of[row->told[c / ENDS]][c % ENDS];
+    for (int i = 0; i < row->n; i++)
+        for (int c = 0; c < ends_of(row->told[i]); c++)
+            cell++->number = row->of[row->told[i]][c];
     if (suite->features & THUD_HAS_COLLAPSES)
         cell->number = row->collapsed;
 }
@@ -81,17 +88,19 @@ static void put_table_row(const struct thud_suite *suite, const int *at, int k, 
                           struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = suite->plan;
-    const double *ratio = row->of[THUD_MEASURE_ACCELERATION_RATIO], *force = row->of[THUD_MEASURE_FORCE];
+    const double *ratio = row->of[THUD_MEASURE_ACCELERATION_RATIO];
+    const double *const force[] = {row->of[THUD_MEASURE_FORCE], row->of[THUD_MEASURE_LINK]};
     char name[160];
     if (!thud_sweep_is_spread(plan, at, -1))
         return;
     thud_text_append(out, "  %-8s ", thud_case_name(plan->cases[k]));
     thud_text_padded(out, plan->scene.structure[s].name, thud_scene_names_width(&plan->scene, NAME));
     thud_text_append(out, " %4.0f %4.0f", row->count[POUNDING], row->count[AMPLIFIED]);
-    for (int q = 0; q < ENDS; q++)
+    for (int q = 0; q < FRACTILES; q++)
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
-    for (int q = 1; q < ENDS; q++)
-        thud_text_append(out, isnan(force[q]) ? "       -" : " %7.3g", 1e-6 * force[q]);
+    for (int f = 0; f < (suite->features & THUD_HAS_LINK_FORCES ? 2 : 1); f++)
+        for (int q = 1; q < FRACTILES; q++)
+            thud_text_append(out, isnan(force[f][q]) ? "       -" : " %7.3g", 1e-6 * force[f][q]);
     thud_text_append(out, "  %s\n", thud_sweep_setting(plan, plan->naxes, at, -1, false, name, sizeof name));
 }
 
@@ -99,6 +108,7 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
                                    struct thud_error *err)
 {
     const int width = thud_scene_names_width(&suite->plan->scene, NAME);
+    const bool links = suite->features & THUD_HAS_LINK_FORCES;
     const struct thud_sweep_plan *plan = suite->plan;
     double *room = malloc(((size_t)suite->nrecords + 1) * sizeof *room);
     const char *before = "";
@@ -117,9 +127,10 @@ enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_wri
     else
         thud_text_append(out,
                          "over %d ground motions: how many pound, and under how many accelerations grow\n"
-                         "%*s                     mean acc. ratio      force (MN)\n"
-                         "  case     %-*spound grow   16 %% median   84 %%  median    84 %%  at\n",
-                         suite->nrecords, 1 + width, "", width, "of");
+                         "%*s            mean acc. ratio (geometric)   force (MN)%s\n"
+                         "  case     %-*spound grow   16 %% median   84 %%  median    84 %%%s  at\n",
+                         suite->nrecords, 1 + width, "", links ? "     of a link" : "", width, "of",
+                         links ? "  median    84 %" : "");
     for (long i = 0; i < suite->settings; i++) {
         thud_sweep_place(plan, i, at);
         for (int k = 0; k < plan->ncases; k++)

@@ -92,10 +92,10 @@ static void put_result(const struct thud_suite_study *study, struct thud_text *o
 {
     const struct thud_scaled_suite *s = &study->scaled;
     const struct thud_scaling *how = &study->scaling;
-    thud_text_append(out, "\ntarget    %s, damping %.3g %%, periods %.3g to %.3g s", study->target.text,
+    thud_text_append(out, "\ntarget    %s, damping %.3g %%, periods %#.3g to %#.3g s", study->target.text,
                      100 * study->target.damping, s->period_s[0], s->period_s[THUD_TARGET_PERIODS - 1]);
     if (s->narrowed)
-        thud_text_append(out, " in place of %.3g to %.3g s, which the motions' steps or the target do not reach",
+        thud_text_append(out, " in place of %#.3g to %#.3g s, which the motions' steps or the target do not reach",
                          how->from_s, how->to_s);
     thud_text_append(out, "\n");
     thud_text_append(out,

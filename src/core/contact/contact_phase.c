@@ -71,10 +71,26 @@ void thud_impact_count(const struct thud_state *state, struct thud_contact_log *
     r->restitution = NAN;
 }
 
+/* Whether the storeys hardly change the floors' speeds while a contact lasts: up to a quarter of the shortest period of
+ * the two structures, pi/(2 omega). Beyond it the speeds at which floors part say nothing of the law. */
+static bool is_short(const struct thud_state *state, const struct thud_impact *impact)
+{
+    static const double quarter = 1.5707963267948966; /* of a period, rad */
+    const struct thud_model_contact *contact = &state->model->contact[impact->contact];
+    const int side[] = {contact->left.structure, contact->right.structure};
+    double fastest_radps = 0;
+    for (int i = 0; i < 2; i++) {
+        const struct thud_model_structure *structure = side[i] < 0 ? NULL : &state->model->structure[side[i]];
+        for (int j = 0; structure && j < structure->dofs; j++)
+            fastest_radps = fmax(fastest_radps, structure->omega[j]);
+    }
+    return impact->duration_s * fastest_radps <= quarter;
+}
+
 double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact)
 {
     double least = THUD_TOL_CLOSING * state->speed_mps;
-    if (!(impact->approach_mps > least) || impact->separation_mps < -least)
+    if (!(impact->approach_mps > least) || impact->separation_mps < -least || !is_short(state, impact))
         return NAN;
     return fmax(impact->separation_mps, 0) / impact->approach_mps;
 }

@@ -36,6 +36,6 @@ enum thud_status thud_contact_open(struct thud_state *state, struct thud_contact
 /* Other contacts' impulses have changed the rate of contact c by so much, to what it is now: it goes on in the phase of
  * that rate, with no guard suppressed. */
 void thud_contact_impulse_received(struct thud_state *state, int c, double change);
-/* Separation over approach velocity; NaN where the approach velocity is no more than rounding, or the bodies did not
- * part. */
+/* Separation over approach velocity; NaN where the approach velocity is no more than rounding, the bodies did not part,
+ * or the contact lasted so long that the storeys have a part in it. */
 double thud_impact_restitution(const struct thud_state *state, const struct thud_impact *impact);

@@ -175,7 +175,10 @@ static const struct thud_column contacts[] = {
     {CONTACT(peak.approach_mps, "approach_mps", "Speed before the last impact, m/s.")},
     {CONTACT(peak.separation_mps, "separation_mps", "Speed after it, m/s.")},
     {CONTACT(peak.restitution, "restitution",
-             "Speed after the last impact over that before it; no value where that says nothing."),
+             "Speed after the last impact over that before it; no value where that says nothing: the floors did not "
+             "part, or the "
+             "contact lasted longer than a quarter of the shortest period of the two structures, whose storeys then "
+             "act too."),
      .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
     {CONTACT(peak.nominal_restitution, "nominal_restitution", "Coefficient that was asked for."),
      .shown = {"", "nominal", 1, 8, 3, THUD_DIGITS_FREE}},

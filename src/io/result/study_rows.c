@@ -253,6 +253,9 @@ static const struct thud_column of_suite[] = {
     THUD_STANDS_FOR("MEASURE_p16", "16 % of the motions are below; empty: fewer than three independent motions."),
     THUD_STANDS_FOR("MEASURE_median", "Half of them are."),
     THUD_STANDS_FOR("MEASURE_p84", "84 % of them are."),
+    THUD_STANDS_FOR("MEASURE_lower", "Of ratios: under how many motions it is below 1."),
+    THUD_STANDS_FOR("MEASURE_equal", "Under how many it is 1."),
+    THUD_STANDS_FOR("MEASURE_higher", "Under how many it is above 1."),
     THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit."),
     THUD_STANDS_FOR("collapsed", "With P-Delta, last: 1 where a storey collapses under one of the motions at least; "
                                  "the fractiles of peaks then hold values until a collapse, and no ratios.")};

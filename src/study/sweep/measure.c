@@ -95,6 +95,12 @@ static double collapsed(const struct thud_measured_run *run, const struct thud_m
     return run->point->effort[run->k].collapsed;
 }
 
+static double largest_of_links(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
+{
+    (void)info, (void)of_run;
+    return run->point->effort[run->k].link_n;
+}
+
 static double largest_of_contacts(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
 {
     const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
@@ -242,6 +248,8 @@ static const struct thud_measure_info infos[THUD_MEASURES] = {
                               .event.example = "1", .read = over_capacity, CONTACT(capacity_ratio)},
     [THUD_MEASURE_STRAIN] = {"bumper_strain", "largest strain of a bumper", THUD_RATIO, .event.word = "strain",
                              .event.example = "80%", .read = bumper_strain},
+    [THUD_MEASURE_LINK] = {"link_n", "largest force of a link", THUD_FORCE, .needs = THUD_HAS_LINK_FORCES,
+                           TOLD(11, 0, 0, 0), .event.word = "link", .event.example = "500kN", .read = largest_of_links},
     [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event.word = "collapse", .read = collapsed}};
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure)
@@ -283,7 +291,8 @@ unsigned thud_measure_features(const struct thud_sweep_plan *plan)
 {
     unsigned features = THUD_HAS_REFERENCE | (thud_sweep_yields(plan) ? THUD_HAS_YIELDING : 0u) |
                         (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
-    features |= thud_sweep_collapses(plan) ? THUD_HAS_COLLAPSES : 0u;
+    features |=
+        (thud_sweep_collapses(plan) ? THUD_HAS_COLLAPSES : 0u) | (plan->scene.nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u);
     for (int s = 0; s < plan->scene.nstructures; s++)
         features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;
     return features;

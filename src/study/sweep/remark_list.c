@@ -31,6 +31,7 @@ static const struct row {
     SCENE(INTERFACE, assumed_law),
     SCENE(INTERFACE, interface_values),
     SCENE(INTERFACE, cavity),
+    SCENE(INTERFACE, light_wall),
     SCENE(INTERFACE, whole_law),
     SCENE(INTERFACE, faces),
     SCENE(ONCE, setup),

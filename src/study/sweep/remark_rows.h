@@ -10,8 +10,9 @@ typedef void thud_remark_row(const struct thud_remark_scope *scope, int i, struc
 struct thud_error *thud_remark_add(struct thud_remarks *remarks);
 
 thud_remark_row thud_remark_structure_values, thud_remark_modes, thud_remark_estimate, thud_remark_columns,
-    thud_remark_assumed_law, thud_remark_interface_values, thud_remark_cavity, thud_remark_whole_law, thud_remark_faces,
-    thud_remark_setup, thud_remark_levels, thud_remark_step, thud_remark_simpler; /* remark_scene.c */
+    thud_remark_assumed_law, thud_remark_interface_values, thud_remark_cavity, thud_remark_light_wall,
+    thud_remark_whole_law, thud_remark_faces, thud_remark_setup, thud_remark_levels, thud_remark_step,
+    thud_remark_simpler; /* remark_scene.c */
 thud_remark_row thud_remark_one_event, thud_remark_recordings, thud_remark_factor, thud_remark_vertical,
     thud_remark_twice, thud_remark_synthetic; /* remark_motion.c */
 thud_remark_row thud_remark_bumper, thud_remark_drift, thud_remark_struck, thud_remark_overturning,

@@ -172,6 +172,49 @@ void thud_remark_cavity(const struct thud_remark_scope *scope, int i, struct thu
     thud_error_key(said, "interfaces.%d.bumper.cavity", i + 1);
 }
 
+/* Force of a law between bodies of an effective mass that approach, at a depth and speed that are usual for pounding. */
+static double approach_force(const struct thud_law_choice *choice, double thickness_m, double mass_kg, double depth_m)
+{
+    struct thud_law_setup setup = {.mass_kg = mass_kg, .thickness_m = thickness_m};
+    struct thud_law_memory memory = {{0}};
+    memcpy(setup.value, choice->value, sizeof setup.value);
+    if (choice->law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE) ||
+        thud_law_prepare(choice->law, &setup, NULL) != THUD_OK)
+        return NAN;
+    thud_law_onset(choice->law, &setup, 0.5, &memory);
+    const struct thud_branch branch = thud_law_branch_at(choice->law, &setup, &memory, THUD_APPROACH, depth_m);
+    return thud_branch_force(&branch, depth_m, 0.5, NULL, NULL);
+}
+
+/* A wall that gives, but stiffer than the contact and lighter than the floor that strikes it. It hardly moves, but laws
+ * take their dashpot from the effective mass m1 m2/(m1 + m2), which is the wall's: it is not the fixed wall. */
+void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    static const double differ = 0.02, depth_m = 0.01; /* of a force: less is not worth a remark */
+    struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
+    const struct thud_structure *left = &scope->scene->structure[i], *right = left + 1;
+    const struct thud_structure *wall = left->kind == THUD_WALL ? left : right, *other = wall == left ? right : left;
+    char key[64];
+    const struct thud_law_choice *choice = first_law(scope, i, key);
+    if (!thud_wall_gives(wall) || !choice->law || thud_interface_contact_pairs(scope->scene, i, pair) == 0)
+        return;
+    const int floor = wall == left ? pair[0].right_floor : pair[0].left_floor, base = other->kind == THUD_ISOLATED;
+    const double mass = floor <= base ? other->base_mass_kg : other->mass_kg[floor - 1 - base],
+                 effective = mass * wall->wall_mass_kg / (mass + wall->wall_mass_kg),
+                 thickness_m = scope->scene->interface[i].bumper_thickness_m,
+                 fixed = approach_force(choice, thickness_m, mass, depth_m),
+                 gives = approach_force(choice, thickness_m, effective, depth_m);
+    if (!(wall->wall_mass_kg < mass && wall->wall_stiffness_npm * depth_m > fixed && gives < (1 - differ) * fixed))
+        return;
+    struct thud_error *said = thud_remark_add(out);
+    thud_error_set(said, THUD_OK,
+                   "the wall of %.3g t hardly moves under a floor of %.3g t, but is not the wall that does not give: "
+                   "the dashpot of %s is that of their effective mass, %.3g t",
+                   1e-3 * wall->wall_mass_kg, 1e-3 * mass, choice->law->name, 1e-3 * effective);
+    thud_error_allow(said, "a wall without mass and stiffness stands fixed");
+    thud_error_key(said, "structures.%d.mass", (int)(wall - scope->scene->structure) + 1);
+}
+
 /* A contact whose law nobody has chosen. */
 void thud_remark_assumed_law(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {

@@ -270,11 +270,26 @@ static void find_period(struct thud_sweep_plan *plan)
     }
 }
 
+/* Where the scene's own value stands among those of an axis; -1: nowhere. */
+static int own_place(const struct thud_scene *scene, const struct thud_sweep_axis *axis)
+{
+    static const double rounding = 1e-9; /* of values that are written and read in two units */
+    char text[TEXT];
+    if (axis->words || thud_scene_get(scene, axis->key, text, sizeof text, NULL) != THUD_OK)
+        return -1;
+    const double own = value_of(axis->param, text);
+    int place = axis->n - 1;
+    while (place >= 0 && !(fabs(axis->value[place] - own) <= rounding * fabs(own)))
+        place--;
+    return place;
+}
+
 static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis)
 {
     int at = is_outer(axis->key) ? plan->nouter++ : plan->naxes;
     memmove(plan->axis + at + 1, plan->axis + at, (size_t)(plan->naxes - at) * sizeof *axis);
     plan->axis[at] = *axis;
+    plan->axis[at].own = own_place(&plan->scene, axis);
     plan->naxes++;
     find_period(plan);
 }
@@ -461,7 +476,7 @@ bool thud_is_spread(int n, int i)
 bool thud_sweep_is_spread(const struct thud_sweep_plan *plan, const int *at, int but)
 {
     for (int a = 0; a < plan->naxes; a++)
-        if (a != but && !thud_is_spread(plan->axis[a].n, at[a]))
+        if (a != but && at[a] != plan->axis[a].own && !thud_is_spread(plan->axis[a].n, at[a]))
             return false;
     return true;
 }

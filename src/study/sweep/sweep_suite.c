@@ -8,7 +8,6 @@
 #include "study/sweep/sweep_table.h"
 
 /* A ratio this near to 1 is 1: there was no contact. */
-static const double equal = 1e-9;
 static const char *const no_name[] = {""};
 
 /* Scratch of the making. */
@@ -64,8 +63,7 @@ static void put_band(const struct making *m, const struct thud_fractiles *f, dou
 {
     band[0] = band[1] = NAN;
     if (m->draws >= THUD_SHARES_LEAST)
-        thud_share_band((size_t)lround(f->share * (double)f->n), f->n, (double)m->draws / m->table->nrecords, &band[0],
-                        &band[1]);
+        thud_share_band(f->above, f->n, (double)m->draws / m->table->nrecords, &band[0], &band[1]);
 }
 
 static void put_run(const struct making *m, const struct thud_sweep_summary *const *of, struct thud_sweep_summary *out,
@@ -82,7 +80,7 @@ static void put_run(const struct making *m, const struct thud_sweep_summary *con
             to[THUD_SWEEP_HIGH] = f.p84;
         }
     const struct thud_fractiles impacts = fractiles(m, of, out->which[k], THUD_MEASURE_IMPACTS, -1, 0);
-    const struct thud_fractiles worst = fractiles(m, of, out->which[k], THUD_MEASURE_ACCELERATION_RATIO, -1, 1 + equal);
+    const struct thud_fractiles worst = fractiles(m, of, out->which[k], THUD_MEASURE_ACCELERATION_RATIO, -1, 1);
     *shares = (struct thud_sweep_shares){.pounding = impacts.share, .worse = worst.share};
     put_band(m, &impacts, shares->pounding_band);
     put_band(m, &worst, shares->worse_band);

@@ -228,6 +228,16 @@ static void no_numbers(const struct thud_sweep_task *task)
             (struct thud_sweep_contact){.force_n = NAN, .indentation_m = NAN};
 }
 
+/* What a run's effort keeps of its result. */
+static void take_run(struct thud_sweep_effort *effort, const struct thud_result *result)
+{
+    effort->end_s = result->end_s;
+    effort->collapsed = result->collapse.happened;
+    effort->link_n = NAN;
+    for (int i = 0; i < result->nlinks; i++)
+        effort->link_n = fmax(effort->link_n, result->link[i].force.value);
+}
+
 /* The result without a run where the baseline has it; else a run. */
 static enum thud_status start_run(struct thud_sweep_task *task, const struct thud_run_options *options,
                                   struct thud_error *err)
@@ -241,8 +251,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
         thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
-        effort->end_s = result->end_s;
-        effort->collapsed = result->collapse.happened;
+        take_run(effort, result);
         count_run(task);
         return THUD_OK;
     }
@@ -273,8 +282,7 @@ static void finish(struct thud_sweep_task *task)
 {
     const struct thud_result *result = thud_run_result(task->run);
     thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
-    task->effort.end_s = result->end_s;
-    task->effort.collapsed = result->collapse.happened;
+    take_run(&task->effort, result);
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;
     count_run(task);

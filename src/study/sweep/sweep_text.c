@@ -138,6 +138,7 @@ static void effort(struct line *l, enum thud_case *which, struct thud_sweep_effo
     e->events = whole(l, e->events, 0, 1L << 53);
     number(l, &e->shared_s);
     number(l, &e->end_s);
+    number(l, &e->link_n);
 }
 
 static void floors(struct line *l, struct thud_sweep_floor *floor, int n)

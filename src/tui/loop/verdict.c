@@ -19,13 +19,14 @@ static void say_collapse(const struct thud_tui *tui, enum thud_live_which which,
              result->collapse.time_s, thud_structure_storey(s, result->collapse.floor), s->name);
 }
 
-/* "34.5 -> 33.1 MN", or one number where it is shown alike; empty without one. */
-static void change_words(double before, double now, bool count, const char *unit, char text[64])
+enum { THREE_DIGITS = -1 };
+/* "34.5 -> 33.1 MN", with so many decimals, or one number where it is shown alike; empty without one. */
+static void change_words(double before, double now, int decimals, const char *unit, char text[64])
 {
     char a[24], b[24];
-    snprintf(a, sizeof a, "%.0f", before);
-    snprintf(b, sizeof b, "%.0f", now);
-    if (!count) {
+    snprintf(a, sizeof a, "%.*f", decimals, before);
+    snprintf(b, sizeof b, "%.*f", decimals, now);
+    if (decimals == THREE_DIGITS) {
         thud_tui_number(before, a);
         thud_tui_number(now, b);
     }
@@ -50,9 +51,9 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     if (!before->known || !now.known || !thud_base_differs(&tui->base, &tui->doc) ||
         i + 1 >= tui->base.scene.nstructures)
         return false;
-    change_words(1e-6 * before->force_n[i], 1e-6 * now.force_n[i], false, "MN", force);
-    change_words(before->impacts[i], now.impacts[i], true, now.impacts[i] == 1 ? "impact" : "impacts", impacts);
-    change_words(thud_summary_gap_cm(before->need_m[i]), thud_summary_gap_cm(now.need_m[i]), false, "cm", gap);
+    change_words(1e-6 * before->force_n[i], 1e-6 * now.force_n[i], THREE_DIGITS, "MN", force);
+    change_words(before->impacts[i], now.impacts[i], 0, now.impacts[i] == 1 ? "impact" : "impacts", impacts);
+    change_words(thud_summary_gap_cm(before->need_m[i]), thud_summary_gap_cm(now.need_m[i]), 1, "cm", gap);
     snprintf(need, sizeof need, "%s%.50s", *gap ? "needs " : "", gap);
     if (tui->base.chosen)
         snprintf(name, sizeof name, "%.20s: ", tui->base.name);
