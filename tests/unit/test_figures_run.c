@@ -91,7 +91,7 @@ static struct sample *make(void)
             row[thud_history_storey_shear(h, k)] = 2e6 * (k + 1) * sin(s->time[i]);
         }
     }
-    s->source = (struct thud_figure_source){"bumper", THUD_CASE_BUMPER, &s->scene, &s->result, h, &s->impact, 1};
+    s->source = (struct thud_figure_source){"bumper", THUD_CASE_BUMPER, &s->scene, &s->result, h, &s->impact, 1, false};
     return s;
 }
 

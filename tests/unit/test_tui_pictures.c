@@ -10,6 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "app/run/figure_files.h"
+#include "tui/screens/plots.h"
 #include "tui_fixture.h"
 
 static struct fixture f;
@@ -144,11 +146,11 @@ START_TEST(whole_histories_for_files)
     fixture_expect(&f, "Written");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
     fixture_keys(&f, ":set gap 1.4 cm<Enter>");
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < 7; i++)
         fixture_keys(&f, "<Down>");
-    fixture_expect(&f, "Energies");
+    fixture_expect(&f, "8/8 energy");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
-    fixture_expect(&f, "viscous");
+    fixture_expect(&f, "damping");
 }
 END_TEST
 
@@ -159,13 +161,58 @@ START_TEST(motions_that_are_seen)
     ck_assert_ptr_null(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
     ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_NONE));
     fixture_keys(&f, "<Down><Down>");
-    fixture_expect(&f, "Floor acceleration");
+    fixture_expect(&f, "total floor acceleration (g)");
     ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
     fixture_keys(&f, "<Up><Up>:set gap 1.3 cm<Enter>");
     ck_assert_ptr_null(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
     fixture_keys(&f, "b");
     fixture_expect(&f, "no pounding");
     ck_assert_ptr_nonnull(thud_live_motions(&f.tui->run.live, THUD_LIVE_FREE));
+}
+END_TEST
+
+/* The words of a title behind the scene's, up to what they are of; and those of a panel's axes. */
+static void words_of(const struct thud_figure *figure, const struct thud_panel *panel, char *text, size_t size)
+{
+    char x[80], y[80];
+    const char *title = thud_tui_figure_title(f.tui, figure);
+    snprintf(text, size, "%.*s | %s | %s", (int)strcspn(title, ";,"), title,
+             thud_axis_text(&panel->axis[THUD_X], x, sizeof x), thud_axis_text(&panel->axis[THUD_Y], y, sizeof y));
+}
+
+/* What the screen shows has title, axes and units of what `thud run -o` writes. */
+START_TEST(screens_say_what_files_say)
+{
+    static const enum thud_run_figure of[] = {
+#define THUD_PLOT(name, words, file, which) [THUD_PLOT_##name] = THUD_FIGURE_##which,
+#include "tui/screens/plot_list.h"
+#undef THUD_PLOT
+    };
+    fixture_keys(&f, "<Size 130x40>:set structures.1.yield.1 4 mm<Enter>5");
+    for (int plot = 0; plot < THUD_PLOTS; plot++) {
+        struct thud_figure_source source[THUD_LIVE_CASES];
+        char screen[300], file[300];
+        while ((int)thud_plots(f.tui)->plot != plot)
+            fixture_keys(&f, "<Down>");
+        f.tui->files.whole_wanted = THUD_DO_REPAINT; /* both of the same histories */
+        thud_tui_run(f.tui);
+        f.tui->files.whole_wanted = THUD_DO_NOTHING;
+        fixture_keys(&f, "<C-l>");
+        const struct thud_figure *shown = thud_views[THUD_SCREEN_PLOTS]->figure(f.tui);
+        ck_assert_ptr_nonnull(shown);
+        int n = 0;
+        for (int i = plot == THUD_PLOT_FORCE ? THUD_LIVE_NONE : 0; i < THUD_LIVE_CASES; i++)
+            source[n++] = thud_run_source(thud_live_name(0, (enum thud_live_which)i), thud_case_compared(i),
+                                          &f.tui->doc.scene, f.tui->run.live.which[i].run);
+        if (plot == THUD_PLOT_APPROACH) /* files have the velocities of the floors */
+            continue;
+        struct thud_figure *written = thud_run_figure(of[plot], source, n);
+        const bool ground = strcmp(written->panel[0].axis[THUD_Y].label, "Ground") == 0;
+        words_of(shown, &shown->panel[0], screen, sizeof screen);
+        words_of(written, &written->panel[ground ? written->columns : 0], file, sizeof file);
+        ck_assert_str_eq(screen, file);
+        thud_figure_free(written);
+    }
 }
 END_TEST
 
@@ -185,15 +232,15 @@ START_TEST(figures_are_marked_on_the_shelf)
 {
     fixture_keys(&f, "F");
     ck_assert_int_eq((int)f.tui->run.live.history, (int)THUD_LIVE_WHOLE);
-    fixture_expect(&f, "Response spectrum, 5 %");
+    fixture_expect(&f, "Record: spectrum, ");
     fixture_keys(&f, "<Down> <Down> <Size 50x16><Size 80x24>");
-    fixture_expect(&f, "2 of 14 marked");
+    fixture_expect(&f, "2 of 12 marked");
     fixture_expect(&f, "A, storey"); /* of its panels the one with the curves */
     fixture_keys(&f, "]");
     fixture_expect(&f, "ground acceleration (g)");
     fixture_keys(&f, "[");
     fixture_keys(&f, " <Up> "); /* the fourth is marked and the third no longer is */
-    fixture_expect(&f, "2 of 14 marked");
+    fixture_expect(&f, "2 of 12 marked");
     fixture_keys(&f, "P");
     fixture_expect(&f, "Written 2 figures");
     ck_assert_int_eq(count_files(".png"), 2);
@@ -321,6 +368,7 @@ Suite *thud_suite(void)
     tcase_add_test(pictures, the_part_shown_is_written);
     tcase_add_test(pictures, whole_histories_for_files);
     tcase_add_test(pictures, motions_that_are_seen);
+    tcase_add_test(pictures, screens_say_what_files_say);
     tcase_add_test(pictures, all_figures);
     tcase_add_test(pictures, figures_are_marked_on_the_shelf);
     tcase_add_test(pictures, marked_figures_go_into_the_report);

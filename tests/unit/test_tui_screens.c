@@ -210,7 +210,7 @@ START_TEST(an_impact_is_opened)
 {
     fixture_keys(&f, "<A-4><Tab><Down><Enter>");
     ck_assert_int_eq((int)f.tui->screen, THUD_SCREEN_PLOTS);
-    fixture_expect(&f, "Impact force");
+    fixture_expect(&f, "impact force (MN)");
     fixture_expect(&f, "zoom");
     fixture_keys(&f, "N");
     fixture_keys(&f, "L");
@@ -257,9 +257,9 @@ END_TEST
 START_TEST(every_figure_is_drawn)
 {
     fixture_keys(&f, "<A-5>");
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 8; i++) {
         char number[16];
-        snprintf(number, sizeof number, "%d/9 ", i + 1);
+        snprintf(number, sizeof number, "%d/8 ", i + 1);
         fixture_expect(&f, number);
         fixture_expect_not(&f, "more room");
         fixture_keys(&f, "e");
@@ -318,8 +318,8 @@ START_TEST(the_whole_plots_of_two_bodies)
     static const char expected[] = " thud  bodies   no ground motion                                   run 0 ms  ok\n"
                                    "\n"
                                    " POUNDS at 0 cm: 1 impact, 8.38 MN\n"
-                                   "+ 1/9 Impact force, L 1 and R 1 -----------------++ t=0.009 s x0.25 paused ----+\n"
-                                   "|Force (MN)   1 no bumper                        ||no bumper *1 8.38 MN 3.01 mm|\n"
+                                   "+ 1/8 impact force (MN), floor 1, no bumper, ga~ ++ t=0.009 s x0.25 paused ----+\n"
+                                   "|Impact force (MN)   1 no bumper                 ||no bumper *1 8.38 MN 3.01 mm|\n"
                                    "| 10 +:                                          ||         ..........         |\n"
                                    "|    |:                                          ||         :   ::   :         |\n"
                                    "|    |.                                          ||         :   ::   :         |\n"
@@ -366,7 +366,7 @@ START_TEST(values_are_edited_beside_the_figure)
     ck_assert(!f.tui->doc.scene.interface[0].has_bumper);
     fixture_expect(&f, "[ ] off");
     fixture_expect(&f, "bumper on -> off");
-    fixture_expect(&f, "1/9 Impact force");
+    fixture_expect(&f, "1/8 impact force (MN)");
     fixture_keys(&f, "<Size 80x24>"); /* the pane is gone, and its keys with it */
     fixture_expect_not(&f, "[ ] off");
     fixture_keys(&f, "+");

@@ -16,6 +16,7 @@ struct thud_figure_source {
     const struct thud_history *history;
     const struct thud_impact *impact; /* (nimpacts) */
     int nimpacts;
+    bool behind; /* of another state, to compare with: dashed */
 };
 
 enum thud_run_figure {
@@ -39,6 +40,15 @@ extern const char thud_ductility_note[];
 const char *thud_run_figure_name(enum thud_run_figure which);
 /* Whether there is anything to show: no forces without contacts, no drift of rigid bodies, no columns where floors meet. */
 bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
+/* A place of a run: a contact, or a floor of a structure, all from 0. */
+struct thud_figure_sight {
+    int contact, structure, floor;
+};
+/* The same quantity at one place, a curve per source over each other; sources may have other structures and contacts than
+ * the first one, which has the place. FORCE, LOOP and VELOCITY (that of approach) are of the contact, ACCELERATION,
+ * DISPLACEMENT and DRIFT of the floor. Ask thud_figure_check. */
+struct thud_figure *thud_run_figure_at(enum thud_run_figure which, const struct thud_figure_source *source,
+                                       int nsources, const struct thud_figure_sight *sight);
 /* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
  * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);

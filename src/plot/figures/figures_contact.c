@@ -87,7 +87,7 @@ static struct thud_panel *contact_strip(struct thud_figure *figure, int row, con
     thud_source_contact_name(source, contact, name, sizeof name);
     struct thud_panel *panel = thud_figure_panel(figure, row, 0, thud_source_strip(source, nsources, name, text));
     thud_panel_axis(panel, THUD_X, "Time", "s");
-    thud_panel_axis(panel, THUD_Y, told == IMPULSES ? "Impulse" : "Impact force", shown.unit);
+    thud_panel_axis(panel, THUD_Y, told == IMPULSES ? "Impulse" : thud_run_words[THUD_FIGURE_FORCE].label, shown.unit);
     if (told == FORCE)
         thud_source_line(panel, source, thud_history_force(source->history, contact), -1, shown.factor, "", color);
     else
@@ -140,7 +140,7 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
     snprintf(what, sizeof what, "%s (%s)",
              told == IMPULSES ? "impulse of every impact"
              : told == FORCES ? "largest force of every impact"
-                              : "impact force",
+                              : thud_run_words[THUD_FIGURE_FORCE].title,
              shown.unit);
     thud_source_title(source, nsources, what, text, sizeof text);
     const bool closer = zoom && told == FORCE;
@@ -177,7 +177,7 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
 }
 
 /* Only while pressed together, with a break between impacts. */
-static void loop_line(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
+void thud_source_loop(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
                       const char *name, int color)
 {
     const struct thud_history *h = source->history;
@@ -202,6 +202,23 @@ static void loop_line(struct thud_panel *panel, const struct thud_figure_source 
     series->n = n;
 }
 
+double thud_source_force(const struct thud_figure_source *source, int nsources)
+{
+    double peak = 0.0;
+    for (int s = 0; s < nsources; s++)
+        for (int c = 0; c < source[s].result->ncontacts; c++)
+            peak = fmax(peak, peak_of(&source[s], 1, c, false));
+    return peak;
+}
+
+void thud_loop_axes(struct thud_panel *panel, const char *unit)
+{
+    thud_panel_axis(panel, THUD_X, "Indentation", "mm");
+    thud_panel_results_on_x(panel);
+    thud_panel_limits(panel, THUD_X, 0.0, NAN);
+    thud_panel_axis(panel, THUD_Y, thud_run_words[THUD_FIGURE_LOOP].label, unit);
+}
+
 struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources)
 {
     int index[THUD_CURVES_MAX], pounding;
@@ -209,18 +226,15 @@ struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, i
     char text[3 * THUD_TEXT_MAX];
     int n = pick_contacts(source, nsources, false, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak, &pounding);
     struct thud_shown shown = thud_shown_force(peak);
-    thud_source_title(source, nsources, "impact force against indentation", text, sizeof text);
+    thud_source_title(source, nsources, thud_run_words[THUD_FIGURE_LOOP].title, text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
-    thud_panel_axis(panel, THUD_X, "Indentation", "mm");
-    thud_panel_results_on_x(panel);
-    thud_panel_limits(panel, THUD_X, 0.0, NAN);
-    thud_panel_axis(panel, THUD_Y, "Impact force", shown.unit);
+    thud_loop_axes(panel, shown.unit);
     for (int i = 0; i < n; i++) {
         for (int s = 0; s < nsources; s++) {
             thud_source_contact_name(source, index[i], text, sizeof text);
-            loop_line(panel, &source[s], index[i], shown.factor, nsources > 1 ? source[s].name : text,
-                      nsources > 1 ? thud_case_color(source[s].which) : i);
+            thud_source_loop(panel, &source[s], index[i], shown.factor, nsources > 1 ? source[s].name : text,
+                             nsources > 1 ? thud_case_color(source[s].which) : i);
         }
     }
     contact_note(panel, source, nsources, n, pounding, index);

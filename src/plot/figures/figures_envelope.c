@@ -56,7 +56,10 @@ static void envelope(struct thud_panel *panel, const struct thud_figure_source *
     double below = s->base_m;
     size_t n = 0, floors = (size_t)result->floors;
     bool whole = q >= DRIFT, slab = s->kind == THUD_ISOLATED;
-    struct thud_style style = {.kind = whole ? THUD_LINES : THUD_LINES_POINTS, .color = color};
+    struct thud_style style = {.kind = whole || source->behind ? THUD_LINES : THUD_LINES_POINTS,
+                               .color = color,
+                               .thin = source->behind,
+                               .dashed = source->behind};
     struct thud_series *series = thud_panel_add(panel, style, name, whole ? 2 * floors : floors + !slab, NULL, NULL);
     if (series && !whole && !slab) {
         series->x[n] = q == ACCELERATION ? quantity[q].factor * ground_peak(source) : 0.0;
@@ -93,8 +96,9 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
             thud_panel_axis(panel, THUD_Y, "Height", "m");
             thud_panel_limits(panel, THUD_X, 0.0, NAN);
             for (int s = 0; s < nsources; s++)
-                envelope(panel, &source[s], i, q, nsources > 1 ? source[s].name : "",
-                         thud_source_color(&source[s], nsources));
+                if (i < source[s].result->nstructures && source[s].result->structure[i].floors > 0)
+                    envelope(panel, &source[s], i, q, nsources > 1 ? source[s].name : "",
+                             thud_source_color(&source[s], nsources));
         }
         row++;
     }

@@ -6,8 +6,7 @@
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
 
-/* First dof of a structure. */
-static int first_dof(const struct thud_figure_source *source, int structure)
+int thud_source_first_dof(const struct thud_figure_source *source, int structure)
 {
     int dof = 0;
     for (int i = 0; i < structure; i++)
@@ -15,10 +14,9 @@ static int first_dof(const struct thud_figure_source *source, int structure)
     return dof;
 }
 
-static const struct quantity {
-    const char *label, *title, *unit;
-    double factor;
-} quantities[THUD_RUN_FIGURES] = {
+const struct thud_run_words thud_run_words[THUD_RUN_FIGURES] = {
+    [THUD_FIGURE_FORCE] = {"Impact force", "impact force", "", 0},
+    [THUD_FIGURE_LOOP] = {"Impact force", "impact force against indentation", "", 0},
     [THUD_FIGURE_VELOCITY] = {"Velocity to the ground", "floor velocity relative to the ground", "m/s", 1.0},
     [THUD_FIGURE_ACCELERATION] = {"Total acceleration", "total floor acceleration", "g", 1.0 / THUD_GRAVITY},
     [THUD_FIGURE_DISPLACEMENT] = {"Displacement to the ground", "floor displacement relative to the ground", "cm",
@@ -35,25 +33,25 @@ static double floor_peak(const struct thud_figure_source *source, int structure,
                                                : f->drift.value;
 }
 
-static void floor_line(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
-                       enum thud_run_figure which, int color)
+void thud_source_floor(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
+                       enum thud_run_figure which, const char *name, int color)
 {
     const struct thud_history *h = source->history;
-    int dof = first_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
+    int dof = thud_source_first_dof(source, structure) + floor, column = thud_history_displacement(h, dof), less = -1;
     if (which == THUD_FIGURE_VELOCITY)
         column = thud_history_velocity(h, dof);
     else if (which == THUD_FIGURE_ACCELERATION)
         column = thud_history_acceleration(h, dof);
     else if (which == THUD_FIGURE_DRIFT && floor > 0)
         less = thud_history_displacement(h, dof - 1);
-    struct thud_series *line = thud_source_line(panel, source, column, less, quantities[which].factor, "", color);
+    struct thud_series *line = thud_source_line(panel, source, column, less, thud_run_words[which].factor, name, color);
     const struct thud_structure_result *r = &source->result->structure[structure];
     const struct thud_structure *of = &source->scene->structure[structure];
     const int base = dof - floor + r->floors, storey = floor - (of->kind == THUD_ISOLATED);
     const double rise = storey >= 0 ? of->height_m[storey] / r->arm_m : 0;
     for (size_t i = 0; line && which == THUD_FIGURE_DRIFT && r->foundation && i < line->n; i++) {
         const double *row = h->value + i * (size_t)h->columns + thud_history_displacement(h, base);
-        line->y[i] -= quantities[which].factor * ((floor > 0 ? 0 : row[0]) + rise * row[1]);
+        line->y[i] -= thud_run_words[which].factor * ((floor > 0 ? 0 : row[0]) + rise * row[1]);
     }
 }
 
@@ -113,7 +111,7 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
     char title[3 * THUD_TEXT_MAX], what[128];
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
     int n = pick_floors(source, nsources, which, place, &all), rows = n * nsources + ground;
-    snprintf(what, sizeof what, "%s (%s)", quantities[which].title, quantities[which].unit);
+    snprintf(what, sizeof what, "%s (%s)", thud_run_words[which].title, thud_run_words[which].unit);
     thud_source_title(source, nsources, what, title, sizeof title);
     struct thud_figure *figure =
         thud_figure_create(thud_run_figure_name(which), title, rows > 0 ? rows : 1, zoom ? 2 : 1);
@@ -130,9 +128,9 @@ struct thud_figure *thud_figure_histories(enum thud_run_figure which, const stru
             const char *strip = thud_source_strip(&source[s], nsources, name, text);
             struct thud_panel *panel = thud_figure_panel(figure, row, 0, strip);
             thud_panel_axis(panel, THUD_X, "Time", "s");
-            thud_panel_axis(panel, THUD_Y, quantities[which].label, quantities[which].unit);
-            floor_line(panel, &source[s], place[i].structure, place[i].floor, which,
-                       thud_source_color(&source[s], nsources));
+            thud_panel_axis(panel, THUD_Y, thud_run_words[which].label, thud_run_words[which].unit);
+            thud_source_floor(panel, &source[s], place[i].structure, place[i].floor, which, "",
+                              thud_source_color(&source[s], nsources));
             if (zoom)
                 thud_panel_zoom(thud_figure_panel(figure, row, 1, strip), panel, from, to);
         }

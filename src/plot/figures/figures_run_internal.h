@@ -14,6 +14,13 @@ struct thud_shown {
 struct thud_shown thud_shown_force(double peak_n);
 struct thud_shown thud_shown_energy(double peak_j);
 
+/* What a figure over time shows, and in which unit. */
+struct thud_run_words {
+    const char *label, *title, *unit;
+    double factor;
+};
+extern const struct thud_run_words thud_run_words[THUD_RUN_FIGURES];
+
 /* Time of the largest impact of all sources, with room around it; false where there was none. */
 bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s);
 
@@ -53,6 +60,15 @@ void thud_source_contact_name(const struct thud_figure_source *source, int conta
 /* Indices of the `most` largest of n values that are > 0 (all where there are none), in their own order; returns how
  * many. */
 int thud_pick_largest(const double *value, int n, int most, int *index);
+
+int thud_source_first_dof(const struct thud_figure_source *source, int structure);
+/* Lines of a source: of a floor, of a contact only while it is closed. The largest force of all contacts. */
+void thud_source_floor(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int floor,
+                       enum thud_run_figure which, const char *name, int color);
+void thud_source_loop(struct thud_panel *panel, const struct thud_figure_source *source, int contact, double factor,
+                      const char *name, int color);
+double thud_source_force(const struct thud_figure_source *source, int nsources);
+void thud_loop_axes(struct thud_panel *panel, const char *unit);
 
 /* Whether a structure has something to show: it has floors, and for the deflections more than a rigid body's one. */
 bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which);

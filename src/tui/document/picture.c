@@ -13,6 +13,14 @@ static int at_most(int n, int most)
     return n < most ? n : most;
 }
 
+const char *thud_tui_figure_title(const struct thud_tui *tui, const struct thud_figure *figure)
+{
+    const char *scene = tui->doc.scene.title, *title = figure->title ? figure->title : figure->name;
+    size_t n = strlen(scene);
+    const char *rest = n > 0 && strncmp(title, scene, n) == 0 ? title + n + strspn(title + n, ":,. ") : title;
+    return *rest ? rest : title;
+}
+
 struct thud_picture_screen thud_tui_picture_screen(struct thud_tui *tui)
 {
     int w, h, columns, rows;

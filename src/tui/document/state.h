@@ -349,6 +349,8 @@ void thud_tui_writing_end(struct thud_tui *tui);  /* stops, and waits for it */
 bool thud_tui_write(struct thud_tui *tui, struct thud_text *text, const char *name);
 
 /* picture.c */
+/* A figure's title, without the scene's before it. */
+const char *thud_tui_figure_title(const struct thud_tui *tui, const struct thud_figure *figure);
 /* What a figure is drawn as to be shown on this terminal; no size where it shows none. */
 struct thud_picture_screen thud_tui_picture_screen(struct thud_tui *tui);
 void thud_tui_show_picture(struct thud_tui *tui, const struct thud_text *picture); /* until the next key */

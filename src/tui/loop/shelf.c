@@ -154,22 +154,13 @@ static void refresh(struct thud_tui *tui, struct shelf *shelf)
         shelf->at = shelf->n > 0 ? shelf->n - 1 : 0;
 }
 
-/* Its title, without the scene's before it. */
-static const char *label(const struct thud_tui *tui, const struct thud_figure *figure)
-{
-    const char *scene = tui->doc.scene.title, *title = figure->title ? figure->title : figure->name;
-    size_t n = strlen(scene);
-    const char *rest = n > 0 && strncmp(title, scene, n) == 0 ? title + n + strspn(title + n, ":,. ") : title;
-    return *rest ? rest : title;
-}
-
 /* With the name of its file where another figure has the same title. */
 static const char *line_of(const struct thud_tui *tui, const struct shelf *shelf, int i, char *text, size_t size)
 {
-    const char *own = label(tui, shelf->item[i].figure);
+    const char *own = thud_tui_figure_title(tui, shelf->item[i].figure);
     bool alike = false;
     for (int k = 0; k < shelf->n && !alike; k++)
-        alike = k != i && strcmp(own, label(tui, shelf->item[k].figure)) == 0;
+        alike = k != i && strcmp(own, thud_tui_figure_title(tui, shelf->item[k].figure)) == 0;
     if (alike)
         snprintf(text, size, "%s: %s, %s", tui->view[shelf->item[i].screen]->title, shelf->item[i].figure->name, own);
     else
@@ -217,8 +208,8 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
     refresh(tui, shelf);
     thud_pane_blank(area);
     draw_list(tui, shelf, &list);
-    struct thud_pane in =
-        thud_pane_frame(&right, shelf->at < shelf->n ? label(tui, shelf->item[shelf->at].figure) : "", false);
+    struct thud_pane in = thud_pane_frame(
+        &right, shelf->at < shelf->n ? thud_tui_figure_title(tui, shelf->item[shelf->at].figure) : "", false);
     if (shelf->at < shelf->n)
         thud_chart_figure(&in, shelf->item[shelf->at].figure, shelf->panel - 1, &chart);
 }

@@ -13,24 +13,6 @@
 
 enum { CHART, MOVE, SETUP };
 
-/* The storey that lost most energy in yielding, where no floor was chosen. */
-static void choose_storey(struct thud_tui *tui)
-{
-    struct thud_plots_state *p = thud_plots(tui);
-    const struct thud_live_case *c = thud_plots_case(tui);
-    double most = 0.0;
-    if (p->plot != THUD_PLOT_HYSTERESIS || p->floor_chosen || !c)
-        return;
-    for (int i = 0; i < c->model->nstoreys - c->model->nslips; i++) {
-        const struct thud_model_storey *storey = &c->model->storey[i];
-        double lost = thud_run_result(c->run)->structure[storey->structure].storey[storey->floor].hysteretic_j;
-        if (lost > most) {
-            most = lost;
-            p->sight.dof = c->model->structure[storey->structure].first + storey->floor;
-        }
-    }
-}
-
 /* What is shown first: from a little before 5 % of the Arias intensity to 95 % of it, with the cursor in it. */
 static void open_on_strong_motion(struct thud_tui *tui)
 {
@@ -70,14 +52,12 @@ static void choose_sight(struct thud_tui *tui)
                            : c->model->contact[p->sight.contact].right_dof;
     if (p->sight.dof < 0 && c->model->ndof > 0)
         p->sight.dof = 0;
-    choose_storey(tui);
     open_on_strong_motion(tui);
 }
 
 static bool over_time(enum thud_plot plot)
 {
-    return plot != THUD_PLOT_LOOP && plot != THUD_PLOT_HYSTERESIS && plot != THUD_PLOT_ENVELOPE_ACCELERATION &&
-           plot != THUD_PLOT_ENVELOPE_DRIFT;
+    return plot != THUD_PLOT_LOOP && plot != THUD_PLOT_HYSTERESIS && plot != THUD_PLOT_ENVELOPE;
 }
 
 /* What another screen asked for: an impact around its beginning, or a floor over the whole time. */
@@ -104,7 +84,6 @@ static void look_at(struct thud_tui *tui)
         p->time_s = tui->reading[THUD_SCREEN_PLOTS] = at->time_s; /* its histories may not be there yet */
     } else {
         p->sight.dof = c->model->structure[at->structure].first + at->floor;
-        p->floor_chosen = true;
     }
 }
 
@@ -122,10 +101,9 @@ static void refresh(struct thud_tui *tui)
     if ((int)p->plot >= thud_plot_count(&tui->doc.scene))
         p->plot = THUD_PLOT_FORCE; /* no storey yields any more */
     choose_sight(tui);
-    p->sight.compared = tui->base.name;
     thud_figure_free(p->figure);
-    p->figure = thud_plot_make(&tui->run.live, p->compared ? thud_tui_compared(tui) : NULL, &tui->doc.scene, p->plot,
-                               &p->sight, &p->why);
+    p->figure =
+        thud_plot_make(&tui->run.live, with_base ? &tui->base : NULL, &tui->doc.scene, p->plot, &p->sight, &p->why);
     p->revision = tui->doc.revision;
     p->fresh = true;
 }
@@ -157,11 +135,12 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_plots_state *p = thud_plots(tui);
     refresh(tui);
-    if (index == CHART)
-        snprintf(text, size, "%d/%d %s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
-                 p->figure ? p->figure->title : thud_plot_title(p->plot),
+    if (index == CHART) {
+        const char *title = p->figure ? thud_tui_figure_title(tui, p->figure) : thud_plot_title(p->plot);
+        snprintf(text, size, "%d/%d %.*s%s", (int)p->plot + 1, thud_plot_count(&tui->doc.scene),
+                 (int)strcspn(title, ";"), title,
                  over_time(p->plot) && tui->window[THUD_SCREEN_PLOTS].to > 0.0 ? ", zoom" : "");
-    else if (index == MOVE)
+    } else if (index == MOVE)
         snprintf(text, size, "t=%.3f s x%g%s", p->time_s, p->speed,
                  has_fallen(tui, p) ? " COLLAPSED"
                  : p->playing       ? ""
@@ -187,7 +166,7 @@ static void words(struct thud_tui *tui, char *text, size_t size)
     refresh(tui);
     if (!p->figure || !over_time(p->plot))
         return;
-    thud_chart_words(&p->figure->panel[0], p->time_s, text, size);
+    thud_chart_words(&p->figure->panel[p->panel > 0 ? p->panel : 0], p->time_s, text, size);
 }
 
 /* The cursor, but while the chart is dragged away from under it. */
@@ -205,19 +184,16 @@ static int draw_chart(struct thud_tui *tui, const struct thud_pane *pane)
     if (!p->figure) {
         return thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_MUTED, 0), p->why);
     }
-    const struct thud_chart other = {.cursor = NAN},
-                            chart = over_time(p->plot) ? thud_tui_reading(tui, dragged(tui)) : other;
-    for (int i = 0; i < p->figure->columns; i++) {
-        struct thud_pane part =
-            thud_pane_inside(pane, i * pane->w / p->figure->columns, 0, pane->w / p->figure->columns, pane->h);
-        if (over_time(p->plot))
-            thud_panel_limits(&p->figure->panel[i], THUD_X, 0.0, thud_plots_end(tui));
-        if (over_time(p->plot)) {
-            struct thud_range whole = still_range(&p->figure->panel[i], p->playing);
-            thud_panel_limits(&p->figure->panel[i], THUD_Y, whole.least, whole.most);
-        }
-        thud_chart_draw(&part, &p->figure->panel[i], &chart);
+    if (!over_time(p->plot)) {
+        thud_chart_figure(pane, p->figure, p->panel, &(struct thud_chart){.cursor = NAN});
+        return pane->h;
     }
+    const struct thud_chart chart = thud_tui_reading(tui, dragged(tui));
+    struct thud_panel *panel = &p->figure->panel[p->panel > 0 ? p->panel : 0];
+    thud_panel_limits(panel, THUD_X, 0.0, thud_plots_end(tui));
+    const struct thud_range whole = still_range(panel, p->playing);
+    thud_panel_limits(panel, THUD_Y, whole.least, whole.most);
+    thud_chart_draw(pane, panel, &chart);
     return pane->h;
 }
 
@@ -247,6 +223,7 @@ static void other_plot(struct thud_tui *tui, int step)
     struct thud_plots_state *p = thud_plots(tui);
     int n = thud_plot_count(&tui->doc.scene);
     p->plot = (enum thud_plot)(((int)p->plot + step + n) % n);
+    p->panel = -1;
     p->fresh = false;
 }
 
@@ -259,26 +236,27 @@ static void next_figure(struct thud_tui *tui)
 static enum thud_live_history history(const struct thud_tui *tui)
 {
     const struct thud_plots_state *p = thud_plots(tui);
-    const bool peaks = p->plot == THUD_PLOT_ENVELOPE_ACCELERATION || p->plot == THUD_PLOT_ENVELOPE_DRIFT,
-               contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_LOOP;
-    return p->plot == THUD_PLOT_ENERGY                              ? THUD_LIVE_WHOLE
-           : (peaks || contact) && p->sight.which != THUD_LIVE_FREE ? THUD_LIVE_CONTACTS
-                                                                    : THUD_LIVE_LOOK;
+    const bool contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_LOOP;
+    return p->plot == THUD_PLOT_ENERGY                   ? THUD_LIVE_WHOLE
+           : contact && p->sight.which != THUD_LIVE_FREE ? THUD_LIVE_CONTACTS
+                                                         : THUD_LIVE_LOOK;
 }
 
+/* Another contact or floor; of a figure that shows all of them another panel, after the last all. */
 static void other_sight(struct thud_tui *tui, int step)
 {
     struct thud_plots_state *p = thud_plots(tui);
     const struct thud_live_case *c = thud_plots_case(tui);
-    bool of_contact = p->plot == THUD_PLOT_FORCE || p->plot == THUD_PLOT_APPROACH || p->plot == THUD_PLOT_LOOP;
-    int n = of_contact ? thud_run_result(c->run)->ncontacts : c->model->ndof,
-        *at = of_contact ? &p->sight.contact : &p->sight.dof;
-    for (int i = 0; i < n; i++) {
-        *at = (*at + step + n) % n;
-        if (p->plot != THUD_PLOT_HYSTERESIS || thud_model_yielding(c->model, *at) >= 0)
-            break; /* others have no loop */
-    }
-    p->floor_chosen |= !of_contact;
+    const bool contact = thud_plot_is_of_contact(p->plot), floor = thud_plot_is_of_floor(p->plot);
+    const int panels = p->figure ? p->figure->rows * p->figure->columns : 0,
+              n = contact ? thud_run_result(c->run)->ncontacts
+                  : floor ? c->model->ndof
+                          : panels + 1;
+    int *at = contact ? &p->sight.contact : floor ? &p->sight.dof : &p->panel;
+    if (contact || floor)
+        *at = n > 0 ? (*at + step + n) % n : -1;
+    else
+        *at = (*at + 1 + step + n) % n - 1;
     p->fresh = false;
 }
 
@@ -349,6 +327,7 @@ static void command(struct thud_tui *tui, const char *word, const char *rest)
 {
     (void)word;
     thud_plots(tui)->plot = (enum thud_plot)atoi(rest);
+    thud_plots(tui)->panel = -1;
     thud_plots(tui)->fresh = false;
 }
 
@@ -367,7 +346,7 @@ static void click(struct thud_tui *tui, int index, const struct thud_pane *pane,
 
 static void begin(struct thud_tui *tui)
 {
-    *thud_plots(tui) = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER, ""}, .speed = 0.25};
+    *thud_plots(tui) = (struct thud_plots_state){.sight = {-1, -1, THUD_LIVE_BUMPER}, .panel = -1, .speed = 0.25};
 }
 
 static void release(struct thud_tui *tui)

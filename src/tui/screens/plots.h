@@ -7,9 +7,9 @@
 struct thud_plots_state {
     enum thud_plot plot;
     struct thud_sight sight;
-    bool floor_chosen; /* and not the program's own choice */
-    double time_s;     /* of its cursor */
-    bool opened;       /* on the strong motion */
+    int panel;     /* of a figure with several; -1: all, or the one with the most curves */
+    double time_s; /* of its cursor */
+    bool opened;   /* on the strong motion */
     bool playing;
     double speed, last_s;
     struct thud_figure *figure;

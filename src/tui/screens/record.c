@@ -129,7 +129,21 @@ static struct thud_figure *make(struct thud_tui *tui, int index)
 {
     if (index == SUITE)
         return thud_figure_copy(thud_basket_figure(tui, &state(tui)->basket));
-    return thud_record_figure(&tui->doc, thud_tui_model(tui), (enum thud_record_curve)index);
+    return thud_record_figure(&tui->doc, (enum thud_record_curve)index);
+}
+
+/* That of the curve in its figure. */
+static const struct thud_panel *panel_of(const struct thud_tui *tui, const struct thud_figure *shown)
+{
+    const int curve = state(tui)->curve;
+    return curve == SUITE ? &shown->panel[0] : thud_record_panel(shown, (enum thud_record_curve)curve);
+}
+
+/* The figures are the motion, its spectrum, and the suite's. */
+enum { FIGURES = 2 };
+static struct thud_figure *make_figure(struct thud_tui *tui, int index)
+{
+    return make(tui, index == 0 ? THUD_RECORD_ACCELERATION : index < FIGURES ? THUD_RECORD_SPECTRUM : SUITE);
 }
 
 static void refresh(struct thud_tui *tui)
@@ -159,7 +173,7 @@ static int draw_curve(struct thud_tui *tui, const struct thud_pane *pane)
     char text[600];
     const struct thud_figure *shown = figure(tui);
     if (shown)
-        thud_chart_draw(pane, &shown->panel[0], &chart);
+        thud_chart_draw(pane, panel_of(tui, shown), &chart);
     else if (state(tui)->curve == SUITE)
         thud_pane_wrap(pane, 1, 0, pane->w - 2, thud_look(THUD_ROLE_ERROR, 0), state(tui)->basket.why);
     else if (tui->doc.record_error.status != THUD_OK)
@@ -274,12 +288,12 @@ static void row(struct thud_tui *tui, const struct thud_field *field)
 static int figures(struct thud_tui *tui)
 {
     bool suite = thud_basket_count(tui) > 0 && thud_basket_figure(tui, &state(tui)->basket);
-    return tui->doc.record ? THUD_RECORD_CURVES + suite : 0;
+    return tui->doc.record ? FIGURES + suite : 0;
 }
 
 static const struct thud_panel *read_panel(struct thud_tui *tui)
 {
-    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? &figure(tui)->panel[0] : NULL;
+    return tui->form.pane[THUD_SCREEN_RECORD] == CURVE && figure(tui) ? panel_of(tui, figure(tui)) : NULL;
 }
 
 static void offer(struct thud_tui *tui)
@@ -315,4 +329,4 @@ static void release(struct thud_tui *tui)
 
 THUD_VIEW(record, "Record", RECORD, .keys = "record.", .moved = true, .size = sizeof(struct thud_record_state),
           .free = release, .offer = offer, .command = command, .act = act, .cannot = cannot, .row = row,
-          .figure = figure, .figures = figures, .make = make, .next_figure = next_figure, .read = read_panel);
+          .figure = figure, .figures = figures, .make = make_figure, .next_figure = next_figure, .read = read_panel);

@@ -1,8 +1,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "app/run/record_verbs.h"
 #include "base/quantity.h"
-#include "ground/spectrum.h"
+#include "ground/identity.h"
+#include "plot/figures/figures_record.h"
 #include "tui/document/state.h"
 #include "tui/screens/record_figure.h"
 
@@ -33,67 +35,41 @@ static void parts(struct thud_panel *panel, const struct thud_doc *doc)
     }
 }
 
-static void history(struct thud_panel *panel, const struct thud_record *record, enum thud_record_curve curve)
+/* With the structures' periods marked. */
+static struct thud_figure *spectrum(const struct thud_doc *doc, const char *title)
 {
-    static const char *const unit[] = {"g", "m/s", "m"};
-    static const char *const label[] = {"Acceleration", "Velocity", "Displacement"};
-    thud_panel_axis(panel, THUD_X, "Time", "s");
-    thud_panel_axis(panel, THUD_Y, label[curve], unit[curve]);
-    struct thud_series *series =
-        thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", record->samples, NULL, NULL);
-    if (!series)
-        return;
-    if (curve != THUD_RECORD_ACCELERATION)
-        thud_record_integrate(record, curve == THUD_RECORD_VELOCITY ? series->y : NULL,
-                              curve == THUD_RECORD_DISPLACEMENT ? series->y : NULL);
-    for (size_t i = 0; i < record->samples; i++) {
-        series->x[i] = (double)i * record->dt_s;
-        if (curve == THUD_RECORD_ACCELERATION)
-            series->y[i] = record->a_mps2[i] / THUD_GRAVITY;
-    }
-}
-
-/* With the structures' first periods marked. */
-static void spectrum(struct thud_panel *panel, const struct thud_record *record, const struct thud_scene *scene,
-                     const struct thud_model *model)
-{
-    enum { POINTS = 120 };
+    enum { POINTS = 200 }; /* as `thud record spectrum` */
     struct thud_spectrum_point point[POINTS];
-    thud_spectrum_fill(record, 0.05, 0.05, 5.0, POINTS, point);
-    thud_panel_axis(panel, THUD_X, "Period", "s");
-    thud_panel_axis(panel, THUD_Y, "Sa", "g");
-    thud_panel_log(panel, THUD_X);
-    thud_panel_limits(panel, THUD_X, 0.05, 5.0);
-    thud_panel_limits(panel, THUD_Y, 0.0, NAN);
-    struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES}, "", POINTS, NULL, NULL);
-    for (int i = 0; series && i < POINTS; i++) {
-        series->x[i] = point[i].period_s;
-        series->y[i] = point[i].acceleration_mps2 / THUD_GRAVITY;
-    }
-    for (int s = 0; model && s < model->nstructures && s < 4; s++) {
-        double omega = model->structure[s].n > 0 ? model->structure[s].omega[0] : 0.0;
-        if (omega > 0.0)
-            thud_panel_mark(panel, THUD_X, 2.0 * THUD_PI / omega, 2.0 * THUD_PI / omega, scene->structure[s].name);
-    }
+    struct thud_period_mark mark[THUD_STRUCTURES_MAX];
+    int marks = 0;
+    if (thud_scene_periods(&doc->scene, mark, THUD_STRUCTURES_MAX, &marks, NULL) != THUD_OK)
+        marks = 0;
+    thud_spectrum_fill(doc->record, 0.05, 0.02, 10, POINTS, point);
+    return thud_figure_of_spectrum(point, POINTS, 0.05, mark, marks, "spectrum", title);
 }
 
-struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_model *model,
-                                       enum thud_record_curve curve)
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, enum thud_record_curve curve)
 {
-    static const char *const name[] = {"ground-acceleration", "ground-velocity", "ground-displacement",
-                                       "response-spectrum"};
-    struct thud_figure *figure = thud_figure_create(name[curve], thud_record_curve_title(curve), 1, 1);
-    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
-    if (curve == THUD_RECORD_SPECTRUM)
-        spectrum(panel, doc->record, &doc->scene, model);
-    else if (curve == THUD_RECORD_ACCELERATION && doc->whole)
-        parts(panel, doc);
-    else
-        history(panel, doc->record, curve);
+    char title[640];
+    struct thud_figure *figure;
+    thud_record_title(doc->record, title, sizeof title);
+    if (curve == THUD_RECORD_SPECTRUM) {
+        figure = spectrum(doc, title);
+    } else if (curve == THUD_RECORD_ACCELERATION && doc->whole) {
+        figure = thud_figure_create("used", title, 1, 1);
+        parts(thud_figure_panel(figure, 0, 0, ""), doc);
+    } else {
+        figure = thud_figure_of_motion(doc->record, "motion", title);
+    }
     if (thud_figure_check(figure, NULL) == THUD_OK)
         return figure;
     thud_figure_free(figure);
     return NULL;
+}
+
+const struct thud_panel *thud_record_panel(const struct thud_figure *figure, enum thud_record_curve curve)
+{
+    return &figure->panel[curve < THUD_RECORD_SPECTRUM && (int)curve < figure->rows ? (int)curve : 0];
 }
 
 int thud_record_measures(const struct thud_intensity *m, const struct thud_record *record, const struct thud_pane *pane,

@@ -1,7 +1,6 @@
 /* What a ground motion looks like. */
 #pragma once
 
-#include "core/model/model.h"
 #include "ground/intensity.h"
 #include "plot/figure/figure.h"
 #include "tui/document/doc.h"
@@ -15,10 +14,11 @@ enum thud_record_curve {
     THUD_RECORD_CURVES
 };
 const char *thud_record_curve_title(enum thud_record_curve curve);
-/* Of the document's ground motion, which must be there; where a part of it is used, the acceleration shows what is
- * cut off as well. The spectrum has the periods of `model` (may be NULL). NULL when out of memory. */
-struct thud_figure *thud_record_figure(const struct thud_doc *doc, const struct thud_model *model,
-                                       enum thud_record_curve curve);
+/* Of the document's ground motion, which must be there, as `thud record` writes it; where a part of it is used, the
+ * acceleration shows what is cut off as well. NULL when out of memory. */
+struct thud_figure *thud_record_figure(const struct thud_doc *doc, enum thud_record_curve curve);
+const struct thud_panel *thud_record_panel(const struct thud_figure *figure,
+                                           enum thud_record_curve curve); /* its own */
 /* Draws the measures from row `y` on; returns the row after them. */
 int thud_record_measures(const struct thud_intensity *intensity, const struct thud_record *record,
                          const struct thud_pane *pane, int y);
