@@ -116,7 +116,7 @@ struct thud_contact_law {
     /* Indentation > 0 beyond which force_past holds in place of force, INFINITY: nowhere. Both or neither. */
     double (*ultimate)(void *context, double mass_kg, const double *memory, int restitution);
     void (*force_past)(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out);
-    int keeps_residual; /* the indentation at which the force comes to 0 widens the gap */
+    int keeps_residual; /* the indentation at which the force reaches 0 widens the gap */
 };
 /* Of an interface, in place of contact.law; `context` has to stay until the scene is closed. */
 THUD_API enum thud_status thud_set_law(struct thud *scene, int interface_from_1, const struct thud_contact_law *law,

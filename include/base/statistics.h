@@ -15,7 +15,7 @@ double thud_quantile(const double *sorted, size_t n, double p, bool logarithms);
 /* Fewer independent motions have no fractiles but the median, and no band of a share. */
 enum { THUD_SHARES_LEAST = 3 };
 
-/* What is told of a quantity over a suite of ground motions. */
+/* Statistics of a quantity over a suite of ground motions. */
 struct thud_fractiles {
     size_t n;                  /* numbers among the values; NaN is left out */
     double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0, and of few motions */

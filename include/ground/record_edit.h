@@ -3,7 +3,7 @@
 
 #include "ground/record.h"
 
-/* Keeps the samples from `from_s` to `to_s` (each NaN: from the beginning, to the end); time starts anew. Errors:
+/* Keeps the samples from `from_s` to `to_s` (each NaN: from the beginning, to the end); time starts again at 0. Errors:
  * THUD_INPUT when fewer than two remain. */
 enum thud_status thud_record_trim(struct thud_record *record, double from_s, double to_s, struct thud_error *err);
 
@@ -27,7 +27,7 @@ enum thud_status thud_record_low_pass(struct thud_record *record, double spacing
 /* One sample in `every` (2 or more), after a low pass at half of their rate. */
 enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err);
 
-/* A new record at another step. It goes straight between the samples, as every run takes the record: at a whole
+/* Returns a new record at another step, by linear interpolation between the samples, as every run does: at a whole
  * fraction of the step the motion is the same, at any other it loses what lies between. Errors: THUD_INPUT (a step that
  * is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */
 enum thud_status thud_record_resample(const struct thud_record *record, double dt_s, struct thud_record **out,

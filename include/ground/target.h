@@ -1,4 +1,4 @@
-/* Design spectra that ground motions are held against and scaled to: pseudo spectral acceleration against period. */
+/* Design spectra that ground motions are compared with and scaled to: pseudo spectral acceleration against period. */
 #pragma once
 
 #include <stdbool.h>
@@ -61,7 +61,7 @@ void thud_target_range(const struct thud_target *target, double *from_s, double 
  * ones), NaN outside its range. */
 double thud_target_sa(const struct thud_target *target, double period_s);
 
-/* Over so many periods of its range a motion is held against a target. */
+/* Number of periods of its range at which a motion is compared with a target. */
 enum { THUD_TARGET_PERIODS = 40 };
 /* Periods from `from_s` to `to_s` in geometric steps (count > 1). */
 void thud_target_periods(double from_s, double to_s, size_t count, double *period_s);

@@ -74,7 +74,7 @@ static enum thud_status decimal_comma(const char *text, const char *comma, struc
     return THUD_INPUT;
 }
 
-/* Whether a unit may stand where `dimension` is wanted; N/mm^2 is a pressure too, and N/m is N/m^1. */
+/* Whether a unit is allowed where `dimension` is wanted; N/mm^2 is a pressure too, and N/m is N/m^1. */
 static bool fits(struct thud_unit *unit, enum thud_dimension dimension)
 {
     if (unit->dimension == dimension)

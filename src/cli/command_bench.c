@@ -122,7 +122,7 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
         return THUD_OK;
     enum thud_status status = thud_quantity_parse(text, THUD_TIME, NULL, &value, err);
     if (status == THUD_OK && !(value.value > 0))
-        status = thud_error_set(err, THUD_INPUT, "\"%.40s\" is no time to wait (more than 0 s)", text);
+        status = thud_error_set(err, THUD_INPUT, "\"%.40s\" is not a time to wait (more than 0 s)", text);
     if (status != THUD_OK) {
         thud_args_key("patience", err);
         err->status = THUD_USAGE;

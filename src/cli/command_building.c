@@ -76,10 +76,9 @@ static void put_modes(const struct thud_rows *rows, double total_kg, int n, doub
     thud_text_append(out, "mass %.6g t\n\n", 1e-3 * total_kg);
     thud_rows_table(rows, out);
     if (rows->n < n)
-        thud_text_append(out,
-                         "%d of %d modes: what the shapes leave out swings in %.4g s, ten times faster than the "
-                         "fastest of them\n",
-                         rows->n, n, last_s);
+        thud_text_append(
+            out, "%d of %d modes: what the shapes omit has a period of %.4g s, a tenth of the shortest of them\n",
+            rows->n, n, last_s);
 }
 
 /* Periods, and the part of the mass that moves in each mode. */

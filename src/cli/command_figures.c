@@ -25,13 +25,13 @@ static enum thud_status make_study(const struct thud_args *args, bool report, st
     return status;
 }
 
-/* What is said of ground motions that are not given would be said in vain: the surrogates have theirs. */
+/* Options of ground motions have no effect without --records: the surrogates have their own. */
 static enum thud_status check_records(const struct thud_args *args, struct thud_error *err)
 {
     static const char *const of_records[] = {"peak", "dt", "unit"};
     for (size_t i = 0; i < sizeof of_records / sizeof *of_records && !thud_args_has(args, "records"); i++)
         if (thud_args_has(args, of_records[i])) {
-            thud_error_set(err, THUD_USAGE, "is said of the files of --records, and there are none");
+            thud_error_set(err, THUD_USAGE, "applies to the files of --records, and there are none");
             thud_args_key(of_records[i], err);
             return THUD_USAGE;
         }

@@ -1,5 +1,4 @@
-/* thud help: the commands, the options of one; for shells the words that may stand where, for the manual what the
- * tables say. */
+/* thud help: the commands, the options of one; for shells the words that are allowed where, for the manual the parts that come from tables. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* thud report: a document about one's own buildings. */
+/* thud report: a document about your own buildings. */
 #include <stdio.h>
 #include <string.h>
 
@@ -30,7 +30,7 @@ static void put_word(struct thud_text *out, const char *word)
     thud_text_append(out, "'");
 }
 
-/* Whether an option changes nothing of what a report says; with a suite its list has all that is said of its motions. */
+/* Whether an option does not change a report; with a suite, the list specifies its motions. */
 static bool is_left_out(const char *option, bool suite)
 {
     static const char *const words[] = {"o", "j", "pdf", "no-pdf", "replace", "quiet", "records"};
@@ -69,7 +69,7 @@ static void put_command(const struct thud_args *args, const char *name, bool sui
     thud_text_append(out, " -o report");
 }
 
-/* What the conclusion is held against: the code, the design spectrum of the suite (its kind is none where there is no
+/* What the conclusion is compared with: the code, the design spectrum of the suite (its kind is none where there is no
  * such), and limits with commas between. */
 struct criteria {
     struct thud_target target;

@@ -118,7 +118,7 @@ static void warn(const struct thud_args *args, const struct thud_session *sessio
         fprintf(stderr, "thud: warning: --step: %s takes steps of its own\n", scope.result->method);
 }
 
-/* What more runs tell of the result: the error of modes left out, its sensitivity; then the result. */
+/* Makes the further runs that qualify the result (error of the modes left out, sensitivity), then shows the result. */
 static enum thud_status report_run(const struct thud_args *args, const struct thud_session *session,
                                    const struct thud_scene *scene, enum thud_case which,
                                    const struct thud_solution *solution, struct thud_error *err)
@@ -273,7 +273,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
                          &(struct thud_remark_scope){.scene = &cases->item[i].scene,
                                                      .result = thud_run_result(cases->item[i].solution.run)},
                          THUD_REMARK_LEDGER);
-    const struct thud_run_case *shown = &cases->item[cases->n - 1]; /* whose bumper stands out most */
+    const struct thud_run_case *shown = &cases->item[cases->n - 1]; /* whose bumper projects most */
     for (int i = 1; i < cases->n; i++)
         if (cases->item[i].which == THUD_CASE_BUMPER)
             shown = &cases->item[i];

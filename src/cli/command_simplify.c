@@ -21,7 +21,7 @@ static enum thud_status read_ask(const struct thud_args *args, struct thud_simpl
     const char *text = thud_args_value(args, "within"), *cases = thud_args_value(args, "cases");
     if (text && (thud_quantity_parse(text, THUD_RATIO, NULL, &within, NULL) != THUD_OK ||
                  !(within.value > 0 && within.value <= 1))) {
-        thud_error_set(err, THUD_USAGE, "\"%.40s\" is no accuracy", text);
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not an accuracy", text);
         thud_args_key("within", err);
         thud_error_allow(err, "above 0, at most 100 %%");
         return THUD_USAGE;

@@ -11,7 +11,7 @@
 
 enum { PARTS_MAX = 3, SPRINGS_MAX = 2 + 1 + 3, RUNS_MAX = 2 * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
 
-/* What is told, as text or as rows. */
+/* The results, as text or as rows. */
 struct told {
     enum thud_written form;
     struct thud_text text;

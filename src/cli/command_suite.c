@@ -31,7 +31,7 @@ static enum thud_status read_range(const char *text, struct thud_scaling *scalin
     struct thud_quantity q[2];
     const char *colon = strchr(text, ':');
     if (!colon || (size_t)(colon - text) >= sizeof from) {
-        thud_error_set(err, THUD_USAGE, "\"%.60s\" is no range", text);
+        thud_error_set(err, THUD_USAGE, "\"%.60s\" is not a range", text);
         return refuse("range", "FROM:TO, such as 0.1s:2s", THUD_USAGE, err);
     }
     snprintf(from, sizeof from, "%.*s", (int)(colon - text), text);
@@ -69,7 +69,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
     }
     study->has_target = target != NULL;
     if (scale && strcmp(scale, "each") != 0 && strcmp(scale, "common") != 0) {
-        thud_error_set(err, THUD_USAGE, "\"%.40s\" is no way to scale", scale);
+        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a way to scale", scale);
         return refuse("scale", "each or common", THUD_USAGE, err);
     }
     study->scaling.common = scale && strcmp(scale, "common") == 0;
@@ -82,7 +82,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
         struct thud_quantity q;
         status = thud_quantity_parse(most, THUD_NUMBER, NULL, &q, err);
         if (status != THUD_OK || !(q.value >= 1)) {
-            thud_error_set(err, THUD_USAGE, "\"%.40s\" is no largest factor", most);
+            thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a largest factor", most);
             return refuse("factor-most", "a number of 1 or more", THUD_USAGE, err);
         }
         study->scaling.factor_most = q.value;

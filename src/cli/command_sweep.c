@@ -25,7 +25,7 @@ struct sweep {
     char *preset;
     struct thud_text description; /* study.json */
     int best;                     /* axis, -1: not asked for */
-    bool fragility;               /* what is told is fragility, not the rows */
+    bool fragility;               /* the output is the fragility, not the rows */
     struct thud_suite *suite;     /* of several ground motions, or for the fragility */
     struct thud_fragility_study events;
     struct thud_text told;     /* of the fragility */
@@ -51,7 +51,7 @@ static enum thud_status choose_shortcuts(struct sweep *s, struct thud_error *err
                 bit = shortcut[k].bit;
         if (!bit)
             return thud_error_refuse(err, THUD_USAGE, "--without", "free, start, levels, same, all",
-                                     "\"%.40s\" is no shortcut", word);
+                                     "\"%.40s\" is not a shortcut", word);
         s->plan.shortcuts &= ~bit;
     }
     return THUD_OK;
@@ -96,7 +96,7 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
     return thud_error_refuse(err, THUD_USAGE, "--best", "one of the keys of --vary", "\"%.60s\" is not varied", key);
 }
 
-/* Fragility from the suite, and its files. That gnuplot failed is told in the end: all else is there. */
+/* Computes the fragility from the suite and writes its files. A failure of gnuplot is reported last: all else is there. */
 static enum thud_status tell_fragility(void *owner, struct thud_error *err)
 {
     struct sweep *s = owner;
@@ -256,7 +256,7 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     return status == THUD_OK ? check_possible(total, err) : status;
 }
 
-/* What was told; then what the runs were. */
+/* The status of the output; then that of the runs. */
 static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *err)
 {
     struct thud_text work = {0};

@@ -40,7 +40,7 @@ static enum thud_status deliver(const struct thud_args *args, struct thud_verifi
     return status;
 }
 
-/* A preset that cannot be verified is told and the next one taken; what is wrong with the machine ends it all. */
+/* Reports a preset that cannot be verified and takes the next one; an error of the machine ends the command. */
 static enum thud_status one(const struct thud_args *args, const char *preset, struct total *total,
                             struct thud_error *err)
 {

@@ -34,7 +34,7 @@ enum thud_status thud_cli_list(const struct thud_args *args, void (*table)(struc
 enum thud_status thud_cli_print_as(const struct thud_args *args, struct thud_text *text, enum thud_status before,
                                    struct thud_error *err);
 
-/* The names of files that were written, one a line; with --json an object with a list. Clears the text. */
+/* Prints the names of the files written, one per line; with --json an object with a list. Clears the text. */
 enum thud_status thud_cli_print_files(const struct thud_args *args, struct thud_text *lines, struct thud_error *err);
 
 /* Write the message to standard error; the second as a warning. */

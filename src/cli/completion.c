@@ -10,7 +10,7 @@ static const char *dashes(const struct thud_option *option)
     return option->name[1] ? "--" : "-";
 }
 
-/* Whether names of files may stand there. */
+/* Whether names of files are allowed there. */
 static bool has_files(enum thud_word word)
 {
     return word == THUD_WORD_PRESET || word == THUD_WORD_FILE || word == THUD_WORD_FOLDER;
@@ -27,7 +27,7 @@ static void put_choices(struct thud_text *out, const struct thud_option *option,
 
 /* ---- bash: words are parted by the ends of lines, so that names may have blanks */
 
-/* A command that prints what may stand there. */
+/* A command that prints what is allowed there. */
 static void bash_words(struct thud_text *out, enum thud_word word)
 {
     const char *list = thud_word_list_name(word);

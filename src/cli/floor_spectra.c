@@ -11,7 +11,7 @@
 #include "io/result/floor_spectra_file.h"
 #include "plot/figures/figures_floor.h"
 
-/* Oscillators of a shorter period take pieces without end, and feel what the floor's largest acceleration says. */
+/* The number of pieces grows without bound for shorter periods, where the response is the floor's peak acceleration. */
 static const double shortest_s = 1e-3;
 
 enum thud_status thud_cli_no_floor_spectra(const struct thud_args *args, struct thud_error *err)

@@ -15,8 +15,8 @@ static enum thud_status read_sampling(const struct thud_args *args, enum thud_sa
         }
     if (!word)
         return THUD_OK;
-    return thud_error_refuse(err, THUD_USAGE, "--sampling", "latin-hypercube, sobol", "\"%.40s\" is no way of sampling",
-                             word);
+    return thud_error_refuse(err, THUD_USAGE, "--sampling", "latin-hypercube, sobol",
+                             "\"%.40s\" is not a way of sampling", word);
 }
 
 enum thud_status thud_inputs_option_read(const struct thud_args *args, int samples, struct thud_inputs_choice *out,

@@ -156,7 +156,7 @@ static void laws(struct thud_text *out)
     }
 }
 
-/* The table of measures: what each is, of what, and where it is told. */
+/* The table of measures: what each is, of what, and where it appears. */
 static void measures(struct thud_text *out)
 {
     static const char *const documents[THUD_MEASURE_DOCUMENTS] = {
@@ -167,9 +167,8 @@ static void measures(struct thud_text *out)
     };
     static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
                                         "a capacity of columns", "case none to compare with"};
-    thud_text_append(
-        out, ".Ss measures\nWhat studies tell of a run, each by its one name.\nAn event happens where its measure is "
-             "above the limit.\n.Bl -tag -width Ds -compact\n");
+    thud_text_append(out, ".Ss measures\nResults that studies give of a run, each by its one name.\nAn event occurs "
+                          "where its measure is above the limit.\n.Bl -tag -width Ds -compact\n");
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         struct thud_text item = {0};

@@ -64,8 +64,8 @@ enum thud_status thud_synthesis_options_read(const struct thud_args *args, struc
 
 /* ---- --records: the ground motions of a study ---- */
 
-/* Those of --records, or of the preset's study, with what --peak, --dt, ... say of all of them; else the session's own
- * one (--record), or none. What is wrong with them is told by thud_records_warn. Errors: THUD_USAGE,
+/* Those of --records, or of the preset's study, with what --peak, --dt, ... specify for all of them; else the session's own
+ * one (--record), or none. thud_records_warn reports what is wrong with them. Errors: THUD_USAGE,
  * THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err);
@@ -86,7 +86,7 @@ struct thud_inputs_choice {
     enum thud_sampling sampling;
     unsigned long long seed;
 };
-/* `samples`: where it is not said. Errors: THUD_USAGE. */
+/* `samples`: the default. Errors: THUD_USAGE. */
 enum thud_status thud_inputs_option_read(const struct thud_args *args, int samples, struct thud_inputs_choice *out,
                                          struct thud_error *err);
 

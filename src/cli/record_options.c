@@ -125,9 +125,9 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
     for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)
         status = quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
     if (!status && !isnan(choice->peak_mps2) && !(choice->peak_mps2 > 0))
-        return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - turns the motion round", err);
+        return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - reverses the polarity", err);
     if (!status && !isnan(choice->sa_mps2) && !(choice->sa_mps2 > 0))
-        return refuse("sa", thud_args_value(args, "sa"), "more than 0; --sign - turns the motion round", err);
+        return refuse("sa", thud_args_value(args, "sa"), "more than 0; --sign - reverses the polarity", err);
     if (!status && !isnan(choice->period_s) && !(choice->period_s > 0))
         return refuse("period", thud_args_value(args, "period"), "more than 0", err);
     if (!status)

@@ -61,7 +61,7 @@ static void drop_size(const struct thud_args *args, struct thud_record_choice *o
     own->target[0] = '\0';
 }
 
-/* What is said of a ground motion that is not there would have no effect. */
+/* Options of a ground motion have no effect where there is none. */
 static enum thud_status refuse_idle(const struct thud_args *args, const struct thud_session *session,
                                     struct thud_error *err)
 {
@@ -153,7 +153,7 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
         thud_session_choose_record(session, thud_args_value(args, "record"));
     for (int i = 0; (value = thud_args_repeated(args, "set", i)) != NULL; i++)
         if (thud_scan_word(&value, "record.file=") && strcmp(value, session->scene.record.file) != 0)
-            thud_session_choose_record(session, value); /* before what else is said of it, in any order */
+            thud_session_choose_record(session, value); /* before its other options, in any order */
     drop_size(args, &session->scene.record);
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
@@ -259,7 +259,7 @@ enum thud_status thud_scene_options_name(const struct thud_args *args, enum thud
     for (int i = 0; i < args->ngiven; i++)
         if (gives(args->given[i].option->name, err->key)) {
             thud_args_key(args->given[i].option->name, err);
-            /* a unit is not looked at before the file is read; nothing but the option can be wrong with it */
+            /* a unit is not checked before the file is read; only the option can be wrong */
             return strcmp(args->given[i].option->name, "unit") == 0 ? of_option(status, err) : status;
         }
     return status;
@@ -283,7 +283,7 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
             *out = (enum thud_case)i;
             return THUD_OK;
         }
-    return thud_error_refuse(err, THUD_USAGE, "--case", "none, bumper, cavity, link", "\"%.40s\" is no case", word);
+    return thud_error_refuse(err, THUD_USAGE, "--case", "none, bumper, cavity, link", "\"%.40s\" is not a case", word);
 }
 
 enum thud_status thud_scene_options_of_case(const struct thud_args *args, const struct thud_session *session,

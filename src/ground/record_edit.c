@@ -9,7 +9,7 @@
 enum thud_status thud_record_trim(struct thud_record *record, double from, double to, struct thud_error *err)
 {
     double dt = record->dt_s, end = (double)(record->samples - 1);
-    /* a time typed with its decimals shall hit the sample it means */
+    /* a time typed with its decimals selects the sample it means */
     double first = isnan(from) ? 0 : fmax(0, ceil(from / dt - 1e-6)),
            last = isnan(to) ? end : fmin(end, floor(to / dt + 1e-6));
     if (record->samples < 2 || !(last >= first + 1)) {

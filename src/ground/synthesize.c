@@ -58,7 +58,7 @@ double *thud_synthesis_field(struct thud_synthesis *synthesis, const struct thud
 static double shown(const struct thud_synthesis *s, const struct thud_synthesis_param *param)
 {
     double value = *thud_synthesis_field((struct thud_synthesis *)s, param) / param->scale;
-    double neat = rint(value * 1e9) / 1e9; /* 0.821 g shall read 0.821, not 0.8209999999999999 */
+    double neat = rint(value * 1e9) / 1e9; /* prints 0.821 for 0.821 g, not 0.8209999999999999 */
     return fabs(neat - value) <= 4e-16 * fabs(value) ? neat : value;
 }
 

@@ -329,7 +329,7 @@ enum thud_status thud_target_parse(const char *text, struct thud_target *out, st
     out->kind = kind_of(text);
     const struct code *code = &codes[out->kind];
     if (out->kind == THUD_TARGET_NONE) {
-        thud_error_set(err, THUD_INPUT, "\"%.60s\" is no spectrum", text);
+        thud_error_set(err, THUD_INPUT, "\"%.60s\" is not a spectrum", text);
         return refuse(err, THUD_TARGET_ALLOWED);
     }
     const char *at = text + strlen(code->shown.name) + 1;

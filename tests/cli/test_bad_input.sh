@@ -43,7 +43,7 @@ edit "duplicate key" 's/^  tail: 5 s/  tail: 5 s\n  tail: 6 s/' "bad.yaml:$(($(l
 edit "unknown law" 's/law: rubber/law: ruber/' "bad.yaml:$(line 'law: rubber'):12: interfaces.1.bumper.law: unknown law \"ruber\"; did you mean \"rubber\"?"
 edit "unknown method" 's/method: auto/method: newmrk/' "bad.yaml:$(line 'method: auto'):11: analysis.method: unknown method \"newmrk\""
 edit "exponent of the unit" 's/mm^2.65/mm^2.7/' "bad.yaml:$(line 'mm^2.65'):18: interfaces.1.bumper.stiffness: the unit of \"0.36 kN/mm^2.7\" has the exponent 2.7, the law's exponent is 2.65"
-edit "bumper thicker than the gap" 's/gap: 10 cm/gap: 4 cm/' "bad.yaml:$(line 'thickness:'):18: interfaces.1.bumper.thickness: the bumper sticks out by 5 cm into a gap of 4 cm (thickness - cavity <= gap)"
+edit "bumper thicker than the gap" 's/gap: 10 cm/gap: 4 cm/' "bad.yaml:$(line 'thickness:'):18: interfaces.1.bumper.thickness: the bumper projects by 5 cm into a gap of 4 cm (thickness - cavity <= gap)"
 edit "cavity as deep as the bumper" 's/cavity: 0 cm/cavity: 5 cm/' "bad.yaml:$(line 'cavity:'):15: interfaces.1.bumper.cavity: the cavity, 5 cm, is as deep as"
 edit "anchor" 's/^record:/record: \&r/' "bad.yaml:$(line '^record'):9: anchors"
 edit "alias" 's/height: 3 m/height: *h/' "bad.yaml:$(line 'height:'):13: aliases"

@@ -22,7 +22,7 @@ is "a wrong unit" gives 3 building import "$tmp/unit.csv"
 is "the header's place" says 'unit.csv:2: kN is no unit of a stiffness or a flexibility'
 grep -v kN "$tmp/unit.csv" >"$tmp/bare.csv"
 is "no unit" gives 3 building import "$tmp/bare.csv"
-is "is asked for" says "bare.csv:1: the unit of the matrix is not said (in the header, (kN/m), or unit: kN/m"
+is "is asked for" says "bare.csv:1: the unit of the matrix is not specified (in the header, (kN/m), or unit: kN/m"
 is "and given" gives 0 building import "$tmp/bare.csv" --set unit=MN/m
 
 printf 'kN/m\nnan,-350000\n-350000,350000\n' >"$tmp/nan.csv"
@@ -92,7 +92,7 @@ is "are in the scene" shows '"gap-by-level": \["10 cm", "10 cm", "12 cm", "none"
 is "and told" gives 0 run towers --case none --set "gap-by-level=[10 cm, 10 cm, 12 cm, none]"
 is "as a range" shows '^interface 1    gap 10 to 12 cm by level'
 is "cases beside each other" gives 0 run towers --cases none --set "gap-by-level=[10 cm, 10 cm, 12 cm, 37 cm]" --quiet
-is "tell the gap of the floor that needs most" shows 'from a gap of .* on (here 37 cm): floor 4 needs it'
+is "tell the gap of the floor that needs most" shows 'at gaps of .* or more (here 37 cm); floor 4 governs'
 is "a list that is too short" gives 3 run towers --set "gap-by-level=[10 cm, 12 cm]"
 is "names what can meet" says 'interfaces.1.gap-by-level: the list has 2 values, and 4 pairs can meet (from the lowest up: 1-1, 2-2, 3-3, 4-4)'
 sed 's/^  - gap: 10 cm$/  - gap: 10 cm # property line\n    gap-by-level: [12 cm, none, none, none] # a setback/' presets/towers.yaml >"$tmp/levels.yaml"

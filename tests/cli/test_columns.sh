@@ -34,7 +34,7 @@ for word in "EI MNm2 bending.stiffness" "stiffness MN/m stiffness" "capacity kN 
 done
 refused "a shape that is none" structures.1.column.shape=round 'unknown choice "round" (clamped, linear)'
 refused "a key that is none" structures.1.column.width=1m 'unknown key "width" (EI, stiffness, capacity, shape)'
-refused "EI and stiffness" structures.1.column.stiffness=5MN/m 'given as well as EI'
+refused "EI and stiffness" structures.1.column.stiffness=5MN/m 'given together with EI'
 refused "an elevation without a unit" structures.1.base=5 'has no unit; give a length'
 refused "far below the ground" structures.1.base=-201m 'is too small (-200 m to 4000 m)'
 refused "above every building" structures.1.base=4001m 'is too large (-200 m to 4000 m)'
@@ -136,24 +136,24 @@ is "and it is said" says 'elevation: 5 cm, up to 10 m'
 
 # sentences name the slab and the columns
 is "the cases of a run" gives 0 run $scene --cases none,bumper
-is "say what struck what hardest" shows '^Without bumper they collide .* MN, floor 4 of A and the columns below floor 5 of B, '
-is "and what needs the gap" shows ' (here 10 cm): floor 4 of A and the columns below floor 5 of B need it\.$'
+is "say what struck what hardest" shows '^Without the bumper: .* MN between floor 4 of A and the columns below floor 5 of B, '
+is "and what needs the gap" shows ' (here 10 cm); floor 4 of A and the columns below floor 5 of B govern\.$'
 "$THUD" run $scene --case none --json --quiet >"$tmp/run.json" 2>/dev/null
 # shellcheck disable=SC2016 # a program of awk
 is "as the result does" awk -F'[:,]' '/"struck_columns"/ { for (i = 1; i < NF; i++) { if ($i ~ /"force_n"/ && $(i + 1) + 0 > most) { most = $(i + 1) + 0; at = $0 } } }
     END { exit !(at ~ /"left_floor": 4, "right_floor": 5, .*"struck_columns": "right"/) }' "$tmp/run.json"
 sed 's/^    height: 3.6 m/    height: 3 m/; s/^    height: 3 m$/&/' presets/$scene.yaml >"$tmp/even.yaml"
 is "where floors meet they say so as before" gives 0 run "$tmp/even.yaml" --cases none
-is "by the floor" shows '^Without bumper they collide .* MN, A and B at floor 4, '
+is "by the floor" shows '^Without the bumper: .* MN between A and B at floor 4, '
 is "a report" gives 0 report $scene --to 9s --samples 5 -o "$tmp/r" --quiet
-is "says it of the force" grep -q '^| pounding without bumper | .* MN, between floor 4 of A and the columns below floor 5 of B at ' "$tmp/r/report.md"
+is "says it of the force" grep -q '^| pounding without the bumper | .* MN, between floor 4 of A and the columns below floor 5 of B at ' "$tmp/r/report.md"
 is "of the gap" grep -q '^| floor 4 of A and the columns below floor 5 of B | [0-9.]* | [0-9.]* | 21.7 | ' "$tmp/r/report.md"
 is "in its tables" grep -q '^| the columns below floor 4 of A and floor 4 of B | [0-9]' "$tmp/r/report.md"
-is "and that columns are taken as whole" grep -q 'are taken as whole.*: results from then on have no meaning' "$tmp/r/report.md"
+is "and that columns are modelled as intact" grep -q 'are modelled as intact.*: results after that are meaningless' "$tmp/r/report.md"
 is "slabs of the right building" gives 0 run $scene --set structures.2.height=2m --cases none,bumper
-is "need the gap" shows ': floor 6 of B and the columns below floor 4 of A need it\.$'
+is "need the gap" shows '; floor 6 of B and the columns below floor 4 of A govern\.$'
 is "a bumper pressed through" gives 0 run $scene --set structures.2.height=2m
-is "is at the slab's floor" says 'interfaces.1.bumper: the bumper of 50 mm is pressed by .* at floor 6, '
+is "is at the slab's floor" says 'interfaces.1.bumper: the bumper of 50 mm is compressed by .* at floor 6, '
 # without contact no law matters: impulses under columns that give are refused only where a contact may close
 is "the gap that is needed, whatever the contact law" gives 0 gap $scene --set contact.law=stereomechanical --csv
 "$THUD" gap $scene --csv >"$tmp/as-written" 2>/dev/null

@@ -64,7 +64,7 @@ refused() { # WHAT PATTERN ARGUMENTS...
     is "and nothing on standard output" [ ! -s "$tmp/out" ]
 }
 refused "rubber is refused with --strict" '^thud: interfaces.1.bumper.law: OpenSees has no material.*--case none' towers --strict
-refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that lets go.*kelvin-voigt' towers --case none --strict
+refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that separates.*kelvin-voigt' towers --case none --strict
 # shellcheck disable=SC2016 # of sed
 advertised() { sed -n 's/.*`thud export opensees PRESET\( [^`]*\)`.*/\1/p' "$(dirname "$0")/../../README.md"; }
 # shellcheck disable=SC2046 # options

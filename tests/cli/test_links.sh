@@ -19,7 +19,7 @@ refused "both ends of one building" links.1.to=A.3 'both ends are of A'
 refused "a floor that is not there" links.1.to=B.7 'B has no floor "7" (1 to 6)'
 refused "the ground of a building" links.1.to=B.0 'B has no floor "0" (1 to 6)'
 refused "a structure that is not there" links.1.from=C.1 'there is no structure "C.1"'
-refused "a building without a floor" links.1.from=A 'which floor of A is not said'
+refused "a building without a floor" links.1.from=A 'the floor of A is not specified'
 refused "a link that is not there" links.3.damping=1kNs/m 'there is no link "3"'
 refused "a law that is none" links.1.law=rope 'unknown law "rope" (spring, dashpot, friction, restrainer, strut)'
 refused "a negative dashpot" links.1.damping=-1kNs/m 'is too small (0 kN s/m'
@@ -137,10 +137,10 @@ is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring): largest force' 
     is "needs what gap says with the one" shows "required gap $at_1 cm .* at links.1.damping 1000"
     is "and with the other" shows "least $at_4 cm at links.1.damping 4000"
     is "cases with and without the link" gives 0 run $scene $motion --cases none,bumper,link --quiet
-    is "need two gaps" [ "$(grep -c 'do not collide from a gap' "$tmp/out")" -eq 2 ]
+    is "need two gaps" [ "$(grep -c 'do not collide at gaps' "$tmp/out")" -eq 2 ]
     is "the names of the cases say what they leave out" shows "neither bumper nor links  bumper, no links  links, no bumper"
-    is "and so do sentences" [ "$(grep -c '^Without bumper and links \|^With the bumper and without links \|^With the links and without bumper ' "$tmp/out")" -eq 3 ]
+    is "and so do sentences" [ "$(grep -c '^Without the bumper and links: \|^With the bumper and without links: \|^With the links and without the bumper: ' "$tmp/out")" -eq 3 ]
     is "what lowers is named" [ "$(grep -c '^The bumper lowers\|^The links lower' "$tmp/out")" -eq 4 ]
-    is "with the link that of gap" shows "^With the links: A and B do not collide from a gap of $(needs "$scene") cm"
-    is "without it that of the towers alone" shows "^Without the links: A and B do not collide from a gap of $(needs towers) cm"
+    is "with the link that of gap" shows "^With the links: A and B do not collide at gaps of $(needs "$scene") cm"
+    is "without it that of the towers alone" shows "^Without the links: A and B do not collide at gaps of $(needs towers) cm"
 }

@@ -15,7 +15,7 @@ answered() { # FILE ANSWERS...: as typed at a terminal
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     masses='320 t, 320 t, 320 t, 250 t'
     answered "$tmp/a.yaml" shed shear '' 4 6 "$masses" '<' '' '' 0.9 '600 MN/m' '' '' '' '' '' '5 cm' nope.csv '' 150 no no
-    grep -q '"shed" is no kind of structure' "$tmp/out"
+    grep -q '"shed" is not a kind of structure' "$tmp/out"
     ok "a kind that is none is asked for again" $?
     grep -q '"0.9" has no unit (a stiffness, 600 MN/m, or a first period, 0.9 s)' "$tmp/out"
     ok "a stiffness without unit is refused" $?

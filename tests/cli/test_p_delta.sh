@@ -7,14 +7,14 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
 # shellcheck disable=SC2086,SC2154 # words; tmp is program.sh's
 {
     is "a building that collapses has status 4" gives 4 run towers-yielding --case none $soft
-    is "says which storey and when" says 'storey 1 of B collapses at 11\.9[0-9]* s: its drift comes to 300 mm, 10 % of its height'
+    is "says which storey and when" says 'storey 1 of B collapses at 11\.9[0-9]* s: its drift reaches 300 mm, 10 % of its height'
     is "above the peaks" shows '^COLLAPSE  *storey 1 of B collapses at '
     is "and has those before it" shows '^ *1 .* 300\.00  *11\.946'
     is "without P-Delta it stands" gives 0 run towers-yielding --case none --set structures.1.hardening=0% --set structures.2.hardening=0% --quiet
     is "with other cases beside it" gives 4 run towers-yielding --cases none,bumper $soft --quiet
-    is "where no gap helps" shows '^Storey [0-9] of [AB] collapses without contact at [0-9.]* s, and no gap prevents it\.$'
-    is "and one is told until then" shows '^Until then A and B do not collide from a gap of '
-    is "a sentence each" shows '^Without bumper storey 1 of B collapses at '
+    is "where no gap helps" shows '^Storey [0-9] of [AB] collapses without contact at [0-9.]* s; no gap prevents it\.$'
+    is "and one is told until then" shows '^Until then A and B do not collide at gaps of '
+    is "a sentence each" shows '^Without the bumper storey 1 of B collapses at '
     is "as JSON" gives 4 run towers-yielding --case none $soft --json --quiet
     is "the status is collapsed" shows '"status": "collapsed", "message": ".*", "end_s": 11\.9'
     is "with storey and drift" shows '"collapse": {"structure": "B", "storey": 1, "time_s": 11\.9[0-9]*, "drift_m": 0\.3'

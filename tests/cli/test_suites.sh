@@ -349,7 +349,7 @@ printf 'sa_g,rate\n0.1,0.05\nhalf,0.004\n3,0.00002\n' >"$tmp/words.csv"
 rate_of() { sa "$1" && grep -o '"annual_rate_\(least\|most\)": [0-9.e-]*' "$tmp/out" | awk '{ printf "%.9e ", $2 }'; }
 is "a hazard curve in cm/s2 is that in g" test "$(rate_of cm.csv)" = "$(rate_of g.csv)" -a -n "$(rate_of g.csv)"
 is "a unit that is not said is asked for" sh -c "! \"\$THUD\" fragility towers --records $three --vary record.sa=0.3g,0.6g --cases none --hazard \"$tmp/bare.csv\" --quiet 2>\"$tmp/err\""
-is "by the first line" says "bare.csv:1: .*the unit of its intensity is not said"
+is "by the first line" says "bare.csv:1: .*the unit of its intensity is not specified"
 printf 'sa_g T=0.7s 5%%,annual_rate\n0.1,0.05\n3,0.00002\n' >"$tmp/named.csv"
 is "a hazard curve of another period is refused" gives 3 fragility towers --records "$three" --vary record.sa=0.3g,0.6g --period 0.5s --cases none --hazard "$tmp/named.csv"
 is "with both periods" says "named.csv:1: .*its period, 0.7 s, is not that of the study, 0.5 s"

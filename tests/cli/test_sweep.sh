@@ -276,7 +276,7 @@ check "every record has its rows" test "$(grep -c '^northridge-surrogate.csv,bum
 check "ratios need no case none among the cases" sh -c "! cut -d, -f9 '$tmp/out' | grep -q '^$'"
 status 0 "$THUD" sweep towers --vary gap=4cm,8cm --cases none,bumper
 check "points that are not possible are told" grep -q "1 run is not possible" "$tmp/out"
-check "with the first and why" grep -q "sticks out by 5 cm into a gap of 4 cm" "$tmp/out"
+check "with the first and why" grep -q "projects by 5 cm into a gap of 4 cm" "$tmp/out"
 status 3 "$THUD" sweep towers --vary gap=1cm,2cm --cases bumper
 check "a study in which nothing is possible is bad input" grep -q "^thud: none of the runs is possible" "$tmp/err"
 status 4 "$THUD" sweep rigid-concrete --method central-difference --step 1e-4s --vary "contact.stiffness=2500 kN/mm,1e15 kN/mm" --case as-written --csv

@@ -37,7 +37,7 @@ is "its cautions are at most three" [ "$(sed -n '/^## What to know first/,/^## B
 is "one of them is how much the force changes" grep -q 'the largest force changes by 86 % when an input changes by 5 %: read it as an order of magnitude' report/report.md
 is "its last section has the program, the command and the scene" sh -c "sed -n '/^## Reproducibility/,\$p' report/report.md | tr '\\n' ' ' | grep -q 'thud [0-9.]* .*thud report .*title: Office'"
 is "the ground motion has its SHA-256 among the load cases" sh -c "sed -n '/^## Load cases/,/^## Method/p' report/report.md | grep -q '^| 1 | kaikoura-wtmc.csv | .* | [0-9a-f]\{64\} |\$'"
-is "the figures have the line" grep -q 'no contact without bumper from here' figures/means-bumper.gp
+is "the figures have the line" grep -q 'no contact without the bumper at this gap' figures/means-bumper.gp
 walk thud-suites 7
 # the shares and medians of the second step again, from the runs themselves
 is "the same runs in a folder" gives 0 sweep mine.yaml --records mine.list --signs both --cases none,bumper --quiet -o runs

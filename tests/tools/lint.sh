@@ -70,8 +70,8 @@ by_tidy() {
 
 sources=$(find src -name '*.c' | sort)
 lint house nm "$sources"
-# of what is written by hand; what the program says and comments follow
-lint words perl "$(ls README.md .github/CONTRIBUTING.md man/*.1 man/*.3 man/*.7)"
+# of the manual, of comments, and of what the program prints
+lint words perl "$(ls README.md .github/CONTRIBUTING.md man/*; find src include -name '*.[ch]' | sort)"
 lint shellcheck shellcheck "$(find tests .ci -name '*.sh' -o -path '.ci/*' | sort)"
 lint format clang-format "$(find src include tests -name '*.[ch]' | sort)"
 lint mandoc mandoc "$(find man -name '*.[1-8]' 2>/dev/null | sort)"

@@ -381,7 +381,7 @@ static const struct {
     {"a (kN/m),b\n1,-2\n-2,3\n", 0, 0, "", 0, 2, 1, "least eigenvalue is -236.1 N/m", "stands on its ground"},
     {"a (kN/m),b\n4,-2\n-2,-3\n", 0, 0, "", 0, 3, 4, "not positive definite", "ground"},
     {"a (kN),b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "kN is no unit of a stiffness", "kN/m"},
-    {"a,b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "unit of the matrix is not said", "unit: kN/m"},
+    {"a,b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "unit of the matrix is not specified", "unit: kN/m"},
     {"a,b\n4,-2\n-2,2\n", 0, 0, "s", 0, 0, 0, "s is no unit", "kN/m"},
     {"a (kN/m),b\n4,-2\n-2,2\n", 0, 0, "MN/m", 0, 1, 0, "the header says kN/m, and `unit` MN/m", "one of the two"},
     {"a (kN/m),b (MN/m)\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 1, "the unit twice", "one unit"},
@@ -400,7 +400,7 @@ static const struct {
     {"Mode,Period (s),a,b\n1,0.5,0,0\n", 2, 0, "", 0, 2, 7, "shape of mode 1 is 0", "this direction"},
     {"Mode,Period (s),a\n1,0.5,1\n2,0.2,1\n", 2, 0, "", 0, 3, 0, "2 modes of 1 floors", "as many modes"},
     {"Mode,T1,a,b\n1,0.5,0.5,1\n", 2, 0, "s", 0, 1, 0, "no column of the header is the period", "Period (s)"},
-    {"Mode,Period,a,b\n1,0.5,0.5,1\n", 2, 0, "", 0, 1, 0, "unit of the periods is not said", "unit: s"},
+    {"Mode,Period,a,b\n1,0.5,0.5,1\n", 2, 0, "", 0, 1, 0, "unit of the periods is not specified", "unit: s"},
     {"Mode,Period (s),a,b\n1,0.5,1,0.5\n", 2, 0, "", 0, 2, 0, "from the roof down", "lowest-first"},
     {"Mode,Period (s)\n1,0.5\n", 2, 0, "", 0, 2, 0, "no column of a floor", "from the lowest up"},
 };

@@ -286,7 +286,8 @@ START_TEST(every_figure_against_the_gap_has_its_line)
             struct thud_figure *figure = thud_sweep_figure(&s->table, i);
             for (int p = 0; p < figure->rows * figure->columns; p++)
                 ck_assert_int_eq(lines_at(&figure->panel[p], turned ? THUD_Y : THUD_X, 17.0), !beyond);
-            ck_assert_msg(!strstr(figure->note, "no contact without bumper from here") == beyond, "%s", figure->note);
+            ck_assert_msg(!strstr(figure->note, "no contact without the bumper at this gap or wider") == beyond, "%s",
+                          figure->note);
             thud_figure_free(figure);
         }
         empty(s);

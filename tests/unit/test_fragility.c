@@ -555,7 +555,8 @@ START_TEST(a_figure_against_the_gap_has_its_line)
     const struct thud_panel *panel = &figure->panel[0];
     ck_assert_int_eq(panel->nmarks, 1);
     ck_assert_double_eq_tol(panel->mark[0].from, 16.5, 1e-9);
-    ck_assert_ptr_nonnull(strstr(figure->note, "A note. Vertical line: no contact without bumper from here on"));
+    ck_assert_ptr_nonnull(
+        strstr(figure->note, "A note. Vertical line: no contact without the bumper at this gap or wider"));
     ck_assert_ptr_nonnull(strstr(figure->title, "probability of drift above 1 %"));
     ck_assert(panel->axis[THUD_Y].least < 0 && panel->axis[THUD_Y].most > 100);
     const struct thud_series *points[2] = {NULL, NULL};

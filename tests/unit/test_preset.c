@@ -126,7 +126,7 @@ static const struct {
     {"gap: 100 mm", "gap: [1 cm]", "p:24:10: interfaces.1.gap: a list stands where one value is wanted"},
     {"gap: 100 mm", "gap: {a: 1}", "p:24:10: interfaces.1.gap: keys stand where a value is wanted"},
     {"gap: 100 mm", "gap: 4 cm",
-     "p:33:18: interfaces.1.bumper.thickness: the bumper sticks out by 5 cm into a gap of 4 cm (thickness - cavity <= "
+     "p:33:18: interfaces.1.bumper.thickness: the bumper projects by 5 cm into a gap of 4 cm (thickness - cavity <= "
      "gap)"},
     {"gap: 100 mm", "gap: 100 mm\n    gap: 2 m",
      "p:25:5: gap: the key is given twice (once; it is on line 24 already)"},

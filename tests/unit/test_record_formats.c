@@ -277,7 +277,7 @@ START_TEST(unequal_steps_are_resampled)
     choice.resample_s = 0.2;
     refuses(text, 0, "resample", "at most 0.1 s");
     choice.resample_s = 0.01;
-    refuses("time,a (g)\n0,1\n0.3,2\n0.3,2\n0.5,1\n", 4, "", "do not climb");
+    refuses("time,a (g)\n0,1\n0.3,2\n0.3,2\n0.5,1\n", 4, "", "are not increasing");
     reads("time_s,acceleration_mps2\n0,0.1\n0.02,-0.2\n0.04,0.3\n", "CSV", 0.02, 3, three); /* left to who asked */
 }
 END_TEST

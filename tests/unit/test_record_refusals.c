@@ -86,10 +86,8 @@ START_TEST(asked_for_by_name)
     refuses("time_s,x (g),y (g)\n0,1,2\n0.01,2,3\n0.02,3,4\n", 2, "column", "no column 4");
     choice.column = 0;
     refuses("0.02 0.5\n1 2 3 4 5\n6 7 8 9 1\n", 2, "skip", "`record.skip: 1`");
-    refuses("4 0.02\n1\n2\n3\n4\n", 2, "skip",
-            "`record.skip: 1` and `record.dt: 0.02 s` when line 1 tells of 4 samples");
-    refuses("0.02 4\n1\n2\n3\n4\n", 2, "skip",
-            "`record.skip: 1` and `record.dt: 0.02 s` when line 1 tells of 4 samples");
+    refuses("4 0.02\n1\n2\n3\n4\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s` if line 1 states 4 samples");
+    refuses("0.02 4\n1\n2\n3\n4\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s` if line 1 states 4 samples");
     refuses("5 0.02\n1 2 3\n4 5\n", 2, "skip", "`record.skip: 1` and `record.dt: 0.02 s`");
     refuses("1 2 3\n4 5 6\n7 8", 1, "column", "`record.column"); /* cut off: no line end */
     choice.column = 1;
@@ -142,7 +140,7 @@ START_TEST(what_the_file_says_stands)
     choice.dt_s = 0.02; /* prose may be about something else: the option decides */
     reads("# dt=0.01 for the other file; Acc. in m/s2\n1\n2\n", "plain columns", 0.02, 2, b);
     choice.dt_s = NAN;
-    refuses("# dt=0.01\ntime_s,acceleration_mps2\n0,1\n0.02,2\n0.04,3\n", 1, "dt", "0.01 s, the time column of 0.02 s");
+    refuses("# dt=0.01\ntime_s,acceleration_mps2\n0,1\n0.02,2\n0.04,3\n", 1, "dt", "0.01 s, the time column 0.02 s");
     refuses("# Acc. in m/s2\n# acc. in cm/s2, dt = 1 s\n1\n2\n", 0, "unit", "`record.unit");
     refuses("time_s,acceleration_mps2\n0,1\n0.01,2\n0.02,2\n0.05,3\n0.06,1\n", 5, "resample",
             "`record.resample: 0.01 s`");
@@ -159,7 +157,8 @@ static void overwrite(char *text, const char *what, const char *with)
 
 START_TEST(counts_that_differ)
 {
-    refuses("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1 2 3\n", 4, "", "4 samples, the file holds 3 (cut off?)");
+    refuses("PEER\nA\nUNITS OF G\nNPTS= 4, DT= .01 SEC\n1 2 3\n", 4, "",
+            "4 samples, but the file contains 3 (cut off?)");
     refuses("PEER\nA\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2 3\n", 4, "", "`record.skip: 4`");
     refuses("PEER\nA\nUNITS OF G\nNPTS= 99999999999, DT= .01 SEC\n1 2 3\n", 4, "", "has only");
     refuses("PEER\nA\nUNITS OF G\nNPTS= -3, DT= .01 SEC\n1 2 3\n", 4, "", "-3 samples");
@@ -178,7 +177,7 @@ START_TEST(counts_that_differ)
     char text[400];
     memcpy(text, esm, sizeof esm);
     overwrite(text, "NDATA: 3", "NDATA: 4");
-    refuses(text, 11, "", "4 samples, the file holds 3");
+    refuses(text, 11, "", "4 samples, but the file contains 3");
     memcpy(text, esm, sizeof esm);
     overwrite(text, "cm/s^2", "cm/s  ");
     refuses(text, 6, "", "not a unit of acceleration");

@@ -203,13 +203,13 @@ START_TEST(refusals_name_key_and_remedy)
     refuses("analysis.locate", "maybe", "unknown choice", "off, on");
     refuses("record.sign", "x", "unknown choice", "+, -");
     refuses("record.peak", "3 m", "is a length; give an acceleration", "g");
-    refuses("study.vary", "title", "no number and no choice", "");
+    refuses("study.vary", "title", "neither a number nor a choice", "");
     refuses("study.values", "[5 cm]", "study.vary", "");
     refuses("study.vary", "[gap, gap]", "varied twice", "");
     refuses("study.from", "5 cm", "study.vary", "");
     refuses("study.cases", "[none, nine]", "unknown case", "cavity");
     refuses("study.cases", "[none, bumper, none]", "named twice", "");
-    refuses("study.cases", "[none, bumper", "list without end", "");
+    refuses("study.cases", "[none, bumper", "unterminated list", "");
     refuses("study.vary", "[gap, contact.damping, structures.1.damping, structures.2.damping, tail]", "too many values",
             "up to 4");
     set("study.vary", "gap");
@@ -218,7 +218,7 @@ START_TEST(refusals_name_key_and_remedy)
     refuses("study.to", "[5 cm, 6 cm]", "2 values for 1 varied key", "");
     refuses("study.values", "[5 cm, 6]", "\"6\" has no unit", "cm");
     refuses("study.values", "[5 cm, , 6 cm]", "a value is empty", "");
-    refuses("study.values", "[5 cm, 6 cm", "list without end", "");
+    refuses("study.values", "[5 cm, 6 cm", "unterminated list", "");
     set("study.to", "6 cm");
     refuses("study.values", "[5 cm]", "values and a range", "");
     set("study.vary", "gap");
@@ -306,7 +306,7 @@ START_TEST(checks_hold_values_against_each_other)
     holds(); /* clearance 0 */
     ck_assert_double_eq(thud_interface_clearance(&scene.interface[0]), 0);
     set("gap", "4.9 cm");
-    fails("interfaces.1.bumper.thickness", "sticks out by 5 cm into a gap of 4.9 cm");
+    fails("interfaces.1.bumper.thickness", "projects by 5 cm into a gap of 4.9 cm");
     set("bumper.cavity", "0.1 cm");
     holds();
     ck_assert_double_eq(thud_interface_clearance(&scene.interface[0]), 0);
@@ -314,7 +314,7 @@ START_TEST(checks_hold_values_against_each_other)
     fails("interfaces.1.bumper.cavity", "as deep as");
     towers();
     set("bumper.alpha", "2");
-    fails("interfaces.1.bumper.alpha", "as well as stiffness");
+    fails("interfaces.1.bumper.alpha", "together with stiffness");
     set("bumper.stiffness", "");
     fails("interfaces.1.bumper.material-stiffness", "not given");
     set("bumper.area", "0.5 m2");

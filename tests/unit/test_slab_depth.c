@@ -390,7 +390,7 @@ START_TEST(a_bumper_at_the_top_alone)
     struct thud_error err = {0};
     ck_assert_int_eq(thud_scene_set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, 0 cm, 14 cm]", &err), THUD_OK);
     ck_assert_int_eq(thud_scene_check(&scene, &err), THUD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.what, "the bumper at 4-4 sticks out by 13 cm into a gap of 10 cm"));
+    ck_assert_ptr_nonnull(strstr(err.what, "the bumper at 4-4 projects by 13 cm into a gap of 10 cm"));
     char text[128];
     set(&scene, "bumper.thickness-by-level", "[0 cm, 0 cm, none, 8 cm]");
     thud_interface_clearance_text(&scene, 0, text, sizeof text);

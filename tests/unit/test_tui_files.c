@@ -472,7 +472,7 @@ START_TEST(a_session_is_played_again)
     snprintf(path, sizeof path, "%s/tried.thud", f.folder);
     snprintf(line, sizeof line, ":log %s<Enter>", path);
     fixture_keys(&f, line);
-    fixture_expect(&f, "does it again");
+    fixture_expect(&f, "repeats it");
     enum thud_status status = thud_tui_play_lines(f.tui, path, &out, &err);
     ck_assert_msg(status == THUD_OK, "%s\n%s", thud_error_text(&err, text, sizeof text), out.data);
     ck_assert_mem_eq(&f.tui->doc.scene, &by_keys, sizeof by_keys);

@@ -529,7 +529,7 @@ START_TEST(a_pane_scrolls_behind_its_last_field)
     fixture_keys(&f, "4<Tab><Tab>");
     fixture_expect_not(&f, "energy error");
     fixture_keys(&f, "<End>");
-    fixture_expect(&f, "pressed by");
+    fixture_expect(&f, "is compressed");
     fixture_expect_not(&f, "title   ");
     int lines = f.tui->form.scroll[THUD_SCREEN_RESULTS][2];
     fixture_keys(&f, "<Home>");
@@ -591,7 +591,7 @@ START_TEST(remarks_are_counted_and_lead_to_their_fields)
     snprintf(text, sizeof text, " ! %d\n", n);
     fixture_expect(&f, text);
     fixture_keys(&f, "!");
-    fixture_expect(&f, "! the bumper of 10 mm is pressed by");
+    fixture_expect(&f, "! the bumper of 10 mm is compressed by");
     fixture_expect(&f, "elastic (buildings yield");
     fixture_expect(&f, "unaccounted for");
     fixture_expect(&f, "tolerance: ");

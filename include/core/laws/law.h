@@ -13,11 +13,10 @@
  *     reversal     d' = 0, only with THUD_LAW_REVERSES: reversal sets the memory for the phase that begins, then
  *                  ultimate and branch are asked for it. Where the force at rest of approach is above that of
  *                  restitution and either would turn the motion back at once, the contact sticks (d' = 0) with a force
- *                  between the two; when it comes loose, reversal is told of the phase that begins, even if it is the
- *                  one before
+ *                  between the two; when it comes loose, reversal is called with the phase that begins, even if it is the one before
  *     ultimate     d passes the ultimate compression of the phase: branch is asked for the other side
  *     release      F reaches 0 on any branch: with keeps_residual, d is added to the clearance and the contact is open;
- *                  else no force acts until the same branch would push again. Reversals meanwhile are not told
+ *                  else no force acts until the same branch would push again. Reversals meanwhile are not passed on
  *     separation   d = 0: the contact is open
  *
  * A phase has at most two branches, one on either side of the ultimate compression; those of the next phase may be

@@ -25,7 +25,7 @@ enum thud_trait {
     X(BODY, "rigid body", 0, 1, 0)                                                                                     \
     X(MOVING_BODY, "rigid body that moves at first", THUD_NOT_DEGREE_ONE, 1, 0)                                        \
     X(WALL, "wall", 0, 0, 0)                                                                                           \
-    X(GIVING_WALL, "wall that gives", 0, 1, 0)                                                                         \
+    X(GIVING_WALL, "flexible wall", 0, 1, 0)                                                                           \
     X(BACKFILL, "backfill", THUD_BEYOND_A_SLACK | THUD_REMEMBERS, 0, 0)                                                \
     X(ISOLATOR, "linear isolators", 0, 1, 0)                                                                           \
     X(LEAD_RUBBER, "lead-rubber isolators", THUD_HYSTERETIC, 1, 1)                                                     \

@@ -133,7 +133,7 @@ struct thud_structure_result {
     double *period_s;             /* (floors), longest first; INFINITY for a free rigid body */
 };
 
-/* P-Delta: a storey's drift has come to a tenth of its height, which ends the run. */
+/* P-Delta: a storey's drift has reached a tenth of its height, which ends the run. */
 struct thud_collapse {
     bool happened;
     int structure, floor; /* from 0: the storey below that floor */

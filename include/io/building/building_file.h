@@ -1,5 +1,4 @@
-/* Lateral stiffness, flexibility, or periods and shapes of a building, as ETABS and SAP2000 export tables: CSV, a row a
- * floor or a mode, the unit in the header or said beside it. */
+/* Lateral stiffness, flexibility, or periods and shapes of a building, as ETABS and SAP2000 export tables: CSV with one row per floor or mode, the unit in the header or given with it. */
 #pragma once
 
 #include <stdbool.h>

@@ -20,7 +20,7 @@ struct thud_made_by {
     const struct thud_schema *(*schema)(int); /* kinds of rows, for datapackage.json; NULL: none is written */
 };
 
-/* Makes the folder. Results that lie there may be gone on with or written anew by what made them; those of another
+/* Makes the folder. Results that lie there may be continued or written again by what made them; those of another
  * scene, or of the same group asked for something else, are refused or, with `replace`, removed: the files that are
  * listed, no others. From then on every result that comes into the folder or one below it is remembered. One folder at a
  * time. Errors: THUD_INPUT (refused, both named), THUD_OUTPUT, THUD_MEMORY. */

@@ -114,4 +114,4 @@ struct thud_sample_row {
     const char *which, *structure, *measure;
     double value;
 };
-enum { THUD_ROW_DRAWN = 1, THUD_ROW_INDICES = 2 }; /* marks: motions are drawn; Sobol indices are told */
+enum { THUD_ROW_DRAWN = 1, THUD_ROW_INDICES = 2 }; /* marks: motions are drawn; there are Sobol indices */

@@ -61,7 +61,7 @@ struct thud_axis {
     const char *label, *unit; /* empty unit: a plain number */
     bool log;
     double least, most; /* NaN: from the data */
-    bool results;       /* x holds results, as y does: none of them shall lie on the frame */
+    bool results;       /* x holds results, as y does: none of them may lie on the frame */
     int nticks;         /* named ticks in place of numbers; 0: numbers */
     struct thud_tick *tick;
 };

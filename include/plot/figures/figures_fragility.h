@@ -9,9 +9,7 @@ struct thud_fragility_curve {
     int axis, k; /* k: index into the plan's cases */
     const struct thud_fragility *fragility;
 };
-/* A panel for each axis that has curves: shares of the motions as points with their bands, the curves that are told with
- * theirs. `note` says where the
- * other keys are. Ask thud_figure_check. */
+/* A panel for each axis that has curves: shares of the motions as points with their bands, the fitted curves with theirs. `note` states the values of the other keys. Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan, const char *event,
                                              const struct thud_fragility_curve *curve, int ncurves, const char *note);
 

@@ -16,7 +16,7 @@ static const double thud_paper_fig3_restitution[] = {0.3, 0.5, 0.7}, thud_paper_
 /* Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and against indentation, for three
  * restitutions. */
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err);
-/* Fig. 4: force against indentation of two bodies of 320 t approaching at 0.5 and 1.0 m/s, without and with bumper. */
+/* Fig. 4: force against indentation of two bodies of 320 t approaching at 0.5 and 1.0 m/s, without and with a bumper. */
 enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error *err);
 /* Fig. 5: the same four: force, relative velocity and acceleration against time. */
 enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error *err);

@@ -31,7 +31,7 @@ struct thud_picture_options {
     void (*drawing)(void *context, const struct thud_figure *figure); /* before each one that is saved; may be NULL */
     bool no_title;                                                    /* above the panels: a caption says it */
     bool no_data;     /* where a figure is saved: no CSV of it, its data stand in another file */
-    char motions[64]; /* what is said of the ground motions behind every title; empty: nothing */
+    char motions[64]; /* text on the ground motions after every title; empty: nothing */
 };
 
 const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */

@@ -4,8 +4,7 @@
 
 #include "study/scene/scene.h"
 
-/* Floors that move: storeys, and the base slab of an isolated building; a rigid body and a
- * wall that gives have one, another wall none. */
+/* Floors that move: storeys, and the base slab of an isolated building; a rigid body and a flexible wall have one, another wall none. */
 int thud_structure_floors(const struct thud_structure *structure);
 /* Of floor `floor` (from 0) of a building or rigid body; NaN for a rigid body without elevation. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);

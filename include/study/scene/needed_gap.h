@@ -22,7 +22,7 @@ struct thud_needed_gap {
     double *shear_n; /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
     struct thud_gap_level level[]; /* (nlevels) */
 };
-/* `scene` as written; its bumpers and gaps do not matter. A bumper needs its thickness less its cavity besides. Free
+/* `scene` as written; its bumpers and gaps do not matter. For a bumper, add its thickness less its cavity. Free
  * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);

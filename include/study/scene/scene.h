@@ -169,7 +169,7 @@ struct thud_record_choice {
     int sign;                          /* +1 or -1 */
     double from_s, to_s; /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
     double dt_s;         /* for files that do not say; NaN: not given */
-    double resample_s;   /* for times in unequal steps, straight between the samples; NaN: not given */
+    double resample_s;   /* for times in unequal steps, by linear interpolation; NaN: not given */
     char unit[16];       /* for files that do not say; empty: not given */
     char channel[32];    /* file with several; empty: not given */
     char component
@@ -277,7 +277,7 @@ double thud_isolated_weight(const struct thud_structure *structure);
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
 /* Whether they yield or slide. */
 bool thud_isolator_slides(const struct thud_structure *structure);
-/* Whether a building stands on soil: anything is said of its foundation. */
+/* Whether a building stands on soil: any key of its foundation is given. */
 bool thud_structure_on_soil(const struct thud_structure *structure);
 /* Whether a wall moves against the ground, and whether it has soil behind it. */
 bool thud_wall_gives(const struct thud_structure *structure);
@@ -314,7 +314,7 @@ void thud_link_remove(struct thud_scene *scene, int i);
  * without key. */
 enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, int *structure, int *floor,
                                struct thud_error *err);
-/* The paper's interface (Table 1), without bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
+/* The paper's interface (Table 1), without a bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
 void thud_interface_init(struct thud_interface *interface);
 void thud_interface_add_bumper(struct thud_interface *interface);
 
@@ -327,7 +327,7 @@ enum thud_group {
     THUD_GROUP_COLUMN,     /* of a structure with storeys */
     THUD_GROUP_ISOLATOR,   /* of an isolated building */
     THUD_GROUP_FOUNDATION, /* of a building on soil */
-    THUD_GROUP_BACKFILL,   /* of a wall that gives */
+    THUD_GROUP_BACKFILL,   /* of a flexible wall */
     THUD_GROUP_INTERFACE,
     THUD_GROUP_CONTACT, /* `law`, before the law's own */
     THUD_GROUP_BUMPER,  /* `law`, thickness and cavity, before the law's own */
@@ -367,11 +367,11 @@ const struct thud_param *thud_scene_param(const struct thud_scene *scene, const 
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
-/* The groups nested in a structure, columns, isolators, foundation and backfill, and whether anything is said of one. */
+/* The groups nested in a structure, columns, isolators, foundation and backfill, and whether any key of one is given. */
 enum { THUD_NESTED_GROUPS = 4 };
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
-/* Whether anything is said of a structure's columns. */
+/* Whether any key of a structure's columns is given. */
 bool thud_structure_has_columns(const struct thud_structure *structure);
 
 /* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
@@ -413,7 +413,7 @@ const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity",
 enum { THUD_HAS_BUMPER = 1, THUD_HAS_LINKS = 2 };
 int thud_scene_measures(const struct thud_scene *scene);
 /* As readers call a case of a scene that has these measures (THUD_HAS_...), in every table and figure, and in a sentence:
- * "no bumper", "neither bumper nor links"; "without bumper", "with the links and without bumper". */
+ * "no bumper", "neither bumper nor links"; "without the bumper", "with the links and without the bumper". */
 const char *thud_case_title(int measures, enum thud_case which);
 const char *thud_case_phrase(int measures, enum thud_case which);
 /* The cases that stand beside each other where only one bumper is asked about: no pounding, no bumper, bumper. */

@@ -7,7 +7,7 @@
  * after Baker, "Efficient analytical fragility function fitting using dynamic structural analysis", Earthquake Spectra
  * 31 (2015) 579-599: the counts are binomial, and the likelihood of all stripes together is made largest; a band for it
  * by the bootstrap over the ground motions; and with a hazard curve the annual rate. Motions are taken as independent,
- * but the two signs of one are drawn together. A curve is told only of events that an intensity makes more likely (a
+ * but the two signs of one are sampled jointly. A curve is reported only for events that an intensity makes more likely (a
  * gap less likely), where the likelihood has a maximum and the deviance does not reject it; else the counts are all
  * that is known.
  */
@@ -31,8 +31,8 @@ enum thud_fit {
     THUD_FIT_COUNTED,   /* the event need not be monotone in what is varied: none is tried */
     THUD_FIT_NEVER,     /* it happens under no motion at any value */
     THUD_FIT_ALWAYS,    /* under every motion at every value */
-    THUD_FIT_SEPARATED, /* the counts go from none to all at once: the likelihood grows without end as beta goes to 0 */
-    THUD_FIT_REJECTED,  /* the deviance rejects the curve at 5 %, or it goes the other way than it must */
+    THUD_FIT_SEPARATED, /* the counts go from none to all at once: the likelihood grows without bound as beta goes to 0 */
+    THUD_FIT_REJECTED, /* the deviance rejects the curve at 5 %, or it goes the other way than it must */
     THUD_FIT_CURVE
 };
 const char *thud_fit_name(enum thud_fit fit); /* "none", "counted", ... */
@@ -95,7 +95,7 @@ struct thud_fragility {
     double *low, *high; /* (n) 5 and 95 % of the curve's bootstrap; NaN without */
     struct thud_lognormal curve;
     double least, most; /* value that was tried */
-    /* Where the median lies: theta where a curve is told and it lies within the values that were tried; else bounds,
+    /* Where the median lies: theta where there is a curve and it lies within the values that were tried; else bounds,
      * 0 and INFINITY where there are none, both NaN where the counts do not say. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
@@ -109,7 +109,7 @@ struct thud_fragility {
     struct thud_first_contact *contact; /* (nexact); NULL: along a gap */
     int clearing;                       /* motions under which a larger factor than the first clears again */
     double exact16, exact50, exact84, exact_low, exact_high;
-    /* Along a gap: the one from which no motion causes contact without bumper; NaN: not known. */
+    /* Along a gap: the smallest at which no motion causes contact without the bumper; NaN: not known. */
     double free_gap;
 };
 /* Free with thud_fragility_clear. Errors: THUD_MEMORY. */

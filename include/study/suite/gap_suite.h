@@ -22,7 +22,7 @@ enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, in
 struct thud_gap_ruled {
     struct thud_gap_level level; /* that asks for most, with the design displacements */
     double gap_m;                /* NaN: the rule has no value; -1: nothing could touch there */
-    int pounding;                /* ground motions in which there is contact at that gap, without bumper */
+    int pounding;                /* ground motions in which there is contact at that gap, without the bumper */
     double force_n;              /* the largest of any of them */
     int worst;                   /* the ground motion of it; -1 */
 };

@@ -7,7 +7,7 @@
 #include "ground/target.h"
 
 struct thud_scaling {
-    bool as_given;       /* held against the target as they are: all are taken, and none is scaled */
+    bool as_given;       /* compared with the target as they are: all are taken, and none is scaled */
     bool common;         /* all by one factor; else each to its least misfit, then all by one factor up to the rule */
     int count;           /* motions wanted; 0: all */
     double factor_most;  /* of a motion's own factor, and 1/factor_most below; 4 unless said */

@@ -1,4 +1,4 @@
-/* Floor spectra of a scene without pounding, without bumper and with it: largest pseudo-acceleration of damped
+/* Floor response spectra of a scene without pounding, without the bumper and with it: largest pseudo-acceleration of damped
  * oscillators on its floors. */
 #pragma once
 
@@ -20,7 +20,7 @@ struct thud_floor_spectra_ask {
 
 struct thud_floor_spectra {
     double damping;
-    int nperiods, nfloors, ncases; /* without pounding, without bumper, and with it where there is one */
+    int nperiods, nfloors, ncases; /* without pounding, without the bumper, and with it where there is one */
     double *period_s;              /* (nperiods) */
     struct thud_floor_place *floor;
     double *sa_mps2;   /* (ncases x nfloors x nperiods) */

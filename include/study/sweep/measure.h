@@ -1,5 +1,5 @@
-/* The table of measures: every number that studies tell of a run, with its name, its words, how it is read from a
- * finished point, which event asks for it, and where it is told. Suites, events, `solve`, what lowers a response and
+/* The table of measures: every number that studies report of a run, with its name, its words, how it is read from a
+ * finished point, which event asks for it, and where it is reported. Suites, events, `solve`, what lowers a response and
  * uncertainty iterate over it, so a new measure is a line here, a line of the table, and its reader. */
 #pragma once
 
@@ -32,7 +32,7 @@ enum thud_measure {
     THUD_MEASURES
 };
 
-/* Where measures are told. */
+/* Where measures are reported. */
 enum thud_measure_document {
     THUD_TOLD_BY_SUITE,       /* suite.csv and its table: fractiles over the ground motions */
     THUD_TOLD_BY_LOWERED,     /* what bumper and links lower: ratios to case none */
@@ -82,7 +82,7 @@ const struct thud_measure_info *thud_measure_info(enum thud_measure measure);
 /* Where a measure stands among the values that a document keeps of a run of so many structures, its first one of
  * several; for THUD_MEASURES how many values that are. */
 int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure);
-/* The measures that a document tells of what has `features`, in its order; returns how many. */
+/* Lists the measures that a document reports of what has `features`, in its order; returns how many. */
 int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES]);
 /* What the scenes of a plan have, THUD_HAS_COLUMNS aside. */
 unsigned thud_measure_features(const struct thud_sweep_plan *plan);

@@ -1,4 +1,4 @@
-/* What a reader is told that no single value shows: one list of remarks, each a row of remark_list.c with its place, its
+/* Remarks on what no single value shows: one list, each a row of remark_list.c with its place, its
  * condition, its sentence and its weight.  Command line, reports and terminal find the remarks of what they have. */
 #pragma once
 
@@ -24,7 +24,7 @@ enum thud_status thud_collapse_status(const struct thud_scene *scene, const stru
                                       struct thud_error *err);
 
 /* Over the runs of a study: how many collapse, how many drift by more than buildings bear elastically, and how many press a bumper past its
- * largest strain, or by more than there is of it; and where that is worst. Zeros at first. */
+ * largest strain, or by more than its thickness; and where that is worst. Zeros at first. */
 struct thud_sweep_worst {
     double value; /* drift over height; stability coefficient; compression over thickness */
     long point;

@@ -79,8 +79,7 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 
 /* ---- what is asked of every sample ---- */
 
-/* A measure of a run; of the required gap that of the scene, the widest of all levels, without what a bumper needs
- * besides. */
+/* A measure of a run; of the required gap that of the scene, the widest of all levels, without the projection of a bumper. */
 struct thud_quantity_of_run {
     char name[160];  /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
@@ -109,7 +108,7 @@ struct thud_uncertainty {
     struct thud_quantity_of_run *quantity; /* (nquantities) the needed gap first, where neighbours could touch */
 };
 
-/* `which`: THUD_CASE_AS_WRITTEN and a scene without bumper: that alone; with one: none and bumper; else none and `which`.
+/* `which`: THUD_CASE_AS_WRITTEN and a scene without a bumper: that alone; with one: none and bumper; else none and `which`.
  * `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one, and without a `record` the
  * nominal one is that whose required separation is the median. Errors: those of thud_needed_gap_run, THUD_INPUT (nothing is
  * uncertain; a size of what is not there), THUD_MEMORY. */

@@ -11,8 +11,7 @@
 
 /* The change of the inputs whose effect is reported, and the tolerance of the second method. */
 static const double change = 0.05, tight_tolerance = 1e-10;
-/* Steps of the second method before it is given up: an explicit method takes them without end where a building is very
- * stiff. Steps and not seconds, so that a report is the same wherever it is made. */
+/* Steps of the second method before it is given up: an explicit method takes them without bound where a building is very stiff. Steps and not seconds, so that a report is the same wherever it is made. */
 enum { STEPS_MOST = 1000000, STEPS_AT_A_TIME = 2000 };
 
 static void tell(const struct site *site, const char *what)
@@ -159,7 +158,7 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     return status;
 }
 
-/* All uncertain inputs drawn together, of a suite a ground motion for each sample. A scene where nothing is uncertain, or where a sample is no possible scene, has
+/* All uncertain inputs sampled jointly, for a suite with one ground motion per sample. A scene where nothing is uncertain, or where a sample is no possible scene, has
  * no such table. */
 static enum thud_status draw_samples(struct site *site, struct thud_error *err)
 {
@@ -191,7 +190,7 @@ static enum thud_status draw_samples(struct site *site, struct thud_error *err)
     return status;
 }
 
-/* Of both floors of the strongest contact without bumper. */
+/* Of both floors of the strongest contact without the bumper. */
 static enum thud_status run_floors(struct site *site, struct thud_error *err)
 {
     const struct thud_contact_result *most = thud_site_strongest(site->cases[SITE_NONE].result);

@@ -43,7 +43,7 @@ static enum thud_status read_code(struct site *site, struct thud_error *err)
     }
     if (!*own)
         return THUD_OK;
-    thud_error_refuse(err, THUD_INPUT, "document.code", "en1998, asce7, exact84", "\"%.30s\" is no code for the gap",
+    thud_error_refuse(err, THUD_INPUT, "document.code", "en1998, asce7, exact84", "\"%.30s\" is not a code for the gap",
                       own);
     if (strcmp(thud_preset_scene(site->session->preset)->document.code, own) == 0) /* no option's */
         thud_preset_place(site->session->preset, "document.code", err);
@@ -140,7 +140,7 @@ const char *thud_site_gap_source(const struct site *site, char *text, size_t siz
 
 /* ---- the gap ---- */
 
-/* How far a bumper stands out at an interface (from 1). */
+/* The projection of a bumper at an interface (from 1). */
 static double stands_out(const struct site *site, int interface)
 {
     const struct thud_interface *f = &site->scene->interface[interface - 1];
@@ -158,7 +158,8 @@ static void recommend(struct site *site, int i)
         more += thud_gap_falls_short(0.01 * ceil(100 * (bare + out) - 1e-9) - out,
                                      thud_needed_gap_widest(site->gaps.gap[r], i, THUD_GAP_EXACT, NULL));
     if (out > 0)
-        snprintf(bumper, sizeof bumper, ", and %s cm that the bumper stands out", thud_site_number(100 * out, 3).text);
+        snprintf(bumper, sizeof bumper, ", and %s cm for the projection of the bumper",
+                 thud_site_number(100 * out, 3).text);
     if (more > 0 && site->gaps.suite.nrecords > 1)
         snprintf(rest, sizeof rest, " Under %d of the %d ground motions more would be needed.", more,
                  site->gaps.suite.nrecords);

@@ -71,7 +71,7 @@ static const struct phrase model[] = {
          "beyond yield and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have "
          "Q_d = mu W and K_d = W/R. Periods of such a building are those before its isolators yield or slide.",
      .when = SLIDES},
-    {.text = "A wall that gives is one mass on a spring and a dashpot against the ground; the periods of walls are "
+    {.text = "A flexible wall is one mass on a spring and a dashpot against the ground; the periods of walls are "
              "those without the soil behind them.",
      .when = WALL},
     {.text = "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's "
@@ -95,8 +95,8 @@ static const struct phrase model[] = {
              "tenth of its height has collapsed.",
      .when = P_DELTA},
     {.text = "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
-             "the approach velocity. The clearance is the gap less what the bumper stands out. Faces of slabs that "
-             "overlap in elevation meet."},
+             "the approach velocity. The clearance is the gap minus the bumper's projection. Slabs whose faces overlap "
+             "in elevation can collide."},
     {.text = "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
              "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
              "place of the strike.",
@@ -199,7 +199,7 @@ static void say_law(struct site *site, const char *what, int interface, bool bum
     thud_text_clear(&text);
 }
 
-/* Whether the same is said of both: their numbers stand in the inputs. */
+/* Whether the same applies to both: their numbers are in the inputs. */
 static bool same_choice(const struct thud_law_choice *a, const struct thud_law_choice *b)
 {
     bool same = a->law == b->law;
@@ -268,14 +268,14 @@ void thud_site_method(struct site *site)
                                 method->summary, method->reference);
     thud_document_paragraph(
         d,
-        "Compared are %s. Events (onset, separation, yielding) are located in time, and every "
-        "largest value is that of the continuous history.",
+        "The cases compared are %s. Events (onset, separation, yielding) are located in time, and every peak is that "
+        "of the continuous history.",
         site->ncases > SITE_MEASURE
             ? (thud_site_compares_links(site)
                    ? "the buildings without links and pounding (too far apart to touch), with pounding but without the "
                      "links, and with the links"
-                   : "the buildings without pounding (too far apart to touch), with pounding but without bumper, "
-                     "and with the bumper")
+                   : "no pounding (the buildings are too far apart to touch), pounding without the bumper, and "
+                     "pounding with the bumper")
             : "the buildings without pounding (too far apart to touch) and with pounding");
     add_symbols(site);
 }
@@ -319,10 +319,9 @@ void thud_site_checks(struct site *site)
         thud_remarks_find(&(struct thud_remark_scope){.scene = site->scene}, THUD_REMARK_SCENE);
     thud_document_line(d, "inputs within their usual ranges\t%s", unusual.n > 0 ? "see the cautions" : "yes");
     thud_remarks_clear(&unusual);
-    thud_document_paragraph(
-        d, "These checks show that the equations are solved right, not that they are the right equations. "
-           "Which published examples the program gives again, and what it has not been held against, stands in its "
-           "manual, thud(1), under published.");
+    thud_document_paragraph(d, "These checks verify that the equations are solved correctly, not that they are the "
+                               "right equations. The manual, thud(1), lists under \"published\" the examples that the "
+                               "program reproduces and what remains unvalidated.");
 }
 
 void thud_site_unmade(struct site *site)

@@ -16,7 +16,7 @@
 #include "study/sweep/floor_spectra.h"
 #include "study/sweep/remark.h"
 
-/* Cases in this order; a scene without bumper and links, the measures, has no last one. */
+/* Cases in this order; a scene without the measures, bumper and links, has no last one. */
 enum { SITE_FREE, SITE_NONE, SITE_MEASURE, SITE_CASES };
 
 struct site_case {
@@ -26,13 +26,13 @@ struct site_case {
     const struct thud_result *result;
 };
 
-/* The suite of ground motions: every one at several scales, without and with bumper. Case k of the plan is SITE_NONE + k
+/* The suite of ground motions: every one at several scales, without and with the bumper. Case k of the plan is SITE_NONE + k
  * of the report. */
 struct site_suite {
     struct thud_sweep_plan plan; /* its axis: the factor on the motions; of one motion it has none */
     struct thud_suite *runs;
     bool leads;    /* there is more than one ground motion */
-    long as_given; /* the setting with the motions as they were given */
+    long as_given; /* the setting with the motions unscaled */
     struct thud_event pounding, worse;
     struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
     double *room;                                                  /* (nrecords) scratch */

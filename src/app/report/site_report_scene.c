@@ -30,7 +30,7 @@ static void add_structure_rows(struct site *site)
             height += p->height_m[i];
         }
         thud_document_cell(d, "%s", thud_site_name(site, s));
-        thud_document_cell(d, "%s", gives ? "wall that gives" : kinds[p->kind]);
+        thud_document_cell(d, "%s", gives ? "flexible wall" : kinds[p->kind]);
         thud_document_cell(d, building ? "%d" : "-", p->storeys);
         thud_document_cell(d, building ? "%.4g" : "-", height);
         thud_document_cell(d, mass > 0 ? "%.5g" : "-", 1e-3 * mass);

@@ -87,7 +87,7 @@ void thud_site_suite_clear(struct site *site)
     free(suite->room);
 }
 
-/* Of one measure of a case over the motions as they were given. */
+/* Statistics of one measure of a case over the unscaled motions. */
 static struct thud_fractiles over(const struct site *site, int k, enum thud_measure measure, int structure,
                                   double limit)
 {
@@ -134,14 +134,15 @@ static void say_pounding(struct site *site, int k)
                        touches(site, k) ? "" : site->cases[SITE_NONE + k].words, band);
 }
 
-/* "They pound from 0.37 times their strength on under 7 of the 14" */
+/* Writes "They pound when the motions are scaled by 0.25 (the first), 0.37 (7 of the 14), 0.80 (all) or more". */
 static void say_strength(struct site *site, int k)
 {
     const struct thud_fragility *f = &site->suite.pounds[k];
     const double *factor = f->exact;
     size_t n = (size_t)f->nexact, half;
     double median = thud_enough(factor, n, 0.5, &half), clear = INFINITY;
-    char first[80] = "", all[80] = "", how[160] = " (exact: each motion has a factor from which on it does)", pound[80];
+    char first[80] = "", all[80] = "", how[160] = " (exact: each motion has a factor at which contact begins)",
+         pound[80];
     const char *words = site->cases[SITE_NONE + k].words;
     snprintf(pound, sizeof pound, "%c%s they pound", words[0] - 'a' + 'A', words + 1);
     if (n == 0 || isinf(median))
@@ -150,17 +151,16 @@ static void say_strength(struct site *site, int k)
         clear = fmin(clear, f->contact[r].clear_again);
     if (f->clearing > 0)
         snprintf(how, sizeof how,
-                 " (first contact; under %d of them the buildings clear each other again, from %.2f times on)",
+                 " (first contact; under %d of them the buildings clear each other again at a factor of %.2f or more)",
                  f->clearing, clear);
     else if (!thud_scene_scales(site->scene))
         snprintf(how, sizeof how, " (first contact, by runs)");
     if (factor[0] < median)
-        snprintf(first, sizeof first, "under the first from %.2f times their strength on, ", factor[0]);
+        snprintf(first, sizeof first, "%.2f (the first), ", factor[0]);
     if (half < n && !isinf(factor[n - 1]))
-        snprintf(all, sizeof all, ", under all from %.2f times", factor[n - 1]);
-    thud_document_item(&site->document, "%s %sunder %zu of the %zu from %.2f times%s%s%s.",
-                       touches(site, k) ? "They touch the bumper" : pound, first, half, n, median,
-                       *first ? "" : " their strength on", all, how);
+        snprintf(all, sizeof all, ", %.2f (all)", factor[n - 1]);
+    thud_document_item(&site->document, "%s when the motions are scaled by %s%.2f (%zu of the %zu)%s or more%s.",
+                       touches(site, k) ? "They touch the bumper" : pound, first, median, half, n, all, how);
 }
 
 static void say_widths(struct site *site)
@@ -348,10 +348,9 @@ static void add_motions(struct site *site)
     struct thud_document *d = &site->document;
     const struct site_suite *suite = &site->suite;
     int ncases = suite->plan.ncases;
-    thud_document_table(d, ncases > 1
-                               ? "Every ground motion as it was given; ratio: mean acceleration with the bumper over "
-                                 "that without"
-                               : "Every ground motion as it was given");
+    thud_document_table(
+        d, ncases > 1 ? "Ground motions as specified; ratio: mean acceleration with the bumper over that without"
+                      : "Ground motions as specified");
     thud_document_cells(d, "load case\tpeak g\tfactor\trequired gap cm");
     for (int k = 0; k < ncases; k++)
         thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
@@ -397,7 +396,7 @@ static void add_statistics(struct site *site)
 {
     static const char *const quantile[] = {"16 %", "median", "84 %"};
     struct thud_document *d = &site->document;
-    thud_document_table(d, "Over the ground motions as they were given");
+    thud_document_table(d, "Over the unscaled ground motions");
     thud_document_cell(d, "largest");
     for (int k = 0; k < site->suite.plan.ncases; k++)
         for (int q = 0; q < 3; q++)
@@ -426,8 +425,8 @@ static void add_figures(struct site *site)
              "with their strength has no curve.",
              thud_site_measures(site), thud_site_verb(site, "raises").text);
     snprintf(ida, sizeof ida,
-             "Largest drift %s when all motions are so many times as strong: each of them, and 16, 50 and 84 %% of "
-             "them.",
+             "Peak drift %s against the scale factor applied to all motions: each of them, and their 16, 50 and 84 %% "
+             "fractiles.",
              site->cases[SITE_NONE].words);
     snprintf(same, sizeof same, "The same %s.", site->own->words);
     for (int k = 0; k < suite->plan.ncases; k++)
@@ -435,7 +434,7 @@ static void add_figures(struct site *site)
     thud_site_figure(site, thud_figure_of_gaps(&site->gaps.suite, site->scene->title), 0.62,
                      "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
-                     "How likely the buildings pound at this gap when all motions are so many times as strong.");
+                     "Probability of pounding at this gap, against the scale factor applied to all motions.");
     if (suite->plan.ncases > 1 && suite->plan.cases[0] == THUD_CASE_NONE) {
         curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
         thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62, caption);

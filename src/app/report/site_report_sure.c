@@ -152,7 +152,7 @@ static void samples(struct site *site)
     char caption[120];
     if (!u)
         return;
-    snprintf(caption, sizeof caption, "All uncertain inputs drawn together: %zu samples",
+    snprintf(caption, sizeof caption, "All uncertain inputs sampled jointly: %zu samples",
              thud_uncertainty_samples(&site->samples));
     thud_document_table(d, caption);
     thud_document_head(d, site->suite.leads ? "peak|nominal inputs, median of the suite|5 %|median|95 %|governed by"

@@ -19,7 +19,7 @@
 #include "study/scene/level.h"
 #include "study/suite/scaling.h"
 
-/* A ratio this near to 1 is told as no difference. */
+/* A ratio this near to 1 is reported as no difference. */
 static const double same_within = 0.02;
 
 /* ---- the result ---- */
@@ -39,7 +39,7 @@ int thud_site_storeys(const struct site *site, int *past)
     return n;
 }
 
-/* What is told of every floor in every case. What no floor has in any case is left out. */
+/* The columns of the table of floors in every case; one that no floor has a value for is omitted. */
 enum { FLOOR_ACCELERATION, FLOOR_DRIFT, FLOOR_DUCTILITY, FLOOR_PERMANENT };
 static double floor_value(const struct site_case *one, int s, int floor, int table) /* SI; NaN: there is none */
 {
@@ -310,7 +310,7 @@ static void add_level_cell(struct site *site, int interface, int left, int right
     thud_document_cell(&site->document, "%s", between);
 }
 
-/* What is told of every contact; a column that no contact has a value for is left out. */
+/* The columns of the table of contacts; one that no contact has a value for is omitted. */
 static const struct contact_column {
     const char *name;
     double unit;
@@ -586,11 +586,10 @@ static void gap(struct site *site)
         return;
     thud_document_heading(d, "Required gap");
     thud_document_paragraph(
-        d,
-        "The gap between bare faces from which there is no contact under this ground motion, level by level, from the "
-        "motion without pounding: needed is the largest relative displacement itself; the rules know the two largest "
-        "displacements alone. A bumper needs the part that it stands out besides. Required gaps are rounded up to a "
-        "millimetre.");
+        d, "For each level, the table gives the smallest gap between bare faces that prevents contact under this "
+           "ground motion. It is derived from the response without pounding. The column \"needed\" is the peak "
+           "relative displacement; the rules use only the two peak displacements. If a bumper is fitted, add its "
+           "projection. Required gaps are rounded up to a millimetre.");
     char caption[64] = "Required gap, cm";
     if (site->suite.leads)
         snprintf(caption, sizeof caption, "Required gap under load case %d, cm", site->detail + 1);

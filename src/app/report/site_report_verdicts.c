@@ -231,7 +231,7 @@ static void failing_row(struct site *site)
         failing += r->column[k].ratio > 1;
     }
     size_t n = storeys > 0 ? (size_t)snprintf(text, sizeof text, "%d of %d storeys yield", yielding, storeys)
-                           : (size_t)snprintf(text, sizeof text, "yielding is not looked at: the storeys are elastic");
+                           : (size_t)snprintf(text, sizeof text, "not assessed: the storeys are modelled as elastic");
     if (r->ncolumns > 0 && known > 0)
         n += (size_t)snprintf(text + n, sizeof text - n, "; struck columns bear more than they can in %d of %d storeys",
                               failing, known);
@@ -263,7 +263,7 @@ static void motion_row(struct site *site)
 void thud_site_verdicts(struct site *site)
 {
     thud_document_heading(&site->document, "Verdicts");
-    thud_document_table(&site->document, "What was asked, and what came out");
+    thud_document_table(&site->document, "Summary of results");
     thud_site_verdict(site, "question", "result");
     if (site->suite.leads) {
         thud_site_suite_verdicts(site);

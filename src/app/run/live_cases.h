@@ -62,7 +62,7 @@ struct thud_live {
     unsigned long ended;          /* counts what has ended, so that it is drawn at once */
 };
 
-/* Drops what was found before and begins anew; `record` must stay until the next start, stop or clear. A scene that
+/* Drops earlier results and starts again; `record` must stay until the next start, stop or clear. A scene that
  * cannot be assembled leaves its cases FAILED. */
 void thud_live_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record,
                      enum thud_live_history history);

@@ -14,8 +14,8 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
                        true},
     [THUD_NEW_KIND] = {"kind", "kind", "",
-                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, backfill (a wall that "
-                       "gives), matrix, modes, estimated",
+                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, backfill (a flexible "
+                       "wall), matrix, modes, estimated",
                        false},
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false},
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
@@ -398,7 +398,8 @@ enum thud_status thud_new_preset_check(const struct thud_new_preset *preset, enu
         if (strcmp(kinds[i], answer) == 0)
             return THUD_OK;
     if (row == THUD_NEW_KIND)
-        return thud_error_refuse(err, THUD_INPUT, NULL, about[row].help, "\"%.40s\" is no kind of structure", answer);
+        return thud_error_refuse(err, THUD_INPUT, NULL, about[row].help, "\"%.40s\" is not a kind of structure",
+                                 answer);
     const char *end;
     double number;
     if (row == THUD_NEW_STIFFNESS && thud_number_parse(answer, &end, &number) == 0 && !end[strspn(end, " ")])

@@ -123,7 +123,7 @@ static void refuse(struct refusals *refusals, const char *file, const struct thu
     snprintf(refusals->names + used, sizeof refusals->names - used, "%s%s (%s)", used ? ", " : "", name, reason);
 }
 
-/* One that is alone is told in its own words. */
+/* A single one is reported in its own words. */
 static enum thud_status tell_refusals(const struct refusals *refusals, const char *place, struct thud_error *err)
 {
     char more[32] = "";
@@ -139,7 +139,7 @@ static enum thud_status tell_refusals(const struct refusals *refusals, const cha
     if (refusals->n > 1)
         thud_error_place(err, place, 0, 0);
     if (refusals->n > 1 || (err && !err->allowed[0]))
-        thud_error_allow(err, "a NAME.list names files with their settings, one a line: a.AT2:dt=0.005 s:unit=g");
+        thud_error_allow(err, "a NAME.list names files with their settings, one per line: a.AT2:dt=0.005 s:unit=g");
     return THUD_INPUT;
 }
 
@@ -409,7 +409,7 @@ bool thud_record_is_list(const char *file)
     return suffix && strcmp(suffix, ".list") == 0;
 }
 
-/* A folder or list that is not in the working folder may stand beside the preset. */
+/* Looks for a folder or list in the working folder, then beside the preset. */
 static void look_beside(const struct thud_session *session, char *file, size_t size)
 {
     char beside[THUD_TEXT_MAX];

@@ -22,8 +22,7 @@ struct thud_record_list {
 };
 
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
- * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value
- * may stand in quotation marks. The settings of a
+ * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value may be in quotation marks. The settings of a
  * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
  * list hold for all its files that do not say otherwise, and `common` (n pairs key, value) for everything; of peak, sa and
  * factor, one that is given leaves out all of those that hold for more files. What the session's scene says of its own

@@ -129,7 +129,7 @@ static void put_entry(struct listing *listing, const char *path, const char *nam
         thud_text_append(out, "%-*s needs --%s%s%s\n", listing->width, name, needs, *pair ? ", of " : "", pair);
 }
 
-/* A file that is no record is passed over; one that cannot be read is told. Errors: THUD_MEMORY. */
+/* Skips a file that is not a record; reports one that cannot be read. Errors: THUD_MEMORY. */
 static enum thud_status list_file(const char *path, const char *name, struct listing *listing,
                                   struct thud_error *failure)
 {

@@ -253,7 +253,7 @@ static const char *meet_at(const struct thud_structure *left, int left_floor, in
                                                   : thud_structure_level_name(own, floor, false, text);
 }
 
-/* "Without bumper they collide 12 times, hardest with 20.2 MN at floor 4, 7.094 s." */
+/* Writes "Without the bumper: 12 impacts; peak force 20.2 MN at floor 4, 7.094 s." */
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
     int impacts, before;
@@ -266,13 +266,13 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
         thud_text_append(out, "%s %s.\n", how, fall.what);
     if (!most) {
-        thud_text_append(out, "%s there is no contact.\n", how);
+        thud_text_append(out, "%s: no contact.\n", how);
         return;
     }
     const struct thud_structure *left = &cases->item[i].scene.structure[most->interface - 1];
-    thud_text_append(out, "%s they collide %d time%s", how, impacts, impacts == 1 ? "" : "s");
+    thud_text_append(out, "%s: %d impact%s", how, impacts, impacts == 1 ? "" : "s");
     if (most->force.value > 0) {
-        thud_text_append(out, ", hardest with %s MN, ", thud_digits(1e-6 * most->force.value, 4, number));
+        thud_text_append(out, "; peak force %s MN between ", thud_digits(1e-6 * most->force.value, 4, number));
         if (most->struck != 0)
             put_struck(left, most->left_floor, most->right_floor, most->struck, out);
         else
@@ -284,12 +284,12 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     const struct thud_contact_result *bare =
         none && none != i ? thud_contact_hardest(result_of(cases, none), &before) : NULL;
     if (bare && bare->force.value > 0)
-        thud_text_append(out, " (%s of the force without)",
-                         thud_change_text(most->force.value / bare->force.value, number));
+        thud_text_append(out, " (%s relative to %s)", thud_change_text(most->force.value / bare->force.value, number),
+                         thud_case_title(cases->measures, cases->item[none].which));
     thud_text_append(out, ".\n");
 }
 
-/* The floors whose acceleration (drift) is less, or more, by over 1 % than without bumper. */
+/* The floors whose acceleration (drift) is less, or more, by over 1 % than without the bumper. */
 static void say_floors(const struct thud_run_cases *cases, int i, bool more, bool drift, struct thud_text *out)
 {
     int none = without(cases), n = 0;
@@ -326,7 +326,7 @@ static void say_needs(const struct thud_scene *scene, const struct thud_needed_g
     char name[24];
     if (fall->happened) {
         const struct thud_structure *s = &scene->structure[fall->structure];
-        thud_text_append(out, "%sStorey %d of %s collapses without contact at %.3f s, and no gap prevents it.\n", links,
+        thud_text_append(out, "%sStorey %d of %s collapses without contact at %.3f s; no gap prevents it.\n", links,
                          thud_structure_storey(s, fall->floor), s->name, fall->time_s);
     }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
@@ -337,14 +337,14 @@ static void say_needs(const struct thud_scene *scene, const struct thud_needed_g
         const struct thud_gap_level *level = &gap->level[decides];
         const struct thud_level_values at =
             thud_interface_level(&scene->interface[i], thud_needed_gap_level(gap->level, decides));
-        thud_text_append(out, "%s%s%s and %s do not collide from a gap of %.4g cm on (here %.4g cm): ", links,
+        thud_text_append(out, "%s%s%s and %s do not collide at gaps of %.4g cm or more (here %.4g cm); ", links,
                          fall->happened ? "Until then " : "", scene->structure[i].name, scene->structure[i + 1].name,
                          thud_table_gap_cm(need_m), 100 * at.gap_m);
         if (level->struck != 0)
             put_struck(&scene->structure[i], level->left_floor, level->right_floor, level->struck, out);
         else
             thud_text_append(out, "%s", meet_at(&scene->structure[i], level->left_floor, level->right_floor, name));
-        thud_text_append(out, " need%s it.\n", level->struck ? "" : "s");
+        thud_text_append(out, " govern%s.\n", level->struck ? "" : "s");
     }
 }
 
@@ -368,7 +368,7 @@ static void say_links(const struct thud_run_cases *cases, int i, struct thud_tex
     if (r->nlinks == 0)
         return;
     thud_link_name(&cases->item[i].scene, (int)(most - r->link), name, sizeof name);
-    thud_text_append(out, "  Of its links %s bears most, %s MN at %.3f s.\n", name,
+    thud_text_append(out, "  Largest link force: %s, %s MN at %.3f s.\n", name,
                      thud_digits(1e-6 * most->force.value, 4, number), most->force.time_s);
 }
 

@@ -8,12 +8,12 @@
 struct thud_summary_line {
     double gap_m;
     int impacts;
-    double force_n;       /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
-    double impulse_ns;    /* in all */
-    double need_m;        /* the clearance that is never used up when nothing else touches; NaN: not known */
-    double bumper_m;      /* how far a bumper of this run stands out, which the gap needs besides; 0: there is none */
-    double abs_m, srss_m; /* by the codes' rules, where need_m is known */
-    const char *without, *with; /* NULL: nothing is compared; else what the rest tells of, "no bumper", and "bumper" */
+    double force_n;             /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
+    double impulse_ns;          /* in all */
+    double need_m;              /* the clearance that is never used up when nothing else touches; NaN: not known */
+    double bumper_m;            /* projection of a bumper of this run, to be added to the gap; 0: there is none */
+    double abs_m, srss_m;       /* by the codes' rules, where need_m is known */
+    const char *without, *with; /* NULL: nothing is compared; else what the rest describes, "no bumper", and "bumper" */
     int bumper_impacts;         /* of that run */
     double bumper_force_n;      /* likewise; NaN: it has no result */
 };

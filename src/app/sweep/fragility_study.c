@@ -1,4 +1,4 @@
-/* The curves of a study, and the hazard that they are held against. */
+/* The curves of a study, and the hazard that they are combined with. */
 #include "app/sweep/fragility_report.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ static enum thud_status read_unit(const char *path, int line, const char *head, 
         return THUD_OK;
     thud_error_in(err, THUD_INPUT, path, line,
                   said > 0 ? "its intensity has a unit of another kind than %s"
-                           : "the unit of its intensity is not said (%s)",
+                           : "the unit of its intensity is not specified (%s)",
                   axis->key);
     thud_error_allow(err, axis->param->dimension == THUD_ACCELERATION
                               ? "a first line such as sa_g,annual_rate or sa (cm/s2),annual_rate; g, m/s2, cm/s2, gal"

@@ -106,13 +106,13 @@ static void put_levels(const struct thud_gap_suite *suite, const struct thud_fra
     thud_text_append(out, "\n");
 }
 
-/* How far a bumper sticks out. */
+/* The projection of a bumper. */
 static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *f = &scene->interface[i];
         if (f->has_bumper)
-            thud_text_append(out, "The bumper of interface %d sticks out %.2f cm, which it needs besides.\n", i + 1,
+            thud_text_append(out, "The bumper at interface %d projects %.2f cm; add this to the required gap.\n", i + 1,
                              100 * (f->bumper_thickness_m - f->bumper_cavity_m));
     }
 }

@@ -132,7 +132,7 @@ static enum thud_status read_by(const struct thud_scene *scene, const char *by, 
     if (number && high.value > low.value)
         return THUD_OK;
     return thud_error_refuse(err, THUD_USAGE, NULL, "KEY=FROM:TO, rising, e.g. gap=2cm:20cm",
-                             "\"%.80s\" is no range of a quantity", by);
+                             "\"%.80s\" is not a range of a quantity", by);
 }
 
 enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thud_record_list *records, const char *by,

@@ -1,5 +1,4 @@
-/* Which value of a key makes something hold: a scan over its range, then bisection wherever the answer changes. Where it
- * changes once it is taken for monotone; else that is told, with every change that was found. */
+/* Finds the value of a key at which a criterion is met: a scan over its range, then bisection wherever the answer changes. One change is taken as monotonic; several are listed. */
 #pragma once
 
 #include <stdatomic.h>
@@ -37,7 +36,7 @@ struct thud_solve {
 enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thud_record_list *records, const char *by,
                                 const struct thud_criterion *criterion, double share, const atomic_int *cancel,
                                 struct thud_solve *out, struct thud_error *err);
-/* The value that is told: on the side where it holds of the only change; NULL: it holds, or does not, all over, or there
+/* The result: the value on the side of the only change where the criterion is met; NULL: it holds, or does not, all over, or there
  * are several changes. */
 const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve);
 /* The answer in a sentence or two. */

@@ -319,7 +319,7 @@ void thud_sweep_report_work(const struct thud_sweep_plan *plan, const struct thu
         thud_text_append(out, ", %ld the same as another (equal clearances and laws)", total->reused);
     thud_text_append(out, "\n");
     if (plan->scene.analysis.modes > 0)
-        thud_text_append(out, "each building's lowest %d modes alone: thud run tells what that changes\n",
+        thud_text_append(out, "each building's lowest %d modes only: thud run gives the error of that\n",
                          plan->scene.analysis.modes);
     if (plan->sensitivity > 0) {
         thud_text_append(

@@ -30,8 +30,7 @@ struct thud_sweep_study {
     const atomic_int *cancel;
     void *context;
     void (*progress)(void *context, long done, long count, double elapsed_s); /* may be NULL */
-    /* With a folder: once its files are there and before the journal goes, so that what is stopped here is made again by
-     * the same command; may be NULL. */
+    /* With a folder: once its files are there and before the journal goes, so that the same command repeats what is stopped here; may be NULL. */
     enum thud_status (*conclude)(void *owner, struct thud_error *err);
     void *owner;
     /* Each point in its order, once the study is whole (without a folder: as soon as it is done); may be NULL. */

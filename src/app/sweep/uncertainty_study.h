@@ -44,7 +44,7 @@ size_t thud_uncertainty_first_sample(const struct thud_uncertainty_study *study)
 size_t thud_uncertainty_samples(const struct thud_uncertainty_study *study);
 double thud_uncertainty_value(const struct thud_uncertainty_study *study, size_t row, int quantity);
 
-/* What is told of each input, by quantity. */
+/* The results of each input, by quantity. */
 enum thud_of_input {
     THUD_INPUT_LEAST, /* with the input alone at the ends of its range; of ground motions the least of all */
     THUD_INPUT_MOST,
@@ -56,7 +56,7 @@ enum thud_of_input {
     THUD_INPUT_TOTAL_HIGH,
     THUD_OF_INPUTS
 };
-/* What is told of a quantity; NaN where there are no samples or indices. */
+/* The results of a quantity; NaN where there are no samples or indices. */
 struct thud_uncertainty_told {
     double nominal, low, median, high; /* nominal; 5, 50 and 95 % of the samples */
     double below, count;               /* share of the samples below 1 (of ratios), and how many have a result */

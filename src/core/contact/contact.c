@@ -64,7 +64,7 @@ static int force_zeros(const struct thud_state *state, int c, double sign)
     return sign * force > THUD_TOL_FORCE * (elastic - 2 * fmin(b->f0_n, 0)) ? 0 : 1; /* of |f0| + k d + K d^p */
 }
 
-/* The force has reached 0 and would pull. What is left of the indentation is plastic and widens the clearance for good,
+/* The force has reached 0 and would pull. What is left of the indentation is plastic and widens the clearance permanently,
  * where the law keeps it; else the bodies are still indented and the force may come back. */
 static enum thud_status release(struct thud_state *state, struct thud_contact_log *log, int c, struct thud_error *err)
 {

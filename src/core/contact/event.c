@@ -264,7 +264,7 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
 }
 
 /* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
- * force does not resolve. What it leaves there would open the contact again, and without end. */
+ * force does not resolve. What it leaves there would open the contact again, endlessly. */
 static int unresolved(const struct thud_state *state, const double *d, int terms, int suppressed)
 {
     double largest = 0, resolved = fmax(state->tolerance, THUD_TOL_UNRESOLVED);

@@ -98,7 +98,7 @@ static enum thud_status check(const struct thud_law *law, const struct thud_law_
         fault = cycle_fault(law, setup, &memory, depth_m[i]);
     if (!fault)
         return THUD_OK;
-    return thud_error_refuse(err, THUD_INPUT, "law", "what thud(3) says of a law of one's own",
+    return thud_error_refuse(err, THUD_INPUT, "law", "what thud(3) requires of your own law",
                              "the law %s cannot be used: %s", law->name, fault);
 }
 

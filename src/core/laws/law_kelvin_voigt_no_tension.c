@@ -18,7 +18,7 @@ static const struct thud_param params[] = {
     THUD_PARAM_DAMPING,
     {.name = "residual",
      .title = "indentation left at release",
-     .help = "keep: it widens the clearance for good; recover: the material springs back.",
+     .help = "keep: it widens the clearance permanently; recover: the material springs back.",
      .kind = THUD_PARAM_CHOICE,
      .dimension = THUD_NUMBER,
      .unit = "",

@@ -97,7 +97,7 @@ static enum thud_status find_stiffness(struct thud_law_setup *setup, struct thud
     }
     if (!isnan(value[STIFFNESS])) {
         if (given)
-            return refuse(err, params[given].name, "given as well as stiffness, which it is there to replace");
+            return refuse(err, params[given].name, "given together with stiffness, to which it is an alternative");
         setup->constant[K] = value[STIFFNESS];
         return THUD_OK;
     }

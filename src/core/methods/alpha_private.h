@@ -38,7 +38,7 @@ struct thud_alpha_work {
     int nactive;
     bool solved;                     /* the contact forces at t1 are those of the laws */
     bool goes_on;                    /* t0 is the end of the last step: no law has changed there */
-    bool fresh;                      /* a0 is to be made anew, from r0 */
+    bool fresh;                      /* a0 is to be recomputed from r0 */
     double a0_step_s;                /* step that a0 comes from */
     double ground_mps2, before_mps2; /* ground acceleration at t1, and at the end of the step before */
     double *block;

@@ -31,7 +31,7 @@ enum { REPEATS = 2 };                    /* shorter steps with no smaller error:
 static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
-static const double least_of_four = 3e-4;      /* tolerance from which on four nodes are enough, as a rule */
+static const double least_of_four = 3e-4;      /* tolerance at or above which four nodes are enough, as a rule */
 static const double step_part = 0.1;           /* of the run's tolerance, for the error of a step */
 static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */

@@ -10,7 +10,7 @@ void thud_poly_value3(const double *c, int n, double s, double out[3]);
 /* Bounds on [0, 1] of how far p may come from its start, and of how far p' may be from its value there: *slope. */
 double thud_poly_move(const double *c, int n, double *slope);
 
-/* First s in [0, s_end] from which on sign * p is above 0; INFINITY if there is none. The lowest `suppressed`
+/* Returns the first s in [0, s_end] after which sign * p is above 0; INFINITY if there is none. The lowest `suppressed`
  * coefficients are taken as exactly 0 (the event that has just been handled), so that only what comes after it is
  * found. Values below `noise` are not above 0. */
 double thud_poly_first_above(const double *c, int n, double s_end, double sign, int suppressed, double noise);

@@ -3,7 +3,7 @@
  *     on a grid          outside contacts: every step of the record, as a curve is drawn through them
  *     closer             in a contact, and for a while behind it: an impact is over in some milliseconds, and wakes modes
  *                        that the grid would not resolve
- *     at peaks           where the result has one, so that the largest value of a column is the peak that is told
+ *     at peaks           where the result has one, so that the largest value of a column is the reported peak
  *     twice at a moment  where something jumps: the row before an event and the one behind it, or both sides of the end of
  *                        a record whose last sample is not 0
  *

@@ -1,4 +1,4 @@
-/* P-Delta: a storey whose drift comes to a tenth of its height has collapsed, and the run ends there. */
+/* P-Delta: a storey whose drift reaches a tenth of its height has collapsed, and the run ends there. */
 #include "core/run/run_private.h"
 
 static void note(struct thud_run *run, int structure, int floor, struct thud_peak drift)

@@ -14,7 +14,7 @@
 
 enum { THUD_OBSERVERS_MAX = 10 };
 
-/* Events at one moment without end: see run.c. */
+/* Endless events at one instant: see run.c. */
 struct thud_progress {
     int stalls;  /* events in a row without progress in time */
     int passes;  /* moments passed over in a row because their events had no end */
@@ -88,7 +88,7 @@ void thud_run_finish(struct thud_run *run);
 /* run_limits.c: what a run may ask for, and what its response may not pass. */
 enum thud_status thud_run_check_options(const struct thud_run_options *options, const struct thud_record *record,
                                         struct thud_error *err);
-/* Whether the motion is slow enough for series: THUD_INPUT where fast modes would take them without end. */
+/* Whether the motion is slow enough for series: THUD_INPUT where fast modes would take endlessly many. */
 enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err);
 /* Fills run->ground, and the scales of run->state from the first state. */
 void thud_run_set_scales(struct thud_run *run, const struct thud_run *like);

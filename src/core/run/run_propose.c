@@ -4,8 +4,7 @@
 
 #include "core/run/run_private.h"
 
-/* Events in a row at one moment before that moment is passed over, for each contact and besides; and how often, each
- * time for twice as long as the last. */
+/* Number of successive events at one instant, for each contact and in addition, before that instant is skipped; and how often, each time for twice as long. */
 enum { STALLS_EACH = 4, STALLS_MORE = 12, PASSES_MAX = 36 };
 
 /* Events that a run may take in a part of its duration. 20 buildings of 200 storeys that pound at every floor take
@@ -116,11 +115,11 @@ static enum thud_status stalled(struct thud_run *run, int row, struct thud_error
     if (row < 0)
         return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s", now_s);
     struct row_name name = name_row(run->state.model, row);
-    return thud_error_refuse(err, THUD_DIVERGED, name.key, NULL, "%s %s without end at t = %.9g s", name.words,
+    return thud_error_refuse(err, THUD_DIVERGED, name.key, NULL, "%s %s endlessly at t = %.9g s", name.words,
                              thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);
 }
 
-/* Contacts that switch without end at one moment: their motion there is below what the method or rounding resolves
+/* Contacts that switch endlessly at one instant: their motion is below the resolution of the method or of rounding
  * (neighbours that stand together at rest, a bounce that has died down). A moment later, nothing switched, it shows
  * which way they go. */
 static enum thud_status skip_accumulating(struct thud_run *run, struct thud_proposal *p, struct thud_error *err)
@@ -134,7 +133,7 @@ static enum thud_status skip_accumulating(struct thud_run *run, struct thud_prop
     return THUD_OK;
 }
 
-/* Events that crowd without end, each with a step of its own. */
+/* Endlessly accumulating events, each with a step of its own. */
 static enum thud_status watch_crowd(struct thud_run *run, const struct thud_proposal *p, struct thud_error *err)
 {
     struct thud_progress *progress = &run->progress;

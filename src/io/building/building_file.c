@@ -71,7 +71,7 @@ static enum thud_status refuse_unit(const struct building_cells *cells, const ch
         record_refuse(&cells->source, cells->unit_line, 0, err, "%.30s is no unit of %s", unit,
                       periods ? "a period" : "a stiffness or a flexibility");
     else
-        record_refuse(&cells->source, cells->head_line, 0, err, "the unit of the %s is not said",
+        record_refuse(&cells->source, cells->head_line, 0, err, "the unit of the %s is not specified",
                       periods ? "periods" : "matrix");
     thud_error_allow(err, periods ? "s or ms in the header, Period (s), or unit: s"
                                   : "in the header, (kN/m), or unit: kN/m, MN/m, N/mm, ..., of a flexibility mm/kN");
@@ -352,7 +352,7 @@ static enum thud_status read_structure(struct thud_scene *scene, int index, cons
     struct thud_building_table table = {0};
     char path[1024];
     if (!thud_kind_is_read(s->kind) || s->shape_rows > 0 || !file[0])
-        return THUD_OK; /* what is missing is told by the check of the scene */
+        return THUD_OK; /* the check of the scene reports what is missing */
     enum thud_status status = thud_paths_beside(preset, file, path, sizeof path, err);
     if (status == THUD_OK)
         status = thud_building_file_read(path, &ask, &table, err);

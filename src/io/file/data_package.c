@@ -17,7 +17,7 @@ struct found {
     struct thud_text name;
     const struct thud_column *column; /* of that name; NULL: none */
     bool own;                         /* of this file */
-    bool words;                       /* a cell of it is no number; not looked at where the name says what it is */
+    bool words;                       /* a cell of it is not a number; not checked where the name gives the type */
 };
 struct table {
     const char *name;

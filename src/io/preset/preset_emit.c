@@ -40,7 +40,7 @@ int thud_section_keys(const struct thud_scene *scene, struct thud_section sectio
                                                                       : NULL;
     for (int i = 0; (param = thud_group_param(section.group, i)); i++)
         if ((section.group != THUD_GROUP_BUMPER || !scene->interface[section.index].has_bumper ||
-             strcmp(param->name, "fitted") != 0) && /* said of a bumper that is out */
+             strcmp(param->name, "fitted") != 0) && /* written for a bumper that is out */
             (section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
             (section.group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[section.index].law, i)))
             key[n++] = param->name;

@@ -117,8 +117,8 @@ static enum thud_status read_at2(const struct record_source *source, const struc
     while (!status && record_next(&cursor, &line))
         status = record_add_line(raw, source, &line, 0, (size_t)-1, err);
     if (!status && raw->count != count) {
-        record_refuse(source, header.number, 0, err, "the header tells of %zu samples, the file holds %zu%s", count,
-                      raw->count, raw->count < count ? " (cut off?)" : "");
+        record_refuse(source, header.number, 0, err, "the header states %zu samples, but the file contains %zu%s",
+                      count, raw->count, raw->count < count ? " (cut off?)" : "");
         thud_error_allow(err, "`record.skip: %d` with `record.dt` and `record.unit` reads what is there",
                          header.number);
         return THUD_INPUT;

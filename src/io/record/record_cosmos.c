@@ -45,7 +45,8 @@ static enum thud_status read_header(struct record_cursor *cursor, const struct r
 {
     double lines = record_number_after(head, "follow on");
     if (!(lines >= 1) || lines > 1000)
-        return record_refuse(cursor->source, head->number, 0, err, "how many lines this header has is not said");
+        return record_refuse(cursor->source, head->number, 0, err,
+                             "the number of lines of this header is not specified");
     struct record_line line;
     enum thud_status status = THUD_OK;
     for (int i = 0; i < (int)lines && !status; i++) {
@@ -81,7 +82,7 @@ static enum thud_status add_channel(const struct record_cursor *cursor, const st
     return record_count(cursor->source, line, record_number_first(line), &channel->count, err);
 }
 
-/* What the text lines and the comments tell of the channel: `Sta Chan 1: 360 deg`, `<SCNL>BMR.BNZ.AK.--`. */
+/* What the text lines and the comments state about the channel: `Sta Chan 1: 360 deg`, `<SCNL>BMR.BNZ.AK.--`. */
 static void read_name(const struct record_line *line, char name[64])
 {
     const char *end = line->at + line->length, *s;

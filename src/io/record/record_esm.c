@@ -81,7 +81,7 @@ static enum thud_status read_esm(const struct record_source *source, const struc
     while (!status && record_next(&before, &line))
         status = record_add_line(raw, source, &line, 0, (size_t)-1, err);
     if (!status && raw->count != count)
-        return record_refuse(source, before.line, 0, err, "the header tells of %zu samples, the file holds %zu%s",
+        return record_refuse(source, before.line, 0, err, "the header states %zu samples, but the file contains %zu%s",
                              count, raw->count, raw->count < count ? " (cut off?)" : "");
     return status;
 }

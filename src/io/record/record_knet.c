@@ -94,7 +94,7 @@ static enum thud_status read_knet(const struct record_source *source, const stru
         return status;
     if (isfinite(duration) && !isnan(raw->dt_s) && fabs((double)raw->count * raw->dt_s - duration) > 1)
         return record_refuse(source, cursor.line, 0, err,
-                             "the header tells of %g s, the file holds %zu samples, %g s (cut off?)", duration,
+                             "the header states %g s, but the file contains %zu samples, %g s (cut off?)", duration,
                              raw->count, (double)raw->count * raw->dt_s);
     raw->remove_mean = true;
     strcpy(raw->note, "mean removed");

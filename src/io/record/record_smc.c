@@ -89,7 +89,7 @@ static enum thud_status read_smc(const struct record_source *source, const struc
     for (int i = 0; i < comments; i++)
         if (!record_next(&cursor, &line) || line.length == 0 || line.at[0] != '|')
             return record_refuse(source, cursor.line, 0, err,
-                                 "the header tells of %d comment lines with `|`, this is none", comments);
+                                 "the header states %d comment lines with `|`, but this is not one", comments);
     return record_add_block(raw, &cursor, 10, count, err);
 }
 

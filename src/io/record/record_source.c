@@ -267,7 +267,7 @@ enum thud_status record_add_block(struct record_raw *raw, struct record_cursor *
     while (raw->count < last) {
         if (!record_next(cursor, &line))
             return record_refuse(cursor->source, cursor->line, 0, err,
-                                 "the header tells of %zu samples, the file ends after %zu (cut off?)", count,
+                                 "the header states %zu samples, but the file ends after %zu (cut off?)", count,
                                  raw->count + count - last);
         enum thud_status status = record_add_line(raw, cursor->source, &line, width, last - raw->count, err);
         if (status)
@@ -280,10 +280,10 @@ enum thud_status record_count(const struct record_source *source, const struct r
                               size_t *count, struct thud_error *err)
 {
     if (!(value >= 1) || value != floor(value))
-        return record_refuse(source, line->number, 0, err, "the header tells of %g samples", value);
+        return record_refuse(source, line->number, 0, err, "the header states %g samples", value);
     if (value > (double)source->size)
         return record_refuse(source, line->number, 0, err,
-                             "the header tells of %.0f samples, but the file has only %zu bytes (cut off?)", value,
+                             "the header states %.0f samples, but the file has only %zu bytes (cut off?)", value,
                              source->size);
     *count = (size_t)value;
     return THUD_OK;

@@ -56,9 +56,9 @@ enum thud_status record_table_row(struct record_table *table, const double *valu
         if (table->columns == 2 && samples >= 2 && samples == floor(samples) && dt > 0 && dt < 1) {
             int first = (int)table->lines.value[0];
             thud_error_key(err, "skip");
-            thud_error_allow(
-                err, "`record.skip: %d` and `record.dt: %g s` when line %d tells of %.0f samples, one every %g s",
-                first, dt, first, samples, dt);
+            thud_error_allow(err,
+                             "`record.skip: %d` and `record.dt: %g s` if line %d states %.0f samples, one every %g s",
+                             first, dt, first, samples, dt);
         } else if (table->rows < 10 && count > table->columns) { /* a line of another kind before the samples */
             thud_error_key(err, "skip");
             thud_error_allow(err, "`record.skip: %d` when the samples begin here", odd - 1);
@@ -204,13 +204,14 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
             return THUD_OK;
         for (size_t i = 1; i < table->rows; i++)
             if (!(cell(table, i, (size_t)column) > cell(table, i - 1, (size_t)column)))
-                return record_refuse(table->source, (int)table->lines.value[i], 0, err, "the times do not climb");
+                return record_refuse(table->source, (int)table->lines.value[i], 0, err, "the times are not increasing");
         table->unequal = !isnan(choice->resample_s);
         if (!table->unequal) {
-            record_refuse(table->source, (int)table->lines.value[odd], 0, err, "the times do not climb in equal steps");
+            record_refuse(table->source, (int)table->lines.value[odd], 0, err,
+                          "the times do not increase in equal steps");
             thud_error_key(err, "resample");
-            thud_error_allow(err, "`record.resample: 0.01 s` goes straight between the samples; `record.dt` "
-                                  "when they are equally spaced all the same");
+            thud_error_allow(
+                err, "`record.resample: 0.01 s` interpolates linearly; `record.dt` if the samples are equally spaced");
             return THUD_INPUT;
         }
     }
@@ -238,7 +239,7 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
         raw->dt_line = table->prose.dt_line ? table->prose.dt_line : (int)table->lines.value[0];
     } else if (isnan(choice->dt_s)) {
         record_refuse(table->source, table->prose.dt_line, 0, err,
-                      "this line tells of a time step of %.6g s, the time column of %.6g s", told, step);
+                      "this line states a time step of %.6g s, the time column %.6g s", told, step);
         thud_error_key(err, "dt");
         thud_error_allow(err, "`record.dt` says which");
         return THUD_INPUT;
@@ -259,7 +260,7 @@ static enum thud_status ask_column(const struct record_table *table, int time, s
                               : named(table, i)                  ? table->name[i]
                                                                  : "");
     record_refuse(table->source, (int)table->lines.value[0], 0, err,
-                  "which of the %zu columns is the acceleration is not said%s", table->columns, list);
+                  "it is not specified which of the %zu columns is the acceleration%s", table->columns, list);
     thud_error_key(err, "column");
     if (time < 0)
         thud_error_allow(

@@ -50,7 +50,7 @@ struct record_table {
     char name[TABLE_COLUMNS_MAX][TABLE_NAME_MAX];
     size_t names;
     int names_line;
-    bool unequal;  /* the times do not climb in equal steps, and are to be resampled */
+    bool unequal;  /* the times do not increase in equal steps, and are to be resampled */
     double time_s; /* of 1 in the column of times */
     struct record_prose prose;
 };

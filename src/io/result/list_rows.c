@@ -186,7 +186,7 @@ static const struct thud_column params[] = {PARAM(name, "name", "As in a preset.
                                             PARAM(help, "help", "What it is.", 0),
                                             PARAM(unit, "unit", "Of the value.", 0),
                                             PARAM(word, "default", "Of a choice: its word.", IS_CHOICE),
-                                            THUD_STANDS_FOR("choices", "The words that may stand."),
+                                            THUD_STANDS_FOR("choices", "The words that are allowed."),
                                             PARAM(fallback, "default_si", "Of a number: in SI units.", IS_NUMBER),
                                             PARAM(least, "least_si", "Lower bound, in SI units.", IS_NUMBER),
                                             PARAM(most, "most_si", "Upper bound, in SI units.", IS_NUMBER)};

@@ -8,8 +8,7 @@
  *     Elastic -W/h                      beside the storey's spring               P-Delta, as a leaning column's
  *     HyperbolicGapMaterial K_max K_max R_f -F_ult -gap                          backfill
  *     Elastic 0 C                       between floors, of C = -C_ij             damping above isolators
- * No contact lets go when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step knows
- * no impulse. The constants are read from the law's own branch. */
+ * No contact separates when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step has no impulse. The constants are read from the law's own branch. */
 #include "io/result/opensees.h"
 
 #include <math.h>
@@ -95,10 +94,11 @@ static enum thud_status check_contact(const struct thud_scene *scene, const stru
     snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
     refuse(err, key,
            bumper ? "has no material whose curves of approach and restitution differ as the rubber's do"
-           : c->law->flags & THUD_LAW_IMPULSIVE   ? "knows no impulse: its time steps need a force"
-           : is_law(c, "kelvin-voigt-no-tension") ? "has no linear dashpot that lets go when the force reaches 0 (its "
-                                                    "ViscoelasticGap pulls on, which is kelvin-voigt)"
-                                                  : "has no such law",
+           : c->law->flags & THUD_LAW_IMPULSIVE ? "knows no impulse: its time steps need a force"
+           : is_law(c, "kelvin-voigt-no-tension")
+               ? "has no linear dashpot that separates when the force reaches 0 (its "
+                 "ViscoelasticGap pulls on, which is kelvin-voigt)"
+               : "has no such law",
            "");
     add_options(err, scene);
     return THUD_INPUT;

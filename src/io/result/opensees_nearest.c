@@ -1,4 +1,4 @@
-/* The nearest scene whose contacts OpenSees has. A contact whose dashpot lets go at zero force becomes one that pulls until
+/* The nearest scene whose contacts OpenSees has. A contact whose dashpot separates at zero force becomes one that pulls until
  * it opens (kelvin-voigt, same stiffness and restitution). A rubber bumper becomes a Kelvin-Voigt contact at the same
  * clearance whose spring has, at the largest compression d of the full scene's run, the same force F and energy E:
  *

@@ -331,7 +331,7 @@ static const struct thud_column impacts[] = {
     {IMPACT(interface, "interface", "Number of the interface, from the left.")},
     {IMPACT(left_floor, "left_floor", "Floor on its left.")},
     {IMPACT(right_floor, "right_floor", "Floor on its right.")},
-    {IMPACT(own.start_s, "start_s", "Begin of the contact, s.")},
+    {IMPACT(own.start_s, "start_s", "Start of the contact, s.")},
     {IMPACT(own.duration_s, "duration_s", "How long it lasts, s.")},
     {IMPACT(own.approach_mps, "approach_mps", "Speed before it, m/s.")},
     {IMPACT(own.separation_mps, "separation_mps", "Speed after it, m/s.")},

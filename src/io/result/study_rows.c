@@ -17,7 +17,7 @@ static const struct thud_column rules[] = {
     RULE(left_floor, "Floor of the left structure where the rule asks for most."),
     RULE(right_floor, "Floor of the right structure."),
     RULE(gap_m, "What it asks for, m."),
-    RULE(pounding, "Ground motions in which the floors collide at that gap without bumper."),
+    RULE(pounding, "Ground motions in which the floors collide at that gap without the bumper."),
     RULE(motions, "Of how many."),
     RULE(force_n, "Largest force of those runs, N.")};
 const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
@@ -72,7 +72,7 @@ static const struct thud_column stripes[] = {
     STRIPE(share_low, "Lower end of its 90 % band (Wilson; both signs of a motion count as one); empty: fewer than "
                       "three independent motions."),
     STRIPE(share_high, "Its upper end."),
-    STRIPE(fitted, "Probability by the fitted curve; empty: none is told."),
+    STRIPE(fitted, "Probability by the fitted curve; empty: there is none."),
     STRIPE(fitted_low,
            "Lower end of its bootstrapped 90 % band; empty: none, as with fewer than seven independent motions."),
     STRIPE(fitted_high, "Its upper end.")};
@@ -107,7 +107,7 @@ const struct thud_schema thud_curve_schema =
 
 #define FIRST(member, key, text) THUD_FIELD(struct thud_first_contact_row, member, key, text)
 static const struct thud_column first_contacts[] = {
-    FIRST(record, "record", "Ground motion, as it was given."),
+    FIRST(record, "record", "Ground motion, as specified."),
     FIRST(first, "first_contact_factor",
           "Smallest factor on it at which there is contact, to a part in 1e6; no value: none up to 1000."),
     FIRST(clear_again, "clear_again_factor",
@@ -134,7 +134,7 @@ const struct thud_schema thud_tried_schema =
 
 #define BEST(member, key, text) THUD_FIELD(struct thud_best_row, member, key, text)
 static const struct thud_column bests[] = {
-    BEST(record, "record", "Ground motion, as it was given; worst of all for the largest over them."),
+    BEST(record, "record", "Ground motion, as specified; worst of all for the largest over them."),
     BEST(which, "case", "Case."),
     THUD_STANDS_FOR("KEY", "Value of each other varied key, with its unit."),
     THUD_STANDS_FOR("bestUNIT", "Value with the smallest ratio, with the unit of its key."),
@@ -189,7 +189,7 @@ static const struct thud_column quantities[] = {
     {QUANTITY(structure, "structure", "Name of its structure; empty: of all contacts.")},
     {QUANTITY(measure, "measure",
               "A column of sweep.csv; force_n is the largest of all contacts; needed_gap_m the required gap of the "
-              "level that needs most, as thud gap tells it.")},
+              "level that needs most, as thud gap reports it.")},
     {QUANTITY(nominal, "nominal", "Its value with every input nominal.")},
     {QUANTITY(p5, "p5", "5 % of the samples are below.")},
     {QUANTITY(median, "median", "Half of them are.")},
@@ -259,13 +259,13 @@ static const struct thud_column of_suite[] = {
     THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit."),
     THUD_STANDS_FOR("collapsed", "With P-Delta, last: 1 where a storey collapses under one of the motions at least; "
                                  "the fractiles of peaks then hold values until a collapse, and no ratios.")};
-const struct thud_schema thud_suite_row_schema = THUD_SCHEMA(
-    "suite.csv",
-    "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: a row for each setting, "
-    "case and structure.\n.Va KEY\nstands for every varied key, in SI units and with its unit, behind the case, "
-    "and\n.Va MEASURE\nfor each of\n.Em measures\nthat is told in suite.csv.\nThe "
-    "fractiles are those of the logarithms where every value is positive.\n",
-    of_suite);
+const struct thud_schema thud_suite_row_schema =
+    THUD_SCHEMA("suite.csv",
+                "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: one row for each "
+                "setting, case and structure.\n.Va KEY\nrepresents every varied key, in SI units and with its unit, "
+                "after the case, and\n.Va MEASURE\neach of the\n.Em measures\nof suite.csv.\nThe fractiles are those "
+                "of the logarithms where every value is positive.\n",
+                of_suite);
 
 static const struct thud_column medians[] = {
     THUD_STANDS_FOR("fit",
@@ -288,7 +288,7 @@ static const struct thud_column medians[] = {
     THUD_STANDS_FOR("exact_median_highUNIT", "Its upper end.")};
 const struct thud_schema thud_median_schema =
     THUD_SCHEMA("fragility-curves.csv",
-                "Written by\n.Cm fragility Fl o :\nwhat is told of each event and case, between the columns of\n.Sx "
+                "Written by\n.Cm fragility Fl o :\nthe results of each event and case, between the columns of\n.Sx "
                 "fragility\nand of\n.Sx fragility-curves.csv of each curve .\n.Va theta\nand the medians end with "
                 "their SI unit,\n.Va UNIT\n(_m, _mps2, nothing for a number);\neach unit along which there are curves "
                 "has its columns.\n",

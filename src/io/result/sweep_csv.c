@@ -61,7 +61,7 @@ enum { SPREAD = 1, COLLAPSES = 2 };
     }
 
 static const struct thud_column floors[] = {
-    {FLOOR(record, "record", "Ground motion, as it was given; empty for none.")},
+    {FLOOR(record, "record", "Ground motion, as specified; empty for none.")},
     {FLOOR(which, "case", "none, bumper, cavity or as-written.")},
     {FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m.")},
     {FLOOR(structure, "structure", "Name of the structure.")},
@@ -124,7 +124,7 @@ struct contact_row {
 #define CONTACT(member, key, text) THUD_COLUMN(struct contact_row, member, key, text)
 
 static const struct thud_column contacts[] = {
-    {CONTACT(record, "record", "Ground motion, as it was given.")},
+    {CONTACT(record, "record", "Ground motion, as specified.")},
     {CONTACT(which, "case", "Case.")},
     {CONTACT(own.gap_m, "gap_m", "Gap of the first interface, m.")},
     {CONTACT(own.interface, "interface", "Number of the interface.")},
@@ -163,7 +163,7 @@ enum { MOMENTS = 2 }; /* behind the varied keys */
 #define RULE(id, key, text)     THUD_COLUMN(struct thud_need_fields, rule[(id) + 1], key, text)
 
 static const struct thud_column needs[] = {
-    {NEED(record, "record", "Ground motion, as it was given."), .only = THUD_NEED_RECORD},
+    {NEED(record, "record", "Ground motion, as specified."), .only = THUD_NEED_RECORD},
     {NEED(level.interface, "interface", "Number of the interface.")},
     {NEED(level.left_floor, "left_floor", "Floor on its left.")},
     {NEED(level.right_floor, "right_floor", "Floor on its right.")},

@@ -90,7 +90,7 @@ static enum thud_status refuse(const struct thud_sweep_journal *journal, struct 
 static enum thud_status damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
 {
     thud_error_set(err, THUD_INPUT, "is no journal of a study that this program can read");
-    thud_error_allow(err, "remove it to begin anew");
+    thud_error_allow(err, "remove it to start again");
     return refuse(journal, err);
 }
 
@@ -107,7 +107,7 @@ static enum thud_status check_version(const struct thud_sweep_journal *journal, 
     if (strcmp(version, THUD_VERSION) == 0)
         return THUD_OK;
     thud_error_set(err, THUD_INPUT, "the study was begun by thud %s, this is thud %s", version, THUD_VERSION);
-    thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+    thud_error_allow(err, "that version to continue; another folder, or this file removed, to start again");
     return refuse(journal, err);
 }
 
@@ -154,7 +154,7 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     if (format != FORMAT) {
         thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
                        FORMAT);
-        thud_error_allow(err, "that version to go on, another folder or this file removed to begin anew");
+        thud_error_allow(err, "that version to continue; another folder, or this file removed, to start again");
         return refuse(journal, err);
     }
     if (!scan_version(&at, version, sizeof version) || !scan_hexadecimal(&at, &head->fingerprint) ||

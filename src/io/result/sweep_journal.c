@@ -39,7 +39,7 @@ enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shar
         out->index >= 1 && out->index <= out->count)
         return THUD_OK;
     return thud_error_refuse(err, THUD_USAGE, "shard", "K/N, K from 1 to N, e.g. 2/3",
-                             "\"%.40s\" is no part of a study", text);
+                             "\"%.40s\" is not a part of a study", text);
 }
 
 long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard)

@@ -34,7 +34,7 @@ enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsign
         for (int k = 0; k < THUD_PAPER_FIGURES; k++)
             found |= strcmp(name[i], names[k]) ? 0 : 1u << k;
         if (!found)
-            return thud_error_refuse(err, THUD_USAGE, NULL, "fig2 to fig10, all", "\"%s\" is no figure", name[i]);
+            return thud_error_refuse(err, THUD_USAGE, NULL, "fig2 to fig10, all", "\"%s\" is not a figure", name[i]);
         *which |= found;
     }
     return THUD_OK;

@@ -15,7 +15,7 @@
 /* Runs beside the paper's study, for what its text says of other numbers of storeys, of the stiffness of impact, and of
  * the two bodies. */
 
-/* The towers without bumper at their own gap, with another stiffness of the concrete. */
+/* The towers without a bumper at their own gap, with another stiffness of the concrete. */
 struct thud_paper_spike {
     double stiffness_npm;
     double acceleration_mps2, free_mps2;  /* largest of the floors that pound, and of the same ones without pounding */

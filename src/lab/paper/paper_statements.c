@@ -656,7 +656,7 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_doc
     thud_document_head(d, "the paper|criterion|motions as given|motions reversed|borne out");
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         put(&statements[i], view, d);
-    thud_document_heading(d, "Found besides");
+    thud_document_heading(d, "Further findings");
     put_forces(&view[0], "as given", d);
     if (!study->turned)
         return;

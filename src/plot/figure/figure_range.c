@@ -81,7 +81,7 @@ static struct thud_range round_linear(struct thud_range range, const struct thud
     range.step = round_step(width, side == THUD_X ? 7 : 6);
     if (tight)
         return range;
-    /* along x a fifth of a step is round enough; no result shall lie on the frame, except at 0 */
+    /* along x a fifth of a step is round enough; no result lies on the frame, except at 0 */
     double unit = side == THUD_X ? 0.2 * range.step : range.step,
            hair = side == THUD_Y || axis->results ? 0.03 * width : 0.0;
     double bottom = range.least >= 0.0 ? 0.0 : -INFINITY; /* what is never negative needs no room there */

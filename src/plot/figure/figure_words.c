@@ -33,7 +33,7 @@ static bool is_first(const struct thud_panel *panel, int i)
     return true;
 }
 
-/* Whether a curve of no name stands beside named ones, which are told. */
+/* Whether a curve without a name is beside named ones, which have a legend. */
 static bool is_beside_named(const struct thud_panel *panel, int i)
 {
     bool named = false;

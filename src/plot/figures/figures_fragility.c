@@ -11,7 +11,7 @@
 
 enum { FINE = 120, PANELS_MAX = THUD_VARY_MAX, COLUMNS_MAX = 4 };
 
-/* The share of the motions by the value from which on each does, or no longer does, as steps. */
+/* The fraction of the motions that pound at each value or above (below), as steps. */
 static void add_steps(struct thud_panel *panel, const struct thud_sweep_axis *axis, const struct thud_fragility *f,
                       const char *name, int color)
 {
@@ -39,7 +39,7 @@ static void add_steps(struct thud_panel *panel, const struct thud_sweep_axis *ax
     free(x);
 }
 
-/* One case: counts with their bands; the curve with its own where one is told, or what is exact in its place. */
+/* One case: counts with their bands; the curve with its own where there is one, or the exact result in its place. */
 static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *plan,
                       const struct thud_fragility_curve *curve)
 {

@@ -179,7 +179,7 @@ static void foundation(const struct drawing *d, int s)
 /* A wall by what holds it: a fixed one by the ground, one that gives by its own spring and by the soil behind it. */
 static const char *wall_name(const struct thud_structure *p)
 {
-    return thud_wall_gives(p) ? "wall that gives" : "wall, moves with the ground";
+    return thud_wall_gives(p) ? "flexible wall" : "wall, moves with the ground";
 }
 
 /* Its mass, and to the side where no neighbour is its springs, which end at the ground. */
@@ -340,7 +340,7 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
         thud_panel_limits(panel[k], THUD_Y, d.foot - 0.12 * high, d.high + 0.18 * high);
     }
     thud_panel_limits(d.elevation, THUD_X, -0.25 * last, 1.25 * last);
-    double outside = 0.8 * model_m; /* springs of walls that give and of soil stand there with their numbers */
+    double outside = 0.8 * model_m; /* springs of flexible walls and of soil have their numbers there */
     for (int s = 0; s < scene->nstructures; s++)
         if (thud_wall_gives(&scene->structure[s]) || thud_structure_on_soil(&scene->structure[s]))
             outside = 1.4 * model_m;

@@ -150,7 +150,7 @@ void thud_panel_varied(struct thud_panel *panel, enum thud_side side, const stru
     axis_of_key(panel, side, axis, NULL);
 }
 
-/* Of a gap that is varied: the one from which no ground motion of the study causes contact without bumper, m; NaN: not
+/* For a varied gap: the smallest one at which no ground motion of the study causes contact without the bumper, m; NaN: not
  * known, or not among those shown. */
 static double free_gap(const struct thud_sweep_table *table, int varied)
 {
@@ -176,18 +176,20 @@ void thud_sweep_axis_of(struct thud_panel *panel, enum thud_side side, const str
         thud_panel_mark(panel, side, at, at, "");
 }
 
-const char thud_free_gap_words[] = "Vertical line: no contact without bumper from here on, under any of the motions.";
+const char thud_free_gap_words[] =
+    "Vertical line: no contact without the bumper at this gap or wider, under any of the motions.";
 
 void thud_sweep_note_gap(struct thud_figure *figure, const struct thud_sweep_table *table, int axes)
 {
     const bool several = table->nrecords > 1 || table->motions > 1, across = !isnan(free_gap(table, 0));
     if (across)
-        thud_figure_note(figure,
-                         several ? thud_free_gap_words : "Vertical line: no contact without bumper from here on.");
+        thud_figure_note(figure, several ? thud_free_gap_words
+                                         : "Vertical line: no contact without the bumper at this gap or wider.");
     else if (axes > 1 && !isnan(free_gap(table, 1)))
-        thud_figure_note(figure, several
-                                     ? "Level line: no contact without bumper from here up, under any of the motions."
-                                     : "Level line: no contact without bumper from here up.");
+        thud_figure_note(
+            figure, several
+                        ? "Level line: no contact without the bumper at this gap or wider, under any of the motions."
+                        : "Level line: no contact without the bumper at this gap or wider.");
 }
 
 void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table, bool shaded)

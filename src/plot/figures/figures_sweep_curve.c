@@ -16,7 +16,7 @@ static double ratio(const struct thud_sweep_summary *d, int k, const struct thud
     return w->told == THUD_TOLD_ACCELERATION ? x->acceleration : x->drift;
 }
 
-/* Measures by what is told, with the factor to the unit that is shown. */
+/* Measures by the quantity shown, with the factor to its unit. */
 static const struct shown_measure {
     enum thud_measure measure;
     double factor;

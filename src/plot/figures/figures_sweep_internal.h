@@ -6,7 +6,7 @@
 
 enum { THUD_SWEEP_CURVES_MAX = THUD_COLORS, THUD_SWEEP_COLUMNS_MAX = 4 };
 
-/* What is told of a run: ratios; of its contacts, the shares over a suite only; of the columns that slabs strike; of the
+/* The quantities of a run: ratios; of its contacts, the shares over a suite only; of the columns that slabs strike; of the
  * storeys of a structure. */
 enum thud_told {
     THUD_TOLD_ACCELERATION,
@@ -28,7 +28,7 @@ struct thud_wanted {
     int record;
     enum thud_case which;
     enum thud_told told;
-    int structure, floor; /* of what is told of one */
+    int structure, floor; /* of the quantity shown */
     bool free;            /* a ratio to no pounding, and not to case `none` */
     const int *at;        /* (naxes) of the keys that are not drawn; NULL: the first values */
 };

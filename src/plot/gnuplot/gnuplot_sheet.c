@@ -264,7 +264,7 @@ struct box thud_sheet_frame(const struct sheet *sheet, int panel)
     box.left = column * width + fmin(fmax(5.8 * sheet->em, names + 3.0 * sheet->em), 0.5 * width) +
                (broken ? 0.9 * sheet->em : 0.0);
     box.label = column * width + (column ? 1.6 : 1.1) * sheet->em;
-    char last[32]; /* number along x, which may stand at the frame's end */
+    char last[32]; /* number along x, which may be at the frame's end */
     snprintf(last, sizeof last, "%.4g", thud_sheet_range(sheet, panel, THUD_X).most);
     box.right =
         (column + 1) * width - (p->map ? 7.8 : fmax(1.2, 0.5 * thud_gnuplot_width(last, 1.0) + 0.1)) * sheet->em;

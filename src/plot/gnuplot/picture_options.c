@@ -23,7 +23,7 @@ enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_f
             return THUD_OK;
         }
     }
-    return thud_error_refuse(err, THUD_USAGE, "--format", "png, svg, pdf", "\"%s\" is no picture format", text);
+    return thud_error_refuse(err, THUD_USAGE, "--format", "png, svg, pdf", "\"%s\" is not a picture format", text);
 }
 
 enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err)
@@ -34,7 +34,7 @@ enum thud_status thud_picture_width_parse(const char *text, double *width_mm, st
         *width_mm = 1e3 * q.value;
         return THUD_OK;
     }
-    thud_error_set(err, THUD_USAGE, "\"%s\" is no width on paper", text);
+    thud_error_set(err, THUD_USAGE, "\"%s\" is not a width on paper", text);
     thud_error_key(err, "--width");
     thud_error_allow(err, "%g mm to %g mm: 90mm is a column, 190mm a page", 1e3 * least_m, 1e3 * most_m);
     return THUD_USAGE;
@@ -50,7 +50,7 @@ enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *h
     bool digit = *text >= '0' && *text <= '9';
     if (!digit || !*rest || *end || width < SIZE_LEAST || width > SIZE_MOST || height < SIZE_LEAST ||
         height > SIZE_MOST) {
-        thud_error_set(err, THUD_USAGE, "\"%s\" is no picture size", text);
+        thud_error_set(err, THUD_USAGE, "\"%s\" is not a picture size", text);
         thud_error_key(err, "--size");
         thud_error_allow(err, "WIDTHxHEIGHT in pixels, each %d to %d, such as 1800x1200", SIZE_LEAST, SIZE_MOST);
         return THUD_USAGE;
@@ -70,7 +70,7 @@ enum thud_status thud_picture_font_parse(const char *text, char *name, size_t si
     if (good && *end == ',')
         good = thud_number_parse(end + 1, &end, &px) == 0 && *end == '\0' && px >= font_least_px && px <= font_most_px;
     if (!good) {
-        thud_error_set(err, THUD_USAGE, "\"%s\" is no font", text);
+        thud_error_set(err, THUD_USAGE, "\"%s\" is not a font", text);
         thud_error_key(err, "--font");
         thud_error_allow(err, "NAME or NAME,PIXELS with %g to %g pixels, such as \"DejaVu Serif,28\"", font_least_px,
                          font_most_px);

@@ -103,7 +103,7 @@ static void plan(struct thud_stability *s)
     s->ntest_cases = thud_test_case_count();
 }
 
-/* The scene by the exact method: what the others are held against. */
+/* Solves the scene by the exact method, the reference of the others. */
 static enum thud_status measure_scene(struct thud_stability *s, const struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_solution solution;

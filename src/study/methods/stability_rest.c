@@ -1,4 +1,4 @@
-/* Test cases of a body that is pushed against a wall: slow contact onset, sticking, and bounces without end. */
+/* Test cases of a body that is pushed against a wall: slow contact onset, sticking, and endless bounces. */
 #include <math.h>
 
 #include "core/laws/law_closed_form.h"

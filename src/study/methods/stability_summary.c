@@ -34,8 +34,7 @@ static enum thud_status impact_error(struct thud_stepping how, double *mean_s, s
     return thud_trial_failed(status) ? status : THUD_OK;
 }
 
-/* The largest step, or tolerance, of a row from which on the scene's peaks and impacts are kept to a level, and are at the
- * next one too; NaN: none of the row. */
+/* The largest step, or tolerance, of a row at which the scene's peaks and impacts are kept to a level, as they are at the next smaller one; NaN: none of the row. */
 static enum thud_status find_kept(const struct thud_stability *s, struct thud_stability_summary *m,
                                   struct thud_error *err)
 {

@@ -1,4 +1,4 @@
-/* Gaps and bumpers of single levels of an interface: from text, to text, held against what can meet there. */
+/* Gaps and bumpers of single levels of an interface: from text, to text, checked against what can meet there. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -220,7 +220,7 @@ enum thud_status thud_levels_check(const struct thud_scene *scene, int interface
         }
         thud_quantity_format(rint((v.thickness_m - v.cavity_m) * 1e9) / 1e9, "cm", out, sizeof out);
         thud_quantity_format(v.gap_m, "cm", gap, sizeof gap);
-        thud_error_set(err, THUD_INPUT, "the bumper at %s sticks out by %s into a gap of %s", name, out, gap);
+        thud_error_set(err, THUD_INPUT, "the bumper at %s projects by %s into a gap of %s", name, out, gap);
         thud_error_allow(err, "thickness - cavity <= gap");
         return refuse(interface, key[at->thickness.n > 0], err);
     }

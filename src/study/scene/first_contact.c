@@ -1,10 +1,10 @@
 /* The factor f of first contact. A contact is closed where the share of a clearance that the motion without pounding
- * uses up comes to 1:
+ * uses up reaches 1:
  *
  *     U(f) = max over levels of (relative displacement at f)/(clearance)
  *
  * U is continuous, and proportional to f where nothing yields, slips or acts on one side. Else it may fall with f:
- * steps of the scan grow with |ln U|, and a maximum between two steps is looked into where it may come to 1. */
+ * steps of the scan grow with |ln U|, and a maximum between two steps is examined where it may reach 1. */
 #include "study/scene/first_contact.h"
 
 #include <math.h>
@@ -13,8 +13,7 @@
 #include "study/scene/level.h"
 #include "study/scene/scene_elements.h"
 
-/* Of factors: a part of them to which they are found, the range that is searched, and the share from which on downwards
- * no contact is expected. */
+/* Of factors: a part of them to which they are found, the range that is searched, and the share below which no contact is expected. */
 static const double close = 1e-6, least = 1e-3, most = 1e3, far = 0.2;
 /* Steps of ln f: parts of |ln U|, between these. A turn of ln U is looked into while it is no further from 0 than so many
  * times what its neighbours fall behind it. */
@@ -89,7 +88,7 @@ static double towards(struct trial at, bool contact)
     return contact ? -logarithm : logarithm;
 }
 
-/* Whether a change may lie between three trials, by how the middle one stands out. */
+/* Whether a change may lie between three trials, by how far the middle one is off the line of the others. */
 static bool may_change(const struct trial at[3], bool contact)
 {
     const double top = towards(at[1], contact), left = towards(at[0], contact), right = towards(at[2], contact);

@@ -62,7 +62,7 @@ static enum thud_status set_one(struct thud_gap_code *code, const char *word, si
     return thud_error_refuse(err, THUD_USAGE, "--code",
                              "q, cd (Cd/Ie), r (R/I): above 0, up to 100; intensity (GB 50011): 6 to 9; e.g. "
                              "q=1.5,intensity=8",
-                             "\"%.*s\" is no factor of a code", (int)(n < 60 ? n : 60), word);
+                             "\"%.*s\" is not a factor of a code", (int)(n < 60 ? n : 60), word);
 }
 
 enum thud_status thud_gap_code_set(struct thud_gap_code *code, const char *text, struct thud_error *err)

@@ -1,4 +1,4 @@
-/* Cases: the same scene without bumper, with it flush on the wall, or set in a cavity. */
+/* Cases: the same scene without the bumper, with it flush on the wall, or set in a cavity. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -19,9 +19,9 @@ static const struct {
      {{"no pounding", "without pounding"}, {"no pounding", "without pounding"}, {"no pounding", "without pounding"}}},
     {"as-written", {{"as written", "as written"}, {"as written", "as written"}, {"as written", "as written"}}},
     {"none",
-     {{"no bumper", "without bumper"},
+     {{"no bumper", "without the bumper"},
       {"no links", "without the links"},
-      {"neither bumper nor links", "without bumper and links"}}},
+      {"neither bumper nor links", "without the bumper and links"}}},
     {"bumper",
      {{"bumper", "with the bumper"},
       {"bumper", "with the bumper"},
@@ -33,8 +33,9 @@ static const struct {
     {"link",
      {{"links", "with the links"},
       {"links", "with the links"},
-      {"links, no bumper", "with the links and without bumper"}}},
-    {"", {{"bumper", "with the bumper"}, {"links", "with the links"}, {"bumper and links", "with bumper and links"}}}};
+      {"links, no bumper", "with the links and without the bumper"}}},
+    {"",
+     {{"bumper", "with the bumper"}, {"links", "with the links"}, {"bumper and links", "with the bumper and links"}}}};
 
 int thud_scene_measures(const struct thud_scene *scene)
 {

@@ -1,4 +1,4 @@
-/* Values held against each other. */
+/* Checks of values against each other. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -109,7 +109,7 @@ static enum thud_status check_columns(const struct thud_scene *scene, int s, str
     for (int i = 0; i < structure->storeys && has; i++) {
         if (!(structure->column_ei_nm2[i] > 0) || !(structure->column_stiffness_npm[i] > 0))
             continue;
-        thud_error_set(err, THUD_INPUT, "given as well as EI, which it is there to replace");
+        thud_error_set(err, THUD_INPUT, "given together with EI, to which it is an alternative");
         return thud_scene_refuse(err, "EI or stiffness", "structures.%d.column.stiffness", s + 1);
     }
     return THUD_OK;
@@ -188,7 +188,7 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
     return THUD_OK;
 }
 
-/* A wall that gives has a mass and what holds it; soil stands behind one at an end of the row. */
+/* A flexible wall has a mass and a stiffness; backfill is behind a wall at an end of the row. */
 static enum thud_status check_wall(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     const struct thud_structure *wall = &scene->structure[s];
@@ -292,7 +292,7 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
     }
     char much[48];
     thud_quantity_format(rint(out * 1e9) / 1e9, "cm", much, sizeof much);
-    thud_error_set(err, THUD_INPUT, "the bumper sticks out by %s into a gap of %s", much, gap);
+    thud_error_set(err, THUD_INPUT, "the bumper projects by %s into a gap of %s", much, gap);
     return thud_scene_refuse(err, "thickness - cavity <= gap", "interfaces.%d.bumper.thickness", interface + 1);
 }
 

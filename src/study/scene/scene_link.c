@@ -124,7 +124,7 @@ enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, 
         *floor = floors;
         if (floors <= 1)
             return THUD_OK;
-        thud_error_set(err, THUD_INPUT, "which floor of %.40s is not said", end);
+        thud_error_set(err, THUD_INPUT, "the floor of %.40s is not specified", end);
         thud_error_allow(err, "%.40s.1 to %.40s.%d", end, end, floors);
         return THUD_INPUT;
     }

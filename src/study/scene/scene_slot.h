@@ -31,7 +31,7 @@ struct thud_place {
     unsigned laws;       /* THUD_GROUP_ISOLATOR: bit set of the isolators' laws that have it */
     unsigned needed;     /* and of those that cannot do without it */
     bool optional;       /* THUD_STORE_FLOORS: need not be given */
-    bool reads;          /* a structure's file is read anew for it */
+    bool reads;          /* a structure's file is read again for it */
 };
 
 struct thud_slot {

@@ -36,7 +36,7 @@ static enum thud_status set_vary(struct thud_scene *scene, char **item, int n, s
         if (status != THUD_OK)
             return status;
         if (slot.param->kind == THUD_PARAM_TEXT && slot.place.store != THUD_STORE_LAW)
-            return thud_error_set(err, THUD_INPUT, "\"%.80s\" is no number and no choice that could be varied",
+            return thud_error_set(err, THUD_INPUT, "\"%.80s\" is neither a number nor a choice that can be varied",
                                   item[i]);
         for (int j = 0; j < i; j++)
             if (strcmp(item[i], item[j]) == 0)
@@ -122,7 +122,7 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
     int n = items(text, value, VALUES_MAX);
     enum thud_status status = THUD_OK;
     if (n < 0) {
-        thud_error_set(err, THUD_INPUT, "too many values, or a list without end");
+        thud_error_set(err, THUD_INPUT, "too many values, or an unterminated list");
         thud_error_allow(err, "up to %d", VALUES_MAX);
         return THUD_INPUT;
     }
@@ -225,7 +225,7 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
         return set_values(scene, copy, err);
     int n = items(copy, item, most);
     if (n < 0) {
-        thud_error_set(err, THUD_INPUT, "too many values, or a list without end");
+        thud_error_set(err, THUD_INPUT, "too many values, or an unterminated list");
         thud_error_allow(err, "up to %d", most);
         return THUD_INPUT;
     }

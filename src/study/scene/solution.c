@@ -52,8 +52,8 @@ static enum thud_status check_contact_energy(const struct thud_result *result, s
     if (-e->contact_j <= allowed * (e->initial_j + e->input_j))
         return THUD_OK;
     return thud_error_refuse(err, THUD_DIVERGED, NULL, "a shorter step, or a method that locates contacts",
-                             "the contacts made %.3g kJ out of nothing, %.0f %% of the energy that went in: %s gives "
-                             "no results at this step",
+                             "the contacts created %.3g kJ of spurious energy, %.0f %% of the energy input: %s gives "
+                             "no valid results at this step",
                              -1e-3 * e->contact_j, -100 * e->contact_j / (e->initial_j + e->input_j), result->method);
 }
 

@@ -292,7 +292,7 @@ static enum thud_status list_one_motion(struct thud_simplify *s, struct thud_err
     return status;
 }
 
-/* Every row that applies. What is said of the file of one motion alone is no step for several. */
+/* Every row that applies. What applies to the file of one motion only is not a step for several. */
 static enum thud_status list_rows(struct thud_simplify *s, struct thud_error *err)
 {
     struct thud_simplify_found *f = &s->found;

@@ -2,7 +2,7 @@
 
 #include "study/simplify/simplify.h"
 
-/* What one row of the table is said of: $ in its words, @ in its keys. */
+/* What one row of the table applies to: $ in its words, @ in its keys. */
 enum thud_simplify_span { THUD_SPAN_SCENE, THUD_SPAN_STRUCTURE, THUD_SPAN_INTERFACE, THUD_SPAN_LINK, THUD_SPAN_METHOD };
 
 /* The full scene with its motion (NULL: none) and result, and what of it a row is applied to. */

@@ -89,8 +89,7 @@ static bool newton(const struct likelihood *l, double step[2])
     return true;
 }
 
-/* The counts go from none to all (or back) at one place or over one stripe: the likelihood grows without end as beta
- * goes to 0, so no curve is the most likely one. */
+/* The counts go from none to all (or back) at one place or over one stripe: the likelihood grows without bound as beta goes to 0, so no curve is the most likely one. */
 static bool is_step(const struct thud_stripe *stripe, size_t n, struct thud_lognormal *out)
 {
     double none_least = INFINITY, none_most = 0, all_least = INFINITY, all_most = 0, part = NAN;
@@ -262,7 +261,7 @@ static enum thud_status refuse_event(const char *text, char between, struct thud
     }
     enum thud_status status =
         thud_error_refuse(err, THUD_USAGE, limits ? "--limit" : "--event", allowed.failed ? "" : allowed.data,
-                          limits ? "\"%.60s\" is no limit" : "\"%.60s\" is no event", text);
+                          limits ? "\"%.60s\" is not a limit" : "\"%.60s\" is not an event", text);
     thud_text_clear(&allowed);
     return status;
 }
@@ -381,7 +380,7 @@ static double over_interval(const struct thud_lognormal *curve, double x0, doubl
     return sum;
 }
 
-/* What bounds may differ by, of the upper one, and be told as one number. */
+/* Difference of two bounds, relative to the upper one, below which one number is reported. */
 static const double told_as_one = 0.01;
 
 /* Of a rising curve. */
@@ -530,7 +529,7 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
     return THUD_OK;
 }
 
-/* A fit that may be told, and where the median lies. */
+/* A fit that may be reported, and where the median lies. */
 static void conclude(struct thud_fragility *f, enum thud_measure measure, const struct thud_sweep_axis *axis)
 {
     f->curve = thud_lognormal_fit(f->stripe, f->n);

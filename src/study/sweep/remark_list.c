@@ -10,7 +10,7 @@ enum place { ONCE, STRUCTURE, INTERFACE, MOTION, VARIED };
     }
 #define SCENE(at, name) ROW(SCENE, at, UNUSUAL, name)
 
-/* Rows one after the other that are about the same and asked at the same places are told place by place. */
+/* Adjacent rows on the same subject, evaluated at the same places, are reported place by place. */
 static const struct row {
     enum thud_remark_about about;
     enum place at;

@@ -47,12 +47,11 @@ void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thu
         snprintf(where, sizeof where, " at floor %d",
                  thud_slab_floor(most->left_floor, most->right_floor, most->struck));
     struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "the bumper of %.4g mm is pressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
+    thud_error_set(said, THUD_OK, "the bumper of %.4g mm is compressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,
-                   most->indentation.value > thickness ? "more than there is of it" : "past its ultimate strain",
-                   often);
+                   most->indentation.value > thickness ? "more than its thickness" : "past its ultimate strain", often);
     if (!isnan(strain))
-        thud_error_allow(said, "up to %.4g mm it is rubber that acts", 1e3 * limit);
+        thud_error_allow(said, "the rubber law applies up to %.4g mm", 1e3 * limit);
     thud_error_key(said, "interfaces.%d.bumper", i + 1);
 }
 
@@ -141,7 +140,7 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
     int slab = s->kind == THUD_ISOLATED, storey = -1;
     double worst = 0;
     if (scope->result->collapse.happened && scope->result->collapse.structure == i)
-        return; /* that is told */
+        return; /* to report */
     for (int f = slab; r->storey && f < r->floors; f++) {
         double drift = r->floor[f].drift.value / s->height_m[f - slab];
         double beyond = fmax(r->storey[f].ductility / ductility_most, drift / yielding_drift_most);
@@ -172,7 +171,7 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
     const struct thud_structure *s = &scene->structure[c->structure];
     const int storey = thud_structure_storey(s, c->floor);
     thud_error_set(out, THUD_OK,
-                   "storey %d of %.40s collapses at %.3f s: its drift comes to %.4g mm, %.3g %% of its height, and the "
+                   "storey %d of %.40s collapses at %.3f s: its drift reaches %.4g mm, %.3g %% of its height, and the "
                    "run ends there",
                    storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
     thud_error_key(out, "structures.%d", c->structure + 1);
@@ -219,8 +218,8 @@ void thud_remark_struck(const struct thud_remark_scope *scope, int i, struct thu
         snprintf(others, sizeof others, "; so do those of %d other storey%s", above - 1, above > 2 ? "s" : "");
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the struck columns below floor %d of %.40s bear a shear of %s kN at %.3f s, %.3g times what they "
-                   "can, and are taken as whole%s: results from then on have no meaning",
+                   "the struck columns below floor %d of %.40s carry a shear of %s kN at %.3f s, %.3g times their "
+                   "capacity, but are modelled as intact%s: results after that are meaningless",
                    worst->storey, scope->scene->structure[i].name, thud_digits(1e-3 * shear->value, 4, number[0]),
                    shear->time_s, worst->ratio, others);
     thud_error_allow(said, "up to %s kN", thud_digits(1e-3 * worst->capacity_n, 4, number[1]));
@@ -242,8 +241,8 @@ void thud_remark_overturning(const struct thud_remark_scope *scope, int i, struc
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the overturning moment of %.40s about its isolators comes to %s MN m at %.3f s, %s times what "
-                   "its weight holds (%s MN m): uplift of isolators, and how the load on them changes, are left out",
+                   "isolators of %.40s: overturning moment %s MN m at %.3f s, %s times the restoring moment of the "
+                   "weight (%s MN m); isolator uplift and axial-load variation are not modelled",
                    s->name, thud_digits(1e-6 * r->overturning.value, 4, number[0]), r->overturning.time_s,
                    thud_digits(r->overturning.value / held, 2, number[1]), thud_digits(1e-6 * held, 4, number[2]));
     thud_error_allow(said, "up to half of the weight times half the width, %s MN m",
@@ -258,14 +257,15 @@ void thud_remark_energy(const struct thud_remark_scope *scope, int i, struct thu
     const struct thud_energy *e = &scope->result->energy;
     const bool steps = !isnan(scope->result->step_s);
     char use[80];
-    snprintf(use, sizeof use, steps ? "at this step %s gives no results" : "results of %s that follow are not reliable",
+    snprintf(use, sizeof use,
+             steps ? "at this step %s gives no valid results" : "results of %s that follow are not reliable",
              scope->result->method);
     (void)i;
     if (e->error_ratio > balanced)
         thud_error_set(thud_remark_add(out), THUD_OK, "%.2g %% of the energy is unaccounted for; %s",
                        100 * e->error_ratio, use);
     else if (-e->contact_j > balanced * (e->initial_j + e->input_j))
-        thud_error_set(thud_remark_add(out), THUD_OK, "the contacts made %.3g kJ out of nothing; %s",
+        thud_error_set(thud_remark_add(out), THUD_OK, "the contacts created %.3g kJ of spurious energy; %s",
                        -1e-3 * e->contact_j, use);
     else if (e->error_ratio > exact)
         thud_error_set(thud_remark_add(out), THUD_OK, "%.2g %% of the energy is unaccounted for", 100 * e->error_ratio);
@@ -395,7 +395,7 @@ void thud_remark_presses(const struct thud_remark_scope *scope, int i, struct th
         return;
     where_text(scope->plan, w->press.point, w->press.which, where, sizeof where);
     if (w->beyond > 0)
-        snprintf(beyond, sizeof beyond, ", in %ld by more than there is of it", w->beyond);
+        snprintf(beyond, sizeof beyond, ", in %ld by more than its thickness", w->beyond);
     thud_error_set(thud_remark_add(out), THUD_OK,
                    "a bumper is pressed past its ultimate strain in %ld of %ld runs with one%s: one of %.4g mm by "
                    "%.4g mm (%s)",

@@ -136,8 +136,8 @@ void thud_remark_modes(const struct thud_remark_scope *scope, int i, struct thud
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "%d of %d modes: what they leave out is taken as ten times faster than the fastest of them, so that "
-                   "the local give at a struck floor is not known",
+                   "%d of %d modes: what they omit is modelled with a tenth of their shortest period, so the local "
+                   "compliance at a struck floor is not known",
                    s->shape_rows, s->storeys);
     thud_error_allow(said, "as many modes as floors");
     thud_error_key(said, "structures.%d.periods", i + 1);
@@ -186,7 +186,7 @@ static double approach_force(const struct thud_law_choice *choice, double thickn
     return thud_branch_force(&branch, depth_m, 0.5, NULL, NULL);
 }
 
-/* A wall that gives, but stiffer than the contact and lighter than the floor that strikes it. It hardly moves, but laws
+/* A flexible wall, but stiffer than the contact and lighter than the floor that strikes it. It hardly moves, but laws
  * take their dashpot from the effective mass m1 m2/(m1 + m2), which is the wall's: it is not the fixed wall. */
 void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
@@ -303,7 +303,8 @@ void thud_remark_step(const struct thud_remark_scope *scope, int i, struct thud_
     if (step_s <= shortest / 20 * (1 + 1e-9))
         return;
     struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "%.4g ms is long for a contact that swings in %.4g ms", 1e3 * step_s, 1e3 * shortest);
+    thud_error_set(said, THUD_OK, "%.4g ms is long for a contact with a period of %.4g ms", 1e3 * step_s,
+                   1e3 * shortest);
     thud_error_allow(said, "usually up to a twentieth of that, %.4g ms", 50 * shortest);
     thud_error_key(said, "analysis.step");
 }

@@ -1,5 +1,5 @@
 /* Within a group, runs whose contacts are the same (laws with their values, clearances) are the same run: case `none`
- * at one gap whatever the bumper, a bumper in a cavity and one that sticks out by as much at another gap. The first of
+ * at one gap whatever the bumper, a bumper in a cavity and one with the same projection at another gap. The first of
  * them makes it, the others take its result. Runs of a group are numbered by point, then by case (the plan's, and after
  * them `none` for the ratios). */
 #include <math.h>

@@ -97,7 +97,7 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
         "contact-stiffness, period, soil-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up "
         "to 1; elevation: 5 cm, "
         "up to 10 m; of one building stiffness.A=5 %, of all of them besides stiffness.common=10 %",
-        "\"%.60s\" is no input with its size", text);
+        "\"%.60s\" is not an input with its size", text);
 }
 
 /* A parameter of a law; NULL where the law has none of the name, or it is not given. */
@@ -453,7 +453,7 @@ static bool has_floors(const struct thud_structure *s)
     return s->kind != THUD_WALL;
 }
 
-/* What the table of measures tells of a case: of a structure, or of all contacts (-1). */
+/* Reads the measures of a case: of a structure, or of all contacts (-1). */
 static void add(struct thud_uncertainty *u, int k, int structure, unsigned features)
 {
     const char *of = structure >= 0 ? u->scene.structure[structure].name : "", *which = thud_case_name(u->which[k]);

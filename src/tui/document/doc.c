@@ -207,7 +207,7 @@ static void clear_group(struct thud_scene *next, int s, enum thud_group group, c
         set_each(next, s, prefix, (const char *const[][2]){{param->name, ""}, {NULL}});
 }
 
-/* A foundation has values that stand together, and so have a wall that gives and the soil behind it: the first one that
+/* A foundation has values that belong together, and so have a flexible wall and the soil behind it: the first one that
  * is typed brings usual ones for the rest, and without the mass there is none. */
 static void set_foundation(struct thud_scene *next, int s, const char *name, const char *text)
 {

@@ -170,8 +170,8 @@ static void choose_file(struct thud_tui *tui, const char *key, const char *kind)
     memcpy(tui->dialog.target, target, sizeof target);
     thud_browse_list(&files, THUD_BROWSE_RECORDS, tui->doc.paths, tui->doc.path, "");
     thud_tui_choose(tui, chosen_file,
-                    strcmp(kind, "modes") == 0 ? "CSV of periods and shapes, a row a mode"
-                                               : "CSV of the lateral stiffness, a row a floor");
+                    strcmp(kind, "modes") == 0 ? "CSV of periods and shapes, one row per mode"
+                                               : "CSV of the lateral stiffness, one row per floor");
     for (int i = 0; i < files.n; i++)
         if (thud_ascii_ends(files.item[i].name, ".csv") &&
             strlen(files.item[i].name) < sizeof(struct thud_choice){0}.value)
@@ -210,7 +210,7 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     return true;
 }
 
-/* What changes are told against stays while the same value is stepped. */
+/* The state that changes are compared with stays while the same value is stepped. */
 bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text)
 {
     const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision;

@@ -6,7 +6,7 @@
 
 #include "io/file/file.h"
 
-static const char head[] = "# A session of thud: `thud --play FILE` does it again";
+static const char head[] = "# A session of thud: `thud --play FILE` repeats it";
 
 void thud_tui_log(struct thud_tui *tui, const char *fmt, ...)
 {
@@ -54,5 +54,5 @@ void thud_tui_save_log(struct thud_tui *tui, const char *path)
     if (thud_text_write(&text, path, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s: thud --play %s does it again", path, path);
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s: thud --play %s repeats it", path, path);
 }

@@ -158,7 +158,7 @@ struct thud_running {
     int design;                  /* number of the one that was run last; 0: none */
     char stepped[THUD_PATH_MAX]; /* the key that is being stepped, to this revision, */
     unsigned long stepped_to;
-    bool stepping;      /* and was before: changes are told against what was before the first step */
+    bool stepping;      /* and was before: changes are compared with what was before the first step */
     unsigned long seen; /* the document's, when it was last followed, and the histories wanted then */
     enum thud_live_history seen_history;
     struct thud_model *model; /* of the scene where no run has one; NULL: none */
@@ -214,7 +214,7 @@ struct thud_tui {
     struct thud_doc doc;
     struct thud_running run;
     struct thud_designs designs; /* what was run so far */
-    struct thud_base base;       /* the state that changes are told against */
+    struct thud_base base;       /* the state that changes are compared with */
     struct thud_form form;
     struct thud_dialog dialog;
     struct thud_files files;

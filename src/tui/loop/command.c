@@ -289,9 +289,9 @@ static void list_words(struct thud_tui *tui, const char *word)
     }
     near = thud_nearest(word, words, COMMANDS);
     if (near)
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command; did you mean :%s?", word, near);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is not a command; did you mean :%s?", word, near);
     else
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is no command: %s", word, text);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! \"%.40s\" is not a command: %s", word, text);
 }
 
 /* A key of the scene, as `set` takes it. */

@@ -68,7 +68,7 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
     thud_tui_say(tui, THUD_ROLE_GOOD, "This is design %s (u undoes)", text);
 }
 
-/* Empty, or the one that is chosen already: changes are told against the state before them again. */
+/* Empty, or the one that is chosen already: changes are compared with the state before them again. */
 void thud_tui_compare_with(struct thud_tui *tui, const char *name)
 {
     struct thud_design *d = *name ? thud_designs_named(&tui->designs, name) : NULL;
@@ -82,7 +82,7 @@ void thud_tui_compare_with(struct thud_tui *tui, const char *name)
     if (!d || (tui->base.chosen && strcmp(tui->base.name, thud_design_called(d, text)) == 0)) {
         thud_base_clear(&tui->base);
         thud_tui_log(tui, "compare");
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "Changes are told against the state before them");
+        thud_tui_say(tui, THUD_ROLE_PLAIN, "Changes are compared with the state before them");
         return;
     }
     if (thud_doc_read_record(&tui->doc, d->scene, &record, &err) != THUD_OK)
@@ -92,7 +92,7 @@ void thud_tui_compare_with(struct thud_tui *tui, const char *name)
     thud_record_free(record);
     thud_tui_log(tui, "compare %s", thud_design_called(d, text));
     if (!err.what[0])
-        thud_tui_say(tui, THUD_ROLE_GOOD, "Everything is told and drawn against design %s now", text);
+        thud_tui_say(tui, THUD_ROLE_GOOD, "Everything is compared with design %s now", text);
 }
 
 /* A preset of that name beside this one, or in the working folder beside one that comes with thud. */
@@ -153,8 +153,7 @@ static void mark(struct thud_tui *tui, struct thud_design *d)
 
 /* ---- over the study's ground motions ---- */
 
-/* The largest over the motions, without (case 0) and with (the last case) bumper and links. The required gap is told for
- * one gap alone. */
+/* The largest over the motions, without (case 0) and with (the last case) bumper and links. The required gap is given for one interface only. */
 static void largest(const struct thud_suite *suite, const struct thud_scene *scene, struct thud_design_result *out)
 {
     const int with = suite->plan->ncases - 1;

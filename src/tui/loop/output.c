@@ -19,8 +19,7 @@ bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
     return false;
 }
 
-/* What was kept for a look is too little for a file: the run is made again with whole histories, and the action after
- * it. */
+/* The histories kept for display are too coarse for a file: repeats the run with whole histories, then the action. */
 static bool needs_whole(struct thud_tui *tui, enum thud_action action)
 {
     const enum thud_live_history kept = tui->run.live.history;

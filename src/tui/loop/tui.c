@@ -276,7 +276,7 @@ static bool comparing(const struct thud_tui *tui)
            thud_base_busy(&tui->base, &tui->doc, thud_tui_wants_history(tui));
 }
 
-/* The live run has ended: what waited for it is done, and a failure is told. */
+/* The live run has ended: does what waited for it, and reports a failure. */
 static void ran(struct thud_tui *tui)
 {
     enum thud_action action = tui->files.whole_wanted;
@@ -369,7 +369,7 @@ static void keep_edits(struct thud_tui *tui)
     tui->end.keeping_failed = failed;
 }
 
-/* Who has gone to another window is told when what took long has ended. */
+/* Notifies a user in another window when a long computation has ended. */
 static void notice(struct thud_tui *tui, bool making)
 {
     static const double long_s = 10.0;

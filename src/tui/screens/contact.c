@@ -165,7 +165,7 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     return link_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, &rest, 1));
 }
 
-/* The loops, made anew where the scene or the pair changed. */
+/* The loops, recomputed where the scene or the pair changed. */
 static void refresh(struct thud_tui *tui)
 {
     struct contact_state *c = state(tui);

@@ -267,7 +267,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
         {"isolator.yield", "yields at", LEAD_RUBBER, 7, WIDE},
         {"isolator.radius", "radius", PENDULUM, 5, WIDE},
         {"isolator.friction", "friction", PENDULUM, 6, WIDE},
-        {"isolator.yield", "elastic give", PENDULUM, 7, WIDE},
+        {"isolator.yield", "elastic displacement", PENDULUM, 7, WIDE},
         ON_SOIL("vs", "soil Vs", 0, LEFT),
         ON_SOIL("mass", "on", 0, RIGHT),
         ON_SOIL("density", "density", 1, LEFT),

@@ -288,7 +288,7 @@ static void draw_storey(struct stage *stage, int s, int storey, struct storey at
 }
 
 /* What a building slides or yields on, at both ends of its slab: a dish on the ground and the slider on it, or a bearing
- * that is sheared between ground and slab; red while it moves beyond its elastic give. */
+ * that is sheared between ground and slab; red while it moves beyond its elastic displacement. */
 static void draw_isolators(struct stage *stage, int s, double ground, double slab)
 {
     const struct thud_structure *structure = &stage->scene->structure[s];
@@ -366,7 +366,7 @@ static void draw_building(struct stage *stage, int s)
     }
 }
 
-/* Bumpers stand out from the structure on the right, as far as the other one lets them. */
+/* Bumpers project from the structure on the right, as far as the other one lets them. */
 static void draw_contact(struct stage *stage, int index, int *worst, double *force)
 {
     const struct thud_model_contact *contact = &stage->model->contact[index];

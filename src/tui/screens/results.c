@@ -332,7 +332,7 @@ static int draw_work(struct thud_tui *tui, const struct thud_result *result, con
 {
     if (tui->doc.scene.analysis.modes > 0)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD),
-                            "! lowest modes alone: thud run tells what that changes");
+                            "! lowest modes only: thud run gives the error of that");
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "used %s", result->method ? result->method : "?");
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), "%ld steps, %ld events", result->work.steps,
                     result->work.events);

@@ -22,7 +22,7 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     return 2;
 }
 
-/* The figure on show. One that an edit began anew appears whole, if that does not take long: until then the one before
+/* The figure on show. One that an edit started again appears whole, if that does not take long: until then the one before
  * stays. */
 static void refresh(struct thud_tui *tui)
 {
@@ -205,7 +205,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     s->begun_s = tui->backend->now(tui->backend);
 }
 
-/* After an edit the study is made again, once the live cases are. */
+/* After an edit the study is run again, once the live cases are. */
 static void live(struct thud_tui *tui)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
@@ -302,7 +302,7 @@ static const char *cannot(struct thud_tui *tui, enum thud_action action)
     bool written = action == THUD_DO_PICTURE || action == THUD_DO_PICTURES || action == THUD_DO_EXPORT;
     if (written && figure(tui) && is_old(tui, thud_sweep_state(tui)))
         return tui->run.live.running || thud_sweep_state(tui)->data.running
-                   ? "The study is being made anew for what was edited: its figure is written once it is there"
+                   ? "The study is being run again after the edit: its figure is written once it is there"
                    : "This study is of before the edits, and is not written: r runs it again";
     bool of_figure = action == THUD_DO_QUANTITY || action == THUD_DO_NEXT_CONTACT || action == THUD_DO_PREVIOUS_CONTACT;
     if (!of_figure)

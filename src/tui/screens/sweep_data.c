@@ -208,7 +208,7 @@ static void find_gaps(struct thud_sweep_data *data, int n)
     }
 }
 
-/* Of the motions that are done, anew with each of them; the bands once all are. Fragility needs a number that is varied;
+/* Statistics of the motions that are done, recomputed after each of them; the bands once all are. Fragility needs a number that is varied;
  * without one there is none. */
 static void tell(struct thud_sweep_data *data)
 {

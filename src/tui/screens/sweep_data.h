@@ -29,7 +29,7 @@ struct thud_sweep_data {
     struct thud_needed_gap **gap;          /* (told) at the first values of the varied keys; NULL: none */
 };
 
-/* Begins anew: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
+/* Starts again: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY; there is no study then. */
 enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,
                                          const struct thud_study_words *words, struct thud_error *err);
@@ -42,8 +42,7 @@ enum thud_status thud_sweep_data_advance(struct thud_sweep_data *data, struct th
  * enough, fragility and incremental dynamic analysis. thud_sweep_data_figure: NULL, or ask thud_figure_check. */
 int thud_sweep_data_figures(struct thud_sweep_data *data);
 struct thud_figure *thud_sweep_data_figure(struct thud_sweep_data *data, int index);
-/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite its
- * statistics and fragility besides. Errors: THUD_OUTPUT, THUD_MEMORY. */
+/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite also its statistics and fragility. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_data_export(const struct thud_sweep_data *data, const char *folder, const char *stem,
                                         struct thud_error *err);
 void thud_sweep_data_stop(struct thud_sweep_data *data); /* keeps what is done */

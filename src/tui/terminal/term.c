@@ -148,7 +148,7 @@ static int term_key(struct thud_backend *backend, int timeout_ms)
     if (suspended)
         tell(term->mouse ? THUD_PASTE_ON THUD_MOUSE_ON : THUD_PASTE_ON);
     if (resized() || suspended)
-        return THUD_KEY_RESIZE; /* also when it goes on after a stop: everything is drawn anew */
+        return THUD_KEY_RESIZE; /* also when it goes on after a stop: everything is redrawn */
     int key = take_key(backend, false, &more);
     if (key != THUD_KEY_NONE)
         return key;
