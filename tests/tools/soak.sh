@@ -35,7 +35,7 @@ log=$build/soak.log
     PAGES=full sh tests/cli/test_pages.sh
     PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
-    for kind in law rule remark preset screen; do sh tests/tools/stranger.sh "$build" "$kind"; done
+    sh tests/tools/stranger.sh "$build"
     PRESETS="towers towers-yielding towers-on-soil isolated-moat three-in-a-row" sh tests/cli/test_simplify.sh
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh

@@ -1,11 +1,12 @@
 #!/bin/sh
 # A stranger adds one of each kind to a copy of the tree, in as many files as CONTRIBUTING says and no more, and the tests of that kind pass.  TAP.
-# usage: stranger.sh BUILD_FOLDER [KIND...]     kinds: law observer option rule remark preset screen; all by default.  CI: warnings are errors
+# usage: stranger.sh BUILD_FOLDER [KIND...]     kinds: see `all` below; all by default.  CI: warnings are errors
 # shellcheck disable=SC2317,SC2086 # functions are called through their names; words
 set -u
 build=${1:-build/release}
 [ $# -gt 0 ] && shift
-kinds=${*:-law observer option rule remark preset screen}
+all="law method element observer quantity measure rule remark record-format figure option preset screen"
+kinds=${*:-$all}
 here=$PWD
 variant=$(basename "$build")
 copy=$(mktemp -d) || exit 1
@@ -43,6 +44,120 @@ add_law() {
     echo 'THUD_LAW(stranger)' >>src/core/laws/law_list.h
 }
 shown_law() { ./thud laws | grep -q '^stranger' && ./thud run rigid-concrete --set contact.law=stranger --quiet | grep -q impacts; }
+
+add_method() {
+    FILES=2 TESTS='methods method_orders manual'
+    sed 's/thud_method_rk4/thud_method_stranger/; s/"rk4"/"stranger"/; s/"Runge-Kutta of order 4"/"Of a stranger"/' \
+        src/core/methods/method_rk4.c >src/core/methods/method_stranger.c
+    echo 'THUD_METHOD(stranger)' >>src/core/methods/method_list.h
+}
+shown_method() { ./thud methods | grep -q '^stranger' && ./thud run towers --method stranger --step 1ms --to 3s --quiet | grep -q impacts; }
+
+add_element() { # in rows of three, and nothing of the kind: it switches off every shortcut there
+    FILES=2 TESTS='elements'
+    sed 's/^    X(STRUT, \(.*\))$/    X(STRUT, \1) X(STRANGER, "stranger", THUD_UNKNOWN, 0, 0)/' include/core/model/element.h >"$copy/new" &&
+        cat "$copy/new" >include/core/model/element.h
+    after src/core/model/model.c 'thud_element_add(&sum, THUD_ELEMENT_P_DELTA' <<'END'
+    thud_element_add(&sum, THUD_ELEMENT_STRANGER, m->nstructures > 2);
+END
+}
+shown_element() { # runs of such a row do not begin where others have been
+    ./thud sweep three-in-a-row --vary interfaces.1.gap=4cm,6cm --to 12s --csv 2>"$copy/err" >/dev/null && ! grep -q 'were shared' "$copy/err" &&
+        "$here/thud" sweep three-in-a-row --vary interfaces.1.gap=4cm,6cm --to 12s --csv 2>"$copy/err" >/dev/null && grep -q 'were shared' "$copy/err"
+}
+
+add_quantity() { # of a run, in its CSV, JSON and manual
+    FILES=1 TESTS='schema manual'
+    after src/io/result/result_rows.c '{FLOOR(peak.velocity.time_s, "velocity_time_s"' <<'END'
+    {FLOOR(peak.velocity.value, "stranger_mps", "Of a stranger, m/s.")},
+END
+}
+shown_quantity() {
+    ./thud run towers --to 3s --csv --quiet | grep -q stranger_mps && ./thud run towers --to 3s --json --quiet | grep -q '"stranger_mps"' &&
+        grep -q '^Of a stranger, m/s[.]' man/thud-output.5
+}
+
+add_measure() { # in suites, and an event
+    FILES=2 TESTS='fragility sweep_table uncertainty manual'
+    awk '/^    THUD_MEASURES$/ { print "    THUD_MEASURE_STRANGER," } { print }' include/study/sweep/measure.h >"$copy/new" &&
+        cat "$copy/new" >include/study/sweep/measure.h
+    after src/study/sweep/measure.c 'static const struct thud_measure_info infos[THUD_MEASURES] = {' <<'END'
+    [THUD_MEASURE_STRANGER] = {"stranger_m", "largest indentation of a stranger", THUD_LENGTH, TOLD(11, 0, 0, 0),
+                               .event.word = "stranger", .event.example = "1mm", .read = largest_of_contacts,
+                               CONTACT(indentation_m)},
+END
+}
+shown_measure() {
+    ./thud fragility towers --records kobe-surrogate.csv,northridge-surrogate.csv --vary record.factor=0.5,1 --to 6s --event stranger:1mm \
+        --no-figures --quiet -o "$copy/measure" >/dev/null && grep -q stranger_m "$copy/measure/suite.csv" &&
+        grep -q 'stranger:1mm' "$copy/measure/fragility.csv"
+}
+
+add_record_format() {
+    FILES=2 TESTS='record_formats record_refusals'
+    cat >src/io/record/record_stranger.c <<'END'
+/* A stranger's: `STRANGER COUNT= 500 STEP= 0.01`, then m/s2. */
+#include "io/record/record_source.h"
+
+static bool recognize(const struct record_source *source)
+{
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    return record_next(&cursor, &line) && record_find(&line, "STRANGER");
+}
+
+static enum thud_status read_stranger(const struct record_source *source, const struct thud_record_choice *choice,
+                                      struct record_raw *raw, struct thud_error *err)
+{
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    size_t count = 0;
+    (void)choice;
+    record_next(&cursor, &line);
+    raw->dt_s = record_number_after(&line, "STEP");
+    raw->factor = 1;
+    enum thud_status status = record_count(source, &line, record_number_after(&line, "COUNT"), &count, err);
+    return status ? status : record_add_block(raw, &cursor, 0, count, err);
+}
+
+const struct record_format record_format_stranger = {"Stranger", false, recognize, read_stranger};
+END
+    sed 's/ X(at2) X(knet)/ X(stranger)&/' src/io/record/record_source.h >"$copy/new" && cat "$copy/new" >src/io/record/record_source.h
+}
+shown_record_format() {
+    awk 'BEGIN { print "STRANGER COUNT= 500 STEP= 0.01"; for (i = 0; i < 500; i++) print sin(i / 20) }' >"$copy/motion.str"
+    ./thud record info "$copy/motion.str" | grep -q Stranger && ./thud run towers --record "$copy/motion.str" --quiet | grep -q impacts
+}
+
+add_figure() {
+    FILES=2 TESTS='figures_run'
+    cat >src/plot/figures/figures_stranger.c <<'END'
+/* Figure of a run: the largest force of each contact. */
+#include "plot/figures/figures_run_internal.h"
+
+struct thud_figure *thud_figure_stranger(enum thud_run_figure which, const struct thud_figure_source *source,
+                                         int nsources)
+{
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), "Of a stranger", 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Contact", "");
+    thud_panel_axis(panel, THUD_Y, "Force", "N");
+    for (int s = 0; s < nsources; s++) {
+        const struct thud_style style = {.kind = THUD_LINES_POINTS, .color = thud_source_color(&source[s], nsources)};
+        const int n = source[s].result->ncontacts;
+        struct thud_series *series = thud_panel_add(panel, style, source[s].name, (size_t)n, NULL, NULL);
+        for (int c = 0; series && c < n; c++) {
+            series->x[c] = c + 1;
+            series->y[c] = source[s].result->contact[c].force.value;
+        }
+    }
+    return figure;
+}
+END
+    sed 's/^    X(COLUMNS, \(.*\))$/    X(COLUMNS, \1) X(STRANGER, "stranger", stranger, CONTACTS)/' include/plot/figures/figures_run.h >"$copy/new" &&
+        cat "$copy/new" >include/plot/figures/figures_run.h
+}
+shown_figure() { ./thud run towers --to 6s --format svg --quiet -o "$copy/figure" >/dev/null && grep -q '<svg' "$copy/figure/stranger.svg"; }
 
 add_observer() { # how long a run is in the state, as an observer sees it
     FILES=3 TESTS='observers baseline'
@@ -191,15 +306,15 @@ tests_pass() {
         THUD=$copy/thud "build/$variant/unit/test_$t" >"$copy/tap" || { grep -A 8 '^not ok' "$copy/tap" && return 1; }
     done
 }
-all='' files=0
+files=0 tests=''
 for kind in $kinds; do
-    "add_$kind" || { echo "not ok - $kind: the patch fits" && failed=1; }
-    all="$all $TESTS" files=$((files + FILES))
+    "add_$(echo "$kind" | tr - _)" || { echo "not ok - $kind: the patch fits" && failed=1; }
+    tests="$tests $TESTS" files=$((files + FILES))
 done
 is "$kinds: build" builds
 THUD=./thud sh tests/tools/manual.sh 2>/dev/null || :
 is "$kinds: $files files, and the pages that are generated" [ "$(touched)" -le "$files" ]
-for kind in $kinds; do is "$kind: is there" "shown_$kind"; done
-TESTS=$(printf '%s\n' $all | sort -u)
+for kind in $kinds; do is "$kind: is there" "shown_$(echo "$kind" | tr - _)"; done
+TESTS=$(printf '%s\n' $tests | sort -u)
 is "tests of $kinds pass" tests_pass
 exit $failed

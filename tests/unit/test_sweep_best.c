@@ -25,8 +25,9 @@ static struct thud_sweep_summary *make_point(int record, int g, int i)
     d->gap_m = gap[g];
     d->which[0] = THUD_CASE_BUMPER;
     for (int s = 0; s < STRUCTURES; s++) {
-        *thud_sweep_summary_ratio(d, 0, s, 0, THUD_SWEEP_VALUE) =
-            (struct thud_sweep_ratio){0.8 + 0.1 * record + 100 * off * off - 0.01 * s, 0.9 + 0.01 * s, 1, 1};
+        *thud_sweep_summary_measure(d, 0, THUD_MEASURE_ACCELERATION_RATIO, s, THUD_SWEEP_VALUE) =
+            0.8 + 0.1 * record + 100 * off * off - 0.01 * s;
+        *thud_sweep_summary_measure(d, 0, THUD_MEASURE_DRIFT_RATIO, s, THUD_SWEEP_VALUE) = 0.9 + 0.01 * s;
         *thud_sweep_summary_ratio(d, 0, s, 1, THUD_SWEEP_VALUE) = (struct thud_sweep_ratio){0.1 * i, 7, 1, 1};
     }
     return d;
@@ -85,8 +86,7 @@ START_TEST(what_has_no_answer_is_passed_over)
     for (int i = 0; i < POINTS; i++)
         if (point[i]->record == 0 && point[i]->at[0] == 0 && point[i]->at[1] == 3)
             for (int k = 0; k < STRUCTURES; k++)
-                *thud_sweep_summary_ratio(point[i], 0, k, 0, THUD_SWEEP_VALUE) =
-                    (struct thud_sweep_ratio){NAN, NAN, NAN, NAN};
+                *thud_sweep_summary_measure(point[i], 0, THUD_MEASURE_ACCELERATION_RATIO, k, THUD_SWEEP_VALUE) = NAN;
     ck_assert_int_eq(thud_sweep_best(&table, 1, &best), GAPS * (RECORDS + 1));
     ck_assert_double_eq_tol(best[0].ratio, 0.81, 1e-12);
     ck_assert_int_eq(best[0].values, THICKNESSES - 1);

@@ -28,6 +28,7 @@ static struct thud_sweep_summary *point(int record, int gap)
             record ? 0.1 * strength : (double)NAN;
         *thud_sweep_summary_measure(d, k, THUD_MEASURE_DUCTILITY, 0, THUD_SWEEP_VALUE) = 7 * strength;
         *thud_sweep_summary_measure(d, k, THUD_MEASURE_PERMANENT, 0, THUD_SWEEP_VALUE) = strength;
+        *thud_sweep_summary_measure(d, k, THUD_MEASURE_ACCELERATION_RATIO, 0, THUD_SWEEP_VALUE) = k ? strength / 3 : 1;
         for (int f = 0; f <= floors[0]; f++)
             *thud_sweep_summary_ratio(d, k, 0, f, THUD_SWEEP_VALUE) =
                 (struct thud_sweep_ratio){k ? strength / 3 : 1, 10 * strength, 1 + f, 0};

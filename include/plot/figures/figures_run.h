@@ -19,19 +19,24 @@ struct thud_figure_source {
     bool behind; /* of another state, to compare with: dashed */
 };
 
+/* X(NAME, name of its files, maker, what a run must have for it); the makers are thud_figure_MAKER. */
+#define THUD_RUN_FIGURE_LIST(X)                                                                                        \
+    X(FORCE, "force", forces, CONTACTS)                                                                                \
+    X(VELOCITY, "velocity", histories, FLOORS)                                                                         \
+    X(ACCELERATION, "acceleration", histories, FLOORS)                                                                 \
+    X(DISPLACEMENT, "displacement", histories, FLOORS)                                                                 \
+    X(DRIFT, "drift", histories, FLOORS)                                                                               \
+    X(LOOP, "loop", loops, IMPACTS)                                                                                    \
+    X(ENVELOPE, "envelope", envelopes, STOREYS)                                                                        \
+    X(ENERGY, "energy", energies, FLOORS)                                                                              \
+    X(HYSTERESIS, "hysteresis", hysteresis, YIELDING_OR_LINKS)                                                         \
+    X(PERMANENT, "permanent", permanent, YIELDING)                                                                     \
+    X(COLUMNS, "columns", columns, STRUCK_COLUMNS)
+
 enum thud_run_figure {
-    THUD_FIGURE_FORCE,
-    THUD_FIGURE_VELOCITY,
-    THUD_FIGURE_ACCELERATION,
-    THUD_FIGURE_DISPLACEMENT,
-    THUD_FIGURE_DRIFT,
-    THUD_FIGURE_LOOP,
-    THUD_FIGURE_ENVELOPE,
-    THUD_FIGURE_ENERGY,
-    THUD_FIGURE_HYSTERESIS, /* of storeys that yield and of links, and of the former */
-    THUD_FIGURE_PERMANENT,  /* ductility and permanent drift over the height */
-    THUD_FIGURE_COLUMNS,
-    THUD_RUN_FIGURES
+#define THUD_RUN_FIGURE(NAME, name, maker, needs) THUD_FIGURE_##NAME,
+    THUD_RUN_FIGURE_LIST(THUD_RUN_FIGURE) THUD_RUN_FIGURES
+#undef THUD_RUN_FIGURE
 };
 
 /* What the figures say of ductility and permanent drift. */

@@ -108,14 +108,15 @@ static bool next_panel(const struct thud_result *result, int *structure, int *in
     return false;
 }
 
-struct thud_figure *thud_figure_columns(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_columns(enum thud_run_figure which, const struct thud_figure_source *source,
+                                        int nsources)
 {
     char text[3 * THUD_TEXT_MAX];
     int panels = 0, s = 0, i = 0;
     while (panels < PANELS_MAX && next_panel(source->result, &s, &i))
         panels++;
     thud_source_title(source, nsources, "largest shear of struck columns", text, sizeof text);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_COLUMNS), text, 1, panels);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, 1, panels);
     s = i = 0;
     for (int p = 0; p < panels && next_panel(source->result, &s, &i); p++) {
         const struct thud_structure *own = &source->scene->structure[s], *other = own + (s == i - 1 ? 1 : -1);

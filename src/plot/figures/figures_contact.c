@@ -117,7 +117,8 @@ enum { IMPACTS_MANY = 100 };
 
 /* A strip for each contact and case, the highest first; where impacts are hundreds, each is a point on a log axis. Where
  * no contact has a force, every impulse is a point. */
-struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_forces(enum thud_run_figure which, const struct thud_figure_source *source,
+                                       int nsources)
 {
     int index[THUD_CURVES_MAX], pounding, most = 0;
     double peak, from, to;
@@ -144,8 +145,8 @@ struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, 
              shown.unit);
     thud_source_title(source, nsources, what, text, sizeof text);
     const bool closer = zoom && told == FORCE;
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_FORCE), text,
-                                                    (n > 0 ? n * nsources : 1) + ground, closer ? 2 : 1);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(which), text, (n > 0 ? n * nsources : 1) + ground, closer ? 2 : 1);
     if (ground)
         thud_figure_ground(figure, source, from, to);
     if (n == 0)
@@ -219,15 +220,15 @@ void thud_loop_axes(struct thud_panel *panel, const char *unit)
     thud_panel_axis(panel, THUD_Y, thud_run_words[THUD_FIGURE_LOOP].label, unit);
 }
 
-struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_loops(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
 {
     int index[THUD_CURVES_MAX], pounding;
     double peak;
     char text[3 * THUD_TEXT_MAX];
     int n = pick_contacts(source, nsources, false, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak, &pounding);
     struct thud_shown shown = thud_shown_force(peak);
-    thud_source_title(source, nsources, thud_run_words[THUD_FIGURE_LOOP].title, text, sizeof text);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_LOOP), text, 1, 1);
+    thud_source_title(source, nsources, thud_run_words[which].title, text, sizeof text);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
     thud_loop_axes(panel, shown.unit);
     for (int i = 0; i < n; i++) {
@@ -252,7 +253,8 @@ static double energy_peak(const struct thud_figure_source *source)
     return peak;
 }
 
-struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_energies(enum thud_run_figure which, const struct thud_figure_source *source,
+                                         int nsources)
 {
     static const char *const name[THUD_HISTORY_ENERGIES] = {"input", "kinetic", "strain", "damping", "contact"};
     char text[3 * THUD_TEXT_MAX];
@@ -260,7 +262,7 @@ struct thud_figure *thud_figure_energies(const struct thud_figure_source *source
     thud_source_title(source, nsources, "energy", text, sizeof text);
     double peak = 0.0, from, to;
     bool zoom = thud_source_zoom(source, nsources, &from, &to);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENERGY), text, rows, zoom ? 2 : 1);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, rows, zoom ? 2 : 1);
     for (int s = 0; s < rows; s++)
         peak = fmax(peak, energy_peak(&source[s]));
     struct thud_shown shown = thud_shown_energy(peak);

@@ -76,7 +76,8 @@ static void envelope(struct thud_panel *panel, const struct thud_figure_source *
     }
 }
 
-struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_envelopes(enum thud_run_figure which, const struct thud_figure_source *source,
+                                          int nsources)
 {
     int rows = 0, row = 0;
     char text[3 * THUD_TEXT_MAX];
@@ -84,7 +85,7 @@ struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *sourc
         rows += thud_kind_is_building(source->scene->structure[i].kind);
     rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
     thud_source_title(source, nsources, "peaks over the height", text, sizeof text);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_ENVELOPE), text, rows, QUANTITIES);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, rows, QUANTITIES);
     for (int i = 0; i < source->result->nstructures && row < rows; i++) {
         const struct thud_structure *structure = &source->scene->structure[i];
         if (!thud_kind_is_building(structure->kind)) /* of one height there is no line over it */

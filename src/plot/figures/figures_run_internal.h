@@ -74,12 +74,8 @@ void thud_loop_axes(struct thud_panel *panel, const char *unit);
 bool thud_source_shown(const struct thud_figure_source *source, int structure, enum thud_run_figure which);
 /* Whether a storey yields in a source, or there is a link where those count. */
 bool thud_source_yields(const struct thud_figure_source *source, int nsources, bool links);
-struct thud_figure *thud_figure_histories(enum thud_run_figure which, const struct thud_figure_source *source,
-                                          int nsources);
-struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_forces(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_loops(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_envelopes(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_columns(const struct thud_figure_source *source, int nsources);
-struct thud_figure *thud_figure_energies(const struct thud_figure_source *source, int nsources);
+#define THUD_RUN_FIGURE(NAME, name, maker, needs)                                                                      \
+    struct thud_figure *thud_figure_##maker(enum thud_run_figure which, const struct thud_figure_source *source,       \
+                                            int nsources);
+THUD_RUN_FIGURE_LIST(THUD_RUN_FIGURE)
+#undef THUD_RUN_FIGURE

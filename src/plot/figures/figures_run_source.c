@@ -179,11 +179,3 @@ void thud_figure_same_height(struct thud_figure *figure, int first_row)
         thud_figure_share_scale(figure, THUD_Y, first_row * figure->columns, 1,
                                 (figure->rows - first_row) * figure->columns, NULL);
 }
-
-const char *thud_run_figure_name(enum thud_run_figure which)
-{
-    static const char *const name[THUD_RUN_FIGURES] = {"force",      "velocity",  "acceleration", "displacement",
-                                                       "drift",      "loop",      "envelope",     "energy",
-                                                       "hysteresis", "permanent", "columns"};
-    return name[which];
-}

@@ -86,7 +86,8 @@ static void loop(struct thud_panel *panel, const struct thud_figure_source *sour
     }
 }
 
-struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_hysteresis(enum thud_run_figure which, const struct thud_figure_source *source,
+                                           int nsources)
 {
     enum { STOREYS = THUD_STRUCTURES_MAX * (THUD_STOREYS_MAX + 1) + THUD_LINKS_MAX + 2 };
     static const char largest[] = "The storeys and links that lost most energy; histories.csv has all.";
@@ -105,8 +106,8 @@ struct thud_figure *thud_figure_hysteresis(const struct thud_figure_source *sour
     thud_source_title(source, nsources,
                       n > 0 && place[index[0]].structure < 0 ? "force against stroke" : "storey shear against drift",
                       text, sizeof text);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(THUD_FIGURE_HYSTERESIS), text,
-                                                    n > 0 ? (n + columns - 1) / columns : 1, columns);
+    struct thud_figure *figure =
+        thud_figure_create(thud_run_figure_name(which), text, n > 0 ? (n + columns - 1) / columns : 1, columns);
     for (int i = 0; i < n; i++) {
         const struct place *at = &place[index[i]];
         const struct thud_structure *of = at->structure < 0 ? NULL : &source->scene->structure[at->structure];
@@ -162,7 +163,8 @@ const char thud_ductility_note[] =
     "Ductility: largest drift over that at which the storey yields. Permanent drift: that "
     "at which it carries no force after the run.";
 
-struct thud_figure *thud_figure_permanent(const struct thud_figure_source *source, int nsources)
+struct thud_figure *thud_figure_permanent(enum thud_run_figure which, const struct thud_figure_source *source,
+                                          int nsources)
 {
     static const struct {
         const char *label, *unit;
@@ -173,8 +175,7 @@ struct thud_figure *thud_figure_permanent(const struct thud_figure_source *sourc
         rows += source->result->structure[i].storey != NULL;
     rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
     thud_source_title(source, nsources, "ductility and permanent drift over the height", text, sizeof text);
-    struct thud_figure *figure =
-        thud_figure_create(thud_run_figure_name(THUD_FIGURE_PERMANENT), text, rows > 0 ? rows : 1, QUANTITIES);
+    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, rows > 0 ? rows : 1, QUANTITIES);
     for (int i = 0; i < source->result->nstructures && row < rows; i++) {
         if (!source->result->structure[i].storey)
             continue;

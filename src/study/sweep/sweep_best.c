@@ -7,7 +7,7 @@
 /* A ratio so near to 1 is that of a bumper that is struck by nothing, or hardly. */
 #define THUD_SWEEP_IDLE 5e-4
 
-/* Largest ratios over the structures for one run; NaN: no result. */
+/* Largest ratios over the structures for one run (measure.h); NaN: no result. */
 struct cell {
     double acceleration, drift;
 };
@@ -25,11 +25,6 @@ static struct cell *cell_at(const struct grid *g, int record, int which, long ot
     return &g->cell[((((long)record * (THUD_CASES + 1) + which + 1) * g->others) + other) * g->n[g->axis] + at];
 }
 
-static double larger(double a, double b)
-{
-    return isnan(a) || b > a ? b : a;
-}
-
 static void fill(const struct grid *g)
 {
     const struct thud_sweep_table *t = g->table;
@@ -39,14 +34,9 @@ static void fill(const struct grid *g)
         for (int a = 0; a < t->naxes; a++)
             other = a == g->axis ? other : other * g->n[a] + d->at[a];
         for (int k = 0; k < d->nruns; k++) {
-            struct cell *c = cell_at(g, d->record, d->which[k], other, d->at[g->axis]);
-            for (int s = 0; s < t->nstructures; s++) {
-                const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
-                if (!mean)
-                    continue;
-                c->acceleration = larger(c->acceleration, mean->acceleration);
-                c->drift = larger(c->drift, mean->drift);
-            }
+            *cell_at(g, d->record, d->which[k], other, d->at[g->axis]) =
+                (struct cell){thud_sweep_summary_value(d, k, THUD_MEASURE_ACCELERATION_RATIO, -1, THUD_SWEEP_VALUE),
+                              thud_sweep_summary_value(d, k, THUD_MEASURE_DRIFT_RATIO, -1, THUD_SWEEP_VALUE)};
         }
     }
 }
@@ -61,8 +51,8 @@ static struct cell pick(const struct grid *g, int record, int which, long other,
         struct cell c = *cell_at(g, r, which, other, at);
         if (isnan(c.acceleration))
             return (struct cell){NAN, NAN};
-        worst.acceleration = larger(worst.acceleration, c.acceleration);
-        worst.drift = larger(worst.drift, c.drift);
+        worst.acceleration = fmax(worst.acceleration, c.acceleration);
+        worst.drift = fmax(worst.drift, c.drift);
     }
     return worst;
 }

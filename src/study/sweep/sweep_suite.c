@@ -34,26 +34,12 @@ static size_t setting_of(const struct thud_sweep_table *table, const struct thud
     return setting;
 }
 
-/* A measure of run k; at THUD_MEASURE_ACCELERATION_RATIO the largest of the structures. */
-static double number_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d, int k,
-                        enum thud_measure measure, int structure)
-{
-    if (measure != THUD_MEASURE_ACCELERATION_RATIO)
-        return thud_sweep_summary_value(d, k, measure, structure, THUD_SWEEP_VALUE);
-    double worst = NAN;
-    for (int s = 0; s < table->nstructures; s++) {
-        const struct thud_sweep_ratio *mean = thud_sweep_summary_ratio(d, k, s, 0, THUD_SWEEP_VALUE);
-        worst = mean ? fmax(worst, mean->acceleration) : worst;
-    }
-    return worst;
-}
-
 static struct thud_fractiles fractiles(const struct making *m, const struct thud_sweep_summary *const *of,
                                        enum thud_case which, enum thud_measure measure, int structure, double limit)
 {
     for (int r = 0; r < m->table->nrecords; r++) {
         int k = of[r] ? thud_sweep_summary_find(of[r], which) : -1;
-        m->value[r] = k >= 0 ? number_of(m->table, of[r], k, measure, structure) : NAN;
+        m->value[r] = k >= 0 ? thud_sweep_summary_value(of[r], k, measure, structure, THUD_SWEEP_VALUE) : NAN;
     }
     return thud_fractiles_of(m->value, (size_t)m->table->nrecords, m->draws, limit);
 }
