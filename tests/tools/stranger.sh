@@ -32,7 +32,8 @@ is() { # WHAT CONDITION...
 after() { # FILE WORDS: the text of standard input goes behind the first line with these words
     cat >"$copy/text"
     awk -v words="$2" -v text="$copy/text" '{ print } !done && index($0, words) { while ((getline line <text) > 0) print line; done = 1 }
-        END { exit !done }' "$1" >"$copy/new" && cat "$copy/new" >"$1"
+        END { exit !done }' "$1" >"$copy/new" && cat "$copy/new" >"$1" && return
+    echo "not ok - $1 has a line with: $2" && failed=1
 }
 
 # ---- what a stranger writes: FILES says how many files that is, TESTS which tests hold it, and shown what is to be seen of it ----
@@ -233,8 +234,8 @@ add_remark() { # a scene of more than one building is remarked on
 
 thud_remark_row thud_remark_stranger;
 END
-    after src/study/sweep/remark_list.c '{THUD_REMARK_RESULT, INTERFACE,' <<'END'
-    {THUD_REMARK_RESULT, ONCE, THUD_WEIGHT_UNUSUAL, thud_remark_stranger},
+    after src/study/sweep/remark_list.c 'ROW(RESULT, INTERFACE, MODEL, bumper)' <<'END'
+    ROW(RESULT, ONCE, UNUSUAL, stranger),
 END
     cat >>src/study/sweep/remark_run.c <<'END'
 
