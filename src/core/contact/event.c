@@ -83,26 +83,39 @@ struct view {
     struct thud_suppressed suppressed;
 };
 
-/* Function whose sign is that of a non-pulling law's force: out (terms); false where the force cannot reach 0 before
- * the indentation does. */
-static bool force_function(const struct thud_branch *b, const double *d, int terms, double h, double *out)
+/* What a guard watches as f + k d + c d', and how many of its lowest orders are 0. */
+struct line {
+    double f, k, c;
+    int suppressed;
+};
+
+/* The one of a guard but of constraints; false where it cannot take the sign, as a force that cannot reach 0 before the
+ * indentation does. Of a force what has its sign: itself, or of (elastic force) (1 + D/K v) the second factor times K. */
+static bool line_of(const struct view *v, enum watched watched, struct line *out)
 {
-    bool power = b->K != 0;
-    assert(terms > 0);
-    if (!power && b->D == 0) {
-        if (b->c_nspm == 0 && b->f0_n == 0)
-            return false; /* k d: with the indentation, as separation */
-        for (int k = 0; k < terms; k++)
-            out[k] = b->k_npm * d[k] + (k + 1 < terms ? b->c_nspm * (k + 1) / h * d[k + 1] : 0);
-        out[0] += b->f0_n;
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    const unsigned flags = v->state->model->contact[v->c].law->flags;
+    const struct thud_branch *b = &s->branch;
+    const bool power = b->K != 0;
+    if (watched == INDENTATION) {
+        *out = (struct line){.k = 1, .suppressed = v->suppressed.indentation};
         return true;
     }
-    if (power && (b->D == 0 || b->p != b->r))
+    if (watched == RATE) {
+        *out = (struct line){.c = 1, .suppressed = v->suppressed.rate};
+        return flags & THUD_LAW_REVERSES;
+    }
+    if (watched == BRANCH) {
+        *out = (struct line){.f = -s->ultimate_m, .k = 1, .suppressed = v->suppressed.branch};
+        return s->ultimate_m < INFINITY;
+    }
+    if (s->mode != THUD_CLOSED_NO_FORCE && flags & THUD_LAW_PULLS)
         return false;
-    for (int k = 0; k < terms; k++)
-        out[k] = k + 1 < terms ? b->D * (k + 1) / h * d[k + 1] : 0;
-    out[0] += power ? b->K : b->k_npm; /* F = (elastic force) (1 + D/K v) */
-    return true;
+    if (power || b->D != 0)
+        *out = (struct line){.f = power ? b->K : b->k_npm, .c = b->D, .suppressed = v->suppressed.force};
+    else
+        *out = (struct line){b->f0_n, b->k_npm, b->c_nspm, v->suppressed.force};
+    return power ? b->D != 0 && b->p == b->r : !(b->D == 0 && b->c_nspm == 0 && b->f0_n == 0);
 }
 
 /* Force by which rounding moves the constraint force of a STICKING contact from one end of its interval, beyond which it is
@@ -127,70 +140,22 @@ static void constraint_function(const struct view *v, bool high, double *out)
                   : from_end(v, out[0] - s->constraint_low_n) + rounding;
 }
 
-/* The polynomial that a guard watches into out (n coefficients), how many of its lowest ones are 0; false where it
- * cannot take the sign. */
-static bool watched_function(const struct view *v, enum watched watched, double *out, int *n, int *suppressed)
+/* How fast the state itself changes what a guard watches. */
+static double slope_now(const struct view *v, const struct line *line)
 {
-    const struct thud_contact_state *s = &v->state->contact[v->c];
-    const struct thud_law *law = v->state->model->contact[v->c].law;
-    *n = v->seg->terms;
-    *suppressed = 0;
-    switch (watched) {
-    case INDENTATION:
-        memcpy(out, v->d, (size_t)*n * sizeof *out);
-        *suppressed = v->suppressed.indentation;
-        return *suppressed < *n || s->mode != THUD_OPEN;
-    case FORCE:
-        *suppressed = v->suppressed.force;
-        return (s->mode == THUD_CLOSED_NO_FORCE || !(law->flags & THUD_LAW_PULLS)) &&
-               force_function(&s->branch, v->d, *n, v->seg->h_s, out);
-    case RATE:
-        *suppressed = v->suppressed.rate;
-        if (!(law->flags & THUD_LAW_REVERSES))
-            return false;
-        *n -= 1;
-        for (int k = 0; k < *n; k++)
-            out[k] = (k + 1) * v->d[k + 1];
-        return true;
-    case BRANCH:
-        if (s->ultimate_m == INFINITY)
-            return false;
-        memcpy(out, v->d, (size_t)*n * sizeof *out);
-        out[0] -= s->ultimate_m;
-        *suppressed = v->suppressed.branch;
-        return true;
-    case CONSTRAINT_LOW:
-    case CONSTRAINT_HIGH:
-        if (watched == CONSTRAINT_HIGH && s->constraint_high_n == INFINITY)
-            return false;
-        constraint_function(v, watched == CONSTRAINT_HIGH, out);
-        return true;
-    }
-    return false;
-}
-
-/* How fast the state itself changes what a guard watches: the rate, or what force_function has. */
-static double slope_now(const struct view *v, bool is_rate)
-{
-    const struct thud_branch *b = &v->state->contact[v->c].branch;
     double *force = v->state->force_now;
     thud_contact_forces(v->state, force);
-    double a = thud_contact_acceleration(v->state, v->c, force);
-    if (is_rate)
-        return a;
-    bool linear = b->K == 0 && b->D == 0;
-    return linear ? b->k_npm * thud_contact_rate(v->state, v->c) + b->c_nspm * a : b->D * a;
+    return line->k * thud_contact_rate(v->state, v->c) + line->c * thud_contact_acceleration(v->state, v->c, force);
 }
 
 /* When p takes this sign, which it may have just left (`suppressed`). At once only if the state's own slope says so:
  * that of the polynomial may be too small for the method to resolve, and wrong, and would start chattering. Then its
  * lowest orders are passed over. */
-static double crossing(const struct view *v, const double *p, int n, double s_end, double sign, int suppressed,
-                       bool is_rate)
+static double crossing(const struct view *v, const struct line *line, const double *p, int n, double s_end, double sign)
 {
+    int suppressed = line->suppressed;
     double s = thud_poly_first_above(p, n, s_end, sign, suppressed, 0);
-    if (s > 0 || suppressed == 0 || v->state->contact[v->c].suppressed.indentation > 0 ||
-        sign * slope_now(v, is_rate) > 0)
+    if (s > 0 || suppressed == 0 || v->state->contact[v->c].suppressed.indentation > 0 || sign * slope_now(v, line) > 0)
         return s;
     while (s == 0 && ++suppressed < n)
         s = thud_poly_first_above(p, n, s_end, sign, suppressed, 0);
@@ -205,62 +170,43 @@ static int sign_of(const struct thud_contact_state *s, enum watched watched)
     return s->past_ultimate ? -1 : 1;
 }
 
-/* Whether what a guard watches, f + k d + c d', keeps its sign by the bounds of indentation and rate alone: most do.
- */
-static bool stays(const struct view *v, enum watched watched, int sign)
+/* Whether what a guard watches keeps its sign by the bounds of indentation and rate alone: most do. */
+static bool stays(const struct view *v, const struct line *line, int sign)
 {
-    const struct thud_contact_state *s = &v->state->contact[v->c];
-    const struct thud_branch *b = &s->branch;
-    const bool line = b->K == 0 && b->D == 0; /* as force_function has it */
-    double f = 0, k = 0, c = 0;
-    int suppressed = 0;
-    switch (watched) {
-    case INDENTATION:
-        suppressed = v->suppressed.indentation;
-        k = 1;
-        break;
-    case RATE:
-        suppressed = v->suppressed.rate;
-        c = 1;
-        break;
-    case BRANCH:
-        suppressed = v->suppressed.branch;
-        f = -s->ultimate_m;
-        k = 1;
-        break;
-    case FORCE:
-        suppressed = v->suppressed.force;
-        f = line ? b->f0_n : b->K != 0 ? b->K : b->k_npm;
-        k = line ? b->k_npm : 0;
-        c = line ? b->c_nspm : b->D;
-        break;
-    case CONSTRAINT_LOW:
-    case CONSTRAINT_HIGH:
-        return false;
-    }
-    if (suppressed > 0)
-        return false;
-    k *= sign;
-    c *= sign;
-    return sign * f + k * (k > 0 ? v->high : v->low)[0] + c * (c > 0 ? v->high : v->low)[1] < 0;
+    const double k = sign * line->k, c = sign * line->c;
+    return line->suppressed == 0 &&
+           sign * line->f + k * (k > 0 ? v->high : v->low)[0] + c * (c > 0 ? v->high : v->low)[1] < 0;
 }
 
 /* s in [0, s_end] at which a guard fires. */
 static double guard_fires(struct view *v, const struct guard *guard, double s_end, int *order)
 {
-    double p[THUD_SEGMENT_TERMS];
-    int n, suppressed, sign = guard->sign != 0 ? guard->sign : sign_of(&v->state->contact[v->c], guard->watched);
-    if (stays(v, guard->watched, sign))
+    const struct thud_contact_state *s = &v->state->contact[v->c];
+    const int n = v->seg->terms, sign = guard->sign != 0 ? guard->sign : sign_of(s, guard->watched);
+    const bool high = guard->watched == CONSTRAINT_HIGH;
+    double p[THUD_SEGMENT_TERMS + 1];
+    struct line line = {0};
+    *order = 0;
+    if (guard->mode == THUD_STICKING) {
+        if (high && s->constraint_high_n == INFINITY)
+            return INFINITY;
+        constraint_function(v, high, p);
+        return thud_poly_first_above(p, n, s_end, sign, 0, 0);
+    }
+    if (!line_of(v, guard->watched, &line) || stays(v, &line, sign))
         return INFINITY;
     if (!v->d)
         v->d = thud_segment_read(v->state, v->seg, v->c);
-    if (!watched_function(v, guard->watched, p, &n, &suppressed))
-        return INFINITY;
-    *order = suppressed;
+    *order = line.suppressed;
+    for (int k = 0; k < n; k++)
+        p[k] = line.k * v->d[k] + (k + 1 < n ? line.c * (k + 1) / v->seg->h_s * v->d[k + 1] : 0);
+    p[0] += line.f;
     if (guard->watched == FORCE || guard->watched == RATE)
-        return crossing(v, p, n, s_end, sign, suppressed, guard->watched == RATE);
-    double noise = guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0;
-    return thud_poly_first_above(p, n, s_end, sign, suppressed, noise);
+        return crossing(v, &line, p, n, s_end, sign);
+    if (guard->mode == THUD_OPEN && line.suppressed >= n)
+        return INFINITY;
+    return thud_poly_first_above(p, n, s_end, sign, line.suppressed,
+                                 guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0);
 }
 
 /* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact

@@ -62,12 +62,15 @@ static void forget(const struct thud_segment *seg, int nrows)
 /* Largest |q_j(s) - q_j(0)| of two modes, or one, and third derivative: sums of the sizes of their terms. */
 static void two_bounds(const struct thud_segment *seg, int nmodes, int j, bool single)
 {
+    static const double by_third[THUD_SEGMENT_TERMS] = {
+        0,   0,   0,   6,   24,   60,   120,  210, /* k (k-1) (k-2) */
+        336, 504, 720, 990, 1320, 1716, 2184, 2730, 3360, 4080, 4896, 5814, 6840, 7980, 9240, 10626};
     const double *q = seg->q + nmodes + j;
-    thud_vec2 sum = {0, 0}, third = {0, 0}, k = {1, 1};
-    for (int order = 1; order < seg->terms; order++, q += nmodes, k += 1) {
+    thud_vec2 sum = {0, 0}, third = {0, 0};
+    for (int order = 1; order < seg->terms; order++, q += nmodes) {
         const thud_vec2 size = thud_vec2_abs(thud_vec2_some(q, single));
         sum += size;
-        third += k * (k - 1) * (k - 2) * size;
+        third += by_third[order] * size;
     }
     thud_vec2_put_some(sum, seg->notes->bound + j, single);
     thud_vec2_put_some(third, seg->notes->bound + nmodes + j, single);

@@ -28,12 +28,13 @@ struct thud_segment_notes {
 
 /* Rows at the nodes of a collocated step: the first at its start, the last at its end. */
 struct thud_segment_nodes {
-    const struct thud_lobatto *rule; /* their quadrature; NULL where it is not good enough for works */
     int count;
-    double widest;           /* distance between two of them */
-    const int *at;           /* (nrows) place of a row in what follows; -1: it has no force */
-    const thud_vec2 *motion; /* (points apart) indentation and its rate */
-    const double *force;     /* (row apart) */
+    const double *point, *weight; /* (row) of their quadrature, and a weight of 0 where count is odd; weight NULL: it is
+                                     not good enough for works */
+    double widest;                /* distance between two of them */
+    const int *at;                /* (nrows) place of a row in what follows; -1: it has no force */
+    const thud_vec2 *motion;      /* (points apart) indentation and its rate */
+    const double *force;          /* (row apart) */
     int points, row;
 };
 

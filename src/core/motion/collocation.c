@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "base/largest.h"
 #include "core/motion/response.h"
 #include "core/numerics/poly.h"
@@ -55,7 +56,7 @@ struct step {
 struct scheme {
     int n, points; /* nodes; and with those behind them where the error is measured */
     int row;       /* forces of a contact: n, and a 0 where that is odd */
-    double point[POINTS_MAX];
+    double point[POINTS_MAX], weight[NODES_MAX + 1];
     double lagrange[NODES_MAX]
                    [NODES_MAX];        /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
     double between[NODES_MAX][CHECKS]; /* and its values where the error is measured */
@@ -88,6 +89,7 @@ struct thud_collocation {
     double *residual, *matrix;    /* (unknowns); square */
     double *scale;                /* (nactive) 1 over that on which a change of the force counts */
     lapack_int *pivot;
+    void *block; /* of all of these */
 };
 
 /* How far the force polynomials of a step are from the laws. */
@@ -223,11 +225,18 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
     double lagrange[NODES_MAX * NODES_MAX];
     *by = (struct scheme){.n = n, .points = n + CHECKS, .row = (n + 1) / 2 * 2};
     const struct thud_lobatto *rule = thud_lobatto_of(n);
-    by->nodes = (struct thud_segment_nodes){
-        .rule = n < NODES_MAX ? rule : NULL, .count = n, .at = x->at, .points = by->points, .row = by->row};
-    for (int i = 1; i < last; i++)
+    by->nodes = (struct thud_segment_nodes){.count = n,
+                                            .point = by->point,
+                                            .weight = n < NODES_MAX ? by->weight : NULL,
+                                            .at = x->at,
+                                            .points = by->points,
+                                            .row = by->row};
+    for (int i = 1; i < last; i++) {
         by->point[i] = rule->node[i - 1];
+        by->weight[i] = rule->weight[i - 1];
+    }
     by->point[last] = 1;
+    by->weight[0] = by->weight[last] = rule->end_weight;
     for (int i = 0; i < last; i++)
         by->nodes.widest = thud_larger(by->nodes.widest, by->point[i + 1] - by->point[i]);
     thud_lagrange_coefficients(last, by->point + 1, lagrange);
@@ -291,12 +300,7 @@ void thud_collocation_free(struct thud_collocation *x)
     free(x->step.of);
     free(x->active);
     free(x->largest_n);
-    free(x->response);
-    free(x->free);
-    free(x->begins);
-    free(x->force);
-    free(x->matrix);
-    free(x->pivot);
+    free(x->block);
     free(x);
 }
 
@@ -334,37 +338,27 @@ static bool reserve(struct thud_collocation *x, int n)
 {
     if (n <= x->capacity)
         return true;
-    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1);
-    thud_vec2 *motion = calloc(2 * contacts * POINTS_MAX + 1, sizeof *motion);
-    double *block = calloc(contacts * (NODES_MAX + 1) + unknowns + contacts + 1, sizeof *block),
-           *matrix = calloc(unknowns * unknowns + 1, sizeof *matrix);
-    const struct thud_response **response = calloc(contacts * contacts + 1, sizeof *response);
-    lapack_int *pivot = calloc(unknowns + 1, sizeof *pivot);
-    struct beginning *begins = calloc(contacts + 1, sizeof *begins);
-    if (!begins || !motion || !block || !matrix || !response || !pivot) {
-        free(begins);
-        free(motion);
-        free(block);
-        free(matrix);
-        free(response);
-        free(pivot);
+    const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX,
+                 forces = contacts * (NODES_MAX + 1);
+    struct thud_arena arena;
+    if (!thud_arena_open(&arena, 2 * thud_arena_room(motions, sizeof *x->motion) +
+                                     thud_arena_room(forces + unknowns + contacts, sizeof(double)) +
+                                     thud_arena_room(unknowns * unknowns, sizeof(double)) +
+                                     thud_arena_room(contacts * contacts, sizeof *x->response) +
+                                     thud_arena_room(unknowns, sizeof *x->pivot) +
+                                     thud_arena_room(contacts, sizeof *x->begins)))
         return false;
-    }
-    free(x->free);
-    free(x->begins);
-    free(x->force);
-    free(x->matrix);
-    free(x->response);
-    free(x->pivot);
-    x->free = motion;
-    x->begins = begins;
-    x->motion = motion + contacts * POINTS_MAX;
-    x->force = block;
-    x->residual = x->force + contacts * (NODES_MAX + 1);
+    free(x->block);
+    x->block = arena.next;
+    x->free = thud_arena_take(&arena, motions, sizeof *x->free);
+    x->motion = thud_arena_take(&arena, motions, sizeof *x->motion);
+    x->force = thud_arena_take(&arena, forces + unknowns + contacts, sizeof(double));
+    x->residual = x->force + forces;
     x->scale = x->residual + unknowns;
-    x->matrix = matrix;
-    x->response = response;
-    x->pivot = pivot;
+    x->matrix = thud_arena_take(&arena, unknowns * unknowns, sizeof(double));
+    x->response = thud_arena_take(&arena, contacts * contacts, sizeof *x->response);
+    x->pivot = thud_arena_take(&arena, unknowns, sizeof *x->pivot);
+    x->begins = thud_arena_take(&arena, contacts, sizeof *x->begins);
     x->capacity = n;
     return true;
 }

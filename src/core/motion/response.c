@@ -21,8 +21,7 @@
  *
  *     level          h = h_top/2^level; the tables of a level are made when it is first needed
  *     x_p            motion from rest of a mode under the load s^p alone: level->load, one table for all rows where modes
- *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b); power -1, the first of
- *                    n + 1, is an impulse, whose motion is h times the rate of x_0
+ *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b)
  *     R_ab, R'_ab    thud_response.motion: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
  *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
  *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1 */
@@ -41,7 +40,6 @@ struct thud_responses {
     double lagrange[THUD_NODES_MAX * THUD_NODES_MAX], point[THUD_POINTS_MAX];
     struct level level[LEVELS];
     struct thud_segment seg; /* workspace: series of the motion under unit loads */
-    double *power;           /* (n + 1 x nmodes x points) x_p */
     double *at_start, *rise; /* (nmodes) */
     double *zero, *ones;     /* (nmodes) no displacements; 1 */
     thud_vec2 *unforced;     /* (nmodes x points) modes that start at rest, and their rates */
@@ -62,15 +60,14 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
                                      .h_top = h_top};
         memcpy(x->lagrange, lagrange, (size_t)(n * n) * sizeof *lagrange);
         memcpy(x->point, point, (size_t)points * sizeof *point);
-        x->power = calloc((size_t)(n + 1) * size + 4 * modes + 1, sizeof *x->power);
+        x->at_start = calloc(4 * modes + 1, sizeof *x->at_start);
         x->unforced = calloc(size + 1, sizeof *x->unforced);
     }
-    if (!x || !x->power || !x->unforced || thud_segment_init(&x->seg, m, err) != THUD_OK) {
+    if (!x || !x->at_start || !x->unforced || thud_segment_init(&x->seg, m, err) != THUD_OK) {
         thud_responses_free(x);
         *out = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    x->at_start = x->power + (size_t)(n + 1) * size;
     x->rise = x->at_start + modes;
     x->zero = x->rise + modes;
     x->ones = x->zero + modes;
@@ -91,7 +88,7 @@ void thud_responses_free(struct thud_responses *x)
         free(level->pair);
         free(level->load);
     }
-    free(x->power);
+    free(x->at_start);
     free(x->unforced);
     thud_segment_clear(&x->seg);
     free(x);
@@ -99,8 +96,8 @@ void thud_responses_free(struct thud_responses *x)
 
 /* ---- R and R' ---- */
 
-/* x_p of all modes at the points, for loads b s^p, by power series. */
-static void series_power(struct thud_responses *x, double h, const double *b, int p, double *out)
+/* x_p of all modes at the points and their rates, for loads b s^p, by power series: out (nmodes x points). */
+static void fill_power(struct thud_responses *x, double h, const double *b, int p, thud_vec2 *out)
 {
     const int n = x->model->nmodes;
     struct thud_segment *seg = &x->seg;
@@ -113,61 +110,13 @@ static void series_power(struct thud_responses *x, double h, const double *b, in
     thud_taylor_load(x->model, seg, b, p);
     for (int j = 0; j < n; j++)
         for (int i = 0; i < x->points; i++) {
-            double sum = 0;
-            for (int k = seg->terms - 1; k >= 0; k--)
+            double sum = 0, rate = 0;
+            for (int k = seg->terms - 1; k >= 0; k--) {
+                rate = rate * x->point[i] + sum;
                 sum = sum * x->point[i] + seg->q[k * n + j];
-            *out++ = sum;
+            }
+            *out++ = thud_vec2_set(sum, rate / h);
         }
-}
-
-/* out += factor x at all points */
-static void add_to(int points, double factor, const double *restrict x, double *restrict out)
-{
-    for (int i = 0; i < points; i++)
-        out[i] += factor * x[i];
-}
-
-/* x_(p-2) from x_(p-1) and x_p, (nmodes x points) each, for loads b s^p. The rate of x_p is p x_(p-1), so that the
- * equation of motion x_p'' + h D x_p' + h^2 Omega^2 x_p = h^2 b s^p reads
- *
- *     p (p - 1) x_(p-2) = h^2 (b s^p - Omega^2 x_p) - h p D x_(p-1)
- *
- * and nothing cancels on the way down. For p = 1 the left side is the rate of x_0 (times h). */
-static void step_down(const struct thud_responses *x, double h, int p, const double *b, const double *xp,
-                      const double *below, double *out)
-{
-    const struct thud_model *m = x->model;
-    const double scale = p > 1 ? 1.0 / (p * (p - 1)) : 1;
-    const int points = x->points;
-    for (int j = 0; j < m->nmodes; j++) {
-        double *to = out + j * points;
-        for (int i = 0; i < points; i++)
-            to[i] = scale * h * h * b[j] * pow(x->point[i], p);
-        add_to(points, -scale * h * h * m->spring[j], xp + j * points, to);
-        add_to(points, -scale * h * p * m->dashpot[j], below + j * points, to);
-    }
-    for (int i = 0; i < m->nsystems; i++) {
-        const struct thud_model_structure *t = &m->structure[m->system[i]];
-        for (int j = 0; t->damping && j < t->modes; j++)
-            for (int k = 0; k < t->modes; k++)
-                add_to(points, -scale * h * p * t->damping[j * t->modes + k], below + (t->first_mode + k) * points,
-                       out + (t->first_mode + j) * points);
-    }
-}
-
-/* All x_p for loads b with their rates p/h x_(p-1), of x_0 x_-1/h, table (n x nmodes x points): the highest two by their
- * power series, the others down from them. */
-static void fill_powers(struct thud_responses *x, double h, const double *b, thud_vec2 *table)
-{
-    const int n = x->n, size = x->model->nmodes * x->points;
-    double *power = x->power;
-    series_power(x, h, b, n - 2, power + (n - 1) * size);
-    series_power(x, h, b, n - 1, power + n * size);
-    for (int p = n - 1; p >= 1; p--)
-        step_down(x, h, p, b, power + (p + 1) * size, power + p * size, power + (p - 1) * size);
-    for (int p = 0; p < n; p++, power += size)
-        for (int i = 0; i < size; i++)
-            *table++ = thud_vec2_set(power[size + i], (p > 0 ? p : 1) / h * power[i]);
 }
 
 static bool fill_level(struct thud_responses *x, struct level *level, double h)
@@ -179,7 +128,9 @@ static bool fill_level(struct thud_responses *x, struct level *level, double h)
     if (!level->pair || !level->load)
         return false;
     for (int load = 0; load < x->loads; load++)
-        fill_powers(x, h, m->couples ? m->jacobian + (size_t)load * n : x->ones, level->load + (size_t)load * size);
+        for (int p = 0; p < x->n; p++)
+            fill_power(x, h, m->couples ? m->jacobian + (size_t)load * n : x->ones, p,
+                       level->load + (size_t)load * size + p * m->nmodes * x->points);
     return true;
 }
 

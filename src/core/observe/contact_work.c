@@ -3,50 +3,6 @@
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-/* The integral of f g over [0, 1]; coefficients f (orders) and g (terms). */
-static double product_integral(const double *f, int orders, const double *g, int terms)
-{
-    enum { MOST = 2 * THUD_SEGMENT_TERMS };
-    static const double inverse[MOST] = {
-        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,  1.0 / 8,  1.0 / 9,  1.0 / 10,
-        1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20,
-        1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24, 1.0 / 25, 1.0 / 26, 1.0 / 27, 1.0 / 28, 1.0 / 29, 1.0 / 30,
-        1.0 / 31, 1.0 / 32, 1.0 / 33, 1.0 / 34, 1.0 / 35, 1.0 / 36, 1.0 / 37, 1.0 / 38, 1.0 / 39, 1.0 / 40,
-        1.0 / 41, 1.0 / 42, 1.0 / 43, 1.0 / 44, 1.0 / 45, 1.0 / 46, 1.0 / 47, 1.0 / 48};
-    double sum = 0;
-    for (int i = 0; i < orders; i++)
-        sum += f[i] * thud_dot(terms, g, inverse + i);
-    return sum;
-}
-
-/* What the law's force at points of the piece says beside the polynomial `force` (orders), whose work has been counted:
- * work, per second of the segment, and impulse of the difference. */
-static double law_work(const struct thud_observation *o, int c, const double *force, int orders, double *impulse)
-{
-    /* laws are dear, and of a force polynomial the difference is of the size of the tolerance: two points for it */
-    static const double two[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
-    const int count = orders > 0 ? 2 : THUD_QUADRATURE_POINTS;
-    const double *node = orders > 0 ? two : thud_quadrature_node, *weight = orders > 0 ? half : thud_quadrature_weight;
-    const double *d = thud_segment_read(o->state, o->seg, c), rate = 1 / o->seg->h_s;
-    double work = 0;
-    for (int i = 0; i < count; i += 2) {
-        const thud_vec2 s = o->s * thud_vec2_at(node + i);
-        thud_vec2 x = {0, 0}, v = {0, 0}, f = {0, 0};
-        for (int k = o->seg->terms - 1; k >= 0; k--) {
-            v = v * s + x;
-            x = x * s + d[k];
-        }
-        for (int k = orders - 1; k >= 0; k--)
-            f = f * s + force[k];
-        for (int side = 0; side < 2; side++) {
-            const double more = thud_row_force(o->state, c, x[side], rate * v[side]) - f[side];
-            work += weight[i + side] * more * rate * v[side];
-            *impulse += weight[i + side] * more;
-        }
-    }
-    return work;
-}
-
 /* Work of a whole collocated step, by its nodes, where its force is the law's. */
 static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, double *impulse)
 {
@@ -54,39 +10,67 @@ static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, doubl
     const double *force = nodes->force + nodes->at[c] * nodes->row;
     double work = 0;
     for (int i = 0; i < nodes->count; i++) {
-        const double part =
-            force[i] * (i > 0 && i + 1 < nodes->count ? nodes->rule->weight[i - 1] : nodes->rule->end_weight);
+        const double part = force[i] * nodes->weight[i];
         work += part * motion[i][1];
         *impulse += part;
     }
     return work;
 }
 
-/* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
- * that was applied, and of what the law's differs from it by. */
-static double contact_work(const struct thud_observation *o, int c, double *impulse)
+/* Points of a quadrature, an even number. */
+struct points {
+    int count;
+    const double *node, *weight;
+};
+
+/* Work, per second of the segment, and impulse of a contact's force at these points: `applied` times the polynomial that
+ * was applied (orders), and where asked for the law's. */
+static double force_work(const struct thud_observation *o, int c, const struct points *at, double applied, int orders,
+                         bool by_law, double *impulse)
 {
     const struct thud_segment *seg = o->seg;
-    const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates,
-               applies = !asks || !seg->interpolates;
-    if (seg->nodes && seg->nodes->rule && o->s == 1)
+    const double *d = thud_segment_read(o->state, seg, c), rate = 1 / seg->h_s;
+    const int nrows = o->state->model->nrows;
+    double work = 0;
+    for (int i = 0; i < at->count; i += 2) {
+        const thud_vec2 s = o->s * thud_vec2_at(at->node + i);
+        thud_vec2 x = {0, 0}, v = {0, 0}, f = {0, 0};
+        for (int k = seg->terms - 1; k >= 0; k--) {
+            v = v * s + x;
+            x = x * s + d[k];
+        }
+        for (int k = orders - 1; k >= 0; k--)
+            f = f * s + applied * seg->force[k * nrows + c];
+        for (int side = 0; side < 2 && by_law; side++)
+            f[side] += thud_row_force(o->state, c, x[side], rate * v[side]);
+        f *= thud_vec2_at(at->weight + i);
+        work += rate * thud_vec2_sum(f * v);
+        *impulse += thud_vec2_sum(f);
+    }
+    return work;
+}
+
+/* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
+ * that was applied, and of what the law's differs from it by; that is of the size of the tolerance, and laws are dear: two
+ * points are enough. */
+static double contact_work(const struct thud_observation *o, int c, double *impulse)
+{
+    static const double node[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
+    static const struct points all = {THUD_QUADRATURE_POINTS, thud_quadrature_node, thud_quadrature_weight},
+                               two = {2, node, half};
+    const struct thud_segment *seg = o->seg;
+    const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates;
+    const int orders = asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
+    if (seg->nodes && seg->nodes->weight && o->s == 1)
         return work_at_nodes(seg->nodes, c, impulse);
-    const double *d = thud_segment_read(o->state, seg, c), s = o->s;
-    const int orders = !applies ? 0 : asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
-    double force[THUD_SEGMENT_TERMS], part[THUD_SEGMENT_TERMS], rate[THUD_SEGMENT_TERMS], work = 0, power = 1;
-    static const double one = 1;
-    for (int k = 0; k < orders; k++, power *= s) { /* over [0, s] as over [0, 1] */
-        force[k] = seg->force[k * o->state->model->nrows + c];
-        part[k] = power * force[k];
+    if (seg->nodes && seg->nodes->weight && asks) {
+        const struct points nodes = {seg->nodes->row, seg->nodes->point, seg->nodes->weight};
+        return force_work(o, c, &nodes, 0, 0, true, impulse);
     }
-    power = 1;
-    for (int k = 1; k < seg->terms; k++, power *= s)
-        rate[k - 1] = k * power * d[k];
-    if (applies) {
-        work = product_integral(part, orders, rate, seg->terms - 1) / seg->h_s;
-        *impulse = product_integral(&one, 1, part, orders);
-    }
-    return asks ? work + law_work(o, c, force, orders, impulse) : work;
+    if (asks && seg->interpolates)
+        return force_work(o, c, &all, 0, 0, true, impulse);
+    const double work = force_work(o, c, &all, 1, orders, false, impulse);
+    return asks ? work + force_work(o, c, &two, -1, orders, true, impulse) : work;
 }
 
 /* A step whose events are not located. */
