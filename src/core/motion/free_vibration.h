@@ -51,11 +51,11 @@ struct thud_free_vibration {
     struct thud_free_vibration_series series;
 
     /* A block of intervals, by row and then by end (so that loops over time vectorize) */
-    double *shift;            /* (n) s */
-    bool shifted;             /* it is not 0 */
-    double *q, *qd;           /* (n x ENDS) modal state */
-    double *spring, *work[2]; /* (n x ENDS) workspace of one function at a time; work: where damping
-                                                      couples modes */
+    double *shift;        /* (n) s */
+    bool shifted;         /* it is not 0 */
+    double *q, *qd;       /* (n x ENDS) modal state */
+    double *acceleration; /* (n x ENDS) of the modes without the ground's, where values have it */
+    double *work[3];      /* (n x ENDS) workspace where damping couples modes */
     double *product[THUD_FREE_VIBRATION_PRODUCTS]; /* (n) those of the work, summed over the first `summed` intervals */
     int summed;
     double *value[THUD_FLOOR_QUANTITIES]; /* (ndof x ENDS) by floor, of what has been asked for: */
@@ -103,8 +103,8 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 double thud_free_vibration_side(struct thud_free_vibration *f, const struct thud_model *model,
                                 const struct thud_model_side *side, int ends, double *margin);
 /* Rate of a floor's value at end t of an interval whose ground acceleration there is `ground`. */
-double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
-                                int floor, int quantity, int t, double ground);
+double thud_free_vibration_rate(struct thud_free_vibration *f, const struct thud_model *model, int structure, int floor,
+                                int quantity, int t, double ground);
 /* Motion of one structure in a piece (0 ... f->pieces - 1) of interval t, until the next call: of structures of other
  * systems it has the same piece, or no number. */
 const struct thud_segment *thud_free_vibration_series(struct thud_free_vibration *f, const struct thud_state *state,

@@ -235,23 +235,12 @@ void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud
         return;
     }
     if (quantity == THUD_FLOOR_ACCELERATION)
-        thud_free_vibration_spring(f, m, p, f->q, f->qd, true, f->spring);
+        thud_free_vibration_spring(f, m, p, f->q, f->qd, true, f->acceleration);
     floor_rows(f, p, quantity,
                quantity == THUD_FLOOR_DISPLACEMENT ? f->q
                : quantity == THUD_FLOOR_VELOCITY   ? f->qd
-                                                   : f->spring,
+                                                   : f->acceleration,
                f->ends);
-}
-
-/* Acceleration of mode j of a structure without the ground's, at end t. */
-static double spring_at(const struct thud_free_vibration *f, const struct thud_model *m,
-                        const struct thud_model_structure *p, int j, int t)
-{
-    const int k = p->first_mode + j;
-    double sum = m->spring[k] * (f->q[k * ENDS + t] - f->shift[k]) + m->dashpot[k] * f->qd[k * ENDS + t];
-    for (int i = 0; p->damping && i < p->modes; i++)
-        sum += p->damping[j * p->modes + i] * f->qd[(p->first_mode + i) * ENDS + t];
-    return -sum;
 }
 
 /* Rate of a floor's total acceleration: that of -(Omega^2 (q - s) + D q'), in which the slope of the ground has no part. */
@@ -264,7 +253,7 @@ static double jerk(const struct thud_free_vibration *f, const struct thud_model 
     double sum = 0;
     for (int j = 0; j < p->modes; j++) {
         const int k = p->first_mode + j;
-        double second = spring_at(f, m, p, j, t) - m->gamma[k] * ground;
+        double second = f->acceleration[k * ENDS + t] - m->gamma[k] * ground;
         sum -= row[j] * (m->spring[k] * f->qd[k * ENDS + t] + m->dashpot[k] * second);
         if (damped)
             sum -= damped[in_system * p->modes + j] * second;
@@ -272,27 +261,26 @@ static double jerk(const struct thud_free_vibration *f, const struct thud_model 
     return sum;
 }
 
-double thud_free_vibration_rate(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
-                                int floor, int quantity, int t, double ground)
+double thud_free_vibration_rate(struct thud_free_vibration *f, const struct thud_model *m, int structure, int floor,
+                                int quantity, int t, double ground)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    const double *row = p->phi + floor * p->modes;
-    double sum = 0;
+    const bool second = quantity == THUD_FLOOR_VELOCITY || quantity == THUD_FLOOR_ACCELERATION;
+    const int of = second ? THUD_FLOOR_ACCELERATION : THUD_FLOOR_VELOCITY;
+    const double *x = f->value[of] + (size_t)p->first * ENDS + t;
+    thud_free_vibration_values(f, m, structure, of);
     if (quantity == THUD_FLOOR_ACCELERATION)
         return jerk(f, m, structure, floor, t, ground);
-    for (int j = 0; j < p->modes; j++)
-        sum += quantity == THUD_FLOOR_VELOCITY
-                   ? row[j] * (spring_at(f, m, p, j, t) - m->gamma[p->first_mode + j] * ground)
-                   : (quantity == THUD_FLOOR_DRIFT ? thud_model_drift(p, p->phi + j, p->modes, floor) : row[j]) *
-                         f->qd[(p->first_mode + j) * ENDS + t];
-    return sum;
+    return quantity == THUD_FLOOR_DRIFT
+               ? thud_model_drift(p, x, ENDS, floor)
+               : x[floor * ENDS] - (second ? m->ground_influence[p->first + floor] * ground : 0);
 }
 
 static void sum_coupled(const struct thud_free_vibration *f, int system, int intervals)
 {
     struct thud_coupled_motion *c = &f->coupled[system];
     const int row = c->first_mode * ENDS;
-    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->spring + row, f->ground,
+    thud_coupled_motion_sum(c, f->q + row, f->qd + row, ENDS, f->shift + c->first_mode, f->work[2] + row, f->ground,
                             f->after, intervals);
 }
 

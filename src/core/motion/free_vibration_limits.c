@@ -49,18 +49,17 @@ static void system_bounds(struct thud_free_vibration *f, const struct thud_model
 {
     const struct thud_model_structure *p = &m->structure[m->system[system]];
     const double *gamma = m->gamma + p->first_mode;
-    double *x = f->q, *v = f->qd, *next[] = {f->spring, f->work[0], f->work[1]}, slopes[ENDS] = {0};
-    for (int t = 0; t < intervals; t++)
-        slopes[t] = (f->after[t] - f->ground[t]) / f->dt_s;
+    double *x = f->q, *v = f->qd;
     for (int k = 2; k < BOUNDS; k++) {
-        const double *ground = k == 2 ? f->ground : slopes;
-        double *out = next[(k - 2) % 3], norm[ENDS] = {0};
+        const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
+        double *out = f->work[k % 3], norm[ENDS] = {0};
         thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
         for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
             for (int t = 0; t < intervals; t += 2) {
                 double *at = out + j * ENDS + t;
-                const thud_vec2 rate = thud_vec2_at(v + j * ENDS + t),
-                                second = thud_vec2_at(at) - (k < 4 ? m->gamma[j] : 0) * thud_vec2_at(ground + t);
+                const thud_vec2 a0 = thud_vec2_at(f->ground + t), rate = thud_vec2_at(v + j * ENDS + t),
+                                ground = level * a0 + slopes * (thud_vec2_at(f->after + t) - a0),
+                                second = thud_vec2_at(at) - m->gamma[j] * ground;
                 thud_vec2_put(second, at);
                 thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
             }

@@ -86,15 +86,15 @@ static int intervals_near(const double *x, int intervals, double near, int *list
 }
 
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
-static double rate_at(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
-                      int t, double ground)
+static double rate_at(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row, int t,
+                      double ground)
 {
     return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
 }
 
 /* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
  * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
-static int row_bounds(const struct thud_model *m, const struct thud_free_vibration *f, const struct thud_peak_row *row,
+static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row,
                       int intervals, double *upper, int *list)
 {
     const double *x = row->x;

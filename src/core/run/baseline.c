@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "core/contact/storey.h"
 #include "core/model/element.h"
 #include "core/observe/observe_relative.h"
@@ -24,6 +25,7 @@ struct moment {
     struct thud_storey_state *storey;  /* (nstoreys), none of which yields */
     struct thud_column_result *column; /* (ncolumns) peaks so far */
     struct thud_link_result *link;     /* (nlinks) */
+    void *block;                       /* of all of these */
 };
 
 struct thud_baseline_motion {
@@ -40,15 +42,6 @@ struct thud_baseline_motion {
 
 static const struct thud_law no_law = {.name = "none", .title = "no contact", .flags = THUD_LAW_NO_FORCE};
 
-static void drop(struct moment *moment)
-{
-    free(moment->state);
-    free(moment->floor);
-    free(moment->storey);
-    free(moment->column);
-    free(moment->link);
-}
-
 /* Every second one goes when there is no more room. */
 static void thin(struct thud_baseline_motion *baseline)
 {
@@ -57,7 +50,7 @@ static void thin(struct thud_baseline_motion *baseline)
         if (i % 2 == 0)
             baseline->kept[left++] = baseline->kept[i];
         else
-            drop(&baseline->kept[i]);
+            free(baseline->kept[i].block);
     }
     baseline->nkept = left;
     baseline->apart *= 2;
@@ -93,26 +86,31 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
         return THUD_OK;
     if (baseline->nkept == KEPT_MAX)
         thin(baseline);
-    size_t n = (size_t)baseline->nmodes, nc = (size_t)baseline->ncontacts;
+    const struct thud_result *r = &run->result;
+    const size_t n = (size_t)baseline->nmodes, nc = (size_t)baseline->ncontacts, floors = (size_t)baseline->ndof,
+                 storeys = (size_t)run->state.model->nstoreys, columns = (size_t)r->ncolumns, links = (size_t)r->nlinks;
     struct moment *moment = &baseline->kept[baseline->nkept];
-    moment->grid = run->state.grid;
-    moment->state = malloc((2 * n + nc + 1) * sizeof(double));
-    moment->floor = malloc(((size_t)baseline->ndof + 1) * sizeof(struct thud_floor_result));
-    moment->storey = malloc(((size_t)run->state.model->nstoreys + 1) * sizeof *moment->storey);
-    moment->column = malloc(((size_t)run->result.ncolumns + 1) * sizeof *moment->column);
-    moment->link = malloc(((size_t)run->result.nlinks + 1) * sizeof *moment->link);
-    if (!moment->state || !moment->floor || !moment->storey || !moment->column || !moment->link) {
-        drop(moment);
+    struct thud_arena arena;
+    if (!thud_arena_open(&arena, thud_arena_room(2 * n + nc, sizeof *moment->state) +
+                                     thud_arena_room(floors, sizeof *moment->floor) +
+                                     thud_arena_room(storeys, sizeof *moment->storey) +
+                                     thud_arena_room(columns, sizeof *moment->column) +
+                                     thud_arena_room(links, sizeof *moment->link)))
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
+    *moment = (struct moment){.grid = run->state.grid, .block = arena.next};
+    moment->state = thud_arena_take(&arena, 2 * n + nc, sizeof *moment->state);
+    moment->floor = thud_arena_take(&arena, floors, sizeof *moment->floor);
+    moment->storey = thud_arena_take(&arena, storeys, sizeof *moment->storey);
+    moment->column = thud_arena_take(&arena, columns, sizeof *moment->column);
+    moment->link = thud_arena_take(&arena, links, sizeof *moment->link);
     baseline->nkept++;
     memcpy(moment->state, run->state.q, n * sizeof(double));
     memcpy(moment->state + n, run->state.qd, n * sizeof(double));
     memcpy(moment->state + 2 * n, baseline->relative.largest_m, nc * sizeof(double));
     copy_floors(&run->result, moment->floor);
-    memcpy(moment->column, run->result.column, (size_t)run->result.ncolumns * sizeof *moment->column);
-    memcpy(moment->link, run->result.link, (size_t)run->result.nlinks * sizeof *moment->link);
-    memcpy(moment->storey, run->state.storey, (size_t)run->state.model->nstoreys * sizeof *moment->storey);
+    memcpy(moment->column, r->column, columns * sizeof *moment->column);
+    memcpy(moment->link, r->link, links * sizeof *moment->link);
+    memcpy(moment->storey, run->state.storey, storeys * sizeof *moment->storey);
     baseline->next = run->state.grid + baseline->apart;
     return THUD_OK;
 }
@@ -192,7 +190,7 @@ void thud_baseline_free(struct thud_baseline_motion *baseline)
     if (!baseline)
         return;
     for (int i = 0; i < baseline->nkept; i++)
-        drop(&baseline->kept[i]);
+        free(baseline->kept[i].block);
     thud_run_free(baseline->run);
     thud_early_end_free(baseline->early_end);
     free(baseline->model.contact);
