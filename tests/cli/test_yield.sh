@@ -120,5 +120,5 @@ first_storeys() { # CASE: ductility and permanent drift, mm
         awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "ductility") d = i; if ($i == "permanent_m") p = i } next } $2 == 1 { printf "%.1f %.1f ", $d, 1e3 * $p }'
 }
 is "ductility and permanent drift of the first storeys" [ "$(first_storeys none)$(first_storeys bumper)" = "3.6 1.9 6.7 16.5 3.2 -3.0 7.1 18.8 " ]
-is "stand on the page" [ "$(grep -c '3\.6 and$\|^6\.7 without the bumper, and to 3\.2 and 7\.1 with it; 1\.9 and 16\.5 mm\|-3\.0 and 18\.8 mm' man/thud-model.7)" -eq 3 ]
+is "stand on the page" sh -c "tr '\n' ' ' <man/thud-model.7 | grep -q '3\.6 and 6\.7 without the bumper, and of 3\.2 and 7\.1 with it\. Their permanent drifts are 1\.9 and 16\.5 mm without it, and -3\.0 and 18\.8 mm with it'"
 is "and so does the table" [ "$(grep -c '^    impacts of the top contact  *18  *3$\|^    its largest force, MN  *38\.2  *11\.5$\|  6\.24  *1\.69$\|  4\.83  *1\.43$\|  1\.57  *0\.93$\|  1\.27  *1\.00$\|  0\.94  *0\.69$\|  0\.95  *0\.78$\|  0\.98  *0\.90$\|  0\.99  *1\.06$' man/thud-model.7)" -eq 10 ]
