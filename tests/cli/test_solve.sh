@@ -29,6 +29,17 @@ half=$(needs --records kobe-surrogate.csv:peak=0.8g,northridge-surrogate.csv:pea
 is "all motions ask for the largest" [ "$(echo "$one $two $both" | awk '{ most = $1 > $2 ? $1 : $2; d = $3 - most; print (d < 0.06 && d > -0.06) }')" = 1 ]
 is "half of them for the smaller" [ "$(echo "$one $two $half" | awk '{ least = $1 < $2 ? $1 : $2; d = $3 - least; print (d < 0.06 && d > -0.06) }')" = 1 ]
 
+# Where contact begins, to a part in 1e6: linear, from one run; with friction between the buildings, by runs.
+sed '/^study:/,$d; s/law: spring/law: friction/; s/stiffness: 0 MN.*/stiffness: 500 MN\/m/; s/damping: 3000 .*/slip: 1000 kN/' presets/towers-linked.yaml >"$tmp/friction.yaml"
+for scene in "towers --case none" "$tmp/friction.yaml --case link"; do
+    # shellcheck disable=SC2086 # two words
+    "$THUD" fragility ${scene% --case*} --cases "${scene##* }" --record kobe-surrogate.csv --from 6s --to 10s --vary record.factor=0.5,1 --event pounding --json --quiet >"$tmp/fragility.json" 2>"$tmp/err"
+    factor=$(sed -n 's/.*"first_contact_factor": \([0-9.e+-]*\).*/\1/p' "$tmp/fragility.json")
+    # shellcheck disable=SC2086
+    is "where contact begins, ${scene##*/}" gives 0 solve $scene --record kobe-surrogate.csv --from 6s --to 10s --for "no pounding" --by record.factor=0.05:5
+    is "is what fragility finds, to a part in 1e6" [ "$(sed -n '1s/.* = \([0-9.]*\) (not at \([0-9.]*\)).*/\1 \2/p' "$tmp/out" | awk -v f="$factor" '{ print (f > 0 && $1 <= f * (1 + 1e-7) && $2 >= f * (1 - 1e-7) && $2 - $1 < 3e-6 * f) }')" = 1 ]
+done
+
 # The drift of the bare towers grows and falls with the gap.
 is "what is not monotone" gives 0 solve towers --case none --for "drift < 1.8 %" --by gap=1cm:18cm
 is "is said to be so" shows '^drift < 1.8 % is not monotone in gap: it changes 2 times'

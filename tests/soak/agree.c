@@ -25,9 +25,9 @@ enum { FAMILIES = sizeof family / sizeof *family };
 /* To which all have to agree, as a part of the factor. */
 static const double close = 1e-6;
 
-/* The lengths by which contact is told from rest are absolute: motions that are smaller
- * at the factor are left out. */
-static const double smallest_m = 1e-5;
+/* The lengths by which contact is told from rest are absolute (THUD_TOL_INDENTATION_M, 1e-15 m, is an indentation that
+ * counts): motions that are smaller at the factor, and clearances of which `close` is less, are left out. */
+static const double smallest_m = 1e-5, smallest_clearance_m = 1e-8;
 
 static const char *const kinds[] = {"shear", "rigid", "isolated", "wall", "matrix", "modes", "estimated"};
 static const char *const links[THUD_LINK_LAWS] = {"spring", "dashpot", "friction", "restrainer", "strut"};
@@ -153,8 +153,8 @@ static int touches(const struct scenes_one *one, double factor, bool counted)
     return found;
 }
 
-/* The largest share of a clearance that the motion at a factor needs; NaN: no result. */
-static double needs(const struct scenes_one *one, double factor)
+/* The largest share of a clearance that the motion at a factor needs, NaN: no result; and that clearance. */
+static double needs(const struct scenes_one *one, double factor, double *clearance_m)
 {
     struct scenes_one scaled;
     struct thud_needed_gap *gap = NULL;
@@ -166,7 +166,9 @@ static double needs(const struct scenes_one *one, double factor)
         const struct thud_gap_level *l = &gap->level[i];
         const struct thud_level_values at =
             thud_interface_level(&scaled.scene.interface[l->interface - 1], thud_needed_gap_level(gap->level, i));
-        most = fmax(most, l->relative_displacement_m / thud_level_clearance(&at));
+        const double share = l->relative_displacement_m / thud_level_clearance(&at);
+        if (share > most)
+            most = share, *clearance_m = thud_level_clearance(&at);
     }
     free(gap);
     scenes_clear(&scaled);
@@ -246,8 +248,15 @@ static void check_solve(const struct scenes_one *one, double factor)
 static void compare(const struct scenes_one *one, double factor)
 {
     const double below = factor * (1 - close), above = factor * (1 + close);
-    const double gap_below = needs(one, below), gap_above = needs(one, above), told = by_fragility(one);
+    double clearance_m = INFINITY;
+    const double gap_below = needs(one, below, &clearance_m), gap_above = needs(one, above, &clearance_m);
+    if (clearance_m < smallest_clearance_m) {
+        tally.too_small++;
+        return;
+    }
+    const double told = by_fragility(one);
     tally.compared++;
+    *(thud_scene_scales(&one->scene) ? &tally.scaled : &tally.searched) += 1;
     if (!(fabs(told - factor) <= close * factor))
         complain(one, "fragility's factor", told, factor);
     if (!(gap_below < 1 && gap_above >= 1))
@@ -292,7 +301,6 @@ static void check(unsigned long long seed)
         if (isinf(found.first) && touches(&one, 1, false) > 0 && !is_impulsive(&one.scene, true))
             complain(&one, "a single run touches where contact never begins", 1, found.first);
     } else {
-        *(thud_scene_scales(&one.scene) ? &tally.scaled : &tally.searched) += 1;
         compare(&one, found.first);
     }
     free(gap);

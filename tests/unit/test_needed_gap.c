@@ -2,6 +2,7 @@
  * in their limits. */
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "study/scene/first_contact.h"
@@ -103,6 +104,32 @@ START_TEST(equal_buildings_need_none)
         ck_assert_double_le(thud_gap_value(l, THUD_GAP_DDC), 1e-6 * l->left_m);
         ck_assert_double_eq_tol(thud_gap_value(l, THUD_GAP_ABS), 2 * l->left_m, 1e-12 * l->left_m);
     }
+    free(gap);
+}
+END_TEST
+
+/* Bodies on no springs stay where they are, whatever their masses, while the ground moves: what rounding leaves between
+ * them is no displacement, and no factor on the motion makes it one. One that drifts off at 1 nm/s does use up the gap. */
+START_TEST(bodies_that_move_alike_need_none)
+{
+    struct thud_first_contact begins;
+    for (int i = 0; i < 2; i++) {
+        thud_structure_init(&scene->structure[i], THUD_RIGID);
+        scene->structure[i].storeys = 1;
+        scene->structure[i].mass_kg[0] = 2e4 + 1e4 * i;
+        snprintf(scene->structure[i].name, sizeof scene->structure[i].name, "body %d", i + 1);
+    }
+    struct thud_needed_gap *gap = gap_of(motion);
+    ck_assert_int_eq(gap->nlevels, 1);
+    ck_assert_double_gt(gap->level[0].left_m, 0.1);
+    ck_assert(gap->level[0].relative_displacement_m == 0);
+    ck_assert_int_eq(thud_first_contact_find(scene, motion, gap, &begins, NULL), THUD_OK);
+    ck_assert_double_infinite(begins.first);
+    free(gap);
+    scene->structure[0].velocity_mps = 1e-9;
+    gap = gap_of(motion);
+    const double s = (double)(motion->samples - 1) * motion->dt_s + scene->analysis.tail_s;
+    ck_assert_double_eq_tol(gap->level[0].relative_displacement_m, 1e-9 * s, 1e-6 * 1e-9 * s);
     free(gap);
 }
 END_TEST
@@ -227,6 +254,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, linear_in_the_ground_motion);
     tcase_add_test(tcase, neither_gap_nor_bumper_matters);
     tcase_add_test(tcase, equal_buildings_need_none);
+    tcase_add_test(tcase, bodies_that_move_alike_need_none);
     tcase_add_test(tcase, rules_in_their_order);
     tcase_add_test(tcase, the_reduction_is_for_equal_elevations);
     tcase_add_test(tcase, a_suite_of_one_motion_has_no_spread);

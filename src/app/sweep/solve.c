@@ -9,8 +9,9 @@
 #include "io/file/json.h"
 #include "io/result/study_rows.h"
 
-enum { SCAN = 9, PARTS = 5 };    /* values of the scan; parts that a change is cut into in each round */
-static const double fine = 1e-3; /* of the range: where a change is known so well it is known */
+enum { SCAN = 9, PARTS = 5 };     /* values of the scan; parts that a change is cut into in each round */
+static const double fine = 1e-3;  /* of the range: where a change is known so well it is known */
+static const double close = 1e-6; /* part of a value to which it is known where contact begins */
 
 enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *out, struct thud_error *err)
 {
@@ -52,19 +53,30 @@ static void put(struct thud_solve *solve, const struct thud_solve_try *tried)
     solve->n++;
 }
 
-/* Runs the values, `axis` as a sweep's, and puts them among those tried. */
+/* The value at which contact begins (along a gap: ends) under so many motions that the answer changes; NaN: not known. */
+static double contact_change(const struct thud_solve *solve, const struct thud_sweep_axis *axis,
+                             const struct thud_fragility *counts)
+{
+    const int n = counts->nexact, need = (int)ceil(solve->share * n - 1e-9);
+    if (n == 0)
+        return NAN;
+    return counts->exact[solve->criterion.happens == thud_axis_is_intensity(axis) ? need - 1 : n - need];
+}
+
+/* Runs the values, `axis` as a sweep's (cleared), and puts them among those tried. `contact` where not NULL: where it begins. */
 static enum thud_status run_values(struct thud_solve *solve, const struct thud_scene *scene,
-                                   const struct thud_record_list *records, const char *axis, const atomic_int *cancel,
-                                   struct thud_error *err)
+                                   const struct thud_record_list *records, struct thud_text *axis, double *contact,
+                                   const atomic_int *cancel, struct thud_error *err)
 {
     struct thud_sweep_plan plan;
     struct thud_suite *suite = NULL;
     struct thud_fragility counts = {0};
-    struct thud_fragility_ask ask = {.event = &solve->criterion.event};
+    struct thud_fragility_ask ask = {.event = &solve->criterion.event, .first_contact = contact};
     thud_sweep_plan_init(&plan, scene);
     plan.nrecords = records ? records->n : 0;
     plan.record = plan.nrecords ? (const struct thud_record *const *)records->record : NULL;
-    enum thud_status status = thud_sweep_vary(&plan, axis, err);
+    enum thud_status status =
+        axis->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : thud_sweep_vary(&plan, axis->data, err);
     if (status == THUD_OK)
         status = thud_sweep_suite_run(&plan, 0, cancel, &suite, err);
     if (status == THUD_OK)
@@ -76,9 +88,12 @@ static enum thud_status run_values(struct thud_solve *solve, const struct thud_s
         snprintf(tried.text, sizeof tried.text, "%.40s", plan.axis[0].text[i]);
         put(solve, &tried);
     }
+    if (status == THUD_OK && contact)
+        *contact = contact_change(solve, &plan.axis[0], &counts);
     thud_fragility_clear(&counts);
     thud_suite_free(suite);
     thud_sweep_plan_clear(&plan);
+    thud_text_clear(axis);
     return status;
 }
 
@@ -145,10 +160,14 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
     enum thud_status status = read_by(scene, by, out, &param, range, err);
     const char *unit = status == THUD_OK && param->unit ? param->unit : "";
     struct thud_text axis = {0};
+    double contact = NAN;
     if (status == THUD_OK) {
         write_axis(out->key, unit, range[0], range[1], SCAN - 1, false, &axis);
-        status = axis.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
-                             : run_values(out, scene, records, axis.data, cancel, err);
+        status = run_values(out, scene, records, &axis, &contact, cancel, err);
+    }
+    if (status == THUD_OK && contact * (1 - close) > range[0] && contact * (1 + close) < range[1]) {
+        write_axis(out->key, unit, contact * (1 - close), contact * (1 + close), 1, false, &axis);
+        status = run_values(out, scene, records, &axis, NULL, cancel, err);
     }
     for (bool more = true; status == THUD_OK && more;) {
         more = false;
@@ -157,14 +176,11 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
             double from = out->tried[out->change[i]].x, to = out->tried[out->change[i] + 1].x;
             if (to - from <= fine * (range[1] - range[0]) || out->n + PARTS > THUD_SOLVE_TRIES_MAX)
                 continue;
-            thud_text_clear(&axis);
             write_axis(out->key, unit, from, to, PARTS, true, &axis);
-            status = axis.failed ? thud_error_set(err, THUD_MEMORY, "out of memory")
-                                 : run_values(out, scene, records, axis.data, cancel, err);
+            status = run_values(out, scene, records, &axis, NULL, cancel, err);
             more = true;
         }
     }
-    thud_text_clear(&axis);
     return status;
 }
 

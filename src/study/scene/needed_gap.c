@@ -80,10 +80,13 @@ static bool has_yielded(const struct thud_result *result, int s)
 void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level)
 {
+    /* part of two displacements that their difference is right to: sides that move alike are apart by 4e-14 of them */
+    static const double rounding = 1e-12;
     const struct thud_result *result = thud_baseline_result(baseline);
     for (int c = 0; c < model->npairs; c++) {
         const struct thud_model_contact *p = &model->contact[c];
         int left = p->interface - 1, right = p->interface;
+        const double apart_m = thud_baseline_relative_displacement(baseline, c);
         level[c] = (struct thud_gap_level){
             .interface = p->interface,
             .left_floor = p->left_floor,
@@ -92,13 +95,15 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
             .aligned = aligned[p->interface - 1],
             .left_m = thud_gap_side(model, baseline, c, false),
             .right_m = thud_gap_side(model, baseline, c, true),
-            .relative_displacement_m = thud_baseline_relative_displacement(baseline, c),
+            .relative_displacement_m = apart_m,
             .correlation = has_yielded(result, left) || has_yielded(result, right)
                                ? NAN
                                : thud_spacing_correlation(first_period(result, left), thud_gap_damping(model, left),
                                                           first_period(result, right), thud_gap_damping(model, right)),
             .height_m = NAN,
             .lower_m = NAN};
+        if (apart_m <= rounding * (level[c].left_m + level[c].right_m))
+            level[c].relative_displacement_m = 0;
         thud_gap_code_init(&level[c].code);
     }
 }
