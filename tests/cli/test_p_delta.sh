@@ -45,6 +45,9 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
     is "is refused with the storey" says 'storey 1 of B collapses at '
     is "that of samples" gives 0 uncertainty towers-yielding $soft --peak 0.75g --samples 24 --case none --quiet
     is "is told" shows '^In [1-9][0-9]* of 24 samples a storey collapses or a run fails'
+    told=$(sed -n 's/^In \([0-9]*\) of 24 samples.*/\1/p' "$tmp/out")
+    is "the same as JSON" gives 0 uncertainty towers-yielding $soft --peak 0.75g --samples 24 --case none --quiet --json
+    is "counts as many" shows "\"samples\": 24, \"collapsed\": $told, "
     is "a study" gives 0 sweep towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none --quiet --csv
     is "has the peaks before it" [ "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $c["floor"] > 0 && $c["drift_m"] > 0.29999 { n++ } END { print n }' "$tmp/out")" -eq 1 ]
     is "told" gives 0 sweep towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none

@@ -48,8 +48,7 @@ enum {
     THUD_HAS_COLUMNS = 4,     /* columns that slabs strike */
     THUD_HAS_CAPACITY = 8,    /* and a capacity of columns */
     THUD_HAS_REFERENCE = 16,  /* another run to compare with */
-    THUD_HAS_COLLAPSES = 32,  /* P-Delta */
-    THUD_HAS_LINK_FORCES = 64 /* links */
+    THUD_HAS_LINK_FORCES = 32 /* links */
 };
 
 /* A run of a finished point. */

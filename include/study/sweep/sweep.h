@@ -141,8 +141,6 @@ struct thud_sweep_point {
 };
 /* (ncontacts) those of a case. */
 const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which);
-/* Whether a point's run may collapse: its scene's P-Delta, or a varied one. */
-bool thud_sweep_collapses(const struct thud_sweep_plan *plan);
 
 /* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
  * possible), THUD_MEMORY. */

@@ -61,8 +61,7 @@ static void name_suite(const struct thud_suite *suite, const struct suite_row *r
     for (int i = 0; i < row->n; i++)
         for (int c = 0; c < ends_of(row->told[i]); c++)
             thud_column_add(out, false, "%s_%s", thud_measure_info(row->told[i])->column, end[c]);
-    if (suite->features & THUD_HAS_COLLAPSES)
-        thud_column_add(out, false, "%s", thud_measure_info(THUD_MEASURE_COLLAPSED)->column);
+    thud_column_add(out, false, "%s", thud_measure_info(THUD_MEASURE_COLLAPSED)->column);
 }
 
 static void put_data_row(const struct thud_suite *suite, const int *at, int k, int s, const struct suite_row *row,
@@ -78,8 +77,7 @@ static void put_data_row(const struct thud_suite *suite, const int *at, int k, i
     for (int i = 0; i < row->n; i++)
         for (int c = 0; c < ends_of(row->told[i]); c++)
             cell++->number = row->of[row->told[i]][c];
-    if (suite->features & THUD_HAS_COLLAPSES)
-        cell->number = row->collapsed;
+    cell->number = row->collapsed;
 }
 
 enum { NAME = 8 }; /* columns of a structure's name, at least */

@@ -209,7 +209,7 @@ static void put_nominal(const struct thud_uncertainty *u, struct thud_text *out)
 }
 
 /* Samples without a result: those that collapse have none. */
-static void put_missing(const struct thud_uncertainty_study *study, struct thud_text *out)
+static size_t count_collapsed(const struct thud_uncertainty_study *study)
 {
     const size_t first = thud_uncertainty_first_sample(study), n = thud_uncertainty_samples(study);
     size_t missing = 0;
@@ -219,11 +219,17 @@ static void put_missing(const struct thud_uncertainty_study *study, struct thud_
             whole = whole && (isnan(study->told[q].nominal) || !isnan(thud_uncertainty_value(study, first + i, q)));
         missing += !whole;
     }
+    return missing;
+}
+
+static void put_missing(const struct thud_uncertainty_study *study, struct thud_text *out)
+{
+    const size_t missing = count_collapsed(study);
     if (missing > 0)
         thud_text_append(out,
                          "In %zu of %zu samples a storey collapses or a run fails: they have no values from there on,\n"
                          "and the fractiles are those of the others.\n\n",
-                         missing, n);
+                         missing, thud_uncertainty_samples(study));
 }
 
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out)
@@ -341,8 +347,9 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
     const struct thud_rows rows = quantities_of(study);
     thud_text_append(out, "{");
     thud_json_head(out, u->scene.name);
-    thud_text_append(out, ", \"samples\": %zu, \"sampling\": \"%s\", \"seed\": %llu, \"quantities\": [",
-                     thud_uncertainty_samples(study), thud_sampling_name(study->sampling), study->seed);
+    thud_text_append(
+        out, ", \"samples\": %zu, \"collapsed\": %zu, \"sampling\": \"%s\", \"seed\": %llu, \"quantities\": [",
+        thud_uncertainty_samples(study), count_collapsed(study), thud_sampling_name(study->sampling), study->seed);
     for (int q = 0; q < u->nquantities; q++) {
         struct thud_row_room row;
         rows.make(study, q, row.bytes);

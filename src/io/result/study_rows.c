@@ -257,8 +257,9 @@ static const struct thud_column of_suite[] = {
     THUD_STANDS_FOR("MEASURE_equal", "Under how many it is 1."),
     THUD_STANDS_FOR("MEASURE_higher", "Under how many it is above 1."),
     THUD_STANDS_FOR("KEY", "Value of a varied key, with its unit."),
-    THUD_STANDS_FOR("collapsed", "With P-Delta, last: 1 where a storey collapses under one of the motions at least; "
-                                 "the fractiles of peaks then hold values until a collapse, and no ratios.")};
+    THUD_STANDS_FOR("collapsed", "The last one: 1 where a storey collapses under one of the motions at least (with "
+                                 "P-Delta); the fractiles of peaks then hold values until a collapse, and no ratios. "
+                                 "Else 0.")};
 const struct thud_schema thud_suite_row_schema =
     THUD_SCHEMA("suite.csv",
                 "Written by\n.Cm sweep\nand\n.Cm fragility\nwith\n.Fl o\nover several ground motions: one row for each "

@@ -49,7 +49,7 @@ struct floor_row {
     const char *record, *which, *structure;
     struct thud_sweep_row own;
 };
-enum { SPREAD = 1, COLLAPSES = 2 };
+enum { SPREAD = 1 };
 
 #define FLOOR(member, key, text) THUD_COLUMN(struct floor_row, member, key, text)
 #define ENDS(measure, key, unit, of)                                                                                   \
@@ -107,13 +107,12 @@ static const struct thud_column storeys[] = {
     ENDS(THUD_SWEEP_PERMANENT, "permanent", "_m", ", m"),
     ENDS(THUD_SWEEP_EXCURSIONS, "excursions", "", ""),
     ENDS(THUD_SWEEP_HYSTERETIC, "hysteretic", "_j", ", J"),
-    {FLOOR(
-         own.collapsed, "collapsed",
-         "With P-Delta: 1 where a storey collapses in the run; its peaks are those until then, and it has no ratios."),
-     .only = COLLAPSES}};
-const struct thud_schema thud_sweep_storey_schema =
-    THUD_SCHEMA("sweep.csv of storeys",
-                "At the end of each row, where storeys of the scene yield,\nand with P-Delta the last one.\n", storeys);
+    {FLOOR(own.collapsed, "collapsed",
+           "The last one of every row: 1 where a storey collapses in the run (with P-Delta); its peaks are those until "
+           "then, and it has no ratios. Else 0.")}};
+const struct thud_schema thud_sweep_storey_schema = THUD_SCHEMA(
+    "sweep.csv of storeys",
+    "At the end of each row: the last one, and before it where storeys of the scene yield the others.\n", storeys);
 
 /* ---- contacts ---- */
 
@@ -216,11 +215,8 @@ static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv wh
     thud_axis_columns(plan, out->shown, &out->axes);
     if (which == THUD_SWEEP_CSV_FLOORS) {
         out->first = thud_sweep_floor_schema;
-        const bool yields = thud_sweep_yields(plan);
-        out->marks |= thud_sweep_collapses(plan) ? COLLAPSES : 0u;
-        if (yields || out->marks & COLLAPSES)
-            out->last = thud_sweep_storey_schema;
-        if (!yields && out->last.n > 0) { /* the last column alone */
+        out->last = thud_sweep_storey_schema;
+        if (!thud_sweep_yields(plan)) { /* the last column alone */
             out->last.column += out->last.n - 1;
             out->last.n = 1;
         }

@@ -291,8 +291,7 @@ unsigned thud_measure_features(const struct thud_sweep_plan *plan)
 {
     unsigned features = THUD_HAS_REFERENCE | (thud_sweep_yields(plan) ? THUD_HAS_YIELDING : 0u) |
                         (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
-    features |=
-        (thud_sweep_collapses(plan) ? THUD_HAS_COLLAPSES : 0u) | (plan->scene.nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u);
+    features |= plan->scene.nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u;
     for (int s = 0; s < plan->scene.nstructures; s++)
         features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;
     return features;

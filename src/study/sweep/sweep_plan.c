@@ -404,32 +404,16 @@ static long product(const struct thud_sweep_plan *plan, int from)
     return n;
 }
 
-/* Whether a scene of the study is so: that of the plan, or a possible one with a value of a varied key. */
-static bool any_scene(const struct thud_sweep_plan *plan, bool (*is)(const struct thud_scene *scene))
+bool thud_sweep_yields(const struct thud_sweep_plan *plan)
 {
-    bool found = is(&plan->scene);
+    bool found = thud_scene_yields(&plan->scene);
     struct thud_scene *at = found ? NULL : malloc(sizeof *at);
     for (int a = 0; at && a < plan->naxes; a++)
         for (int v = 0; v < plan->axis[a].n && !found; v++)
             found = thud_sweep_scene(plan, v * product(plan, a + 1), at, NULL) == THUD_OK &&
-                    thud_scene_check(at, NULL) == THUD_OK && is(at);
+                    thud_scene_check(at, NULL) == THUD_OK && thud_scene_yields(at);
     free(at);
     return found;
-}
-
-bool thud_sweep_yields(const struct thud_sweep_plan *plan)
-{
-    return any_scene(plan, thud_scene_yields);
-}
-
-static bool may_collapse(const struct thud_scene *scene)
-{
-    return thud_scene_elements(scene).traits & THUD_COLLAPSES;
-}
-
-bool thud_sweep_collapses(const struct thud_sweep_plan *plan)
-{
-    return any_scene(plan, may_collapse);
 }
 
 long thud_sweep_points(const struct thud_sweep_plan *plan)
