@@ -11,6 +11,11 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     is "and accounts for it" shows 'lost in isolators 3306\.4; unaccounted [0-9.]*e-1[1-9]$'
     is "isolators are the base, and storeys count from above it" shows '^  base  *1  *266\.301 '
     is "as remarks and presets count them" shows '^     1    elastic$'
+    is "an uncertain pendulum" gives 0 uncertainty isolated-pendulum --samples 0 --to 8s --quiet
+    is "has an uncertain friction, and no hardening" shows 'yield.isolated +-10 %$'
+    "$THUD" uncertainty isolated-pendulum --samples 0 --to 8s --json --quiet | sed -n '/"needed_gap_m"/,/"as-written/s/.*"yield.isolated", "size": 0.1, "least": \([0-9.]*\), "most": \([0-9.]*\).*/\1 \2/p' >"$tmp/told"
+    for friction in 4.5% 5.5%; do "$THUD" gap isolated-pendulum --set structures.2.isolator.friction=$friction --to 8s --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i; next } $c > m { m = $c } END { print m }'; done >"$tmp/runs"
+    is "by which the required gap changes as runs say" [ "$(tr '\n' ' ' <"$tmp/told" | awk -v runs="$(tr '\n' ' ' <"$tmp/runs")" '{ split(runs, r); a = $1 / r[1] - 1; b = $2 / r[2] - 1; print (NF == 2 && a * a < 1e-10 && b * b < 1e-10) }')" = 1 ]
     is "lead-rubber bearings" gives 0 run isolated-lead-rubber --quiet --json
     is "have the loop's numbers" shows '"storey": {.*"yield_m": 0\.01, .*"permanent_m": [-0-9.e]*, .*"hysteretic_j": 35'
     is "both hold" gives 0 verify isolated-pendulum isolated-lead-rubber

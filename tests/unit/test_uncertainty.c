@@ -398,6 +398,13 @@ START_TEST(changes_of_a_scene)
         free(same);
     }
     ck_assert(factor == 1);
+    scene->structure[1].kind = THUD_ISOLATED; /* isolators have the one or the other */
+    scene->structure[1].isolator_law = THUD_ISOLATOR_LEAD_RUBBER;
+    scene->structure[1].isolator_strength_n = 1e6;
+    scene->structure[1].isolator_friction = NAN;
+    change(scene, THUD_INPUT_YIELD, 1, 0.1, 1, &factor);
+    ck_assert_double_eq_tol(scene->structure[1].isolator_strength_n, 1.1e6, 1e-7);
+    ck_assert(isnan(scene->structure[1].isolator_friction));
     change(scene, THUD_INPUT_MOTION, -1, 0.3, 1, &factor);
     ck_assert_double_eq_tol(factor, 1.3, 1e-15);
 }

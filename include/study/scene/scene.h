@@ -290,9 +290,8 @@ double thud_wall_damping(const struct thud_structure *structure);
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* With P-Delta a storey has collapsed where it drifts by this part of its height. */
 #define THUD_COLLAPSE_DRIFT 0.1
-/* Whether a storey of the scene yields. */
+/* Whether a storey of the scene yields, or an isolator slides; whether a link does. By their elements. */
 bool thud_scene_yields(const struct thud_scene *scene);
-/* Whether a link of the scene is one of friction. */
 bool thud_scene_slips(const struct thud_scene *scene);
 /* Of a law; what must be given is NaN, its ends are empty. */
 void thud_link_init(struct thud_link *link, enum thud_link_law law);

@@ -4,6 +4,7 @@
 #include "core/model/element.h"
 #include "study/scene/scene.h"
 
+struct thud_element_sum thud_structure_elements(const struct thud_structure *structure);
 struct thud_element_sum thud_scene_elements(const struct thud_scene *scene);
 /* Whether the motion without pounding may be scaled with the ground motion: factors of first contact follow from one
  * run. */

@@ -3,6 +3,7 @@
 #include "io/result/scene_json.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
+#include "study/scene/scene_elements.h"
 #include "study/sweep/remark.h"
 
 /* 2: dissipated_j and lost_j are without what is stored at the end. */
@@ -185,7 +186,7 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
         add_peaks(report, out);
     thud_text_append(out, "  \"energy\": {");
     thud_json_members(&thud_energy_schema,
-                      (thud_scene_yields(report->scene) || thud_scene_slips(report->scene) ? THUD_ROW_YIELDS : 0u) |
+                      (thud_scene_elements(report->scene).traits & THUD_SLIPS ? THUD_ROW_YIELDS : 0u) |
                           (report->scene->p_delta ? THUD_ROW_WEIGHS : 0u),
                       &report->result->energy, out);
     thud_text_append(out, "}");

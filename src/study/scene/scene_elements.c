@@ -74,6 +74,29 @@ static void add_structure(struct thud_element_sum *sum, const struct thud_struct
     thud_element_add(sum, THUD_ELEMENT_SOIL, thud_structure_on_soil(s));
 }
 
+struct thud_element_sum thud_structure_elements(const struct thud_structure *structure)
+{
+    struct thud_element_sum sum = {0};
+    add_structure(&sum, structure);
+    return sum;
+}
+
+bool thud_scene_yields(const struct thud_scene *scene)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        if (thud_structure_elements(&scene->structure[s]).traits & THUD_SLIPS)
+            return true;
+    return false;
+}
+
+bool thud_scene_slips(const struct thud_scene *scene)
+{
+    for (int i = 0; i < scene->nlinks; i++)
+        if (thud_elements[of_link(&scene->link[i])].traits & THUD_SLIPS)
+            return true;
+    return false;
+}
+
 struct thud_element_sum thud_scene_elements(const struct thud_scene *scene)
 {
     struct thud_element_sum sum = {0};

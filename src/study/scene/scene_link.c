@@ -33,14 +33,6 @@ void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned 
         snprintf(text, size, "%s-ground", scene->structure[thud_link_wall(scene, i)].name);
 }
 
-bool thud_scene_slips(const struct thud_scene *scene)
-{
-    for (int i = 0; i < scene->nlinks; i++)
-        if (scene->link[i].law == THUD_LINK_FRICTION)
-            return true;
-    return false;
-}
-
 const char *thud_link_law_name(const struct thud_scene *scene, int i)
 {
     return i < scene->nlinks ? thud_group_param(THUD_GROUP_LINK, 0)->choices[(int)scene->link[i].law]

@@ -40,18 +40,6 @@ double thud_structure_weight(const struct thud_structure *structure, int i)
     return weight;
 }
 
-bool thud_scene_yields(const struct thud_scene *scene)
-{
-    for (int s = 0; s < scene->nstructures; s++)
-        if (thud_isolator_slides(&scene->structure[s]))
-            return true;
-    for (int s = 0; s < scene->nstructures; s++)
-        for (int i = 0; i < scene->structure[s].storeys; i++)
-            if (isfinite(thud_structure_yield(&scene->structure[s], i)) && scene->structure[s].hardening[i] < 1)
-                return true;
-    return false;
-}
-
 static double fallback(const char *name, enum thud_group group)
 {
     const struct thud_param *param;

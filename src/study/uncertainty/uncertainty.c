@@ -9,6 +9,7 @@
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/needed_gap.h"
+#include "study/scene/scene_elements.h"
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep_private.h"
@@ -201,9 +202,10 @@ static void change_structure(struct thud_structure *p, enum thud_input input, do
 /* Of the storeys that yield, and of isolators that do: their strength or friction. */
 static void change_storeys(struct thud_structure *p, enum thud_input input, double size, double u)
 {
-    if (input == THUD_INPUT_YIELD && thud_isolator_slides(p)) {
+    if (input == THUD_INPUT_YIELD && thud_isolator_slides(p)) { /* NaN: of the other law */
         p->isolator_strength_n = changed(input, p->isolator_strength_n, size, u);
-        p->isolator_friction = fmin(1, changed(input, p->isolator_friction, size, u));
+        if (isfinite(p->isolator_friction))
+            p->isolator_friction = fmin(1, changed(input, p->isolator_friction, size, u));
     }
     for (int i = 0; i < p->storeys; i++) {
         if (!isfinite(thud_structure_yield(p, i)))
@@ -309,10 +311,7 @@ static bool has_struck(const struct thud_scene *scene, int structure, bool given
 
 static bool yields(const struct thud_structure *s)
 {
-    for (int i = 0; thud_kind_is_building(s->kind) && i < s->storeys; i++)
-        if (isfinite(thud_structure_yield(s, i)))
-            return true;
-    return false;
+    return thud_structure_elements(s).traits & THUD_SLIPS;
 }
 
 static bool is_building(const struct thud_scene *scene, int s)
@@ -349,8 +348,9 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_MASS:
         return own && own->kind != THUD_WALL;
     case THUD_INPUT_YIELD:
-    case THUD_INPUT_HARDENING:
         return own && yields(own);
+    case THUD_INPUT_HARDENING: /* isolators have none */
+        return own && thud_structure_elements(own).states > thud_isolator_slides(own);
     case THUD_INPUT_COLUMNS:
         return has_struck(scene, of, true);
     case THUD_INPUT_ELEVATION: /* against a neighbour */
