@@ -121,7 +121,7 @@ START_TEST(bodies_that_move_alike_need_none)
     }
     struct thud_needed_gap *gap = gap_of(motion);
     ck_assert_int_eq(gap->nlevels, 1);
-    ck_assert_double_gt(gap->level[0].left_m, 0.1);
+    ck_assert_double_gt(gap->level[0].left_m, 0.01);
     ck_assert(gap->level[0].relative_displacement_m == 0);
     ck_assert_int_eq(thud_first_contact_find(scene, motion, gap, &begins, NULL), THUD_OK);
     ck_assert_double_infinite(begins.first);
