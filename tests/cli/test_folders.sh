@@ -26,7 +26,7 @@ for try in 1 2 3 4 5 6; do
         continue
         ;;
     esac
-    grep -q "another sweep is writing into this folder" "$tmp/err$loser" || unsaid=$((unsaid + 1))
+    grep -q "another study is writing into this folder" "$tmp/err$loser" || unsaid=$((unsaid + 1))
     grep -q "gap=$winner cm" "$tmp/together$try/study.json" && [ "$(sed -n 2p "$tmp/together$try/sweep.csv" | cut -d, -f3)" = "0.0$winner" ] || mixed=$((mixed + 1))
 done
 : >"$tmp/out"

@@ -16,6 +16,17 @@ dish="--set structures.2.isolator.law=pendulum --set structures.2.isolator.radiu
     "$THUD" uncertainty isolated-pendulum --samples 0 --to 8s --json --quiet | sed -n '/"needed_gap_m"/,/"as-written/s/.*"yield.isolated", "size": 0.1, "least": \([0-9.]*\), "most": \([0-9.]*\).*/\1 \2/p' >"$tmp/told"
     for friction in 4.5% 5.5%; do "$THUD" gap isolated-pendulum --set structures.2.isolator.friction=$friction --to 8s --csv --quiet | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i; next } $c > m { m = $c } END { print m }'; done >"$tmp/runs"
     is "by which the required gap changes as runs say" [ "$(tr '\n' ' ' <"$tmp/told" | awk -v runs="$(tr '\n' ' ' <"$tmp/runs")" '{ split(runs, r); a = $1 / r[1] - 1; b = $2 / r[2] - 1; print (NF == 2 && a * a < 1e-10 && b * b < 1e-10) }')" = 1 ]
+    # the law varied: each has its own keys, and leaves those of the other
+    laws="sweep isolated-lead-rubber --vary structures.2.isolator.law=linear,lead-rubber --to 8s --csv --quiet"
+    # shellcheck disable=SC2086 # several words
+    is "isolators by their law" gives 0 $laws --set structures.2.isolation-stiffness=12.5MN/m
+    peaks() { awk -F, -v law="$1" 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $c["floor"] > 0 && $c["structures.2.isolator.law"] == law { printf "%.9g %.9g ", $c["acceleration_mps2"], $c["drift_m"] }' "$tmp/out"; }
+    alone() { "$THUD" run "$@" --to 8s --csv --quiet 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $1 == "isolated" { printf "%.9g %.9g ", $c["acceleration_mps2"], $c["drift_m"] }'; }
+    is "linear ones are those of a run" [ "$(peaks linear)" = "$(alone isolated-moat --set structures.2.isolation-damping=)" ]
+    is "and so are lead-rubber ones" [ "$(peaks lead-rubber)" = "$(alone isolated-lead-rubber)" ]
+    # shellcheck disable=SC2086
+    is "what a law lacks" gives 3 $laws
+    is "is told by its key" says 'structures.2.isolation-stiffness: the isolators. stiffness is not given'
     is "lead-rubber bearings" gives 0 run isolated-lead-rubber --quiet --json
     is "have the loop's numbers" shows '"storey": {.*"yield_m": 0\.01, .*"permanent_m": [-0-9.e]*, .*"hysteretic_j": 35'
     is "both hold" gives 0 verify isolated-pendulum isolated-lead-rubber

@@ -217,6 +217,12 @@ again --shard 2/2 -o "$tmp/p2"
 # no words of the scene: the parts hold them
 "$THUD" fragility --merge "$tmp/p1" "$tmp/p2" -o "$tmp/merged" --hazard "$tmp/hazard.csv" --quiet >"$tmp/out" 2>"$tmp/err"
 is "and of parts joined" same "$tmp/merged"
+# four files of two stations, as their list says: of two recordings there are no fractiles, in parts joined neither
+pairs=kobe-surrogate.csv:event=one:station=s,northridge-surrogate.csv:event=one:station=s,san-fernando-surrogate.csv:event=two:station=s,kaikoura-wtmc.csv:event=two:station=s
+# shellcheck disable=SC2046 # two words or none
+for part in 1/1 1/2 2/2; do "$THUD" fragility towers --records "$pairs" --to 4s --vary record.factor=0.5,1 --cases none --no-figures --quiet $([ $part = 1/1 ] || echo --shard $part) -o "$tmp/pairs-${part%/*}${part#*/}" >/dev/null 2>&1; done
+"$THUD" fragility --merge "$tmp/pairs-12" "$tmp/pairs-22" --no-figures --quiet -o "$tmp/pairs" >/dev/null 2>"$tmp/err"
+is "parts joined know which files are one recording" sh -c "for f in fragility.csv fragility-curves.csv suite.csv; do cmp '$tmp/pairs-11/'\$f '$tmp/pairs/'\$f || exit 1; done; head -1 '$tmp/pairs/suite.csv' | grep -q force_n_p16"
 again --json
 is "--json is the file" cmp "$tmp/out" "$tmp/fragility/fragility.json"
 again --csv --samples 7 --seed 2

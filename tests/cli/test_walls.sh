@@ -51,6 +51,17 @@ is "in JSON too" gives 0 run $scene --json --quiet
 is "by wall and law" shows '"ends": "west moat-ground", "law": "backfill"'
 is "and the scene" shows '"backfill": {"stiffness": "304.5 MN/m", "strength": "4890 kN", "ratio": "0.7"'
 is "it holds" gives 0 verify $scene
+# The soil acts on one side, so that the factor of first contact is found by runs; heavy walls move far.
+heavy="$scene --from 4s --to 12s --set structures.1.mass=1000t --set structures.3.mass=1000t --quiet"
+# shellcheck disable=SC2086 # several words
+factor=$("$THUD" fragility $heavy --vary record.factor=0.5,1 --event pounding --json 2>"$tmp/err" | sed -n 's/.*"first_contact_factor": \([0-9.]*\).*/\1/p')
+# shellcheck disable=SC2086
+touching() { "$THUD" run $heavy --factor "$(awk "BEGIN { printf \"%.9g\", $factor * $1 }")" --json 2>"$tmp/err" | grep -o '"impacts": [0-9]*' | awk '{ n += $2 } END { print (n > 0) }'; }
+is "before the factor of first contact none touches" [ "$(touching 0.5)$(touching 0.9)$(touching 0.999)" = 000 ]
+is "behind it they do" [ "$(touching 1.001)$(touching 1.1)" = 11 ]
+# shellcheck disable=SC2086
+scaled=$("$THUD" gap $heavy --csv 2>"$tmp/err" | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "relative_displacement_m") c = i; next } $c > m { m = $c } END { print 0.25 / m }')
+is "which the motion scaled does not tell" awk -v f="$factor" -v s="$scaled" 'BEGIN { exit !(s > 0 && f / s > 1.1) }'
 is "a wall that gives no more" gives 0 run $scene --set structures.1.mass= --set structures.1.stiffness= --set structures.1.damping= \
     --set structures.1.backfill.stiffness= --set structures.1.backfill.strength= --set structures.1.backfill.ratio= --quiet
 is "moves with the ground" shows '^  1 wall-1 '

@@ -47,6 +47,11 @@ enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, str
 void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 
 /* What a journal's head says, as text. */
+struct thud_sweep_head_record {
+    const char *name;            /* empty: no ground motion */
+    const char *event, *station; /* NULL: they are not said */
+    const char *step, *motion;   /* lines of numbers: its step, its samples; NULL: they are not there */
+};
 struct thud_sweep_head {
     unsigned long long fingerprint;
     unsigned long long sum; /* of the text, as it stands in the file */
@@ -56,10 +61,9 @@ struct thud_sweep_head {
     int nvary;
     const char *vary[THUD_VARY_MAX]; /* "KEY=V1,V2" */
     int nrecords;
-    const char **record;         /* (nrecords) names; empty: no ground motion */
-    const char **step, **motion; /* (nrecords) lines of numbers: its step, its samples; NULL: they are not there */
-    const char *name;            /* of the preset; NULL: none */
-    const char *sensitivity;     /* "0.001"; NULL: none */
+    struct thud_sweep_head_record *record; /* (nrecords) */
+    const char *name;                      /* of the preset; NULL: none */
+    const char *sensitivity;               /* "0.001"; NULL: none */
     const char *preset;
 };
 /* Opens a journal to read it only. Errors: THUD_INPUT, THUD_MEMORY. */

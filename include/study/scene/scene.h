@@ -272,6 +272,8 @@ struct thud_isolator {
     double stiffness_npm, yield_m, hardening, damping; /* k = Q_d/u_y + K_d, u_y, r = K_d/k, damping ratio */
 };
 struct thud_isolator thud_structure_isolator(const struct thud_structure *structure);
+/* Leaves of what is given of isolators what their law has. */
+void thud_isolator_keep_own(struct thud_structure *structure);
 /* Weight on the isolators. */
 double thud_isolated_weight(const struct thud_structure *structure);
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */

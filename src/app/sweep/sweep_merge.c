@@ -45,9 +45,13 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
     parts->nrecords = head->nrecords;
     enum thud_status status = THUD_OK;
     for (int i = 0; i < head->nrecords && status == THUD_OK; i++) {
-        status = read_motion(head->step[i], head->motion[i], &parts->records[i], err);
-        snprintf(parts->records[i].file, sizeof parts->records[i].file, "%s", head->record[i]);
-        parts->record[i] = head->record[i][0] ? &parts->records[i] : NULL;
+        const struct thud_sweep_head_record *said = &head->record[i];
+        struct thud_record *record = &parts->records[i];
+        status = read_motion(said->step, said->motion, record, err);
+        snprintf(record->file, sizeof record->file, "%s", said->name);
+        snprintf(record->event, sizeof record->event, "%s", said->event ? said->event : "");
+        snprintf(record->station, sizeof record->station, "%s", said->station ? said->station : "");
+        parts->record[i] = record->file[0] ? record : NULL;
     }
     plan->record = parts->record;
     plan->nrecords = head->nrecords;

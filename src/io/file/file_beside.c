@@ -193,7 +193,7 @@ enum thud_status thud_folder_lock(const char *folder, struct thud_folder_lock *l
             return unlocked(lock, THUD_OUTPUT, strerror(errno), err);
         int why = lock_file(lock->fd);
         if (why == EACCES || why == EAGAIN)
-            return unlocked(lock, THUD_OUTPUT, "another sweep is writing into this folder", err);
+            return unlocked(lock, THUD_OUTPUT, "another study is writing into this folder", err);
         if (is_named(lock)) {
             note(lock->path);
             return THUD_OK;
@@ -201,7 +201,7 @@ enum thud_status thud_folder_lock(const char *folder, struct thud_folder_lock *l
         close(lock->fd);
     }
     lock->fd = -1;
-    return unlocked(lock, THUD_OUTPUT, "another sweep is writing into this folder", err);
+    return unlocked(lock, THUD_OUTPUT, "another study is writing into this folder", err);
 }
 
 void thud_folder_unlock(struct thud_folder_lock *lock)

@@ -1,5 +1,6 @@
 /* The head of a study's journal: lines `name` (of the preset), `cases`, `vary`, `record`, `sensitivity` where it is asked for,
- * then the preset. Behind each record of a part stand its samples: what joins the parts runs motions too. */
+ * then the preset. Behind each record of a part stand its samples, by which who joins the parts runs motions too, and its
+ * event and station, by which it is one recording with others. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,18 +13,18 @@
 enum { FORMAT = 4 };
 
 /* A file may have ends of lines in its name. */
-static void put_record(const char *name, struct thud_text *out)
+static void put_line(const char *word, const char *text, struct thud_text *out)
 {
-    if (!strchr(name, '\n')) {
-        thud_text_append(out, "\nrecord %s", name);
+    if (!strchr(text, '\n')) {
+        thud_text_append(out, "\n%s %s", word, text);
         return;
     }
-    thud_text_append(out, "\nrecord-escaped ");
-    for (; *name; name++)
-        if (*name == '\n' || *name == '\\')
-            thud_text_append(out, *name == '\n' ? "\\n" : "\\\\");
+    thud_text_append(out, "\n%s-escaped ", word);
+    for (; *text; text++)
+        if (*text == '\n' || *text == '\\')
+            thud_text_append(out, *text == '\n' ? "\\n" : "\\\\");
         else
-            thud_text_append(out, "%c", *name);
+            thud_text_append(out, "%c", *text);
 }
 
 /* Back to the name, in place. */
@@ -41,6 +42,10 @@ static const char *unescape(char *text)
 
 static void put_motion(const struct thud_record *record, struct thud_text *out)
 {
+    if (record->event[0])
+        put_line("event", record->event, out);
+    if (record->station[0])
+        put_line("station", record->station, out);
     thud_text_append(out, "\nstep ");
     thud_sweep_numbers_write((long)record->samples, &record->dt_s, 1, out);
     thud_text_append(out, "\nmotion ");
@@ -60,7 +65,7 @@ void thud_sweep_head_body(const struct thud_sweep_plan *plan, const char *preset
             thud_text_append(out, "%s%s", v > 0 ? "," : "", plan->axis[i].text[v]);
     }
     for (int i = 0; i < plan->nrecords; i++) {
-        put_record(plan->record[i] ? plan->record[i]->file : "", out);
+        put_line("record", plan->record[i] ? plan->record[i]->file : "", out);
         if (motions && plan->record[i])
             put_motion(plan->record[i], out);
     }
@@ -165,30 +170,49 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     return check_version(journal, version, err);
 }
 
+/* What stands behind a word, or behind it and "-escaped" with ends of lines in it; NULL: another word. */
+static const char *behind(char *line, const char *word)
+{
+    const char *at = line;
+    if (!thud_scan_word(&at, word))
+        return NULL;
+    char *text = line + (at - line);
+    if (strncmp(text, "-escaped ", 9) == 0)
+        return unescape(text + 9);
+    return *text == ' ' ? text + 1 : NULL;
+}
+
+/* A line of the last record; false: it is none. */
+static bool split_record(struct thud_sweep_head_record *record, char *line)
+{
+    const char **const to[] = {&record->event, &record->station, &record->step, &record->motion};
+    static const char *const word[] = {"event", "station", "step", "motion"};
+    for (int i = 0; i < 4; i++) {
+        const char *text = behind(line, word[i]);
+        if (text) {
+            *to[i] = text;
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Takes the body apart in place. */
 static bool split(struct thud_sweep_head *head)
 {
+    const char *text;
     int records = 0;
     for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
         records++;
     head->record = calloc((size_t)records + 1, sizeof *head->record);
-    head->step = calloc((size_t)records + 1, sizeof *head->step);
-    head->motion = calloc((size_t)records + 1, sizeof *head->motion);
-    const bool room = head->record && head->step && head->motion;
-    for (char *line = head->text, *end; room && (end = strchr(line, '\n')) != NULL; line = end + 1) {
+    for (char *line = head->text, *end; head->record && (end = strchr(line, '\n')) != NULL; line = end + 1) {
         *end = '\0';
         if (strncmp(line, "cases ", 6) == 0)
             head->cases = line + 6;
         else if (strncmp(line, "vary ", 5) == 0 && head->nvary < THUD_VARY_MAX)
             head->vary[head->nvary++] = line + 5;
-        else if (strncmp(line, "record ", 7) == 0 && head->nrecords < records)
-            head->record[head->nrecords++] = line + 7;
-        else if (strncmp(line, "record-escaped ", 15) == 0 && head->nrecords < records)
-            head->record[head->nrecords++] = unescape(line + 15);
-        else if (strncmp(line, "step ", 5) == 0 && head->nrecords > 0)
-            head->step[head->nrecords - 1] = line + 5;
-        else if (strncmp(line, "motion ", 7) == 0 && head->nrecords > 0)
-            head->motion[head->nrecords - 1] = line + 7;
+        else if (head->nrecords < records && (text = behind(line, "record")) != NULL)
+            head->record[head->nrecords++].name = text;
         else if (strncmp(line, "name ", 5) == 0)
             head->name = line + 5;
         else if (strncmp(line, "sensitivity ", 12) == 0)
@@ -196,7 +220,7 @@ static bool split(struct thud_sweep_head *head)
         else if (strcmp(line, "preset") == 0) {
             head->preset = end + 1;
             return head->cases != NULL;
-        } else {
+        } else if (head->nrecords == 0 || !split_record(&head->record[head->nrecords - 1], line)) {
             return false;
         }
     }
@@ -229,7 +253,5 @@ void thud_sweep_head_clear(struct thud_sweep_head *head)
 {
     free(head->text);
     free(head->record);
-    free(head->step);
-    free(head->motion);
     *head = (struct thud_sweep_head){0};
 }

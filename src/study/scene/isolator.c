@@ -3,6 +3,7 @@
 
 #include "base/quantity.h"
 #include "study/scene/scene.h"
+#include "study/scene/scene_slot.h"
 
 static const double pendulum_yield_m = 1e-3, linear_damping = 0.1;
 
@@ -15,6 +16,18 @@ const char *thud_isolator_name(enum thud_isolator_law law)
 double thud_isolated_weight(const struct thud_structure *s)
 {
     return THUD_GRAVITY * s->base_mass_kg + thud_structure_weight(s, 0);
+}
+
+void thud_isolator_keep_own(struct thud_structure *s)
+{
+    const unsigned law = 1u << (int)s->isolator_law;
+    if (s->isolator_law != THUD_ISOLATOR_LINEAR)
+        s->isolation_stiffness_npm = NAN;
+    for (int i = 1; thud_group_param(THUD_GROUP_ISOLATOR, i); i++) {
+        const struct thud_place *place = thud_group_place(THUD_GROUP_ISOLATOR, i);
+        if (!(place->laws & law))
+            *(double *)(void *)((char *)s + place->offset) = NAN;
+    }
 }
 
 struct thud_isolator thud_structure_isolator(const struct thud_structure *s)

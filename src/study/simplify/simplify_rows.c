@@ -41,8 +41,7 @@ static bool make_linear_isolators(const struct thud_simplify_from *from, struct 
     const double d = fmax(from->full->structure[from->at].floor[0].displacement.value, i.yield_m),
                  q = (1 - i.hardening) * i.stiffness_npm * i.yield_m, k = i.hardening * i.stiffness_npm + q / d;
     s->isolator_law = THUD_ISOLATOR_LINEAR;
-    s->isolator_strength_n = s->isolator_post_yield_npm = s->isolator_yield_m = NAN;
-    s->isolator_radius_m = s->isolator_friction = NAN;
+    thud_isolator_keep_own(s);
     s->isolation_stiffness_npm = k;
     s->isolation_damping = fmin(most, i.damping + 2 * q * (d - i.yield_m) / (THUD_PI * k * d * d));
     return true;

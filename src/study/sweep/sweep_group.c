@@ -91,6 +91,8 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int linka
     if (status == THUD_OK) {
         thud_scene_drop_contacts(cased, 0);
         status = thud_sweep_model(cased, &baseline->model, &options, err);
+        if (status == THUD_INPUT)
+            (void)thud_scene_check(cased, err); /* which says the key */
     }
     if (status == THUD_OK)
         status = thud_baseline_create(baseline->model, 0, baseline->record, &options, &baseline->baseline, err);

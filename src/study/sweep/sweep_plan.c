@@ -474,6 +474,9 @@ enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point
     enum thud_status status = THUD_OK;
     for (int i = 0; i < plan->naxes && status == THUD_OK; i++)
         status = thud_scene_set(out, plan->axis[i].key, plan->axis[i].text[at[i]], err);
+    for (int i = 0; i < plan->naxes && status == THUD_OK; i++) /* what another value of the law needs */
+        if (strstr(plan->axis[i].key, ".isolator.law"))
+            thud_isolator_keep_own(&out->structure[atoi(plan->axis[i].key + strlen("structures.")) - 1]);
     return status;
 }
 
