@@ -49,7 +49,7 @@ void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 /* What a journal's head says, as text. */
 struct thud_sweep_head_record {
     const char *name;            /* empty: no ground motion */
-    const char *event, *station; /* NULL: they are not said */
+    const char *event, *station; /* NULL: none */
     const char *step, *motion;   /* lines of numbers: its step, its samples; NULL: they are not there */
 };
 struct thud_sweep_head {
