@@ -65,5 +65,6 @@ const char *thud_change_text(double ratio, char text[32]);
 /* The value, or 0 where no digit of it shows at so many decimal places: printf would write -0. */
 double thud_shown(double value, int places);
 
-#define THUD_GRAVITY 9.80665 /* m/s2, standard gravity */
+#define THUD_GRAVITY 9.80665         /* m/s2, standard gravity */
+#define THUD_KIP     4448.2216152605 /* N, 1000 lbf */
 #define THUD_PI      3.14159265358979323846

@@ -236,7 +236,8 @@ static void put_cases(const struct thud_args *args, const struct thud_session *s
         return;
     }
     struct thud_report report[THUD_RUN_CASES_MAX];
-    thud_text_append(out, json ? "{\"format\": 1, \"cases\": [\n" : "");
+    if (json)
+        thud_text_append(out, "{\"format\": %d, \"cases\": [\n", THUD_RESULT_FORMAT);
     for (int i = 0; i < cases->n; i++) {
         const struct thud_run_case *item = &cases->item[i];
         report[i] = thud_session_report(session, &item->scene, item->which, &item->solution);

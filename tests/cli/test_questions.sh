@@ -3,6 +3,7 @@
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 mkdir "$tmp/dir" && printf '0\n0.3\n-0.1\n0\n' >"$tmp/dir/g.txt"
+awk 'BEGIN { print "t (s),NS (g),EW (g)"; for (i = 0; i < 500; i++) printf "%.2f,%.5f,%.5f\n", i / 100, 0.3 * sin(i / 9) * exp(-i / 200), 0.2 * cos(i / 7) * exp(-i / 200) }' >"$tmp/dir/two.csv"
 thud() { "$THUD" "$@"; }
 joined() { tr '\n' ' ' | tr -s ' '; }
 asked=0

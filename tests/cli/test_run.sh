@@ -31,6 +31,12 @@ is "case none: the gap is open, so there is no contact for 0.1 s" near "$(number
 gives 0 run rigid-bumper --json --set "gap=100 cm"
 is "a gap too wide for the time is no contact" [ "$(number impacts)" = 0 ]
 
+# cases beside each other
+is "cases as JSON" gives 0 run towers --cases none,bumper --json --quiet
+is "are a list of the format of its results" test "$(head -1 "$tmp/out")" = '{"format": 2, "cases": ['
+is "cases in words" gives 0 run towers --cases none,bumper
+is "set a force against that without" shows 'MN, A and B at floor 4, 7.106 s (+15 % against the force without)[.]$'
+
 # the three forms
 is "table" gives 0 run towers
 is "table: two remarks on standard error" [ "$(grep -c 'the bumper of 50 mm is compressed by\|drifts by' "$tmp/err")" -eq "$(wc -l <"$tmp/err")" ]

@@ -36,7 +36,31 @@ preset 'yield-shear: 1 N'
 is "a shear that is next to nothing" gives 3 run "$tmp/p.yaml"
 preset 'yield: 15 mm\n    yield-shear: 9 MN'
 is "both at once" gives 3 run "$tmp/p.yaml"
-is "are told apart" says 'yield or yield-shear, not both'
+is "are told apart" says 'one of yield, yield-shear and yield-coefficient'
+# by a share of the weight above each storey: 1210, 890, 570 and 250 t
+is "by a yield coefficient" gives 0 run towers --case none --set structures.1.yield-coefficient=12% --quiet
+grep -v '^method\|tolerance' "$tmp/out" >"$tmp/coefficient"
+is "it is the shear by hand" gives 0 run towers --case none --quiet --set "structures.1.yield-shear=$(awk 'BEGIN {
+    n = split("1210 890 570 250", t, " "); for (i = 1; i <= n; i++) printf "%s%.17g kN", (i > 1 ? ", " : "["), 0.12 * 9.80665 * t[i]; print "]" }')"
+grep -v '^method\|tolerance' "$tmp/out" >"$tmp/shear"
+is "and gives the same run" cmp "$tmp/coefficient" "$tmp/shear"
+is "a coefficient beside a shear" gives 3 run towers --set structures.1.yield-coefficient=12% --set structures.1.yield-shear=9MN
+is "is refused" says 'structures.1.yield-coefficient: storey 1 has its strength twice'
+
+# by its first period: stiffnesses are in the proportions that are given, or equal, and the period is that of the model
+first() { grep -o '"periods_s": \[[^,]*' "$tmp/out" | head -1 | sed 's/.*\[//'; }
+is "a building by its first period" gives 0 run towers --case none --json --quiet --set structures.1.period=0.9s --set 'structures.1.stiffness=[4 MN/m, 3 MN/m, 2 MN/m, 1 MN/m]'
+is "has it" awk "BEGIN { d = $(first) / 0.9 - 1; exit !(d * d < 1e-20) }"
+# shellcheck disable=SC2016 # a program of awk
+is "in the proportions that are given" awk 'match($0, /"stiffness_npm": \[[^]]*/) && !n++ { split(substr($0, RSTART + 18, RLENGTH - 18), k, ", ")
+    for (i = 1; i <= 4; i++) { d = k[i] / k[4] - (5 - i); bad += d * d > 1e-20 } } END { exit bad || !n }' "$tmp/out"
+sed '0,/^    stiffness: /{/^    stiffness: /d}; 0,/^    height:/s//    period: 0.9 s\n    height:/' presets/towers.yaml >"$tmp/period.yaml"
+is "without stiffnesses" gives 0 run "$tmp/period.yaml" --case none --json --quiet
+is "too" awk "BEGIN { d = $(first) / 0.9 - 1; exit !(d * d < 1e-20) }"
+# omega_1 = 2 sqrt(k/m) sin(pi/(2 (2 n + 1))) of equal floors and storeys (Blevins 1979)
+is "equal floors" gives 0 run towers --case none --json --quiet --set structures.1.period=0.9s --set structures.1.mass=320t
+is "have the stiffness of the closed form" awk 'match($0, /"stiffness_npm": [0-9.e+]*/) && !n++ { k = substr($0, RSTART + 17, RLENGTH - 17)
+    w = 3.14159265358979324 / 0.9 / sin(3.14159265358979324 / 18); d = k / (320e3 * w * w) - 1; bad = d * d > 1e-20 } END { exit bad || !n }' "$tmp/out"
 is "a rigid body has none" gives 3 run rigid-bumper --set structures.1.yield=10mm
 is "for the reason" says 'a rigid body has no storeys that could yield'
 is "nor has a wall" gives 3 run isolated-moat --set structures.1.yield=10mm

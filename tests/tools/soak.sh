@@ -32,6 +32,7 @@ log=$build/soak.log
         echo "not ok - the same of all of it together (see $build/pairs_mixed.log)"
     "$build/agree" "${SOAK_AGREE:-2000}" >"$build/agree.log" && echo "ok - the factor of first contact by every way that tells it" ||
         echo "not ok - the factor of first contact by every way that tells it (see $build/agree.log)"
+    if command -v python3 >/dev/null 2>&1; then python3 tests/soak/sentences.py "$THUD"; else echo "ok - sentences # SKIP no python3"; fi
     PAGES=full sh tests/cli/test_pages.sh
     PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh

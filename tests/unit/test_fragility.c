@@ -266,15 +266,16 @@ static struct thud_suite *made_up(const double *needed, int n, bool turned)
     return suite;
 }
 
-/* Motion r uses the clearance up at the intensity from[r]. */
-static struct thud_suite *made_up_of(const char *varied, const double *from, int n)
+/* Motion r uses the clearance up at the intensity from[r]; of[r]: its recording, NULL: each is one. */
+static struct thud_suite *made_up_of(const char *varied, const double *from, const int *of, int n)
 {
     static struct thud_record own[16];
     static const struct thud_record *many[16];
     struct thud_suite *suite;
     for (int r = 0; r < n; r++) {
         many[r] = &own[r];
-        snprintf(own[r].file, sizeof own[r].file, "motion %d", r);
+        snprintf(own[r].file, sizeof own[r].file, "motion %d%s", of ? of[r] : r,
+                 of && r > 0 && of[r] == of[r - 1] ? ":sign=-" : "");
     }
     vary(varied);
     plan->record = many;
@@ -300,6 +301,59 @@ static struct thud_fragility of(const struct thud_suite *suite, const char *name
     return f;
 }
 
+/* What draws of recordings with replacement, all motions of one together, give for the mean of own[r]: 16 and 84 %. */
+static void drawn_band(const double *own, const int *of, int n, double *low, double *high)
+{
+    enum { DRAWS = 20000 };
+    static double mean[DRAWS];
+    unsigned state = 12345;
+    for (int b = 0; b < DRAWS; b++) {
+        double sum = 0;
+        int count = 0;
+        for (int d = 0; d <= of[n - 1]; d++) {
+            state = state * 1664525u + 1013904223u;
+            const int drawn = (int)((state >> 8) % (unsigned)(of[n - 1] + 1));
+            for (int r = 0; r < n; r++) {
+                sum += of[r] == drawn ? own[r] : 0;
+                count += of[r] == drawn;
+            }
+        }
+        mean[b] = sum / count;
+    }
+    thud_sort_numbers(mean, DRAWS);
+    *low = thud_quantile(mean, DRAWS, 0.16, false);
+    *high = thud_quantile(mean, DRAWS, 0.84, false);
+}
+
+/* Both signs of seven recordings, and one recording with eight components: drawn together, and none left out. */
+START_TEST(band_of_unequal_recordings)
+{
+    static const int of[2][14] = {{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6},
+                                  {0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6}};
+    double x[2] = {1e-3, 1e3}, rate[2] = {10, 1e-11}, from[14], own[14], low, high;
+    struct thud_hazard hazard = {.n = 2, .x = x, .rate = rate};
+    static struct thud_event event;
+    ck_assert_int_eq(thud_event_parse("pounding", &event, &error), THUD_OK);
+    for (int r = 0; r < 14; r++) {
+        from[r] = 0.3 + 0.08 * of[_i][r] + 0.01 * (r % 2);
+        own[r] = 1e-5 * pow(from[r], -2);
+    }
+    struct thud_suite *suite = made_up_of("record.factor=0.2:2:0.2", from, of[_i], 14);
+    struct thud_fragility_ask ask = {
+        .event = &event, .samples = 20000, .seed = 1, .hazard = &hazard, .first_contact = true};
+    struct thud_fragility f;
+    ck_assert_int_eq(suite->ndraws, 7);
+    ck_assert_int_eq(thud_fragility_make(suite, &ask, &f, &error), THUD_OK);
+    const struct thud_rate r = thud_hazard_rate(&hazard, &f);
+    drawn_band(own, of[_i], 14, &low, &high);
+    ck_assert_double_eq_tol(r.low, low, 0.02 * (high - low));
+    ck_assert_double_eq_tol(r.high, high, 0.02 * (high - low));
+    ck_assert(r.low < r.value && r.value < r.high); /* not at the estimate */
+    thud_fragility_clear(&f);
+    thud_suite_free(suite);
+}
+END_TEST
+
 /* Of exact values the annual rate is a mean over the motions: its bootstrap is nearly normal with the standard error of
  * that mean. Fewer than seven motions have no band. */
 START_TEST(band_of_an_annual_rate)
@@ -310,7 +364,7 @@ START_TEST(band_of_an_annual_rate)
     static struct thud_event event;
     ck_assert_int_eq(thud_event_parse("pounding", &event, &error), THUD_OK);
     const int n = _i ? 6 : 10;
-    struct thud_suite *suite = made_up_of("record.factor=0.2:2:0.2", from, n);
+    struct thud_suite *suite = made_up_of("record.factor=0.2:2:0.2", from, NULL, n);
     struct thud_fragility_ask ask = {
         .event = &event, .samples = 20000, .seed = 1, .hazard = &hazard, .first_contact = true};
     struct thud_fragility f;
@@ -653,6 +707,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, hazard_that_ends_too_soon);
     tcase_add_test(tcase, hazard_of_a_step);
     tcase_add_test(tcase, hazard_of_exact_values);
+    tcase_add_loop_test(tcase, band_of_unequal_recordings, 0, 2);
     tcase_add_loop_test(tcase, band_of_an_annual_rate, 0, 2);
     tcase_add_test(tcase, counts_and_band_of_a_suite);
     tcase_add_test(tcase, a_figure_against_the_gap_has_its_line);

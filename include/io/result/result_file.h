@@ -28,6 +28,10 @@ struct thud_report {
 
 /* The result of `thud run --json`. Its "scene" is a preset that gives the run again. A run that failed has its status,
  * when and why, and neither peaks nor impacts. */
+enum {
+    THUD_RESULT_FORMAT = 2
+}; /* of that file and of a list of such: dissipated_j and lost_j are without what
+                                      is stored at the end */
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
 /* What a ground motion is known by, as an object on one line. */
 void thud_record_json(const struct thud_record *record, struct thud_text *out);

@@ -50,7 +50,8 @@ struct thud_estimate {
     double height_m, en1998_s, asce7_s; /* the first period is used */
 };
 struct thud_estimate thud_structure_estimate(const struct thud_structure *structure);
-/* Masses and stiffnesses from the area, and from EN 1998-1's period times period_factor; nothing for other kinds. */
+/* Masses and stiffnesses of an estimated building from the area, and from EN 1998-1's period times period_factor; of a
+ * shear building whose first period is given, that factor of its stiffnesses which gives it. */
 void thud_structure_fill_estimate(struct thud_structure *structure);
 /* Stiffness of each of so many equal storeys under equal floors, N/m, from the first period. */
 double thud_uniform_stiffness(int storeys, double mass_kg, double period_s);

@@ -62,6 +62,7 @@ struct thud_structure {
      * beyond. */
     double yield_m[THUD_STOREYS_MAX];
     double yield_shear_n[THUD_STOREYS_MAX];
+    double yield_coefficient[THUD_STOREYS_MAX]; /* of the weight above, in place of both */
     double hardening[THUD_STOREYS_MAX];
     double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
@@ -91,9 +92,10 @@ struct thud_structure {
     /* By matrix or modes. What has been read is a part of the scene's `shape` in SI units, lowest floor first; of a
      * matrix, rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
     char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
-    char unit[16];            /* for files that do not say; empty: not given */
-    double order;             /* enum thud_floor_order */
-    double period_factor;     /* multiplies all periods, also of an estimated building */
+    char unit[16];        /* for files that do not say; empty: not given */
+    double order;         /* enum thud_floor_order */
+    double period_factor; /* multiplies all periods, also of an estimated building */
+    double period_s;      /* shear only: the first one, to which its stiffnesses are scaled; NaN: they are as given */
     int shape_at, shape_rows; /* shape_rows 0: it has not been read */
     /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
     double system;                      /* enum thud_system */
@@ -261,7 +263,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* The lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
  * ratios, of columns EI, stiffness and capacity, and weights. */
-enum { THUD_STRUCTURE_LISTS = 11 };
+enum { THUD_STRUCTURE_LISTS = 12 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);

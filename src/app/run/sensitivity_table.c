@@ -91,11 +91,15 @@ void thud_sensitivity_table(const struct thud_report *report, struct thud_text *
     const struct thud_sensitivity *s = report->sensitivity;
     const int width = thud_scene_names_width(report->scene, 16);
     int row = 0;
+    char gap[64] = "";
+    if (report->scene->nstructures == 2)
+        thud_interface_gap_text(&report->scene->interface[0], gap, sizeof gap);
     thud_text_append(out,
                      "\nsensitivity: largest change of each peak under %g %% more or less gap, ground motion or "
-                     "storey stiffness of every second building (%d runs), from the gap as given:\na change that "
+                     "storey stiffness of every second building (%d runs), from %s%s:\na change that "
                      "begins or ends a contact counts there alone\n%-*s",
-                     100 * s->change, s->runs, width + 6, "structure and floor");
+                     100 * s->change, s->runs, *gap ? "a gap of " : "the gaps as given", gap, width + 6,
+                     "structure and floor");
     for (int q = 0; q < THUD_FLOOR_SPREADS; q++)
         thud_text_append(out, "%15s", floor_peak[q]);
     thud_text_append(out, "\n");

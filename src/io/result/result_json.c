@@ -6,9 +6,6 @@
 #include "study/scene/scene_elements.h"
 #include "study/sweep/remark.h"
 
-/* 2: dissipated_j and lost_j are without what is stored at the end. */
-enum { FORMAT = 2 };
-
 static void add_record(const struct thud_report *report, struct thud_text *out)
 {
     thud_text_append(out, "  \"record\": ");
@@ -178,7 +175,7 @@ static void add_peaks(const struct thud_report *report, struct thud_text *out)
 void thud_result_json(const struct thud_report *report, struct thud_text *out)
 {
     thud_text_append(out, "{\n  ");
-    thud_json_head_of(out, FORMAT, report->scene->name);
+    thud_json_head_of(out, THUD_RESULT_FORMAT, report->scene->name);
     thud_text_append(out, ", \"case\": \"%s\",\n", report->which);
     add_status(report, out);
     add_record(report, out);

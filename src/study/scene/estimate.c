@@ -10,8 +10,10 @@
  *
  * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979), from which k follows for the first of both periods. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/quantity.h"
+#include "core/model/modes.h"
 #include "study/scene/building.h"
 
 /* By enum thud_system; a wall and masonry are "other structures" in both codes. */
@@ -36,8 +38,32 @@ struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
                                   .asce7_s = systems[system].asce7_ct * pow(height, systems[system].asce7_x)};
 }
 
+/* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. */
+static void fill_period(struct thud_structure *s)
+{
+    const int n = s->storeys;
+    bool known = s->period_s > 0, given = true;
+    for (int i = 0; i < n; i++) {
+        known &= s->mass_kg[i] > 0;
+        given &= s->stiffness_npm[i] > 0;
+    }
+    double *omega = known ? malloc((size_t)(2 * n * n + 4 * n) * sizeof *omega) : NULL;
+    if (!omega)
+        return;
+    for (int i = 0; i < n && !given; i++)
+        s->stiffness_npm[i] = THUD_GRAVITY * s->mass_kg[0];
+    if (thud_modes_shear(n, s->mass_kg, s->stiffness_npm, omega, omega + n, omega + n + n * n, NULL) == THUD_OK) {
+        const double factor = 2 * THUD_PI / s->period_s / omega[0];
+        for (int i = 0; i < n; i++)
+            s->stiffness_npm[i] *= factor * factor;
+    }
+    free(omega);
+}
+
 void thud_structure_fill_estimate(struct thud_structure *s)
 {
+    if (s->kind == THUD_SHEAR)
+        fill_period(s);
     if (s->kind != THUD_ESTIMATED)
         return;
     const double mass = THUD_ESTIMATE_KGPM2 * s->area_m2,

@@ -58,9 +58,11 @@ static enum thud_status check_yield(const struct thud_structure *structure, int 
 {
     bool storeys = thud_kind_is_building(structure->kind);
     for (int i = 0; i < structure->storeys && storeys; i++) {
-        if (structure->yield_m[i] > 0 && structure->yield_shear_n[i] > 0) {
-            thud_error_set(err, THUD_INPUT, "storey %d has a yield drift too", i + 1);
-            return thud_scene_refuse(err, "yield or yield-shear, not both", "structures.%d.yield-shear", s + 1);
+        const double by_coefficient = structure->yield_coefficient[i], by_shear = structure->yield_shear_n[i];
+        if ((structure->yield_m[i] > 0) + (by_shear > 0) + (by_coefficient > 0) > 1) {
+            thud_error_set(err, THUD_INPUT, "storey %d has its strength twice", i + 1);
+            return thud_scene_refuse(err, "one of yield, yield-shear and yield-coefficient", "structures.%d.%s", s + 1,
+                                     by_coefficient > 0 ? "yield-coefficient" : "yield-shear");
         }
         if (!(thud_structure_yield(structure, i) >= least_yield_m)) {
             thud_error_set(err, THUD_INPUT, "storey %d yields at a drift of %.3g mm", i + 1,

@@ -16,7 +16,7 @@ double *thud_structure_list(struct thud_structure *structure, int which)
                                                 structure->yield_shear_n,     structure->hardening,
                                                 structure->column_ei_nm2,     structure->column_stiffness_npm,
                                                 structure->column_capacity_n, structure->slab_depth_m,
-                                                structure->gravity_n};
+                                                structure->gravity_n,         structure->yield_coefficient};
     return list[which];
 }
 
@@ -24,6 +24,8 @@ double thud_structure_yield(const struct thud_structure *structure, int i)
 {
     if (structure->yield_m[i] > 0)
         return structure->yield_m[i];
+    if (structure->yield_coefficient[i] > 0)
+        return structure->yield_coefficient[i] * thud_structure_weight(structure, i) / structure->stiffness_npm[i];
     return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
 }
 
@@ -69,6 +71,7 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
     structure->stiffness_npm[0] = thud_kind_is_read(kind) ? 0 : NAN;
     structure->period_factor = thud_kind_is_read(kind) || kind == THUD_ESTIMATED ? 1 : 0;
     structure->area_m2 = kind == THUD_ESTIMATED ? NAN : 0;
+    structure->period_s = kind == THUD_SHEAR ? (double)NAN : 0;
     structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
     structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
     structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
@@ -104,7 +107,8 @@ enum thud_status thud_storeys_set(struct thud_structure *structure, int storeys)
 static void change_springs(struct thud_structure *structure, int i)
 {
     if (thud_kind_is_read(structure->kind) || structure->kind == THUD_ESTIMATED)
-        structure->stiffness_npm[i] = structure->yield_m[i] = structure->yield_shear_n[i] = structure->hardening[i] = 0;
+        structure->stiffness_npm[i] = structure->yield_m[i] = structure->yield_shear_n[i] =
+            structure->yield_coefficient[i] = structure->hardening[i] = 0;
     else if (!(structure->stiffness_npm[i] > 0))
         structure->stiffness_npm[i] = 600e6;
 }

@@ -665,8 +665,11 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
     f->exact16 = f->exact50 = f->exact84 = f->exact_low = f->exact_high = NAN;
     if (ask->event->measure != THUD_MEASURE_IMPACTS || !(intensity ? ask->first_contact : is_gap(suite, axis)))
         return THUD_OK;
-    double *own = malloc((2 * n + 2 * samples + 1) * sizeof *own), *drawn = own + n, *median = drawn + n,
-           *rate = median + samples;
+    int most = 1; /* motions of a recording: as many may be drawn each time */
+    for (int d = 0; d < suite->ndraws; d++)
+        most = suite->first[d + 1] - suite->first[d] > most ? suite->first[d + 1] - suite->first[d] : most;
+    double *own = malloc((n + (size_t)(most * suite->ndraws) + 2 * samples + 1) * sizeof *own), *drawn = own + n,
+           *median = drawn + most * suite->ndraws, *rate = median + samples;
     struct thud_random random = {ask->seed};
     if (!own)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -684,7 +687,7 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
         size_t m = 0;
         for (int d = 0; d < suite->ndraws; d++) {
             int g = (int)thud_random_below(&random, (size_t)suite->ndraws);
-            for (int r = suite->first[g]; r < suite->first[g + 1] && m < n; r++)
+            for (int r = suite->first[g]; r < suite->first[g + 1]; r++)
                 drawn[m++] = own[suite->motion[r]];
         }
         thud_sort_numbers(drawn, m);

@@ -274,6 +274,8 @@ void thud_remark_energy(const struct thud_remark_scope *scope, int i, struct thu
 /* A force that a small change of an input changes as a whole. */
 void thud_remark_digits(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
+    static const char *const words[THUD_CHANGES] = {"gap", "ground motion", "stiffness of a building",
+                                                    "stiffness of a building"};
     static const double whole = 0.5;
     const struct thud_sensitivity *s = scope->sensitivity;
     int most = -1;
@@ -283,10 +285,21 @@ void thud_remark_digits(const struct thud_remark_scope *scope, int i, struct thu
             most = c;
     if (most < 0 || !(thud_spread_most(&s->contact[most][0]) > whole))
         return;
-    thud_error_set(thud_remark_add(out), THUD_OK,
-                   "the largest force changes by %.0f %% when an input changes by %.1g %%: read it as an order of "
-                   "magnitude",
-                   100 * thud_spread_most(&s->contact[most][0]), 100 * s->change);
+    const struct thud_contact_result *contact = &scope->result->contact[most];
+    const struct thud_interface *at = &scope->scene->interface[contact->interface - 1];
+    const double *by = s->contact[most][0].by, depth_m = contact->indentation.value;
+    const bool shallow = depth_m < s->change * (thud_interface_clearance(at) + depth_m);
+    int which = 0;
+    char gap[64];
+    thud_interface_gap_text(at, gap, sizeof gap);
+    for (int k = 1; k < THUD_CHANGES; k++)
+        which = by[k] > by[which] ? k : which;
+    thud_error_set(
+        thud_remark_add(out), THUD_OK,
+        "at the gap of %s the largest force changes by %.0f %% when the %s changes by %.1g %%, as %s: read it "
+        "as an order of magnitude",
+        gap, 100 * by[which], words[which], 100 * s->change,
+        shallow ? "the floors hardly touch" : "each impact starts from those before it");
 }
 
 /* ---- the runs of a study ---- */

@@ -213,6 +213,7 @@ static void change_storeys(struct thud_structure *p, enum thud_input input, doub
         if (input == THUD_INPUT_YIELD) {
             p->yield_m[i] = changed(input, p->yield_m[i], size, u);
             p->yield_shear_n[i] = changed(input, p->yield_shear_n[i], size, u);
+            p->yield_coefficient[i] = changed(input, p->yield_coefficient[i], size, u);
         } else {
             p->hardening[i] = fmin(1, fmax(0, changed(input, p->hardening[i], size, u)));
         }
