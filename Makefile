@@ -115,7 +115,7 @@ $(B)/unit/%: $(B)/tests/unit/%.o $(B)/libtests.a $(LIBS)
 $(B)/fault/%: $(B)/tests/fault/%.o $(B)/tests/fault/fault.o $(B)/libtests.a $(LIBS)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $(WRAPPED:%=-Wl$(comma)--wrap=%) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
-$(B)/soak $(B)/cross $(B)/pairs $(B)/agree: $(B)/%: $(B)/tests/soak/%.o $(B)/libtests.a $(LIBS)
+$(B)/soak $(B)/cross $(B)/pairs $(B)/agree $(B)/simplest: $(B)/%: $(B)/tests/soak/%.o $(B)/libtests.a $(LIBS)
 	$(call say,LINK,$@)$(LINK) -o $@ $^ $(shell pkg-config --libs check) $(LDLIBS)
 $(B)/fuzz/%: $(B)/tests/fuzz/%.o $(LIBS)
 	@mkdir -p $(@D)
@@ -139,7 +139,7 @@ test: ## install what the tests need, build, run every test
 	@$(MAKE) --no-print-directory $(PARALLEL) all units
 	@THUD="$$PWD/$(THUD)" MAKEFLAGS= tests/tools/run.sh $(B)
 # the programs that measure and the long-lived ones are built too, so that a change of the core cannot leave them behind
-units: $(UNIT) $(FAULT) $(B)/bench-time $(B)/peer-minimal $(B)/soak $(B)/cross $(B)/pairs $(B)/agree
+units: $(UNIT) $(FAULT) $(B)/bench-time $(B)/peer-minimal $(B)/soak $(B)/cross $(B)/pairs $(B)/agree $(B)/simplest
 	@:
 debug: ## build/debug/thud: no optimisation, asserts on
 	@$(MAKE) --no-print-directory VARIANT=debug all
@@ -165,7 +165,7 @@ fuzz: ## fuzz each reader for FUZZ_SECONDS from the corpus in tests/fuzz/corpus 
 	@tests/tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
 fuzzers: $(FUZZERS)
 soak: all ## memory over thousands of runs and edits, studies killed at their writes, every call failing in turn (20 min)
-	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak $(B)/cross $(B)/pairs $(B)/agree
+	@$(MAKE) --no-print-directory VARIANT=$(VARIANT) $(B)/soak $(B)/cross $(B)/pairs $(B)/agree $(B)/simplest
 	@tests/tools/soak.sh $(B)
 bench: all ## measured speeds against their targets, in one table; charts of every method into build/bench (minutes)
 	@$(MAKE) --no-print-directory $(B)/bench-time $(B)/bench-memory $(B)/peer-minimal

@@ -15,31 +15,24 @@
 #include "io/result/simplify_rows.h"
 #include "plot/figures/figures_simplify.h"
 
-static enum thud_status read_ask(const struct thud_args *args, struct thud_simplify_ask *ask, struct thud_error *err)
+static enum thud_status read_ask(const struct thud_args *args, struct thud_scene *scene, struct thud_simplify_ask *ask,
+                                 struct thud_error *err)
 {
     struct thud_quantity within = {.value = 0.05};
+    char list[200];
     const char *text = thud_args_value(args, "within"), *cases = thud_args_value(args, "cases");
     if (text && (thud_quantity_parse(text, THUD_RATIO, NULL, &within, NULL) != THUD_OK ||
-                 !(within.value > 0 && within.value <= 1))) {
-        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not an accuracy", text);
-        thud_args_key("within", err);
-        thud_error_allow(err, "above 0, at most 100 %%");
-        return THUD_USAGE;
-    }
+                 !(within.value > 0 && within.value <= 1)))
+        return thud_error_refuse(err, THUD_USAGE, "--within", "above 0, at most 100 %", "\"%.40s\" is not an accuracy",
+                                 text);
     *ask = (struct thud_simplify_ask){.within = within.value};
-    while (cases && *cases) {
-        char name[32];
-        const size_t n = strcspn(cases, ",");
-        snprintf(name, sizeof name, "%.*s", (int)(n < sizeof name ? n : sizeof name - 1), cases);
-        if (ask->ncases == THUD_SIMPLIFY_CASES)
-            return thud_error_set(err, THUD_USAGE, "--cases: too many");
-        if (thud_case_find(name, &ask->cases[ask->ncases++], err) != THUD_OK) {
-            thud_args_key("cases", err);
-            err->status = THUD_USAGE;
-            return THUD_USAGE;
-        }
-        cases += n + (cases[n] == ',');
+    snprintf(list, sizeof list, "[%s]", cases ? cases : "");
+    if (cases && thud_scene_set(scene, "study.cases", list, err) != THUD_OK) {
+        thud_args_key("cases", err);
+        return err->status = THUD_USAGE;
     }
+    ask->ncases = cases ? scene->study.ncases : 0;
+    memcpy(ask->cases, scene->study.cases, sizeof scene->study.cases);
     return THUD_OK;
 }
 
@@ -116,7 +109,8 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
     static const char *const asked[] = {"within", "cases", "records", NULL};
     bool begun = false;
     *scene = session->scene;
-    enum thud_status status = read_ask(args, &ask, err);
+    enum thud_status status = read_ask(args, scene, &ask, err);
+    scene->study = session->scene.study;
     if (status == THUD_OK)
         status = thud_picture_options_read(args, &picture, err);
     if (status == THUD_OK)

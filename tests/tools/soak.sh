@@ -37,7 +37,7 @@ log=$build/soak.log
     PRODUCT=full sh tests/cli/test_product.sh
     INTERRUPT_TRIES=200 sh tests/cli/test_folders.sh
     sh tests/tools/stranger.sh "$build"
-    PRESETS="towers towers-yielding towers-on-soil isolated-moat three-in-a-row" sh tests/cli/test_simplify.sh
+    PRESETS="towers towers-yielding towers-on-soil isolated-moat three-in-a-row" SIMPLEST="$build/simplest" sh tests/cli/test_simplify.sh
     sh tests/soak/kill.sh "${SOAK_STUDIES:-100}"
     FAULT_POINTS=100000 FAULT_FILE_POINTS=100000 sh tests/cli/test_faults.sh
 } | tee "$log"

@@ -64,23 +64,29 @@ START_TEST(unchanged_is_the_same_bytes)
 }
 END_TEST
 
-/* Gaps by level: a list that changes keeps its comment, one that is new or taken away leaves the rest. */
+/* Gaps by level and levels that meet: a list that changes keeps its comment, one that is new or taken away leaves the rest. */
 START_TEST(lists_by_level)
 {
     static const char base[] = "structures:\n  - {kind: shear, storeys: 2, mass: 300 t, stiffness: 600 MN/m}\n"
                                "  - {kind: shear, storeys: 2, mass: 300 t, stiffness: 400 MN/m}\ninterfaces:\n"
                                "  - gap: 5 cm # the line\n%s    contact:\n      law: linear\n      stiffness: 2 kN/m\n";
     static const char *const was[] = {"    gap-by-level: [none, 8 cm] # a setback\n", "",
-                                      "    gap-by-level: [none, 8 cm] # a setback\n"},
+                                      "    gap-by-level: [none, 8 cm] # a setback\n",
+                                      "    contact-levels: [1] # below\n"},
                              *const now[] = {"    gap-by-level: [3 cm, none] # a setback\n",
-                                             "    gap-by-level: [3 cm, none]\n", ""};
+                                             "    gap-by-level: [3 cm, none]\n", "",
+                                             "    contact-levels: [2] # below\n"};
     char before[600], after[600];
     snprintf(before, sizeof before, base, was[_i]);
     snprintf(after, sizeof after, base, now[_i]);
     struct thud_preset *preset = parse(before, strlen(before));
     size_t size;
     scene = *thud_preset_scene(preset);
-    set(&scene, "gap-by-level", _i == 2 ? "" : "[3 cm, none]");
+    ck_assert_int_eq(scene.interface[0].contact_levels.n, _i == 3);
+    if (_i == 3)
+        set(&scene, "contact-levels", "[2]");
+    else
+        set(&scene, "gap-by-level", _i == 2 ? "" : "[3 cm, none]");
     char *text = text_of(preset, &scene, &size);
     struct thud_preset *read = parse(text, size);
     ck_assert_int_eq(memcmp(thud_preset_scene(read), &scene, sizeof scene), 0);
@@ -539,7 +545,7 @@ Suite *thud_suite(void)
     Suite *suite = suite_create("preset_save");
     TCase *tests = tcase_create("preset_save");
     tcase_add_test(tests, unchanged_is_the_same_bytes);
-    tcase_add_loop_test(tests, lists_by_level, 0, 3);
+    tcase_add_loop_test(tests, lists_by_level, 0, 4);
     tcase_add_loop_test(tests, one_value_changes_one_line, 0, sizeof changes / sizeof *changes);
     tcase_add_test(tests, keys_come_and_go);
     tcase_add_test(tests, a_study_of_values_and_back);

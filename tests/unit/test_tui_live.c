@@ -446,6 +446,10 @@ START_TEST(messages_and_next_steps)
     fixture_expect(&f, "next: 6 finds the gap, U keeps this design, R reports");
     fixture_keys(&f, "U<Esc>U<Esc>");
     fixture_expect(&f, "next: 6 finds the gap, R reports");
+    fixture_keys(&f, "1");
+    fixture_expect_not(&f, ":simplify tells");
+    fixture_keys(&f, ":set p-delta yes<Enter>"); /* more than a scene may need */
+    fixture_expect(&f, ":simplify tells what is needed");
 }
 END_TEST
 

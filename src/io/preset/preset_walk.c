@@ -403,30 +403,31 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
 
 static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
 {
-    static const char *const known[] = {"gap", "gap-by-level", "levels", "contact-levels", "contact", "bumper"};
+    const char *known[16]; /* its values, then its laws */
+    int values = 0;
+    for (const struct thud_param *of; (of = thud_group_param(THUD_GROUP_INTERFACE, values)) != NULL;)
+        known[values++] = of->name;
+    known[values] = "contact";
+    known[values + 1] = "bumper";
     struct thud_interface *interface = &preset->scene.interface[i];
     char path[PATH_BYTES], full[PATH_BYTES + 16];
     snprintf(path, sizeof path, "interfaces.%d", i + 1);
     thud_interface_init(interface);
     interface->gap_m = NAN;
-    enum thud_status status = check_keys(preset, node, path, known, sizeof known / sizeof *known, err);
-    if (status != THUD_OK)
-        return status;
-    int gap = thud_yaml_find(&preset->tree, node, "gap", NULL),
-        contact = thud_yaml_find(&preset->tree, node, "contact", NULL);
-    int bumper = thud_yaml_find(&preset->tree, node, "bumper", NULL);
-    snprintf(full, sizeof full, "%s.gap", path);
-    if (gap >= 0)
-        status = set_value(preset, full, gap, err);
-    for (int k = 1; k < 3 && status == THUD_OK; k++) {
+    enum thud_status status = check_keys(preset, node, path, known, values + 2, err);
+    for (int k = 0; k < values && status == THUD_OK; k++) {
         const int value = thud_yaml_find(&preset->tree, node, known[k], NULL);
         snprintf(full, sizeof full, "%s.%s", path, known[k]);
         if (value >= 0)
             status = set_value(preset, full, value, err);
     }
+    if (status != THUD_OK)
+        return status;
+    const int contact = thud_yaml_find(&preset->tree, node, "contact", NULL),
+              bumper = thud_yaml_find(&preset->tree, node, "bumper", NULL);
     snprintf(full, sizeof full, "%s.contact", path);
     interface->contact.assumed = true;
-    if (status == THUD_OK && contact >= 0)
+    if (contact >= 0)
         status = walk_law(preset, interface, false, full, contact, err);
     if (status != THUD_OK || bumper < 0)
         return status;

@@ -57,6 +57,8 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
         if ((group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[item].kind, i)) &&
             (group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[item].law, i)))
             thud_words_add(&words, param->name);
+    for (int i = 0; i < 2 && group == THUD_GROUP_INTERFACE; i++)
+        thud_words_add(&words, thud_group_key(i == 0 ? THUD_GROUP_CONTACT : THUD_GROUP_BUMPER));
     for (int i = 0; i < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; i++)
         if (thud_group_place(thud_nested_group(i), 0)->kinds & 1u << scene->structure[item].kind)
             thud_words_add(&words, thud_group_key(thud_nested_group(i)));
@@ -190,11 +192,8 @@ static enum thud_status find_interface(const struct thud_scene *scene, int inter
     if (bumper || strcmp(part[0], "contact") == 0)
         return n == 2 ? find_law_key(scene, interface, bumper, part[1], out, err) : wrong_depth(err);
     int i = find_in_group(THUD_GROUP_INTERFACE, part[0], 0);
-    if (i < 0) {
-        static const struct thud_words words = {
-            {"gap", "gap-by-level", "levels", "contact-levels", "contact", "bumper"}, 6};
-        return thud_words_unknown(&words, "key", part[0], err);
-    }
+    if (i < 0)
+        return unknown(scene, THUD_GROUP_INTERFACE, NULL, 0, part[0], err);
     fill(out, THUD_GROUP_INTERFACE, i,
          offsetof(struct thud_scene, interface) + (size_t)interface * sizeof *scene->interface);
     return n == 1 ? THUD_OK : wrong_depth(err);

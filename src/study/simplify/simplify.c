@@ -115,9 +115,9 @@ static enum thud_status needed_gap(const struct thud_scene *scene, const struct 
     return status;
 }
 
-/* The peaks of all cases of a scene, its required gap and its work. `*keep`, unless NULL: the run as written. */
+/* The peaks of all cases of a scene, its required gap and its work. */
 static enum thud_status run_cases(struct thud_simplify *s, const struct thud_scene *scene, struct motion *to,
-                                  struct thud_solution *keep, struct thud_error *err)
+                                  struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     for (int i = 0; status == THUD_OK && i < s->ask.ncases; i++) {
@@ -134,12 +134,7 @@ static enum thud_status run_cases(struct thud_simplify *s, const struct thud_sce
                 (double)(w->steps + w->force_evaluations + w->samples_fast) * fmax(1, solution.model->nmodes);
             to->work += work;
             s->worked += work;
-            for (int c = 0; c < to->peaks[i].contacts; c++)
-                to->force_n = fmax(to->force_n, to->peaks[i].contact[c].force.value);
-        }
-        if (keep && status == THUD_OK && s->ask.cases[i] == THUD_CASE_AS_WRITTEN) {
-            *keep = solution;
-            continue;
+            to->force_n = fmax(to->force_n, to->peaks[i].force_n);
         }
         thud_solution_clear(&solution);
     }
@@ -150,27 +145,11 @@ static enum thud_status run_cases(struct thud_simplify *s, const struct thud_sce
 static enum thud_status run_motion(struct thud_simplify *s, double **seconds, struct thud_error *err)
 {
     struct motion *now = &s->motion[s->at++];
-    struct thud_solution solution = {0};
-    const bool first = now == s->motion;
-    enum thud_status status = run_cases(s, &s->base, now, &solution, err);
-    if (status == THUD_OK && !solution.run && (first || now->force_n > s->on->force_n))
-        status = thud_scene_solve(&s->base, now->record, NULL, &solution, err);
-    s->found.runs += s->ask.cases[0] != THUD_CASE_AS_WRITTEN;
-    if (first || now->force_n > s->on->force_n || (s->on->force_n == 0 && now->gap_m > s->on->gap_m)) {
-        thud_solution_clear(&s->full);
-        s->full = solution;
+    const enum thud_status status = run_cases(s, &s->base, now, err);
+    if (now->force_n > s->on->force_n || (s->on->force_n == 0 && now->gap_m > s->on->gap_m))
         s->on = now;
-    } else
-        thud_solution_clear(&solution);
     *seconds = &now->seconds;
     return status;
-}
-
-static void largest(struct thud_simplify_change *c)
-{
-    const double part[] = {c->acceleration, c->drift, c->force, c->gap};
-    for (size_t i = 0; i < sizeof part / sizeof *part; i++)
-        c->all = fmax(c->all, isnan(part[i]) ? 0 : part[i]);
 }
 
 /* The motion of a scene: that of the search, cut and thinned where the scene says so, or without what lies above a
@@ -204,14 +183,14 @@ static enum thud_status evaluate(struct thud_simplify *s, const struct thud_scen
     enum thud_status status = make_record(s, scene, full->record, low_pass, &record, err);
     simple.record = record;
     if (status == THUD_OK)
-        status = run_cases(s, scene, &simple, NULL, err);
+        status = run_cases(s, scene, &simple, err);
     for (int i = 0; i < s->ask.ncases; i++) {
         if (status == THUD_OK)
             thud_simplify_compare(&full->peaks[i], &simple.peaks[i], &to->change);
         thud_simplify_peaks_clear(&simple.peaks[i]);
     }
     thud_simplify_compare_gap(full->gap_m, simple.gap_m, &to->change);
-    largest(&to->change);
+    thud_simplify_change_end(&to->change);
     to->work = full->work > 0 ? simple.work / full->work : 1;
     to->failed = status != THUD_OK;
     if (to->failed) {
@@ -224,12 +203,16 @@ static enum thud_status evaluate(struct thud_simplify *s, const struct thud_scen
     return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status;
 }
 
-/* The largest change by the inputs of thud_change_solve. */
+/* The run as written, which rows are made from, and the largest change by the inputs of thud_change_solve. */
 static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *err)
 {
     struct thud_simplify_peaks full = {0};
     double most = 0;
-    enum thud_status status = thud_simplify_peaks_take(thud_run_result(s->full.run), &full, err);
+    enum thud_status status = thud_scene_solve(&s->base, s->on->record, NULL, &s->full, err);
+    s->found.runs++;
+    if (status != THUD_OK)
+        return status;
+    status = thud_simplify_peaks_take(thud_run_result(s->full.run), &full, err);
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
         struct thud_solution solution;
         struct thud_simplify_peaks peaks = {0};
@@ -241,7 +224,7 @@ static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *er
             status = thud_simplify_peaks_take(thud_run_result(solution.run), &peaks, err);
         if (status == THUD_OK)
             thud_simplify_compare(&full, &peaks, &change);
-        largest(&change);
+        thud_simplify_change_end(&change);
         most = fmax(most, change.all);
         thud_simplify_peaks_clear(&peaks);
         thud_solution_clear(&solution);
@@ -281,7 +264,7 @@ static enum thud_status list_one_motion(struct thud_simplify *s, struct thud_err
         for (int i = 0; i < s->ask.ncases; i++)
             thud_simplify_compare(&mean[i], &s->motion[m].peaks[i], &change);
         thud_simplify_compare_gap(gap_m, s->motion[m].gap_m, &change);
-        largest(&change);
+        thud_simplify_change_end(&change);
         if (m == 0 || change.all < to->change.all) {
             to->change = change;
             snprintf(to->words, sizeof to->words, "ground motion %d alone in place of %d", m + 1, f->nmotions);
@@ -369,6 +352,14 @@ static bool make_scene(const struct thud_simplify *s, const int *step, int n, st
     return made;
 }
 
+enum thud_status thud_simplify_try(struct thud_simplify *s, const int *step, int n, struct thud_simplification *out,
+                                   struct thud_error *err)
+{
+    *out = s->found.full;
+    out->failed = !make_scene(s, step, n, &s->trial);
+    return out->failed ? THUD_OK : evaluate(s, &s->trial, s->on, 0, out, err);
+}
+
 /* One more step, in place of one of the same row for the same thing. */
 static enum thud_status take_step(struct thud_simplify *s, int next, double **seconds, struct thud_error *err)
 {
@@ -378,10 +369,8 @@ static enum thud_status take_step(struct thud_simplify *s, int next, double **se
         if (f->one[f->step[i]].row != f->one[next].row || f->one[f->step[i]].at != f->one[next].at)
             step[n++] = f->step[i];
     step[n++] = next;
-    struct thud_simplification whole = f->full;
-    if (!make_scene(s, step, n, &s->trial))
-        return THUD_OK;
-    enum thud_status status = evaluate(s, &s->trial, s->on, 0, &whole, err);
+    struct thud_simplification whole;
+    const enum thud_status status = thud_simplify_try(s, step, n, &whole, err);
     if (status != THUD_OK || !thud_simplification_within(f, &whole) || !(saving(f, &whole) > saving(f, &f->cheapest)))
         return status;
     f->cheapest = whole;

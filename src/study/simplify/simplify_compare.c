@@ -4,74 +4,59 @@
 
 #include "study/simplify/simplify_private.h"
 
+enum { ACCELERATION, DRIFT, FORCE, KINDS };
+
 /* Of the largest of its kind: what is smaller in both runs is not compared. */
 static const double least_part = 0.01;
 
-/* Room for `out->floors` and `out->contacts`, zeros. */
-static enum thud_status make_room(struct thud_simplify_peaks *out, struct thud_error *err)
+static enum thud_status make_room(int n, struct thud_simplify_peaks *out, struct thud_error *err)
 {
-    const size_t floors = (size_t)out->floors + 1, contacts = (size_t)out->contacts + 1;
-    out->structure = calloc(floors, sizeof *out->structure);
-    out->contact = calloc(contacts, sizeof *out->contact);
-    out->acceleration = calloc(2 * floors + contacts, sizeof(double));
-    if (!out->structure || !out->contact || !out->acceleration) {
-        thud_simplify_peaks_clear(out);
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    }
-    out->drift = out->acceleration + floors;
-    out->force = out->drift + floors;
-    return THUD_OK;
+    out->n = n;
+    out->item = calloc((size_t)n + 1, sizeof *out->item);
+    return out->item ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 
 enum thud_status thud_simplify_peaks_take(const struct thud_result *r, struct thud_simplify_peaks *out,
                                           struct thud_error *err)
 {
-    *out = (struct thud_simplify_peaks){.contacts = r->ncontacts, .collapsed = r->collapse.happened};
+    int n = r->ncontacts;
+    *out = (struct thud_simplify_peaks){.collapsed = r->collapse.happened};
     for (int s = 0; s < r->nstructures; s++)
-        out->floors += r->structure[s].floors;
-    const enum thud_status status = make_room(out, err);
-    if (status != THUD_OK)
-        return status;
-    for (int s = 0, k = 0; s < r->nstructures; s++)
-        for (int i = 0; i < r->structure[s].floors; i++, k++) {
-            out->structure[k] = s;
-            out->acceleration[k] = thud_floor_acceleration(r, s, i);
-            out->drift[k] = r->structure[s].floor[i].drift.value;
+        n += 2 * r->structure[s].floors;
+    enum thud_status status = make_room(n, out, err);
+    struct thud_simplify_peak *to = out->item;
+    for (int s = 0; status == THUD_OK && s < r->nstructures; s++)
+        for (int i = 0; i < r->structure[s].floors; i++) {
+            *to++ = (struct thud_simplify_peak){ACCELERATION, s, {i}, thud_floor_acceleration(r, s, i)};
+            *to++ = (struct thud_simplify_peak){DRIFT, s, {i}, r->structure[s].floor[i].drift.value};
         }
-    for (int c = 0; c < r->ncontacts; c++) {
-        out->contact[c] = r->contact[c];
-        out->force[c] = thud_peak_force(&r->contact[c]);
-        out->impacts += r->contact[c].impacts;
+    for (int c = 0; status == THUD_OK && c < r->ncontacts; c++) {
+        const struct thud_contact_result *at = &r->contact[c];
+        const double force = thud_peak_force(at);
+        *to++ = (struct thud_simplify_peak){FORCE, 0, {at->interface, at->left_floor, at->right_floor}, force};
+        out->force_n = fmax(out->force_n, force);
+        out->impacts += at->impacts;
     }
-    return THUD_OK;
+    return status;
 }
 
 enum thud_status thud_simplify_peaks_add(const struct thud_simplify_peaks *of, double share,
                                          struct thud_simplify_peaks *to, struct thud_error *err)
 {
-    const bool first = !to->structure;
-    to->floors = of->floors;
-    to->contacts = of->contacts;
+    enum thud_status status = to->item ? THUD_OK : make_room(of->n, to, err);
     to->impacts += of->impacts;
     to->collapsed = to->collapsed || of->collapsed;
-    const enum thud_status status = first ? make_room(to, err) : THUD_OK;
-    for (int i = 0; status == THUD_OK && i < of->floors; i++) {
-        to->structure[i] = of->structure[i];
-        to->acceleration[i] += share * of->acceleration[i];
-        to->drift[i] += share * of->drift[i];
-    }
-    for (int c = 0; status == THUD_OK && c < of->contacts; c++) {
-        to->contact[c] = of->contact[c];
-        to->force[c] += share * of->force[c];
+    for (int i = 0; status == THUD_OK && i < of->n; i++) {
+        const double sum = to->item[i].value;
+        to->item[i] = of->item[i];
+        to->item[i].value = sum + share * of->item[i].value;
     }
     return status;
 }
 
 void thud_simplify_peaks_clear(struct thud_simplify_peaks *peaks)
 {
-    free(peaks->structure);
-    free(peaks->contact);
-    free(peaks->acceleration);
+    free(peaks->item);
     *peaks = (struct thud_simplify_peaks){0};
 }
 
@@ -80,10 +65,17 @@ struct thud_simplify_change thud_simplify_unchanged(void)
     return (struct thud_simplify_change){NAN, NAN, NAN, NAN, 0, 0};
 }
 
-void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simplify_change *change)
+/* The same peak of another run, where the list has it (NULL: nowhere); most stand at the same place. */
+static const struct thud_simplify_peak *find(const struct thud_simplify_peaks *in, const struct thud_simplify_peak *as,
+                                             int place)
 {
-    if (full_m > 0)
-        change->gap = isnan(simple_m) ? 1 : fabs(simple_m - full_m) / full_m;
+    for (int k = 0; k < in->n; k++) {
+        const struct thud_simplify_peak *p = &in->item[(place + k) % in->n];
+        if (p->kind == as->kind && p->structure == as->structure && p->at[0] == as->at[0] && p->at[1] == as->at[1] &&
+            p->at[2] == as->at[2])
+            return p;
+    }
+    return NULL;
 }
 
 static void widen(double *change, double full, double simple, double most, double kind)
@@ -94,52 +86,39 @@ static void widen(double *change, double full, double simple, double most, doubl
     *change = isnan(*change) ? now : fmax(*change, now);
 }
 
-/* Of floors, over the largest of the same building. */
-static void compare_floors(const struct thud_simplify_peaks *full, const double *a, const double *b, double *change)
-{
-    double kind = 0;
-    for (int i = 0; i < full->floors; i++)
-        kind = fmax(kind, a[i]);
-    for (int i = 0; i < full->floors; i++) {
-        double most = 0;
-        for (int k = 0; k < full->floors; k++)
-            if (full->structure[k] == full->structure[i])
-                most = fmax(most, a[k]);
-        widen(change, a[i], b[i], most, kind);
-    }
-}
-
-static bool same_contact(const struct thud_contact_result *a, const struct thud_contact_result *b)
-{
-    return a->interface == b->interface && a->left_floor == b->left_floor && a->right_floor == b->right_floor;
-}
-
-/* The force of a contact in another run; 0: it is not there. */
-static double force_of(const struct thud_simplify_peaks *in, const struct thud_contact_result *contact)
-{
-    for (int c = 0; c < in->contacts; c++)
-        if (same_contact(&in->contact[c], contact))
-            return in->force[c];
-    return 0;
-}
-
 void thud_simplify_compare(const struct thud_simplify_peaks *full, const struct thud_simplify_peaks *simple,
                            struct thud_simplify_change *change)
 {
-    double most = 0;
-    if (full->floors == simple->floors) {
-        compare_floors(full, full->acceleration, simple->acceleration, &change->acceleration);
-        compare_floors(full, full->drift, simple->drift, &change->drift);
-    } else
-        change->acceleration = INFINITY;
-    for (int c = 0; c < full->contacts; c++)
-        most = fmax(most, full->force[c]);
-    for (int c = 0; c < full->contacts; c++)
-        widen(&change->force, full->force[c], force_of(simple, &full->contact[c]), most, most);
-    for (int c = 0; c < simple->contacts; c++) /* those that the full run does not have */
-        if (force_of(full, &simple->contact[c]) == 0)
-            widen(&change->force, 0, simple->force[c], most, most);
+    double most[KINDS][THUD_STRUCTURES_MAX] = {{0}}, kind[KINDS] = {0};
+    double *const part[KINDS] = {&change->acceleration, &change->drift, &change->force};
+    for (int i = 0; i < full->n; i++) {
+        const struct thud_simplify_peak *p = &full->item[i];
+        most[p->kind][p->structure] = fmax(most[p->kind][p->structure], p->value);
+        kind[p->kind] = fmax(kind[p->kind], p->value);
+    }
+    for (int i = 0; i < full->n; i++) { /* a contact that is not there has no force */
+        const struct thud_simplify_peak *p = &full->item[i], *other = find(simple, p, i);
+        widen(part[p->kind], p->value,
+              other              ? other->value
+              : p->kind == FORCE ? 0
+                                 : NAN,
+              most[p->kind][p->structure], kind[p->kind]);
+    }
+    for (int i = 0; i < simple->n; i++)
+        if (simple->item[i].kind == FORCE && !find(full, &simple->item[i], i))
+            widen(part[FORCE], 0, simple->item[i].value, kind[FORCE], kind[FORCE]);
     change->impacts += simple->impacts;
     if ((full->impacts > 0) != (simple->impacts > 0) || full->collapsed != simple->collapsed)
         change->all = INFINITY;
+}
+
+void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simplify_change *change)
+{
+    if (full_m > 0)
+        change->gap = isnan(simple_m) ? 1 : fabs(simple_m - full_m) / full_m;
+}
+
+void thud_simplify_change_end(struct thud_simplify_change *c)
+{
+    c->all = fmax(c->all, fmax(fmax(c->acceleration, c->drift), fmax(c->force, c->gap))); /* of numbers alone */
 }

@@ -10,6 +10,7 @@ struct thud_simplify_from {
     const struct thud_scene *base;
     const struct thud_record *record;
     const struct thud_result *full;
+    const struct thud_simplify_row *row;
     int at, size;
 };
 
@@ -35,16 +36,23 @@ bool thud_simplify_apply(const struct thud_simplification *of, struct thud_simpl
  * 0: the row leaves the motion as it is. */
 double thud_simplify_low_pass(const struct thud_simplification *of, const struct thud_result *full,
                               const struct thud_record *record);
+/* Steps put together, by the indices of what was listed, on the governing motion; `failed`: they do not go together.
+ * Errors: THUD_MEMORY. */
+enum thud_status thud_simplify_try(struct thud_simplify *simplify, const int *step, int n,
+                                   struct thud_simplification *out, struct thud_error *err);
 /* Where the record as the scene uses it begins in the time of its file. */
 double thud_simplify_begin(const struct thud_scene *base, const struct thud_record *record);
 
 /* Peaks of one run, and of one case. */
+struct thud_simplify_peak {
+    int kind, structure, at[3]; /* what of; a contact's structure is 0 */
+    double value;               /* NaN: none, by impulses */
+};
 struct thud_simplify_peaks {
-    int floors, contacts, impacts;
+    int n, impacts;
     bool collapsed;
-    int *structure;                       /* (floors) */
-    struct thud_contact_result *contact;  /* (contacts) */
-    double *acceleration, *drift, *force; /* (floors), (floors), (contacts); NaN: none, by impulses */
+    double force_n;                  /* the largest */
+    struct thud_simplify_peak *item; /* (n) */
 };
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_simplify_peaks_take(const struct thud_result *result, struct thud_simplify_peaks *out,
@@ -61,3 +69,5 @@ void thud_simplify_compare(const struct thud_simplify_peaks *full, const struct 
                            struct thud_simplify_change *change);
 /* The same of required gaps (NaN: none), m. */
 void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simplify_change *change);
+/* The largest of all. */
+void thud_simplify_change_end(struct thud_simplify_change *change);

@@ -72,30 +72,25 @@ static bool make_levels(const struct thud_simplify_from *from, struct thud_scene
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
     struct thud_interface *to = &scene->interface[from->at];
     const int n = thud_interface_contact_pairs(from->base, from->at, pair);
-    bool kept[THUD_CONTACT_PAIRS_MAX] = {false};
-    int top = 0, levels = 0, all = 0, contact = 0;
+    int level[THUD_CONTACT_PAIRS_MAX], top = 0, left_out = 0, contact = 0;
+    bool kept[THUD_CONTACT_PAIRS_MAX], stays[THUD_STOREYS_MAX + 2] = {false};
+    struct thud_by_level list = {0};
     if (to->contact_levels.n != from->base->interface[from->at].contact_levels.n)
         return false;
-    for (int i = 0; i < n; i++)
-        top = (int)fmax(top, thud_contact_level(from->base, from->at, &pair[i]));
     while (contact < from->full->ncontacts && from->full->contact[contact].interface != from->at + 1)
         contact++;
-    struct thud_by_level list = {0};
-    for (int level = 1; level <= top; level++) {
-        bool touches = from->size == TOP_LEVEL && level == top, there = false;
-        for (int i = 0; i < n; i++)
-            if (thud_contact_level(from->base, from->at, &pair[i]) == level) {
-                touches = touches || (from->size == TOUCHED_LEVELS && from->full->contact[contact + i].impacts > 0);
-                there = true;
-            }
-        all += there;
-        if (touches && list.n < THUD_LEVELS_MAX)
-            list.value_m[list.n++] = level;
-        for (int i = 0; i < n; i++)
-            kept[i] = kept[i] || (touches && thud_contact_level(from->base, from->at, &pair[i]) == level);
-        levels += touches;
+    for (int i = 0; i < n; i++) {
+        level[i] = thud_contact_level(from->base, from->at, &pair[i]);
+        top = level[i] > top ? level[i] : top;
+        stays[level[i]] |= from->size == TOUCHED_LEVELS && from->full->contact[contact + i].impacts > 0;
     }
-    if (levels == 0 || levels == all || levels > THUD_LEVELS_MAX)
+    stays[top] |= from->size == TOP_LEVEL;
+    for (int i = 0; i < n; i++)
+        left_out += !(kept[i] = stays[level[i]]);
+    for (int i = 1; i <= top; i++)
+        if (stays[i] && list.n < THUD_LEVELS_MAX)
+            list.value_m[list.n++] = i;
+    if (left_out == 0 || left_out == n || list.n == THUD_LEVELS_MAX)
         return false;
     to->contact_levels = list;
     keep_levels(&to->gap, kept, n);
@@ -218,29 +213,20 @@ static bool make_strong_part(const struct thud_simplify_from *from, struct thud_
     return true;
 }
 
-/* A method of fixed steps, or one that takes a tolerance, other than those of closed forms. */
-static bool make_method(const struct thud_simplify_from *from, struct thud_scene *scene, bool steps)
-{
-    const struct thud_method *method = thud_method_at(from->at);
-    return !(method->flags & THUD_METHOD_DEMONSTRATION) && method->order > 0 &&
-           strcmp(scene->analysis.method, method->name) != 0 &&
-           steps == ((method->flags & THUD_METHOD_FIXED_STEP) != 0);
-}
-
-static bool make_stepped(const struct thud_simplify_from *from, struct thud_scene *scene)
-{
-    return make_method(from, scene, true);
-}
-
-static bool make_tolerant(const struct thud_simplify_from *from, struct thud_scene *scene)
-{
-    return make_method(from, scene, false);
-}
-
 static const char *const modes[] = {"1", "2", "3", "4", "5", "6", "8", "10", "13", "17", "22", "30", "50", "80", NULL},
                          *const every[] = {"2", "4", NULL}, *const tolerance[] = {"1e-3", "1e-4", NULL},
                          *const tolerances[] = {"1e-2", "1e-3", "1e-4", "1e-6", NULL},
                          *const steps[] = {"10 ms", "5 ms", "2 ms", "1 ms", "0.5 ms", "0.2 ms", NULL};
+
+/* A method other than those of closed forms, by its step or its tolerance. */
+static bool make_method(const struct thud_simplify_from *from, struct thud_scene *scene)
+{
+    const struct thud_method *method = thud_method_at(from->at);
+    return !(method->flags & THUD_METHOD_DEMONSTRATION) && method->order > 0 &&
+           strcmp(scene->analysis.method, method->name) != 0 &&
+           (from->row->size == steps) == ((method->flags & THUD_METHOD_FIXED_STEP) != 0);
+}
+
 #define NO_FOUNDATION(key) "structures.@.foundation." key "=;"
 
 /* clang-format off */
@@ -267,8 +253,8 @@ static const struct thud_simplify_row rows[] = {
     {ROW(MOTION, SCENE, "one sample in #", "record.every=#", every, "")},
     {ROW(MOTION, SCENE, "motion without what lies above mode #", NULL, modes, ""), .information = true, .enough = true},
     {ROW(METHOD, SCENE, "tolerance #", "analysis.tolerance=#", tolerance, "")},
-    {ROW(METHOD, METHOD, "$ in steps of #", "analysis.method=$;analysis.step=#", steps, ""), .information = true, .enough = true, .make = make_stepped},
-    {ROW(METHOD, METHOD, "$ at tolerance #", "analysis.method=$;analysis.tolerance=#", tolerances, ""), .information = true, .enough = true, .make = make_tolerant},
+    {ROW(METHOD, METHOD, "$ in steps of #", "analysis.method=$;analysis.step=#", steps, ""), .information = true, .enough = true, .make = make_method},
+    {ROW(METHOD, METHOD, "$ at tolerance #", "analysis.method=$;analysis.tolerance=#", tolerances, ""), .information = true, .enough = true, .make = make_method},
 };
 /* clang-format on */
 
@@ -328,6 +314,7 @@ bool thud_simplify_apply(const struct thud_simplification *of, struct thud_simpl
     struct thud_scene *before = malloc(sizeof *before);
     if (!before)
         return false;
+    from.row = row;
     from.at = of->at;
     from.size = of->size;
     *before = *scene;

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "study/sweep/remark.h"
 #include "tui/document/field.h"
 #include "tui/loop/loop.h"
 #include "tui/loop/verdict.h"
@@ -193,19 +192,15 @@ static void fit_words(const struct thud_pane *lines, int rows, char *words)
     }
 }
 
-/* What newcomers can do next; each goes once it was done twice. On Model, what tells how much of a scene is needed. */
+/* What newcomers can do next; each goes once it was done twice. */
 static void next_steps(const struct thud_tui *tui, char *text, size_t size)
 {
-    const struct thud_remark_scope scope = {.scene = &tui->doc.scene};
-    struct thud_remarks detail = thud_remarks_find(&scope, tui->screen == THUD_SCREEN_MODEL ? THUD_REMARK_SIMPLER : 0);
     const struct {
         int taken;
         const char *words;
     } step[] = {{tui->taken[THUD_ACTIONS + THUD_SCREEN_SWEEP], "6 finds the gap"},
                 {tui->taken[THUD_DO_DESIGNS], "U keeps this design"},
-                {tui->taken[THUD_DO_REPORT], "R reports"},
-                {detail.n > 0 ? 0 : 2, ":simplify tells what is needed"}};
-    thud_remarks_clear(&detail);
+                {tui->taken[THUD_DO_REPORT], "R reports"}};
     *text = '\0';
     for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
         const size_t n = strlen(text);

@@ -8,6 +8,8 @@
 #include "core/model/model.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
+#include "study/sweep/remark.h"
+#include "study/sweep/remark.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
 #include "tui/screens/movement.h"
@@ -308,6 +310,16 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
 
 enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 4 };
 
+/* Whether the scene has so much detail that there is a command to tell what of it is needed. */
+static bool is_detailed(const struct thud_scene *scene)
+{
+    const struct thud_remark_scope scope = {.scene = scene};
+    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_SIMPLER);
+    const bool is = found.n > 0;
+    thud_remarks_clear(&found);
+    return is;
+}
+
 /* What both buildings of the pair are drawn to: the rows below the longer table, and the elevations from the lower base
  * to the higher roof, so that floors at one level stand in one row. */
 struct elevation {
@@ -323,7 +335,7 @@ static struct elevation elevation_of(const struct thud_tui *tui, int pane_rows)
         if (!thud_kind_is_building(structure->kind))
             continue;
         int table = rows_of_kind(structure) + (thud_structure_on_soil(structure) ? SOIL_ROWS : 0) + 1 +
-                    structure->storeys + 2 + BELOW_ROWS,
+                    structure->storeys + 2 + BELOW_ROWS + is_detailed(&tui->doc.scene),
             rows = pane_rows - table - 2;
         e.rows = rows < e.rows ? rows : e.rows;
         e.low_m = fmin(e.low_m, structure->base_m);
@@ -424,6 +436,8 @@ static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, 
     static const struct thud_labelled row[] = {
         {"base at", "base"}, {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}, {"lowest modes", "modes"}};
     const bool soil = thud_structure_on_soil(&tui->doc.scene.structure[s]); /* its values have rows of their own */
+    if (is_detailed(&tui->doc.scene))
+        thud_field_note(pane, y++, ":simplify tells what is needed");
     for (size_t i = 0; i < BELOW_ROWS; i++) {
         char key[THUD_PATH_MAX];
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, row[i].key);
