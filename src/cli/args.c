@@ -90,8 +90,7 @@ static enum thud_status check_together(const struct thud_args *args, struct thud
         if (args->given[i].value && !args->given[i].value[0] &&
             (word == THUD_WORD_FILE || word == THUD_WORD_FOLDER || word == THUD_WORD_PRESET)) {
             thud_error_set(err, THUD_USAGE, "a name is wanted, and it is empty");
-            thud_args_key(args->given[i].option->name, err);
-            return THUD_USAGE;
+            return thud_args_wrong(args->given[i].option->name, err);
         }
     }
     if (thud_args_has(args, "json") && thud_args_has(args, "csv"))
@@ -155,6 +154,25 @@ void thud_args_key(const char *option, struct thud_error *err)
     thud_error_key(err, "%s%.60s", dashes(option), option);
 }
 
+enum thud_status thud_args_wrong(const char *option, struct thud_error *err)
+{
+    thud_args_key(option, err);
+    if (err)
+        err->status = THUD_USAGE;
+    return THUD_USAGE;
+}
+
+enum thud_status thud_args_quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
+                                    double *out, struct thud_error *err)
+{
+    const char *text = thud_args_value(args, option);
+    struct thud_quantity value;
+    if (text && thud_quantity_parse(text, dimension, NULL, &value, err) != THUD_OK)
+        return thud_args_wrong(option, err);
+    *out = text ? value.value : *out;
+    return THUD_OK;
+}
+
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err)
 {
@@ -167,9 +185,8 @@ enum thud_status thud_args_integer(const struct thud_args *args, const char *nam
     long value = strtol(text, &end, 10);
     if (errno || end == text || *end || value < least || value > most) {
         thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a whole number that fits", text);
-        thud_args_key(name, err);
         thud_error_allow(err, "%d to %d", least, most);
-        return THUD_USAGE;
+        return thud_args_wrong(name, err);
     }
     *out = (int)value;
     return THUD_OK;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/run/command.h"
-#include "base/status.h"
+#include "base/quantity.h"
 
 enum { THUD_OPERANDS_MAX = 64, THUD_GIVEN_MAX = 256, THUD_JOBS_MAX = 256 };
 
@@ -28,6 +28,11 @@ const char *thud_args_repeated(const struct thud_args *args, const char *name, i
 /* The message is about an option: its name becomes the key. */
 void thud_args_key(const char *option, struct thud_error *err);
 
+/* What was typed is wrong usage, and the message begins with the option. */
+enum thud_status thud_args_wrong(const char *option, struct thud_error *err);
+/* A quantity with its unit; *out stays unchanged where the option is not given. Errors: THUD_USAGE. */
+enum thud_status thud_args_quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
+                                    double *out, struct thud_error *err);
 /* A whole number in an option. Errors: THUD_USAGE. */
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err);

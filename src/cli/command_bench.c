@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
-#include "base/quantity.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -116,20 +115,11 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
 
 static enum thud_status patience(const struct thud_args *args, double *out, struct thud_error *err)
 {
-    struct thud_quantity value;
-    const char *text = thud_args_value(args, "patience");
-    if (!text)
-        return THUD_OK;
-    enum thud_status status = thud_quantity_parse(text, THUD_TIME, NULL, &value, err);
-    if (status == THUD_OK && !(value.value > 0))
-        status = thud_error_set(err, THUD_INPUT, "\"%.40s\" is not a time to wait (more than 0 s)", text);
-    if (status != THUD_OK) {
-        thud_args_key("patience", err);
-        err->status = THUD_USAGE;
-        return THUD_USAGE;
-    }
-    *out = value.value;
-    return THUD_OK;
+    enum thud_status status = thud_args_quantity(args, "patience", THUD_TIME, out, err);
+    if (status == THUD_OK && !(*out > 0))
+        return thud_error_refuse(err, THUD_USAGE, "--patience", NULL, "\"%.40s\" is not a time to wait (more than 0 s)",
+                                 thud_args_value(args, "patience"));
+    return status;
 }
 
 static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,

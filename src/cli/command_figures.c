@@ -32,8 +32,7 @@ static enum thud_status check_records(const struct thud_args *args, struct thud_
     for (size_t i = 0; i < sizeof of_records / sizeof *of_records && !thud_args_has(args, "records"); i++)
         if (thud_args_has(args, of_records[i])) {
             thud_error_set(err, THUD_USAGE, "applies to the files of --records, and there are none");
-            thud_args_key(of_records[i], err);
-            return THUD_USAGE;
+            return thud_args_wrong(of_records[i], err);
         }
     return THUD_OK;
 }

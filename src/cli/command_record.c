@@ -274,8 +274,7 @@ static enum thud_status check_options(const struct thud_args *args, unsigned ver
         if (verbs & verb)
             continue;
         thud_error_set(err, THUD_USAGE, "thud record %s has no use for it", args->operand[0]);
-        thud_args_key(name, err);
-        return THUD_USAGE;
+        return thud_args_wrong(name, err);
     }
     return THUD_OK;
 }

@@ -27,10 +27,8 @@ static enum thud_status read_ask(const struct thud_args *args, struct thud_scene
                                  text);
     *ask = (struct thud_simplify_ask){.within = within.value};
     snprintf(list, sizeof list, "[%s]", cases ? cases : "");
-    if (cases && thud_scene_set(scene, "study.cases", list, err) != THUD_OK) {
-        thud_args_key("cases", err);
-        return err->status = THUD_USAGE;
-    }
+    if (cases && thud_scene_set(scene, "study.cases", list, err) != THUD_OK)
+        return thud_args_wrong("cases", err);
     ask->ncases = cases ? scene->study.ncases : 0;
     memcpy(ask->cases, scene->study.cases, sizeof scene->study.cases);
     return THUD_OK;

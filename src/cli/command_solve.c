@@ -5,21 +5,14 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 
-static enum thud_status refuse(const char *option, const char *why, const char *allowed, struct thud_error *err)
-{
-    thud_error_set(err, THUD_USAGE, "%s", why);
-    thud_args_key(option, err);
-    thud_error_allow(err, "%s", allowed);
-    return THUD_USAGE;
-}
-
 /* --share: above 0, at most 1; all without it. */
 static enum thud_status read_share(const struct thud_args *args, double *share, struct thud_error *err)
 {
     const char *text = thud_args_value(args, "share");
     struct thud_quantity q = {.value = 1};
     if (text && (thud_quantity_parse(text, THUD_RATIO, NULL, &q, NULL) != THUD_OK || !(q.value > 0 && q.value <= 1)))
-        return refuse("share", "is no share of the ground motions", "above 0, at most 100 %", err);
+        return thud_error_refuse(err, THUD_USAGE, "--share", "above 0, at most 100 %",
+                                 "is no share of the ground motions");
     *share = q.value;
     return THUD_OK;
 }
@@ -35,9 +28,9 @@ static enum thud_status solve(const struct thud_args *args, struct thud_session 
     struct thud_solve *found = malloc(sizeof *found);
     enum thud_status status = found ? read_share(args, &share, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK && !what)
-        status = refuse("for", "says what has to hold", "e.g. --for \"force < 10 MN\"", err);
+        status = thud_error_refuse(err, THUD_USAGE, "--for", "e.g. --for \"force < 10 MN\"", "says what has to hold");
     if (status == THUD_OK && !by)
-        status = refuse("by", "says which value may change", "e.g. --by gap=2cm:20cm", err);
+        status = thud_error_refuse(err, THUD_USAGE, "--by", "e.g. --by gap=2cm:20cm", "says which value may change");
     if (status == THUD_OK && (status = thud_criterion_parse(what, &criterion, err)) != THUD_OK)
         thud_args_key("for", err);
     if (status == THUD_OK)

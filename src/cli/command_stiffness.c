@@ -42,20 +42,15 @@ static enum thud_status read_parts(const char *option, const char *text, const e
         bool last = text[length] == '\0';
         if (length >= sizeof part || last != (i == n - 1)) {
             thud_error_set(err, THUD_USAGE, "takes %d values", n);
-            thud_args_key(option, err);
             thud_error_allow(err, "%s", allowed);
-            return THUD_USAGE;
+            return thud_args_wrong(option, err);
         }
         snprintf(part, sizeof part, "%.*s", (int)length, text);
         enum thud_status status = thud_quantity_parse(part, dimension[i], NULL, &quantity, err);
         if (status == THUD_OK && !(quantity.value > 0))
             status = thud_error_set(err, THUD_USAGE, "\"%.40s\" is not above 0", part);
-        if (status != THUD_OK) {
-            thud_args_key(option, err);
-            if (err)
-                err->status = THUD_USAGE;
-            return THUD_USAGE;
-        }
+        if (status != THUD_OK)
+            return thud_args_wrong(option, err);
         value[i] = quantity.value;
         text += length + !last;
     }

@@ -15,31 +15,23 @@
 #include "io/record/target_file.h"
 #include "io/result/schemas.h"
 
-static enum thud_status refuse(const char *option, const char *allowed, enum thud_status status, struct thud_error *err)
-{
-    thud_args_key(option, err);
-    thud_error_allow(err, "%s", allowed);
-    if (err)
-        err->status = status;
-    return status;
-}
-
 /* "FROM:TO", two times. */
 static enum thud_status read_range(const char *text, struct thud_scaling *scaling, struct thud_error *err)
 {
+    static const char allowed[] = "FROM:TO, such as 0.1s:2s";
     char from[64];
     struct thud_quantity q[2];
     const char *colon = strchr(text, ':');
-    if (!colon || (size_t)(colon - text) >= sizeof from) {
-        thud_error_set(err, THUD_USAGE, "\"%.60s\" is not a range", text);
-        return refuse("range", "FROM:TO, such as 0.1s:2s", THUD_USAGE, err);
-    }
+    if (!colon || (size_t)(colon - text) >= sizeof from)
+        return thud_error_refuse(err, THUD_USAGE, "--range", allowed, "\"%.60s\" is not a range", text);
     snprintf(from, sizeof from, "%.*s", (int)(colon - text), text);
     enum thud_status status = thud_quantity_parse(from, THUD_TIME, NULL, &q[0], err);
     if (status == THUD_OK)
         status = thud_quantity_parse(colon + 1, THUD_TIME, NULL, &q[1], err);
-    if (status != THUD_OK)
-        return refuse("range", "FROM:TO, such as 0.1s:2s", THUD_USAGE, err);
+    if (status != THUD_OK) {
+        thud_error_allow(err, "%s", allowed);
+        return thud_args_wrong("range", err);
+    }
     scaling->from_s = q[0].value;
     scaling->to_s = q[1].value;
     return THUD_OK;
@@ -68,10 +60,9 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
         return status;
     }
     study->has_target = target != NULL;
-    if (scale && strcmp(scale, "each") != 0 && strcmp(scale, "common") != 0) {
-        thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a way to scale", scale);
-        return refuse("scale", "each or common", THUD_USAGE, err);
-    }
+    if (scale && strcmp(scale, "each") != 0 && strcmp(scale, "common") != 0)
+        return thud_error_refuse(err, THUD_USAGE, "--scale", "each or common", "\"%.40s\" is not a way to scale",
+                                 scale);
     study->scaling.common = scale && strcmp(scale, "common") == 0;
     study->scaling.vertical = thud_args_has(args, "vertical");
     status = thud_args_integer(args, "count", 1, 1000, 0, &study->scaling.count, err);
@@ -81,18 +72,16 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
     if (status == THUD_OK && most) {
         struct thud_quantity q;
         status = thud_quantity_parse(most, THUD_NUMBER, NULL, &q, err);
-        if (status != THUD_OK || !(q.value >= 1)) {
-            thud_error_set(err, THUD_USAGE, "\"%.40s\" is not a largest factor", most);
-            return refuse("factor-most", "a number of 1 or more", THUD_USAGE, err);
-        }
+        if (status != THUD_OK || !(q.value >= 1))
+            return thud_error_refuse(err, THUD_USAGE, "--factor-most", "a number of 1 or more",
+                                     "\"%.40s\" is not a largest factor", most);
         study->scaling.factor_most = q.value;
     }
     if (status == THUD_OK && range)
         status = read_range(range, &study->scaling, err);
-    if (status == THUD_OK && !target && (scale || study->scaling.count > 0)) {
-        thud_error_set(err, THUD_USAGE, "there is no target to select and scale by");
-        return refuse("target", THUD_TARGET_ALLOWED, THUD_USAGE, err);
-    }
+    if (status == THUD_OK && !target && (scale || study->scaling.count > 0))
+        return thud_error_refuse(err, THUD_USAGE, "--target", THUD_TARGET_ALLOWED,
+                                 "there is no target to select and scale by");
     return status;
 }
 

@@ -37,10 +37,9 @@ static enum thud_status place_of(const struct thud_scene *scene, const char *tex
             return THUD_OK;
     }
     thud_error_set(err, THUD_USAGE, "no floor is called \"%s\"", text);
-    thud_args_key("floor", err);
     thud_error_allow(err, "a structure's name, a dot and the floor's number from 1, such as %s.1",
                      scene->structure[0].name);
-    return THUD_USAGE;
+    return thud_args_wrong("floor", err);
 }
 
 static enum thud_status read_ask(const struct thud_args *args, const struct thud_scene *scene,
@@ -60,9 +59,8 @@ static enum thud_status read_ask(const struct thud_args *args, const struct thud
                                  "oscillators without damping");
     if (status == THUD_OK && choice.from_s < shortest_s) {
         thud_error_set(err, THUD_USAGE, "a period of %g s", choice.from_s);
-        thud_args_key("periods", err);
         thud_error_allow(err, "%g s or more", shortest_s);
-        return THUD_USAGE;
+        return thud_args_wrong("periods", err);
     }
     *ask = (struct thud_floor_spectra_ask){choice.damping, choice.from_s, choice.to_s, choice.count, 0, place};
     while (status == THUD_OK && (text = thud_args_repeated(args, "floor", ask->nfloors))) {

@@ -6,34 +6,11 @@
 
 #include "base/quantity.h"
 
-/* What was typed is wrong usage, and the message begins with the option. */
-static enum thud_status blame(const char *option, struct thud_error *err)
-{
-    thud_args_key(option, err);
-    if (err)
-        err->status = THUD_USAGE;
-    return THUD_USAGE;
-}
-
 static enum thud_status refuse(const char *option, const char *text, const char *allowed, struct thud_error *err)
 {
     thud_error_set(err, THUD_USAGE, "\"%.60s\" will not do", text);
     thud_error_allow(err, "%s", allowed);
-    return blame(option, err);
-}
-
-/* A quantity with its unit; *out stays unchanged when the option was not given. */
-static enum thud_status quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
-                                 double *out, struct thud_error *err)
-{
-    const char *text = thud_args_value(args, option);
-    struct thud_quantity value;
-    if (!text)
-        return THUD_OK;
-    if (thud_quantity_parse(text, dimension, NULL, &value, err) != THUD_OK)
-        return blame(option, err);
-    *out = value.value;
-    return THUD_OK;
+    return thud_args_wrong(option, err);
 }
 
 static enum thud_status word(const struct thud_args *args, const char *option, char *to, size_t size,
@@ -123,7 +100,7 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
                       {"taper", THUD_TIME, &treatment->taper_s}};
     enum thud_status status = THUD_OK;
     for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)
-        status = quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
+        status = thud_args_quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
     if (!status && !isnan(choice->peak_mps2) && !(choice->peak_mps2 > 0))
         return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - reverses the polarity", err);
     if (!status && !isnan(choice->sa_mps2) && !(choice->sa_mps2 > 0))
@@ -157,7 +134,7 @@ static enum thud_status periods(const char *text, struct thud_spectrum_choice *c
     double count;
     if (thud_quantity_parse(part[0], THUD_TIME, NULL, &from, err) ||
         thud_quantity_parse(part[1], THUD_TIME, NULL, &to, err))
-        return blame("periods", err);
+        return thud_args_wrong("periods", err);
     if (thud_number_parse(second + 1, &end, &count) || *end || !(from.value > 0) || !(to.value > from.value) ||
         count < 2 || count > THUD_PERIODS_MAX || count != floor(count))
         return refuse("periods", text, allowed, err);
@@ -171,7 +148,7 @@ enum thud_status thud_spectrum_options_read(const struct thud_args *args, const 
                                             struct thud_spectrum_choice *choice, struct thud_error *err)
 {
     const char *text = thud_args_value(args, "periods");
-    enum thud_status status = quantity(args, damping, THUD_RATIO, &choice->damping, err);
+    enum thud_status status = thud_args_quantity(args, damping, THUD_RATIO, &choice->damping, err);
     if (!status && !(choice->damping >= 0 && choice->damping < 1))
         return refuse(damping, thud_args_value(args, damping), "from 0 up to, not including, 1", err);
     return !status && text ? periods(text, choice, err) : status;
@@ -232,9 +209,9 @@ enum thud_status thud_synthesis_options_read(const struct thud_args *args, struc
 {
     thud_synthesis_init(synthesis);
     *event = NULL;
-    enum thud_status status = quantity(args, "peak", THUD_ACCELERATION, &synthesis->peak_mps2, err);
+    enum thud_status status = thud_args_quantity(args, "peak", THUD_ACCELERATION, &synthesis->peak_mps2, err);
     if (!status)
-        status = quantity(args, "dt", THUD_TIME, &synthesis->dt_s, err);
+        status = thud_args_quantity(args, "dt", THUD_TIME, &synthesis->dt_s, err);
     const char *assignment;
     for (int i = 0; !status && (assignment = thud_args_repeated(args, "set", i)); i++)
         status = assign(assignment, synthesis, event, err);

@@ -71,9 +71,8 @@ static enum thud_status refuse_idle(const struct thud_args *args, const struct t
     for (int i = 0; (setting = thud_record_setting(i)) != NULL; i++)
         if (thud_args_value(args, setting)) {
             thud_error_set(err, THUD_USAGE, "the scene has no ground motion");
-            thud_args_key(setting, err);
             thud_error_allow(err, "--record FILE gives it one");
-            return THUD_USAGE;
+            return thud_args_wrong(setting, err);
         }
     return THUD_OK;
 }
