@@ -199,14 +199,19 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
 
 /* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
  * show that no building bears (after them). */
+static struct thud_remark_scope remarked(const struct sweep *s)
+{
+    return (struct thud_remark_scope){.scene = &s->plan.scene,
+                                      .before = thud_preset_scene(s->session.preset),
+                                      .record = s->plan.record,
+                                      .nrecords = s->plan.nrecords,
+                                      .plan = &s->plan,
+                                      .watch = &s->outcome.watch};
+}
+
 static void remark(const struct sweep *s, unsigned about)
 {
-    const struct thud_remark_scope scope = {.scene = &s->plan.scene,
-                                            .before = thud_preset_scene(s->session.preset),
-                                            .record = s->plan.record,
-                                            .nrecords = s->plan.nrecords,
-                                            .plan = &s->plan,
-                                            .watch = &s->outcome.watch};
+    const struct thud_remark_scope scope = remarked(s);
     thud_cli_remarks(s->args, &scope, about);
 }
 
@@ -223,7 +228,8 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     const struct thud_sweep_total *total = &s->outcome.total;
     struct thud_text text = {0};
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
-    enum thud_status status = thud_sweep_output_end(&s->output, err);
+    const struct thud_remark_scope scope = remarked(s);
+    enum thud_status status = thud_sweep_output_end(&s->output, &scope, err);
     remark(s, THUD_REMARK_STUDY);
     if (table && status == THUD_OK && s->suite) { /* the result of a suite, before those of its motions */
         status = thud_suite_report(s->suite, THUD_AS_TEXT, &text, err);
@@ -278,6 +284,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
 
 static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
 {
+    const struct thud_remark_scope scope = remarked(s);
     thud_progress_end();
     if (s->study.shard.count > 1 && status == THUD_OK) {
         if (!thud_args_has(s->args, "quiet"))
@@ -286,7 +293,7 @@ static enum thud_status finish(struct sweep *s, enum thud_status status, struct 
         return status;
     }
     if (status == THUD_CANCELLED && s->output.begun)
-        (void)thud_sweep_output_end(&s->output, NULL); /* what is done is printed */
+        (void)thud_sweep_output_end(&s->output, &scope, NULL); /* what is done is printed */
     if (status == THUD_OK && s->fragility)
         return conclude_fragility(s, err);
     return status == THUD_OK ? conclude(s, err) : status;

@@ -8,7 +8,7 @@
 #include "io/file/made_by.h"
 #include "plot/gnuplot/gnuplot.h"
 #include "study/suite/suite.h"
-#include "study/sweep/sweep.h"
+#include "study/sweep/remark.h"
 
 /* ---- study.json, scene.json and made-by.txt: what the files beside them were made of ---- */
 
@@ -49,7 +49,9 @@ struct thud_sweep_output {
 
 /* Context: the output. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_point *point, struct thud_error *err);
-enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct thud_error *err);
+/* scope: whose remarks JSON ends with. */
+enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const struct thud_remark_scope *scope,
+                                       struct thud_error *err);
 
 /* ---- What `thud fragility` says once its runs are done ---- */
 

@@ -2,6 +2,7 @@
 
 #include "app/sweep/fragility_report.h"
 #include "cli/commands.h"
+#include "io/result/result_rows.h"
 #include "io/result/sweep_csv.h"
 
 static void begin(struct thud_sweep_output *o)
@@ -30,7 +31,8 @@ enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_
     return status == THUD_OK ? thud_cli_print_data(&o->text, err) : status;
 }
 
-enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct thud_error *err)
+enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const struct thud_remark_scope *scope,
+                                       struct thud_error *err)
 {
     if (output->format == THUD_SWEEP_OUTPUT_TABLE)
         return THUD_OK;
@@ -42,6 +44,10 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, struct 
             thud_text_append(&output->text, ", \"statistics\": ");
             status = thud_suite_report(output->suite, THUD_AS_JSON, &output->text, err);
         }
+        thud_remarks_json(scope,
+                          THUD_REMARK_SCENE | THUD_REMARK_CHANGE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED |
+                              THUD_REMARK_STUDY,
+                          &output->text);
         thud_text_append(&output->text, "}\n");
         if (status != THUD_OK)
             return status;

@@ -103,6 +103,17 @@ listed "laws --csv|laws --json of each parameter" "laws parameters" "$tmp/laws.j
 "$THUD" methods --json >"$tmp/methods.json"
 listed methods methods "$tmp/methods.json"
 
+# remarks are the warnings of standard error
+said() { grep -o '"sentence": "[^"]*"' "$1" | sed 's/^"sentence": "//; s/"$//'; }
+"$THUD" run towers --to 10s --json >"$tmp/remarks.json" 2>"$tmp/warned"
+is "run --json has a remark for each warning" [ "$(grep -c '^thud: warning' "$tmp/warned")" -gt 0 -a \
+    "$(grep -c '^thud: warning' "$tmp/warned")" -eq "$(said "$tmp/remarks.json" | grep -cv 'is synthetic')" ]
+is "in its words" sh -c "grep '^thud: warning' '$tmp/warned' | grep -qF \"$(said "$tmp/remarks.json" | tail -1)\""
+"$THUD" sweep towers --to 10s --vary gap=6cm,8cm --json >"$tmp/remarks.json" 2>"$tmp/warned"
+is "so has sweep --json" sh -c "grep '^thud: warning' '$tmp/warned' | grep -qF \"$(said "$tmp/remarks.json" | tail -1)\""
+"$THUD" gap towers --to 3s --set bumper.cavity=4cm --json >"$tmp/remarks.json" 2>/dev/null
+is "gap --json tells of motions" sh -c "grep -q '\"weight\": \"motion\"' '$tmp/remarks.json'"
+
 # studies over suites, fragility, uncertainty and gaps
 two=kobe-surrogate.csv,northridge-surrogate.csv
 "$THUD" fragility towers --set p-delta=yes --records $two --vary record.peak=0.2g:0.6g:0.2g --to 6s --samples 5 --quiet -o "$tmp/fragility" >/dev/null 2>&1

@@ -3,10 +3,11 @@
 
 #include "io/file/schema.h"
 #include "io/result/result_file.h"
+#include "study/sweep/remark.h"
 
 extern const struct thud_schema thud_record_schema, thud_method_schema, thud_floor_schema, thud_storey_schema,
     thud_contact_schema, thud_column_schema, thud_link_schema, thud_impact_schema, thud_event_schema,
-    thud_energy_schema, thud_truncation_schema, thud_history_schema, thud_floor_spectrum_schema;
+    thud_energy_schema, thud_truncation_schema, thud_history_schema, thud_floor_spectrum_schema, thud_remark_schema;
 
 /* Marks of rows that have more fields. */
 enum {
@@ -45,5 +46,7 @@ struct thud_rows thud_impact_rows(const struct thud_report *report);
 struct thud_rows thud_event_rows(const struct thud_report *report);
 /* The method and its work, as members of an object. */
 void thud_method_json(const struct thud_report *report, struct thud_text *out);
+/* The remarks of a set of enum thud_remark_about as the member "remarks", behind others. */
+void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, struct thud_text *out);
 /* Marks of the i-th event. */
 unsigned thud_event_marks(const struct thud_report *report, int i);

@@ -8,7 +8,7 @@
 #include "app/run/summary_line.h"
 #include "ground/identity.h"
 #include "io/file/json.h"
-#include "io/result/result_file.h"
+#include "io/result/result_rows.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 #include "study/scene/building.h"
@@ -427,6 +427,10 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     thud_text_append(out, "]");
     put_json_ranges(study, scene, out);
     put_json_row(study, out);
+    thud_remarks_json(&(struct thud_remark_scope){.scene = scene,
+                                                  .record = (const struct thud_record *const *)records->record,
+                                                  .nrecords = records->n},
+                      THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED, out);
     thud_text_append(out, "}\n");
     return status;
 }

@@ -194,6 +194,17 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     }
     if (report->sensitivity)
         add_sensitivity(report, out);
+    const struct thud_remark_scope scope = {.scene = report->scene,
+                                            .result = report->result,
+                                            .impact = report->impact,
+                                            .nimpacts = report->nimpacts,
+                                            .record = &report->record,
+                                            .nrecords = report->record != NULL,
+                                            .sensitivity = report->sensitivity};
+    thud_remarks_json(&scope,
+                      THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED |
+                          (report->failure ? 0u : (unsigned)(THUD_REMARK_RESULT | THUD_REMARK_LEDGER)),
+                      out);
     thud_text_append(out, ",\n");
     thud_scene_members_json(report->scene, report->record ? report->record->file : NULL, out);
     thud_text_append(out, "\n}\n");

@@ -5,7 +5,6 @@
 
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
-#include "study/sweep/remark.h"
 
 static const struct thud_peak no_peak = {NAN, NAN};
 
@@ -553,4 +552,37 @@ void thud_method_json(const struct thud_report *report, struct thud_text *out)
     const struct thud_result *r = report->result;
     const struct method_row row = {r->method, r->reason, report->scene->analysis.tolerance, r->step_s, r->work};
     thud_json_members(&thud_method_schema, 0, &row, out);
+}
+
+/* ---- remarks ---- */
+
+struct remark_row {
+    const char *place, *sentence, *allowed, *weight;
+};
+#define REMARK(member, key, text) THUD_FIELD(struct remark_row, member, key, text)
+static const struct thud_column remark_columns[] = {
+    REMARK(place, "place", "Key of the scene that the remark concerns; empty: the whole scene."),
+    REMARK(sentence, "sentence", "The remark."),
+    REMARK(allowed, "allowed", "Usual or allowed values, or the limit of the model; may be empty."),
+    REMARK(
+        weight, "weight",
+        "failure (the numbers have no meaning from there on), motion, model (beyond the range of the model), digits, "
+        "or unusual.")};
+const struct thud_schema thud_remark_schema =
+    THUD_SCHEMA("remarks", "The warnings of standard error as a list, for programs.\n", remark_columns);
+
+static void make_remark(const void *of, int i, void *out)
+{
+    static const char *const weight[THUD_WEIGHTS] = {"failure", "motion", "model", "digits", "unusual"};
+    const struct thud_remark *remark = &((const struct thud_remarks *)of)->item[i];
+    *(struct remark_row *)out =
+        (struct remark_row){remark->said.key, remark->said.what, remark->said.allowed, weight[remark->weight]};
+}
+
+void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, struct thud_text *out)
+{
+    struct thud_remarks found = thud_remarks_find(scope, about);
+    const struct thud_rows rows = {&thud_remark_schema, 0, found.n, make_remark, &found};
+    thud_json_list("remarks", &rows, out);
+    thud_remarks_clear(&found);
 }
