@@ -93,11 +93,11 @@ START_TEST(everything_is_found)
     ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "interfaces.1.gap");
     fixture_keys(&f, "<C-p>key undo the");
     fixture_expect(&f, "(Nothing to undo)");
-    fixture_keys(&f, "<Esc><C-p>study signs<Enter>both<Enter>");
+    fixture_keys(&f, "<Esc><C-p>study.cases<Enter><Enter>none<Enter>");
     ck_assert_int_eq(f.tui->screen, THUD_SCREEN_SWEEP);
-    ck_assert_str_eq(thud_sweep_state(f.tui)->words.signs, "both");
+    ck_assert_int_eq(f.tui->doc.scene.study.ncases, 1);
     fixture_keys(&f, "<C-p>undo the last<Enter>");
-    ck_assert_str_eq(thud_sweep_state(f.tui)->words.signs, "");
+    ck_assert_int_eq(f.tui->doc.scene.study.ncases, 0);
     fixture_keys(&f, "<C-p>command :case<Enter>none<Enter>"); /* what has to follow is typed */
     ck_assert(!f.tui->doc.scene.interface[0].has_bumper);
     fixture_keys(&f, "u<C-p>take pulse<Enter>");

@@ -463,10 +463,12 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
     }
     for (char *item = copy, *end; status == THUD_OK && item; item = end) {
         char own[THUD_TEXT_MAX] = "";
-        item += bracketed ? strspn(item, " ") : 0;
+        item += strspn(item, " ");
         end = find_unquoted(item, ',');
         if (end)
             *end++ = '\0';
+        for (size_t n = strlen(item); n > 0 && item[n - 1] == ' '; n--)
+            item[n - 1] = '\0';
         r.skip = cut_skip(item);
         size_t whole = strlen(item);
         char *said = strdup(item);

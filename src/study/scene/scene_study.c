@@ -210,7 +210,7 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
     char copy[COPY_MAX], *item[THUD_VARY_MAX];
     bool cases = strcmp(name, "cases") == 0;
     int most = cases ? THUD_CASES : THUD_VARY_MAX;
-    snprintf(copy, sizeof copy, "%s", text);
+    snprintf(copy, sizeof copy, *text != '[' && strchr(text, ',') ? "[%s]" : "%s", text);
     if (!*text) { /* nothing is varied */
         if (cases)
             scene->study.ncases = 0;

@@ -109,4 +109,5 @@ void thud_tui_fill_fields(struct thud_tui *tui)
     add_group(tui, THUD_GROUP_RECORD, "record", -1);
     add_group(tui, THUD_GROUP_ANALYSIS, "analysis", -1);
     add_group(tui, THUD_GROUP_DOCUMENT, "document", -1);
+    add_group(tui, THUD_GROUP_STUDY, "study", -1);
 }

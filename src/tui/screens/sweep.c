@@ -148,7 +148,7 @@ static void skip(struct thud_tui *tui, const char *records)
         thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no room for that in the preset: a NAME.list names the others");
         return;
     }
-    thud_sweep_command(tui, "records", text);
+    thud_tui_set(tui, "study.records", text);
     begin(tui, false);
 }
 
@@ -173,7 +173,9 @@ static void begin(struct thud_tui *tui, bool by_itself)
         s->shown = NULL;
     }
     s->why[0] = '\0';
-    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &s->words, &err);
+    struct thud_study_words words;
+    thud_study_words_of(&tui->doc.scene, &words);
+    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &words, &err);
     /* two of the live cases have contacts, and the runs of a study share much: a tenth was measured on the towers */
     double expected_s = 0.2 * tui->run.plain_s * (double)runs_of(&s->data);
     if (status == THUD_OK && by_itself && expected_s > wait_s)
@@ -182,10 +184,9 @@ static void begin(struct thud_tui *tui, bool by_itself)
         status = thud_sweep_data_start(&s->data, &err);
     if (status != THUD_OK)
         thud_error_text(&err, s->why, sizeof s->why);
-    bool unread =
-        status == THUD_INPUT && several(s->words.records) && !s->data.names && !strstr(s->words.records, skipped);
+    bool unread = status == THUD_INPUT && several(words.records) && !s->data.names && !strstr(words.records, skipped);
     if (unread && !by_itself)
-        thud_tui_ask(tui, &ask_skip, s->words.records,
+        thud_tui_ask(tui, &ask_skip, words.records,
                      "%.300s. Skip what cannot be read? (DIR:dt=0.01 s:unit=g in records says for all what is missing)",
                      s->why);
     else if (status != THUD_OK && !by_itself)
@@ -199,7 +200,7 @@ static void begin(struct thud_tui *tui, bool by_itself)
     }
     s->current = true;
     s->revision = tui->doc.revision;
-    s->ran = s->words;
+    s->study = tui->doc.scene.study;
     s->begun++;
     s->by_itself = by_itself;
     s->begun_s = tui->backend->now(tui->backend);
@@ -366,10 +367,7 @@ static void export_csv(struct thud_tui *tui)
 
 static void begin_screen(struct thud_tui *tui)
 {
-    struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
-    s->panel = -1;
-    s->study = tui->doc.scene.study;
-    thud_study_words_of(&tui->doc.scene, &s->words);
+    thud_sweep_state(tui)->panel = -1;
 }
 
 static void release(struct thud_tui *tui)
@@ -380,8 +378,8 @@ static void release(struct thud_tui *tui)
     free(s->base);
 }
 
-THUD_VIEW(sweep, "Sweep", SWEEP, .many = true, .size = sizeof(struct thud_sweep_state), .begin = begin_screen,
-          .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer, .command = thud_sweep_command,
-          .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure, .next_figure = next_figure,
-          .read = read_panel, .take = take, .live = live, .busy = busy, .work = work, .progress = progress,
-          .figures = figures, .make = make, .export_csv = export_csv);
+THUD_VIEW(sweep, "Sweep", SWEEP, .keys = "study.", .many = true, .size = sizeof(struct thud_sweep_state),
+          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
+          .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
+          .next_figure = next_figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
+          .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);

@@ -8,48 +8,14 @@
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
 
-enum { CASES = THUD_VARY_MAX, RECORDS, SIGNS, EVENTS, SENSITIVITY, WORDS };
-
-static const char *word_name(int index)
-{
-    static const char *const last[] = {"cases", "records", "signs", "events", "sensitivity"};
-    return index == 0 ? "vary" : index < CASES ? "vary too" : last[index - CASES];
-}
-
-static char *word_of(struct thud_study_words *words, int index, size_t *size)
-{
-    switch (index) {
-    case CASES:
-        *size = sizeof words->cases;
-        return words->cases;
-    case RECORDS:
-        *size = sizeof words->records;
-        return words->records;
-    case SIGNS:
-        *size = sizeof words->signs;
-        return words->signs;
-    case EVENTS:
-        *size = sizeof words->events;
-        return words->events;
-    case SENSITIVITY:
-        *size = sizeof words->sensitivity;
-        return words->sensitivity;
-    default:
-        *size = sizeof words->vary[0];
-        return words->vary[index];
-    }
-}
-
-/* The words follow the scene's study, also when that is undone. */
 struct thud_sweep_state *thud_sweep_state(const struct thud_tui *tui)
 {
-    struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
-    const struct thud_study_choice *study = &tui->doc.scene.study;
-    if (memcmp(&s->study, study, sizeof *study) != 0) {
-        s->study = *study;
-        thud_study_words_of(&tui->doc.scene, &s->words);
-    }
-    return s;
+    return tui->own[THUD_SCREEN_SWEEP];
+}
+
+static const char *name_of(int index)
+{
+    return index == 0 ? "vary" : "vary too";
 }
 
 /* Axes behind one that was emptied move up. */
@@ -66,15 +32,6 @@ static void close_up(struct thud_study_words *words)
     }
 }
 
-static enum thud_status check(const struct thud_study_words *words, struct thud_error *err)
-{
-    struct thud_event event[THUD_EVENTS_MAX];
-    int n;
-    if (*words->signs && strcmp(words->signs, "both") != 0)
-        return thud_error_set(err, THUD_USAGE, "signs: both, or nothing");
-    return thud_events_parse(words->events, event, &n, err);
-}
-
 static void typed(struct thud_tui *tui, const char *text);
 static const struct thud_prompt prompt = {.done = typed};
 
@@ -82,21 +39,15 @@ static const struct thud_prompt prompt = {.done = typed};
 static void typed(struct thud_tui *tui, const char *text)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    size_t size;
-    struct thud_study_words words = s->words;
+    struct thud_study_words words;
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
-    char *word = word_of(&words, s->typed, &size), what[200];
-    bool kept = true;
-    if (s->typed == RECORDS || s->typed == EVENTS)
-        thud_study_close_commas(text, word, size);
-    else
-        snprintf(word, size, "%s", text);
+    char what[200];
+    thud_study_words_of(&tui->doc.scene, &words);
+    snprintf(words.vary[s->typed], sizeof words.vary[s->typed], "%s", text);
     close_up(&words);
-    snprintf(what, sizeof what, "study: %s %.120s", word_name(s->typed), *text ? text : "(none)");
-    enum thud_status status = check(&words, &err);
-    if (status == THUD_OK)
-        status = thud_study_words_keep(&words, &next, &kept, &err);
+    snprintf(what, sizeof what, "study: %s %.120s", name_of(s->typed), *text ? text : "(none)");
+    enum thud_status status = thud_study_words_keep(&words, &next, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
@@ -104,49 +55,33 @@ static void typed(struct thud_tui *tui, const char *text)
         thud_tui_prompt(tui, &prompt, text);
         return;
     }
-    s->words = words;
-    s->study = tui->doc.scene.study;
-    if (s->typed > 0 && s->typed < CASES)
-        thud_tui_log(tui, "vary%d %s", s->typed + 1, text);
-    else
-        thud_tui_log(tui, "%s %s", word_name(s->typed), text);
-    if (!kept)
-        thud_tui_say(tui, THUD_ROLE_WARN, "r runs it; a preset has no room for so many values: w does not save this");
+    char number[12] = "";
+    if (s->typed > 0)
+        snprintf(number, sizeof number, "%d", s->typed + 1);
+    thud_tui_log(tui, "vary%s %s", number, text);
 }
 
 void thud_sweep_offer(struct thud_tui *tui)
 {
-    size_t size;
-    for (int i = 0; i < WORDS; i++) {
-        struct thud_field line = {.index = i};
+    struct thud_study_words words;
+    thud_study_words_of(&tui->doc.scene, &words);
+    for (int i = 0; i < THUD_VARY_MAX; i++) {
         char command[32];
         snprintf(command, sizeof command, "line %d", i);
-        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s  %s", word_name(i),
-                       word_of(&thud_sweep_state(tui)->words, i, &size), thud_sweep_form_hint(&line));
+        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s", name_of(i), words.vary[i]);
     }
 }
 
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest)
 {
-    if (strcmp(word, "line") == 0)
+    const int index = word[4] ? word[4] - '1' : 0; /* "vary", "vary2", ... */
+    if (strcmp(word, "line") == 0) {
         thud_sweep_form_row(tui, &(struct thud_field){.index = atoi(rest)});
-    for (int i = 0; i < WORDS; i++)
-        if (i > 0 && i < CASES ? strncmp(word, "vary", 4) == 0 && word[4] == '1' + i
-                               : strcmp(word_name(i), word) == 0) {
-            thud_sweep_state(tui)->typed = i;
-            snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word);
-            typed(tui, rest);
-            return;
-        }
-}
-
-static bool same_words(struct thud_study_words *a, struct thud_study_words *b)
-{
-    size_t size;
-    for (int i = 0; i < WORDS; i++)
-        if (strcmp(word_of(a, i, &size), word_of(b, i, &size)) != 0)
-            return false;
-    return true;
+        return;
+    }
+    thud_sweep_state(tui)->typed = index;
+    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word);
+    typed(tui, rest);
 }
 
 /* Varied keys at the first of the plan's values. */
@@ -166,7 +101,7 @@ static bool same_scene(const struct thud_tui *tui, const struct thud_sweep_state
 
 bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s)
 {
-    if (!s->base || !same_words(&s->words, &s->ran))
+    if (!s->base || memcmp(&s->study, &tui->doc.scene.study, sizeof s->study) != 0)
         return false;
     if (s->revision != tui->doc.revision) {
         s->current = s->data.points > 0 && same_scene(tui, s);
@@ -203,7 +138,7 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
         thud_field_note(pane, y++, "%ld not possible (bumper > gap)", data->total.impossible);
     if (data->total.diverged)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", data->total.diverged);
-    bool words = same_words(&s->words, &s->ran);
+    const bool words = memcmp(&s->study, &tui->doc.scene.study, sizeof s->study) == 0;
     if (!thud_sweep_current(tui, s)) {
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_WARN, THUD_BOLD),
                       words ? "! of the scene before edits" : "! of the study before edits");
@@ -212,59 +147,49 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
     return y;
 }
 
-/* A line of the form that is left out now: one empty line for one more key is enough, and what is asked of several
- * motions has no place with one. */
-static bool left_out(struct thud_study_words *words, int i)
-{
-    size_t size;
-    const char *word = word_of(words, i, &size);
-    if (*word)
-        return false;
-    return i >= 2 && i < CASES ? !*words->vary[i - 1] : (i == SIGNS || i == EVENTS) && !*words->records;
-}
-
+/* The keys varied, and the other keys of the preset's study; one empty line for one more key is enough, and what is asked
+ * of several motions has no place with one. */
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane)
 {
-    struct thud_sweep_state *s = thud_sweep_state(tui);
+    static const struct thud_labelled field[] = {{"cases", "study.cases"},
+                                                 {"records", "study.records"},
+                                                 {"signs", "study.signs"},
+                                                 {"events", "study.events"},
+                                                 {"spread", "study.sensitivity"}};
+    enum { LABEL = 10 };
+    struct thud_study_words words;
     int y = 0;
-    for (int i = 0; i < WORDS; i++) {
-        char key[32], text[THUD_VARY_TEXT + 32];
-        size_t size;
-        const char *word = word_of(&s->words, i, &size), *none = i == RECORDS  ? "(the scene's own)"
-                                                                 : i == CASES  ? "(as written)"
-                                                                 : i == EVENTS ? "pounding,worse"
-                                                                               : "-";
-        if (left_out(&s->words, i))
-            continue;
+    thud_study_words_of(&tui->doc.scene, &words);
+    for (int i = 0; i < THUD_VARY_MAX && (i < 2 || *words.vary[i - 1]); i++) {
+        char key[32], text[THUD_VARY_TEXT + 8];
         snprintf(key, sizeof key, "study %d", i);
-        if (i < CASES) {
-            thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), word_name(i));
-            snprintf(text, sizeof text, " %s", *word ? word : none);
-        } else {
-            snprintf(text, sizeof text, "%-8s %s", i == SENSITIVITY ? "spread" : word_name(i), *word ? word : none);
-        }
+        snprintf(text, sizeof text, " %s", *words.vary[i] ? words.vary[i] : "-");
+        thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), name_of(i));
         thud_field_line(tui, index, pane, y++, i, key, text);
     }
-    return draw_progress(tui, s, pane, y + 1);
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        const char *key = field[i].key + strlen("study.");
+        if (!*words.records && (strcmp(key, "signs") == 0 || strcmp(key, "events") == 0) &&
+            !tui->doc.scene.study.both_signs && !*words.events)
+            continue;
+        thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
+        thud_field_value(tui, index, pane, LABEL, y++, pane->w - LABEL - 1, field[i].key, true);
+    }
+    return draw_progress(tui, thud_sweep_state(tui), pane, y + 1);
 }
 
 const char *thud_sweep_form_hint(const struct thud_field *field)
 {
-    return field->index == 0             ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
-           : field->index < CASES        ? "one more key, for a grid; empty: none"
-           : field->index == RECORDS     ? "files, folders, lists with commas, :peak=0.5g behind; empty: own"
-           : field->index == SIGNS       ? "both: each motion also in reversed polarity; empty: as given"
-           : field->index == EVENTS      ? "pounding, worse, force:5 MN, acceleration:1 g, drift:1 %"
-           : field->index == SENSITIVITY ? "spread when gap, motion, stiffness change by this: 0.1 %; empty: none"
-                                         : "of none, bumper, cavity, link, as-written, with commas";
+    return field->index == 0 ? "KEY=FROM:TO:STEP or KEY=V1,V2,...: gap=5 cm:25 cm:1 cm"
+                             : "one more key, for a grid; empty: none";
 }
 
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
 {
-    struct thud_sweep_state *s = thud_sweep_state(tui);
-    size_t size;
-    s->typed = field->index;
-    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word_name(field->index));
+    struct thud_study_words words;
+    thud_study_words_of(&tui->doc.scene, &words);
+    thud_sweep_state(tui)->typed = field->index;
+    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", name_of(field->index));
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", thud_sweep_form_hint(field));
-    thud_tui_prompt(tui, &prompt, word_of(&s->words, field->index, &size));
+    thud_tui_prompt(tui, &prompt, words.vary[field->index]);
 }

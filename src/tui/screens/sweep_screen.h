@@ -5,9 +5,7 @@
 #include "tui/screens/sweep_data.h"
 
 struct thud_sweep_state {
-    struct thud_study_words words;  /* as shown and run */
-    struct thud_study_choice study; /* the scene's, when the words were taken from it */
-    struct thud_study_words ran;    /* what the study on show was made with */
+    struct thud_study_choice study; /* what the study on show was made with */
     struct thud_sweep_data data;
     struct thud_scene *base; /* of the study, its varied keys at their first values; NULL: none was made */
     bool current;            /* the study on show is that of the words and the scene of `revision` */
@@ -21,10 +19,9 @@ struct thud_sweep_state {
     bool shown_complete;
     int shown_figure;
     unsigned long begun, shown_of; /* studies begun so far; the one of them that `shown` was made of */
-    int typed;                     /* the line being typed */
+    int typed;                     /* the varied key being typed */
 };
 
-/* The words follow the scene's study, also when that is undone. */
 struct thud_sweep_state *thud_sweep_state(const struct thud_tui *tui);
 /* Whether the study on show is that of the scene and the words as they are: what is varied may have any value. */
 bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
@@ -33,7 +30,7 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
 /* What is typed on a line of it. */
 const char *thud_sweep_form_hint(const struct thud_field *field);
 void thud_sweep_offer(struct thud_tui *tui); /* its lines to the list of everything */
-/* "vary", "records", ...: a line of it; "line 2": types that one. */
+/* "vary", "vary2", ...: a line of it; "line 2": types that one. */
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
 /* Enter on a line of it. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);

@@ -8,25 +8,12 @@
 
 enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 
-void thud_study_close_commas(const char *from, char *to, size_t size)
-{
-    size_t n = 0;
-    for (const char *at = from + strspn(from, " "); *at && n + 1 < size; at++) {
-        if (*at == ' ' && (n == 0 || to[n - 1] == ',' || at[strspn(at, " ")] == ',' || !at[strspn(at, " ")]))
-            continue;
-        to[n++] = *at;
-    }
-    to[n] = '\0';
-}
-
 /* A list of a preset without its brackets. */
 static void without_brackets(const char *from, char *to, size_t size)
 {
     size_t n = strlen(from);
     bool brackets = n > 1 && *from == '[' && from[n - 1] == ']';
-    char text[THUD_VARY_TEXT];
-    snprintf(text, sizeof text, "%.*s", (int)(n - 2 * brackets), from + brackets);
-    thud_study_close_commas(text, to, size);
+    snprintf(to, size, "%.*s", (int)(n - 2 * brackets), from + brackets);
 }
 
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words)
@@ -94,8 +81,6 @@ static enum thud_status try_out(const struct thud_study_words *words, const stru
             status = thud_sweep_vary(plan, words->vary[i], err);
     if (status == THUD_OK && *words->cases)
         status = thud_sweep_cases(plan, words->cases, err);
-    if (status == THUD_OK && *words->sensitivity)
-        status = thud_scene_set(&plan->scene, "study.sensitivity", words->sensitivity, err);
     return status;
 }
 
@@ -148,17 +133,6 @@ static bool write_lists(const struct thud_study_words *words, const struct thud_
     return room;
 }
 
-/* A list in brackets that says the same stays as written. */
-static void keep_list(const char *words, char kept[THUD_VARY_TEXT])
-{
-    char now[THUD_VARY_TEXT];
-    without_brackets(kept, now, sizeof now);
-    if (strcmp(now, words) == 0)
-        return;
-    memset(kept, 0, THUD_VARY_TEXT); /* scenes are compared as bytes */
-    snprintf(kept, THUD_VARY_TEXT, "%s", words);
-}
-
 static enum thud_status set_study(struct thud_scene *scene, const struct thud_study_words *words, char list[KEYS][LIST],
                                   struct thud_error *err)
 {
@@ -176,29 +150,26 @@ static enum thud_status set_study(struct thud_scene *scene, const struct thud_st
             status = thud_scene_set(scene, key[order[i]], list[order[i]], err);
     if (status == THUD_OK && *cases)
         status = thud_scene_set(scene, "study.cases", cases, err);
-    scene->study.both_signs = *words->signs != '\0';
-    keep_list(words->records, scene->study.records);
-    keep_list(words->events, scene->study.events);
-    return status == THUD_OK ? thud_scene_set(scene, "study.sensitivity", words->sensitivity, err) : status;
+    return status;
 }
 
-enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene, bool *kept,
+enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
                                        struct thud_error *err)
 {
     char list[KEYS][LIST] = {"", "", "", "", ""};
     struct thud_scene *next = malloc(sizeof *next);
     struct thud_sweep_plan *plan = malloc(sizeof *plan);
     enum thud_status status = THUD_MEMORY;
-    *kept = false;
     if (next && plan) {
         status = try_out(words, scene, plan, err);
         *next = *scene;
-        *kept = status == THUD_OK && write_lists(words, plan, list);
+        if (status == THUD_OK && !write_lists(words, plan, list))
+            status = thud_error_set(err, THUD_USAGE, "a preset has no room for so many values: KEY=FROM:TO:STEP has");
         thud_sweep_plan_clear(plan);
     } else {
         thud_error_set(err, THUD_MEMORY, "no memory for the study");
     }
-    if (*kept && (status = set_study(next, words, list, err)) == THUD_OK)
+    if (status == THUD_OK && (status = set_study(next, words, list, err)) == THUD_OK)
         scene->study = next->study;
     free(plan);
     free(next);

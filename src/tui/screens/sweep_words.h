@@ -16,11 +16,8 @@ struct thud_study_words {
 
 /* What the preset's study says, else the paper's. */
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
-/* "a.csv , b.csv" without the blanks at the commas; `to` may be as long as `from`. */
-void thud_study_close_commas(const char *from, char *to, size_t size);
-
-/* Makes the words the scene's study, after trying every value they name; a range beside a list becomes a list. Lists
- * longer than a preset has room for are only tried, and *kept is false. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY;
- * the scene is then as it was. */
-enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene, bool *kept,
+/* Makes keys varied and cases those of the scene's study, after trying every value they name; a range beside a list
+ * becomes a list. Errors: THUD_USAGE (also where a preset has no room for so long a list), THUD_INPUT, THUD_MEMORY; the
+ * scene is then as it was. */
+enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
                                        struct thud_error *err);
