@@ -423,9 +423,58 @@ START_TEST(the_cursor_leads_to_every_column_of_floors)
     fixture_keys(&f, "<Esc>/structures.2.column.EI.3<Enter>");
     fixture_expect(&f, "col. EI");
     ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.2.column.EI.3");
-    fixture_keys(&f, "<Size 170x40>");
+    fixture_keys(&f, "<Size 230x40>");
     fixture_expect(&f, "mass t");
     fixture_expect(&f, "cap. kN");
+}
+END_TEST
+
+/* The highest column of dots of a case beside the topmost floor of A, in rows of dots; and where the three stand. */
+static int spark_height(int which)
+{
+    char *screen = fixture_text(&f), *at = strstr(screen, "no contact"), *line = screen;
+    ck_assert_ptr_nonnull(at);
+    int y = 0, high = 0;
+    for (char *p = screen; p < at; p++)
+        if (*p == '\n') {
+            line = p + 1;
+            y++;
+        }
+    *at = '\0';
+    const int x = thud_utf8_columns(line) + 11 * which;
+    free(screen);
+    for (int i = 0; i < 10; i++) {
+        const uint32_t dots = f.tui->canvas.cell[(y + 1) * f.tui->canvas.width + x + i].glyph - 0x2800;
+        const int rows = dots > 0xff ? 0 : dots & 0x09 ? 4 : dots & 0x12 ? 3 : dots & 0x24 ? 2 : dots & 0xc0 ? 1 : 0;
+        high = rows > high ? rows : high;
+    }
+    return high;
+}
+
+/* Each floor has its acceleration beside it, higher where it is larger; the buildings stand beside records and results. */
+START_TEST(wide_screens_show_what_moves)
+{
+    fixture_close(&f);
+    fixture_open(&f, "towers", 130, 40, true);
+    fixture_keys(&f, "1");
+    const double most = fmax(thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 0, THUD_PEAK_ACCELERATION),
+                             fmax(thud_live_peak(&f.tui->run.live, THUD_LIVE_NONE, 1, THUD_PEAK_ACCELERATION),
+                                  fmax(thud_live_peak(&f.tui->run.live, THUD_LIVE_BUMPER, 0, THUD_PEAK_ACCELERATION),
+                                       thud_live_peak(&f.tui->run.live, THUD_LIVE_BUMPER, 1, THUD_PEAK_ACCELERATION))));
+    for (int which = 0; which < THUD_LIVE_CASES; which++) {
+        const double peak =
+            thud_live_floor(&f.tui->run.live, (enum thud_live_which)which, 0, 1, THUD_PEAK_ACCELERATION);
+        ck_assert_int_le(abs(spark_height(which) - (int)lround(1 + 3 * peak / most)), 1);
+    }
+    ck_assert_int_gt(spark_height(THUD_LIVE_NONE), spark_height(THUD_LIVE_FREE));
+    fixture_keys(&f, "3");
+    fixture_expect(&f, "At the largest impact");
+    fixture_keys(&f, "4");
+    fixture_expect(&f, "At the largest impact");
+    fixture_keys(&f, "<Size 80x24>");
+    fixture_expect_not(&f, "At the largest impact");
+    fixture_keys(&f, "1");
+    fixture_expect_not(&f, "no contact");
 }
 END_TEST
 
@@ -706,6 +755,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, buildings_stand_at_their_elevations);
     tcase_add_test(views, linked_buildings_have_modes_of_both);
     tcase_add_test(views, a_floor_that_is_gone_is_not_shown);
+    tcase_add_test(views, wide_screens_show_what_moves);
     tcase_add_test(views, the_loop_of_a_storey_holds_what_it_lost);
     tcase_add_test(views, a_pane_scrolls_behind_its_last_field);
     tcase_add_test(views, a_high_screen_is_left_to_impacts);

@@ -19,11 +19,12 @@ bool thud_tui_show_figure(struct thud_tui *tui, const char *name)
     return false;
 }
 
-/* The histories kept for display are too coarse for a file: repeats the run with whole histories, then the action. */
+/* The histories kept for display are too coarse for a file of what moves: repeats the run with whole histories, then
+ * the action. */
 static bool needs_whole(struct thud_tui *tui, enum thud_action action)
 {
     const enum thud_live_history kept = tui->run.live.history;
-    if (!thud_tui_view(tui)->history || kept == THUD_LIVE_NO_HISTORY || kept == THUD_LIVE_WHOLE)
+    if (!thud_tui_view(tui)->read_at || kept == THUD_LIVE_NO_HISTORY || kept == THUD_LIVE_WHOLE)
         return false;
     tui->files.whole_wanted = action;
     thud_tui_say(tui, THUD_ROLE_PLAIN, "Running with whole histories, for the file");

@@ -6,10 +6,10 @@
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
 #include "tui/screens/law_figure.h"
-#include "tui/screens/movement.h"
+#include "tui/screens/moment.h"
 #include "tui/widgets/chart.h"
 
-enum { FORM, CURVE, CHECK, MOVE, WIDE = 120 };
+enum { FORM, CURVE, CHECK, MOVE, WIDE = THUD_MOMENT_WIDE };
 
 struct contact_state {
     struct thud_figure *figure; /* force-indentation loops of the interface shown */
@@ -51,41 +51,12 @@ static bool shows_buildings(const struct thud_tui *tui, int index)
     return index == MOVE || (index == CURVE && state(tui)->moves && tui->canvas.width < WIDE);
 }
 
-/* The case as it is written; the run that is shown of it, with its model: while it goes on that of before. NULL: none. */
-static const struct thud_run *shown_run(const struct thud_tui *tui, enum thud_live_which *which,
-                                        const struct thud_model **model)
-{
-    *which = tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
-    const struct thud_live_case *c = &tui->run.live.which[*which];
-    const bool old = thud_live_is_old(&tui->run.live, *which);
-    const struct thud_run *run = old ? c->old : c->state == THUD_LIVE_DONE ? c->run : NULL;
-    *model = old ? c->old_model : c->model;
-    const struct thud_history *history = run ? thud_run_history(run) : NULL;
-    return history && history->rows > 0 && (*model)->nstructures == tui->doc.scene.nstructures ? run : NULL;
-}
-
-/* When the largest force of the interface shown acts, s. */
-static double time_of_largest(const struct thud_tui *tui, const struct thud_result *result)
-{
-    double most = -1.0, time_s = 0.0;
-    for (int i = 0; i < result->ncontacts; i++)
-        if (result->contact[i].interface == tui->interface + 1 && result->contact[i].force.value > most) {
-            most = result->contact[i].force.value;
-            time_s = result->contact[i].force.time_s;
-        }
-    return time_s;
-}
-
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     int i = tui->interface;
     if (shows_buildings(tui, index)) {
-        enum thud_live_which which;
-        const struct thud_model *model;
-        const struct thud_run *run = shown_run(tui, &which, &model);
-        snprintf(text, size, run ? "At the largest impact, t = %.3f s" : "The buildings",
-                 run ? time_of_largest(tui, thud_run_result(run)) : 0.0);
+        thud_moment_title(tui, text, size);
         return;
     }
     if (index == FORM && i + 1 < scene->nstructures)
@@ -245,16 +216,9 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
 static int draw_buildings(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
-    enum thud_live_which which;
-    const struct thud_model *model;
-    const struct thud_run *run = shown_run(tui, &which, &model);
     struct thud_pane upper = thud_pane_inside(pane, 0, 0, pane->w, pane->h - 1);
     char text[80];
-    if (run)
-        thud_movement_draw(&upper, &tui->doc.scene, model, run, which == THUD_LIVE_BUMPER,
-                           time_of_largest(tui, thud_run_result(run)));
-    else
-        thud_field_note(pane, 0, "no motions to show");
+    thud_moment_draw(tui, &upper);
     snprintf(text, sizeof text, "( gap %.5g cm  clearance %.5g cm )", 100.0 * at->gap_m,
              100.0 * thud_interface_clearance(at));
     const int x = (pane->w - (int)strlen(text)) / 2;
@@ -300,7 +264,7 @@ static bool drag_by_mouse(struct thud_tui *tui, int index, int columns)
 /* Motions are kept for where the buildings stand. */
 static enum thud_live_history history(const struct thud_tui *tui)
 {
-    return tui->canvas.width >= WIDE || state(tui)->moves ? THUD_LIVE_LOOK : THUD_LIVE_NO_HISTORY;
+    return state(tui)->moves ? THUD_LIVE_CONTACTS : thud_moment_history(tui);
 }
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)

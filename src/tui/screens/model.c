@@ -6,12 +6,14 @@
 #include "base/quantity.h"
 #include "base/scan.h"
 #include "core/model/model.h"
+#include "ground/intensity.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/remark.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
+#include "tui/screens/moment.h"
 #include "tui/screens/movement.h"
 #include "tui/screens/peaks_strip.h"
 #include "tui/widgets/dots.h"
@@ -149,6 +151,60 @@ static const struct {
     {"gravity", "weight kN", 88, 9}, {"column.stiffness", "col. MN/m", 98, 9}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
+/* Beside each floor, where there is room: its acceleration over time in the three cases, all to one scale. */
+enum { SPARK = 10, SPARKS = 3 * (SPARK + 1) };
+
+static int spark_columns(const struct thud_tui *tui)
+{
+    return tui->canvas.width >= THUD_MOMENT_WIDE ? SPARKS : 0;
+}
+
+/* The strong motion, all of the run where there is none, and the largest of all floors of the pair, m/s2. */
+struct spark_scale {
+    double from_s, to_s, most;
+};
+
+static struct spark_scale spark_scale(const struct thud_tui *tui)
+{
+    struct spark_scale scale = {0.0, INFINITY, 0.0};
+    if (spark_columns(tui) && tui->doc.record) {
+        const struct thud_intensity m = thud_intensity_of(tui->doc.record);
+        scale.from_s = m.t5_s - 0.1 * m.d5_95_s;
+        scale.to_s = m.t95_s + 0.1 * m.d5_95_s;
+    }
+    for (int i = 0; i < 2 * THUD_LIVE_CASES; i++)
+        if (tui->interface + i % 2 < tui->doc.scene.nstructures)
+            scale.most = fmax(scale.most, thud_live_peak(&tui->run.live, (enum thud_live_which)(i / 2),
+                                                         tui->interface + i % 2, THUD_PEAK_ACCELERATION));
+    return scale;
+}
+
+static void spark(const struct thud_tui *tui, enum thud_live_which which, const struct thud_pane *pane, int s,
+                  int storey, const struct spark_scale *scale)
+{
+    const struct thud_history *h = thud_live_motions(&tui->run.live, which);
+    const struct thud_model *model = tui->run.live.which[which].model;
+    struct thud_dots dots;
+    double high[4 * SPARK] = {0.0};
+    if (!h || h->rows < 2 || !(scale->most > 0.0) || s >= model->nstructures ||
+        thud_dots_init(&dots, pane, NULL) != THUD_OK)
+        return;
+    const struct thud_model_structure *of = &model->structure[s];
+    const int above = of->n - tui->doc.scene.structure[s].storeys; /* an isolated slab is below them */
+    const size_t at = (size_t)thud_history_acceleration(h, of->first + above + storey - 1);
+    const double end = fmin(scale->to_s, h->time_s[h->rows - 1]), step = (end - scale->from_s) / dots.width;
+    for (size_t i = 0; above >= 0 && i < h->rows; i++) {
+        const double bin = floor((h->time_s[i] - scale->from_s) / step);
+        if (bin >= 0 && bin < dots.width)
+            high[(int)bin] = fmax(high[(int)bin], fabs(h->value[i * (size_t)h->columns + at]));
+    }
+    for (int x = 0; x < dots.width; x++)
+        thud_dots_line(&dots, x, dots.height - 1.0, x, (dots.height - 1.0) * (1.0 - high[x] / scale->most), 1,
+                       thud_look(THUD_ROLE_SERIES + thud_live_color(which), 0));
+    thud_dots_put(&dots);
+    thud_dots_clear(&dots);
+}
+
 /* The first column shown: as far to the left as lets the one with the cursor be seen. */
 static int first_column(const struct thud_tui *tui, int index, int w, int s)
 {
@@ -171,8 +227,10 @@ static int first_column(const struct thud_tui *tui, int index, int w, int s)
 static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
 {
     const struct thud_structure *structure = &tui->doc.scene.structure[s];
-    int first = first_column(tui, index, pane->w, s), shift = column[first].x - column[0].x, last = first;
-    while (last + 1 < COLUMNS && column[last + 1].x - shift + column[last + 1].w <= pane->w)
+    const int room = pane->w - spark_columns(tui);
+    const struct spark_scale scale = spark_scale(tui);
+    int first = first_column(tui, index, room, s), shift = column[first].x - column[0].x, last = first;
+    while (last + 1 < COLUMNS && column[last + 1].x - shift + column[last + 1].w <= room)
         last++;
     thud_pane_put(pane, 0, y, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "floor");
     for (int c = first; c <= last; c++)
@@ -181,10 +239,22 @@ static int floors(struct thud_tui *tui, int index, const struct thud_pane *pane,
     if (first > 0)
         thud_pane_glyph(pane, 5, y, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2190);
     if (last + 1 < COLUMNS) /* the cursor leads on */
-        thud_pane_glyph(pane, pane->w - 1, y + 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2192);
+        thud_pane_glyph(pane, room - 1, y + 1, thud_look(THUD_ROLE_KEY, THUD_BOLD), 0x2192);
+    for (int c = 0; c < THUD_LIVE_CASES && room < pane->w; c++) {
+        const enum thud_live_which which = (enum thud_live_which)c;
+        char head[64];
+        const char *name = which == THUD_LIVE_FREE ? "no contact" : thud_live_short_name(&tui->doc.scene, which);
+        thud_pane_put(pane, room + c * (SPARK + 1), y, thud_look(THUD_ROLE_SERIES + thud_live_color(which), 0),
+                      thud_utf8_fit(name, SPARK, head, sizeof head));
+    }
     y++;
     for (int i = structure->storeys; i >= 1; i--, y++) {
         thud_pane_print(pane, 0, y, thud_look(THUD_ROLE_PLAIN, 0), "%4d", i);
+        for (int c = 0; c < THUD_LIVE_CASES && room < pane->w; c++) {
+            struct thud_pane cell = thud_pane_inside(pane, room + c * (SPARK + 1), y - pane->scroll, SPARK, 1);
+            if (y >= pane->scroll && y < pane->scroll + pane->h)
+                spark(tui, (enum thud_live_which)c, &cell, s, i, &scale);
+        }
         for (int c = 0; c < COLUMNS; c++) {
             char key[THUD_PATH_MAX];
             snprintf(key, sizeof key, "structures.%d.%s.%d", s + 1, column[c].key, i);
@@ -559,4 +629,10 @@ static void click(struct thud_tui *tui, int index, const struct thud_pane *pane,
     thud_form_focus_on(&tui->form, THUD_SCREEN_MODEL, key);
 }
 
-THUD_VIEW(model, "Model", MODEL, .compares = true, .keys = "structures.", .act = act, .click = click, .cannot = cannot);
+static enum thud_live_history history(const struct thud_tui *tui)
+{
+    return spark_columns(tui) ? THUD_LIVE_LOOK : THUD_LIVE_NO_HISTORY;
+}
+
+THUD_VIEW(model, "Model", MODEL, .compares = true, .keys = "structures.", .history = history, .act = act,
+          .click = click, .cannot = cannot);

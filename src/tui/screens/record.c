@@ -6,10 +6,11 @@
 
 #include "tui/document/field.h"
 #include "tui/screens/basket.h"
+#include "tui/screens/moment.h"
 #include "tui/screens/record_figure.h"
 #include "tui/widgets/chart.h"
 
-enum { LIST, CURVE, DATA };
+enum { LIST, CURVE, DATA, MOVE, TALL = 45 };
 enum { SUITE = THUD_RECORD_CURVES }; /* the curve after those of one motion */
 
 struct thud_record_state {
@@ -70,7 +71,18 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
     pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};
-    return 3;
+    if (area.w < THUD_MOMENT_WIDE || area.h < 2 * data)
+        return 3;
+    pane[MOVE] = pane[DATA];
+    if (area.h >= TALL) { /* all that the motion says below the list */
+        pane[LIST].h = area.h / 2;
+        pane[DATA] = (struct thud_rect){area.x, area.y + pane[LIST].h, left, area.h - pane[LIST].h};
+    } else {
+        pane[DATA].w /= 2;
+        pane[MOVE].x += pane[DATA].w;
+        pane[MOVE].w -= pane[DATA].w;
+    }
+    return 4;
 }
 
 static const char *title_of(int curve)
@@ -86,7 +98,9 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     char count[24] = "";
     if (suite > 0)
         snprintf(count, sizeof count, ", + suite of %d", suite);
-    if (index == LIST)
+    if (index == MOVE)
+        thud_moment_title(tui, text, size);
+    else if (index == LIST)
         snprintf(text, size, "Records%s%.40s%s%.40s%s", *r->folder ? " of " : "", r->folder, *r->filter ? " with " : "",
                  r->filter, count);
     else if (index == CURVE)
@@ -219,7 +233,10 @@ static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
-    return index == LIST ? draw_list(tui, pane) : index == CURVE ? draw_curve(tui, pane) : draw_data(tui, pane);
+    return index == LIST    ? draw_list(tui, pane)
+           : index == CURVE ? draw_curve(tui, pane)
+           : index == DATA  ? draw_data(tui, pane)
+                            : thud_moment_draw(tui, pane);
 }
 
 static void next_figure(struct thud_tui *tui)
@@ -329,4 +346,5 @@ static void release(struct thud_tui *tui)
 
 THUD_VIEW(record, "Record", RECORD, .keys = "record.", .moved = true, .size = sizeof(struct thud_record_state),
           .free = release, .offer = offer, .command = command, .act = act, .cannot = cannot, .row = row,
-          .figure = figure, .figures = figures, .make = make_figure, .next_figure = next_figure, .read = read_panel);
+          .figure = figure, .figures = figures, .make = make_figure, .next_figure = next_figure, .read = read_panel,
+          .history = thud_moment_history);

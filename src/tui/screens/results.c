@@ -10,9 +10,10 @@
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "tui/document/field.h"
+#include "tui/screens/moment.h"
 #include "tui/screens/peaks_strip.h"
 
-enum { PEAKS, IMPACTS, HOW };
+enum { PEAKS, IMPACTS, HOW, MOVE };
 enum { IMPACTS_MAX = 2000 };
 enum { SORTS = 3, QUANTITIES = 6, ELASTIC_QUANTITIES = 4 };
 
@@ -54,6 +55,8 @@ static int count_floors(const struct thud_scene *scene)
 }
 
 /* What the floors leave of the screen goes to the panes below them. */
+enum { IMPACTS_WIDE = 78, MOVE_LEAST = 9 };
+
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     int lower = area.h >= 29 ? 15 : area.h >= 17 ? 9 : area.h / 2, left = area.w - 38;
@@ -62,7 +65,21 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     pane[PEAKS] = (struct thud_rect){area.x, area.y, area.w, area.h - lower};
     pane[IMPACTS] = (struct thud_rect){area.x, area.y + area.h - lower, left, lower};
     pane[HOW] = (struct thud_rect){area.x + left, area.y + area.h - lower, area.w - left, lower};
-    return 3;
+    if (area.w < THUD_MOMENT_WIDE || lower < 2 * MOVE_LEAST)
+        return 3;
+    const bool beside = left >= 2 * IMPACTS_WIDE; /* else below them */
+    struct thud_rect *impacts = &pane[IMPACTS], *move = &pane[MOVE];
+    *move = *impacts;
+    if (beside) {
+        impacts->w = IMPACTS_WIDE;
+        move->x += IMPACTS_WIDE;
+        move->w -= IMPACTS_WIDE;
+    } else {
+        impacts->h -= lower / 2;
+        move->y += impacts->h;
+        move->h = lower / 2;
+    }
+    return 4;
 }
 
 static enum thud_live_which shown(const struct thud_tui *tui)
@@ -75,7 +92,9 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     static const char *const sort[] = {"by time", "by force", "by floor"};
     const char *filter = state(tui)->filter, *with = *filter ? ", with " : "";
-    if (index == PEAKS)
+    if (index == MOVE)
+        thud_moment_title(tui, text, size);
+    else if (index == PEAKS)
         snprintf(text, size, "Peaks%s%s%s%s: no pounding / %s / %s, ratio",
                  thud_tui_shows_old(tui) ? " before the edit" : "", state(tui)->by_value ? ", largest first" : "", with,
                  filter, thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
@@ -367,7 +386,10 @@ static int draw_how(struct thud_tui *tui, const struct thud_pane *pane)
 
 static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 {
-    return index == PEAKS ? draw_peaks(tui, pane) : index == IMPACTS ? draw_impacts(tui, pane) : draw_how(tui, pane);
+    return index == PEAKS     ? draw_peaks(tui, pane)
+           : index == IMPACTS ? draw_impacts(tui, pane)
+           : index == HOW     ? draw_how(tui, pane)
+                              : thud_moment_draw(tui, pane);
 }
 
 static void filter(struct thud_tui *tui, const char *text)
@@ -440,4 +462,4 @@ static void export_csv(struct thud_tui *tui)
 
 THUD_VIEW(results, "Results", RESULTS, .compares = true, .keys = "", .moved = true,
           .size = sizeof(struct results_state), .begin = begin, .act = act, .cannot = cannot, .row = row,
-          .export_csv = export_csv);
+          .history = thud_moment_history, .export_csv = export_csv);

@@ -175,6 +175,8 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
         thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
         thud_field_value(tui, index, pane, LABEL, y++, pane->w - LABEL - 1, field[i].key, true);
     }
+    if (tui->doc.scene.study.nvary == 0 && tui->doc.scene.study.ncases == 0)
+        thud_field_note(pane, y++, "by default, cases %s", words.cases);
     return draw_progress(tui, thud_sweep_state(tui), pane, y + 1);
 }
 
