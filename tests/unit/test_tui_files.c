@@ -821,8 +821,14 @@ START_TEST(designs_over_a_suite)
     }
     fixture_keys(&f, "Us");
     fixture_expect(&f, "The study has no ground motions");
-    fixture_keys(&f, "<Esc>:records pulse.csv:peak=0.5g,pulse.csv:peak=0.3g<Enter>Us");
-    fixture_expect(&f, "over 2 ground motions");
+    fixture_keys(&f, "<Esc>:records pulse.csv:peak=0.5g,pulse.csv:peak=0.3g<Enter>U");
+    thud_tui_key(f.tui, 's'); /* nobody waits for it: keys are taken meanwhile */
+    ck_assert(!f.tui->designs.item[0].suite.known);
+    thud_tui_key(f.tui, 'j');
+    thud_tui_draw(f.tui);
+    fixture_expect(&f, "over 2 ground motions, running");
+    fixture_keys(&f, "");
+    fixture_expect_not(&f, "running");
     const struct thud_design *d = &f.tui->designs.item[0];
     ck_assert(force[0] != force[1]);
     ck_assert_double_eq_tol(d->suite.force_n[0], fmax(force[0], force[1]), 1e-6 * force[0]);

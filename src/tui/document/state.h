@@ -130,6 +130,8 @@ struct thud_over {
     void (*draw)(struct thud_tui *tui, const struct thud_pane *area);
     struct thud_line *(*line)(struct thud_tui *tui); /* what is being typed in it; NULL: nothing ever is */
     void (*free)(struct thud_tui *tui);              /* what its state holds */
+    bool (*busy)(const struct thud_tui *tui);        /* work of its own in slices, as a screen has; NULL: none */
+    void (*work)(struct thud_tui *tui);
 };
 typedef void thud_chosen_fn(struct thud_tui *tui, const char *value);
 

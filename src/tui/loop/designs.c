@@ -15,8 +15,13 @@
 #include "tui/loop/loop.h"
 
 struct list {
-    int at, top; /* the row with the cursor, and the first shown */
-    int motions; /* the results are the largest over so many; 0: of the scene's own */
+    int at, top;                     /* the row with the cursor, and the first shown */
+    int motions;                     /* the results are the largest over so many; 0: of the scene's own */
+    struct thud_record_list records; /* those motions; the design that is run over them, by its place, and its points */
+    struct thud_sweep_plan plan;
+    struct thud_suite *suite;
+    struct thud_sweep_work *work; /* NULL: nothing is running */
+    int next, number;
 };
 
 /* The state on the screen, also while it is being run or where live is off; NULL: there is no room for it. */
@@ -176,29 +181,47 @@ static void largest(const struct thud_suite *suite, const struct thud_scene *sce
     }
 }
 
-static enum thud_status run_suite(struct thud_design *d, const struct thud_record_list *motions, struct thud_error *err)
+static void end_design(struct list *list)
 {
-    struct thud_sweep_plan plan;
-    struct thud_suite *suite = NULL;
-    thud_sweep_plan_init(&plan, d->scene);
-    plan.nrecords = motions->n;
-    plan.record = (const struct thud_record *const *)motions->record;
-    enum thud_status status =
-        thud_sweep_cases(&plan, thud_scene_has_measure(d->scene) ? "none,as-written" : "none", err);
-    if (status == THUD_OK)
-        status = thud_sweep_suite_run(&plan, 0, NULL, &suite, err);
-    if (status == THUD_OK)
-        largest(suite, d->scene, &d->suite);
-    thud_suite_free(suite);
-    thud_sweep_plan_clear(&plan);
-    return status;
+    thud_sweep_work_end(list->work);
+    thud_suite_free(list->suite);
+    thud_sweep_plan_clear(&list->plan);
+    list->work = NULL;
+    list->suite = NULL;
 }
 
-/* Every design over the motions of the study, or back to the scene's own. */
+/* Begins the next design that has no result over the motions yet; without one it is over. */
+static void begin_design(struct thud_tui *tui, struct list *list)
+{
+    struct thud_error err = {0};
+    while (list->next < tui->designs.n && tui->designs.item[list->next].suite.known)
+        list->next++;
+    if (list->next >= tui->designs.n)
+        return;
+    const struct thud_design *d = &tui->designs.item[list->next++];
+    list->number = d->number;
+    thud_sweep_plan_init(&list->plan, d->scene);
+    list->plan.nrecords = list->records.n;
+    list->plan.record = (const struct thud_record *const *)list->records.record;
+    enum thud_status status =
+        thud_sweep_cases(&list->plan, thud_scene_has_measure(d->scene) ? "none,as-written" : "none", &err);
+    if (status == THUD_OK)
+        status = thud_suite_create(&list->plan, &list->suite, &err);
+    const struct thud_sweep_jobs jobs = {.plan = &list->plan, .step = 1, .count = thud_sweep_points(&list->plan)};
+    if (status == THUD_OK)
+        status = thud_sweep_work_start(&jobs, &list->work, &err);
+    if (status != THUD_OK) {
+        end_design(list);
+        thud_tui_say_error(tui, &err);
+    }
+}
+
+/* Every design over the motions of the study, one after the other, or back to the scene's own. */
 static void change_motions(struct thud_tui *tui, struct list *list)
 {
-    struct thud_record_list motions = {0};
     struct thud_error err = {0};
+    end_design(list);
+    thud_record_list_clear(&list->records);
     if (list->motions > 0) {
         list->motions = 0;
         return;
@@ -207,15 +230,54 @@ static void change_motions(struct thud_tui *tui, struct list *list)
         thud_tui_say(tui, THUD_ROLE_WARN, "The study has no ground motions: Space on Record puts them together");
         return;
     }
-    enum thud_status status =
-        thud_doc_motions(&tui->doc, tui->doc.scene.study.records, tui->doc.scene.study.both_signs, &motions, &err);
+    if (thud_doc_motions(&tui->doc, tui->doc.scene.study.records, tui->doc.scene.study.both_signs, &list->records,
+                         &err) != THUD_OK) {
+        thud_tui_say_error(tui, &err);
+        return;
+    }
+    list->motions = list->records.n;
+    list->next = 0;
+    for (int i = 0; i < tui->designs.n; i++)
+        tui->designs.item[i].suite.known = false;
+    begin_design(tui, list);
+}
+
+static bool busy(const struct thud_tui *tui)
+{
+    return ((const struct list *)tui->dialog.own)->work != NULL;
+}
+
+/* Takes the points that are there; with the last one the design has its result. */
+static void work(struct thud_tui *tui)
+{
+    static const double wait_s = 0.004;
+    struct list *list = tui->dialog.own;
+    struct thud_error err = {0};
+    struct thud_sweep_point *point;
+    bool done = false;
+    enum thud_status status = thud_sweep_work_take(list->work, wait_s, &point, &done, &err);
+    if (status == THUD_OK && point) {
+        status = thud_suite_add(list->suite, point, &err);
+        free(point);
+    }
+    if (status == THUD_OK && !done)
+        return;
     for (int i = 0; i < tui->designs.n && status == THUD_OK; i++)
-        status = run_suite(&tui->designs.item[i], &motions, &err);
+        if (tui->designs.item[i].number == list->number)
+            largest(list->suite, &list->plan.scene, &tui->designs.item[i].suite);
+    end_design(list);
     if (status == THUD_OK)
-        list->motions = motions.n;
+        begin_design(tui, list);
     else
         thud_tui_say_error(tui, &err);
-    thud_record_list_clear(&motions);
+    thud_tui_redraw(tui, false);
+}
+
+static void release(struct thud_tui *tui)
+{
+    struct list *list = tui->dialog.own;
+    end_design(list);
+    thud_record_list_clear(&list->records);
 }
 
 /* ---- the list ---- */
@@ -297,7 +359,8 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
     thud_pane_blank(area);
     char title[120] = "Designs: * on the screen, = compared with, + in the report";
     if (list->motions > 0)
-        snprintf(title, sizeof title, "Designs: the largest over %d ground motions", list->motions);
+        snprintf(title, sizeof title, "Designs: the largest over %d ground motions%s", list->motions,
+                 list->work ? ", running" : "");
     struct thud_pane in = thud_pane_frame(area, title, true);
     int at = in.w, rows = in.h - 2;
     for (int c = COLUMNS - 1; c >= 0; c--) {
@@ -381,7 +444,12 @@ static void take_key(struct thud_tui *tui, int key)
 
 void thud_tui_list_designs(struct thud_tui *tui)
 {
-    static const struct thud_over over = {
-        .where = THUD_AT_DESIGNS, .size = sizeof(struct list), .key = take_key, .draw = draw};
+    static const struct thud_over over = {.where = THUD_AT_DESIGNS,
+                                          .size = sizeof(struct list),
+                                          .key = take_key,
+                                          .draw = draw,
+                                          .busy = busy,
+                                          .work = work,
+                                          .free = release};
     thud_tui_over(tui, &over);
 }

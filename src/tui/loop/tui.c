@@ -269,6 +269,11 @@ static const struct thud_view *busy_view(struct thud_tui *tui)
     return NULL;
 }
 
+static bool over_busy(const struct thud_tui *tui)
+{
+    return tui->dialog.mode == THUD_MODE_OVER && tui->dialog.over->busy && tui->dialog.over->busy(tui);
+}
+
 /* Whether the state to compare with is still to be run, or to be run with its histories. */
 static bool comparing(const struct thud_tui *tui)
 {
@@ -326,6 +331,8 @@ static void work(struct thud_tui *tui)
         } else if (comparing(tui)) {
             if (!thud_base_advance(&tui->base, &tui->doc, thud_tui_wants_history(tui)))
                 thud_tui_redraw(tui, false);
+        } else if (over_busy(tui)) {
+            tui->dialog.over->work(tui);
         } else if (!view || !view->work(tui)) {
             if (view)
                 thud_tui_redraw(tui, false);
@@ -373,7 +380,7 @@ static void keep_edits(struct thud_tui *tui)
 static void notice(struct thud_tui *tui, bool making)
 {
     static const double long_s = 10.0;
-    static const char ended[] = "\033]9;thud: the study has ended\a";
+    static const char ended[] = "\033]9;thud: the study has ended\a\033]777;notify;thud;the study has ended\a";
     const double now_s = tui->backend->now(tui->backend);
     if (making && tui->busy_since_s == 0.0)
         tui->busy_since_s = now_s;
@@ -387,11 +394,12 @@ static void notice(struct thud_tui *tui, bool making)
 bool thud_tui_turn(struct thud_tui *tui, bool wait)
 {
     thud_tui_follow(tui);
-    notice(tui, busy_view(tui) != NULL || tui->files.work || tui->files.command);
+    notice(tui, busy_view(tui) != NULL || over_busy(tui) || tui->files.work || tui->files.command);
     const struct thud_view *view = thud_tui_view(tui);
     if (view->live && tui->run.on && !tui->run.live.running && !tui->run.was_running && !tui->end.quit)
         view->live(tui);
-    bool busy = tui->run.live.running || tui->run.was_running || busy_view(tui) != NULL || comparing(tui);
+    bool busy =
+        tui->run.live.running || tui->run.was_running || busy_view(tui) != NULL || over_busy(tui) || comparing(tui);
     double pause = view->pause ? view->pause(tui) : -1.0;
     if (tui->redraw.wanted &&
         (!busy || tui->redraw.now || tui->backend->now(tui->backend) - tui->redraw.drawn_s >= redraw_s))
