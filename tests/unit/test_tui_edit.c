@@ -378,7 +378,7 @@ START_TEST(the_command_line)
     fixture_keys(&f, ":bech<Enter>");
     fixture_expect(&f, "did you mean :bench?");
     fixture_keys(&f, ":bogus 3<Enter>");
-    fixture_expect(&f, "is no command");
+    fixture_expect(&f, "is not a command");
     fixture_keys(&f, ":gap 12 cm<Enter>");
     ck_assert_double_eq_tol(scene()->interface[0].gap_m, 0.12, 1e-15);
     fixture_keys(&f, ":structures.1.mass.2=310 t<Enter>");
