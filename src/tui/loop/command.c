@@ -13,7 +13,7 @@
 #include "tui/loop/new_scene.h"
 
 struct command {
-    const char *word, *short_word;
+    const char *word, *short_word, *usage;
     void (*run)(struct thud_tui *tui, char *rest);
     void (*by_word)(struct thud_tui *tui, const char *word, char *rest); /* of several words */
     const char *key;         /* what is said is its value; NULL: the rest holds */
@@ -130,25 +130,7 @@ static void run_log(struct thud_tui *tui, char *rest)
         thud_tui_show_log(tui);
 }
 
-/* What a command takes, as the list of commands has it. */
-static const char *usage_of(const char *word)
-{
-    static const struct {
-        const char *word, *usage;
-    } by[] = {
-#define THUD_RUN(own, alias, usage, name)
-#define THUD_BY(own, usage, function) {own, usage},
-#define THUD_SET(own, usage, of)
-#define THUD_ACT(own, alias, done)
-#define THUD_OF(own, usage, of)
-#define THUD_CLI(own, id)
-#include "tui/document/command_list.h"
-    };
-    size_t i = 0;
-    while (i + 1 < sizeof by / sizeof *by && strcmp(by[i].word, word) != 0)
-        i++;
-    return by[i].usage;
-}
+static const struct command *find(const char *word);
 
 /* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1", "link add 1", "link remove 2": structures, floors,
  * interfaces and links from 1. */
@@ -184,7 +166,7 @@ static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
         thud_tui_delete_link(tui, number[0] - 1);
     else
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: %s; numbers from 1 that the scene has", word, rest,
-                     usage_of(word));
+                     find(word)->usage);
 }
 
 static void run_solve(struct thud_tui *tui, char *rest)
@@ -258,14 +240,24 @@ static void run_sweep(struct thud_tui *tui, char *rest)
 }
 
 static const struct command table[] = {
-#define THUD_RUN(own, alias, usage, name) {.word = own, .short_word = alias, .run = run_##name, .screen = -1},
-#define THUD_BY(own, usage, function)     {.word = own, .short_word = "", .by_word = function, .screen = -1},
-#define THUD_SET(own, usage, of)          {.word = own, .short_word = "", .key = of, .screen = -1},
-#define THUD_ACT(own, alias, done)        {.word = own, .short_word = alias, .action = THUD_DO_##done, .screen = -1},
-#define THUD_OF(own, usage, of)           {.word = own, .short_word = "", .screen = THUD_SCREEN_##of},
-#define THUD_CLI(own, id)                 {.word = own, .short_word = "", .verb = THUD_COMMAND_##id, .screen = -1},
+#define THUD_RUN(own, alias, says, name)                                                                               \
+    {.word = own, .short_word = alias, .usage = says, .run = run_##name, .screen = -1},
+#define THUD_BY(own, says, function) {.word = own, .short_word = "", .usage = says, .by_word = function, .screen = -1},
+#define THUD_SET(own, usage, of)     {.word = own, .short_word = "", .key = of, .screen = -1},
+#define THUD_ACT(own, alias, done)   {.word = own, .short_word = alias, .action = THUD_DO_##done, .screen = -1},
+#define THUD_OF(own, usage, of)      {.word = own, .short_word = "", .screen = THUD_SCREEN_##of},
+#define THUD_CLI(own, id)            {.word = own, .short_word = "", .verb = THUD_COMMAND_##id, .screen = -1},
 #include "tui/document/command_list.h"
 };
+
+/* The command of a word, also a short one; NULL: there is none. */
+static const struct command *find(const char *word)
+{
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strcmp(word, table[i].word) == 0 || (*table[i].short_word && strcmp(word, table[i].short_word) == 0))
+            return &table[i];
+    return NULL;
+}
 
 /* Quotes that a shell would have taken away. */
 static char *unquoted(char *text)
@@ -322,31 +314,27 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
             list_words(tui, word);
         return;
     }
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        if (strcmp(first, table[i].word) == 0 || (*table[i].short_word && strcmp(first, table[i].short_word) == 0)) {
-            if (table[i].key)
-                thud_tui_set(tui, table[i].key, unquoted(rest));
-            else if (table[i].verb && *rest && *rest != '-' && begins_with_key(tui, word)) /* "gap 12 cm" */
-                run_set(tui, word);
-            else if (table[i].verb && !*rest && !tui->end.playing)
-                thud_tui_verb_form(tui, table[i].verb);
-            else if (table[i].verb)
-                thud_tui_verb(tui, table[i].verb, rest);
-            else if (table[i].run)
-                table[i].run(tui, rest);
-            else if (table[i].by_word)
-                table[i].by_word(tui, first, rest);
-            else if (table[i].screen >= 0) {
-                thud_tui_go(tui, table[i].screen);
-                thud_tui_view(tui)->command(tui, first, rest);
-            } else
-                thud_tui_act(tui, table[i].action);
-            return;
-        }
-    if (begins_with_key(tui, word))
-        run_set(tui, word);
-    else
+    const struct command *c = find(first);
+    const bool of_scene = begins_with_key(tui, word); /* "gap 12 cm", beside the command of that name */
+    if (!c && !of_scene)
         list_words(tui, first);
+    else if (!c || (c->verb && *rest && *rest != '-' && of_scene))
+        run_set(tui, word);
+    else if (c->key)
+        thud_tui_set(tui, c->key, unquoted(rest));
+    else if (c->verb && !*rest && !tui->end.playing)
+        thud_tui_verb_form(tui, c->verb);
+    else if (c->verb)
+        thud_tui_verb(tui, c->verb, rest);
+    else if (c->run)
+        c->run(tui, rest);
+    else if (c->by_word)
+        c->by_word(tui, first, rest);
+    else if (c->screen >= 0) {
+        thud_tui_go(tui, c->screen);
+        thud_tui_view(tui)->command(tui, first, rest);
+    } else
+        thud_tui_act(tui, c->action);
 }
 
 static void typed_command(struct thud_tui *tui, const char *text)

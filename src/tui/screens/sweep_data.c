@@ -90,15 +90,10 @@ static bool has_records(const struct thud_sweep_data *data, const struct thud_do
            (*words->records || memcmp(&data->records_of, &doc->scene.record, sizeof data->records_of) == 0);
 }
 
-static enum thud_status make_plan(struct thud_sweep_data *data, const struct thud_study_words *words,
-                                  struct thud_error *err)
+static enum thud_status make_plan(struct thud_sweep_data *data, const struct thud_scene *scene,
+                                  const struct thud_study_words *words, struct thud_error *err)
 {
-    enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++)
-        if (*words->vary[i])
-            status = thud_sweep_vary(&data->plan, words->vary[i], err);
-    if (status == THUD_OK && *words->cases)
-        status = thud_sweep_cases(&data->plan, words->cases, err);
+    enum thud_status status = thud_study_words_plan(words, scene, &data->plan, err);
     if (status == THUD_OK && *words->sensitivity)
         status = thud_scene_set(&data->plan.scene, "study.sensitivity", words->sensitivity, err);
     data->plan.sensitivity = *words->sensitivity ? data->plan.scene.study.sensitivity : 0;
@@ -121,10 +116,9 @@ enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const str
 {
     clear_points(data);
     thud_sweep_total_init(&data->total);
-    thud_sweep_plan_init(&data->plan, &doc->scene);
     enum thud_status status = has_records(data, doc, words) ? THUD_OK : read_records(data, doc, words, err);
     if (status == THUD_OK)
-        status = make_plan(data, words, err);
+        status = make_plan(data, &doc->scene, words, err);
     if (status == THUD_OK)
         status = read_events(data, words, err);
     if (status == THUD_OK && data->plan.nrecords > 1)

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/sweep/sweep.h"
-
 enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
 
 /* A list of a preset without its brackets. */
@@ -70,9 +68,8 @@ static void split(const char *vary, char list[KEYS][LIST])
     }
 }
 
-/* All values are tried, in a plan that the caller clears. */
-static enum thud_status try_out(const struct thud_study_words *words, const struct thud_scene *scene,
-                                struct thud_sweep_plan *plan, struct thud_error *err)
+enum thud_status thud_study_words_plan(const struct thud_study_words *words, const struct thud_scene *scene,
+                                       struct thud_sweep_plan *plan, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     thud_sweep_plan_init(plan, scene);
@@ -161,7 +158,7 @@ enum thud_status thud_study_words_keep(const struct thud_study_words *words, str
     struct thud_sweep_plan *plan = malloc(sizeof *plan);
     enum thud_status status = THUD_MEMORY;
     if (next && plan) {
-        status = try_out(words, scene, plan, err);
+        status = thud_study_words_plan(words, scene, plan, err);
         *next = *scene;
         if (status == THUD_OK && !write_lists(words, plan, list))
             status = thud_error_set(err, THUD_USAGE, "a preset has no room for so many values: KEY=FROM:TO:STEP has");

@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "study/scene/scene.h"
+#include "study/sweep/sweep.h"
 
 struct thud_study_words {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT]; /* "gap=5 cm:25 cm:0.5 cm"; empty: no more */
@@ -16,6 +16,9 @@ struct thud_study_words {
 
 /* What the preset's study says, else the paper's. */
 void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words);
+/* Keys varied and cases as a plan that the caller clears, also after an error. Errors: THUD_USAGE, THUD_INPUT. */
+enum thud_status thud_study_words_plan(const struct thud_study_words *words, const struct thud_scene *scene,
+                                       struct thud_sweep_plan *plan, struct thud_error *err);
 /* Makes keys varied and cases those of the scene's study, after trying every value they name; a range beside a list
  * becomes a list. Errors: THUD_USAGE (also where a preset has no room for so long a list), THUD_INPUT, THUD_MEMORY; the
  * scene is then as it was. */
