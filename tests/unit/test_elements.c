@@ -163,6 +163,29 @@ START_TEST(first_contact_by_runs)
 }
 END_TEST
 
+/* A gap that is used up before any storey yields: the factor is that of the elastic buildings, to rounding and not to the
+ * 1e-6 of a search. */
+START_TEST(first_contact_before_yielding)
+{
+    struct thud_needed_gap *gap;
+    struct thud_first_contact found;
+    scene->interface[0].has_bumper = false;
+    scene->interface[0].gap_m = 0.004;
+    ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
+    const double elastic = 0.004 / thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
+    free(gap);
+    for (int k = 0; k < scene->structure[0].storeys; k++) {
+        scene->structure[0].yield_m[k] = 0.009;
+        scene->structure[0].hardening[k] = 0.02;
+    }
+    ck_assert_int_eq(thud_needed_gap_run(scene, motion, &gap, &error), THUD_OK);
+    ck_assert_double_gt(gap->ductility, 1);
+    ck_assert_int_eq(thud_first_contact_find(scene, motion, gap, &found, &error), THUD_OK);
+    free(gap);
+    ck_assert_double_lt(fabs(found.first / elastic - 1), 1e-9);
+}
+END_TEST
+
 /* Storeys that yield, at drifts and gaps found by a search: there is contact between the first factor and the one that
  * clears again, and none at its other side. */
 START_TEST(a_stronger_motion_clears_again)
@@ -199,6 +222,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, numbers_are_those_of_the_model);
     tcase_add_loop_test(tcase, what_is_unknown_switches_every_shortcut_off, 0, 4);
     tcase_add_loop_test(tcase, first_contact_by_runs, 0, 4);
+    tcase_add_test(tcase, first_contact_before_yielding);
     tcase_add_loop_test(tcase, a_stronger_motion_clears_again, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;

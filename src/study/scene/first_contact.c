@@ -4,7 +4,9 @@
  *     U(f) = max over levels of (relative displacement at f)/(clearance)
  *
  * U is continuous, and proportional to f where nothing yields, slips or acts on one side. Else it may fall with f:
- * steps of the scan grow with |ln U|, and a maximum between two steps is examined where it may reach 1. */
+ * steps of the scan grow with |ln U|, and a maximum between two steps is examined where it may reach 1.
+ * Where storeys that yield are all that is not linear, U is proportional to f up to the factor f_y = f/mu of the first
+ * yielding, with the largest ductility mu <= 1 of any run below it: the scan begins there. */
 #include "study/scene/first_contact.h"
 
 #include <math.h>
@@ -25,7 +27,7 @@ struct search {
 };
 
 struct trial {
-    double factor, used;
+    double factor, used, ductility; /* the largest */
 };
 
 /* INFINITY: a motion uses up a clearance of nothing. */
@@ -53,7 +55,7 @@ static enum thud_status run_at(const struct search *search, double factor, struc
     thud_record_scale(scaled, factor);
     status = thud_needed_gap_run(search->scene, scaled, &gap, err);
     if (status == THUD_OK)
-        *out = (struct trial){factor, used_up(search->scene, gap)};
+        *out = (struct trial){factor, used_up(search->scene, gap), gap->ductility};
     free(gap);
     thud_record_free(scaled);
     return status;
@@ -163,29 +165,64 @@ static enum thud_status begin(const struct search *search, struct trial *at, str
     return status;
 }
 
+/* Whether storeys that yield are all that is not linear. Errors: THUD_MEMORY. */
+static enum thud_status is_elastic_first(const struct thud_scene *scene, bool *elastic, struct thud_error *err)
+{
+    struct thud_scene *hardened = malloc(sizeof *hardened);
+    if (!hardened)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_scene_copy(hardened, scene);
+    for (int s = 0; s < scene->nstructures; s++)
+        for (int i = 0; i < scene->structure[s].storeys; i++)
+            hardened->structure[s].hardening[i] = 1;
+    *elastic = thud_scene_scales(hardened);
+    free(hardened);
+    return THUD_OK;
+}
+
+/* To the factor at which the first storey yields, from a run below it. */
+static enum thud_status until_yield(const struct search *search, struct trial *at, struct thud_error *err)
+{
+    static const double below = 1.05; /* the ductility is about in proportion to the factor */
+    enum thud_status status = THUD_OK;
+    while (status == THUD_OK && at->ductility > 1)
+        status = run_at(search, at->factor / (below * at->ductility), at, err);
+    at->factor /= at->ductility;
+    at->used /= at->ductility;
+    at->ductility = 1;
+    return status;
+}
+
 enum thud_status thud_first_contact_find(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_needed_gap *gap, struct thud_first_contact *out,
                                          struct thud_error *err)
 {
     const struct search search = {scene, record};
-    struct trial from = {1, used_up(scene, gap)}, to;
-    bool found;
+    struct trial from = {1, used_up(scene, gap), gap->ductility}, to;
+    bool found, elastic;
     *out = (struct thud_first_contact){from.used > 0 ? 1 / from.used : INFINITY, NAN};
     if (thud_scene_scales(scene) || !record || isinf(from.used))
         return THUD_OK;
-    enum thud_status status = begin(&search, &from, err);
-    if (status == THUD_OK && touches(from)) { /* what moves without the ground motion closes it */
+    enum thud_status status = is_elastic_first(scene, &elastic, err);
+    elastic = elastic && from.ductility > 0;
+    if (status == THUD_OK)
+        status = elastic ? until_yield(&search, &from, err) : begin(&search, &from, err);
+    if (status == THUD_OK && touches(from) && !elastic) { /* what moves without the ground motion closes it */
         out->first = 0;
         return THUD_OK;
     }
-    if (status == THUD_OK)
-        status = next_change(&search, most, INFINITY, &from, &to, &found, err);
-    if (status != THUD_OK || !found) {
-        out->first = INFINITY;
-        return status;
+    if (status == THUD_OK && touches(from)) {
+        out->first = from.factor / from.used;
+    } else {
+        if (status == THUD_OK)
+            status = next_change(&search, most, INFINITY, &from, &to, &found, err);
+        if (status != THUD_OK || !found) {
+            out->first = INFINITY;
+            return status;
+        }
+        out->first = to.factor;
+        from = to;
     }
-    out->first = to.factor;
-    from = to;
     status = next_change(&search, fmax(1, 2 * out->first), log(2), &from, &to, &found, err);
     out->clear_again = status == THUD_OK && found ? to.factor : NAN;
     return status;

@@ -131,6 +131,16 @@ static void set_heights(const struct thud_scene *scene, struct thud_needed_gap *
     }
 }
 
+static double largest_ductility(const struct thud_result *result)
+{
+    double most = 0;
+    for (int s = 0; s < result->nstructures; s++)
+        for (int f = 0; result->structure[s].storey && f < result->structure[s].floors; f++)
+            if (result->structure[s].storey[f].yields)
+                most = fmax(most, result->structure[s].storey[f].ductility);
+    return most;
+}
+
 /* With an interface (from 1) open and the others as they are; 0: with all of them open. */
 static enum thud_status run_open(const struct thud_scene *scene, int open, const struct thud_record *record,
                                  struct thud_needed_gap **out, struct thud_error *err)
@@ -166,6 +176,7 @@ static enum thud_status run_open(const struct thud_scene *scene, int open, const
                 gap->shear_n[i] = fmax(result->column[i].peak[THUD_COLUMN_SHEAR_LOWER].value,
                                        result->column[i].peak[THUD_COLUMN_SHEAR_UPPER].value);
             gap->collapse = result->collapse;
+            gap->ductility = largest_ductility(result);
             bool aligned[THUD_STRUCTURES_MAX];
             thud_gap_aligned(bare, aligned);
             thud_gap_levels(aligned, model, baseline, gap->level);

@@ -193,7 +193,7 @@ static void find_gaps(struct thud_sweep_data *data, int n)
     long settings = data->points / data->records.n;
     size_t each = sizeof(struct thud_needed_gap) + (size_t)levels * sizeof(struct thud_gap_level);
     free(data->gap);
-    data->gap = levels ? malloc((size_t)n * (sizeof(struct thud_needed_gap *) + each)) : NULL;
+    data->gap = levels ? calloc((size_t)n, sizeof(struct thud_needed_gap *) + each) : NULL;
     for (int i = 0; data->gap && i < n; i++) {
         const struct thud_sweep_point *point = data->done[i * settings];
         data->gap[i] = (void *)((char *)(data->gap + n) + (size_t)i * each);
