@@ -27,9 +27,9 @@ struct thud_gap_ruled {
     int worst;                   /* the ground motion of it; -1 */
 };
 /* A rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the ground
- * motions, or the largest ones where fewer than seven are independent (EN 1998-1:2004, 4.3.3.4.3(3)); what is needed:
- * the largest of all. Nothing pounds yet. */
-bool thud_gap_suite_means(const struct thud_gap_suite *suite); /* else the largest */
+ * motions, or the largest ones where fewer than its code asks for are independent; what is needed: the largest of all.
+ * Nothing pounds yet. */
+bool thud_gap_suite_means(const struct thud_gap_suite *suite, int rule); /* else the largest */
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
 /* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
  * value, at the scene's own gap: a run without bumpers, and none where there is no contact. Errors: those of

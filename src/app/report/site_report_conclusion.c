@@ -101,7 +101,7 @@ static double decided(const struct site *site)
     if (isnan(sum))
         return NAN;
     if (!site->code->by_84)
-        return thud_gap_suite_means(&site->gaps.suite) ? sum / (double)n : most;
+        return thud_gap_suite_means(&site->gaps.suite, site->code->rule) ? sum / (double)n : most;
     const struct thud_fractiles f = thud_fractiles_of(site->suite.room, n, site->suite.runs->ndraws, 0);
     return isnan(f.p84) ? most : thud_enough(site->suite.room, n, 0.84, &count);
 }
@@ -111,7 +111,7 @@ static const char *decided_words(const struct site *site, char *text, size_t siz
 {
     const struct thud_gap_suite *suite = &site->gaps.suite;
     if (!site->code->by_84 || suite->recordings < THUD_SHARES_LEAST)
-        return thud_site_displacements(site, text, size);
+        return thud_site_displacements(site, site->code->rule, text, size);
     snprintf(text, size, "what is enough for 84 %% of %d ground motions", suite->nrecords);
     return text;
 }

@@ -130,14 +130,15 @@ static const struct phrase unmade[] = {
     {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = COLUMNS},
     {.text = "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
              "Local damage at the contact is in neither."},
-    {.text = "Accidental torsion: the buildings move along one line. Multiply displacements by 1 + 1.2 x/L_e (EN "
-             "1998-1:2004, 4.3.3.2.4(2), of planar models), or take them from a model in three dimensions."},
+    {.text =
+         "Accidental torsion: the buildings move along one line. Multiply displacements by 1 + 1.2 x/L_e (EN "
+         "1998-1:2004, 4.3.2(1) and, of planar models, 4.3.3.2.4(2)), or take them from a model in three dimensions."},
     {.text = "The other horizontal direction: the ground moves along the line of the buildings alone. Add 30 % of the "
              "displacement that motion across the line gives along it (EN 1998-1:2004, 4.3.3.5.1(3))."},
     {.text = "Cracked stiffness: stiffnesses are taken as they are given. Of concrete and masonry give half of the "
              "uncracked ones, unless better is known (EN 1998-1:2004, 4.3.1(7))."},
-    {.text = "Importance factor: ground motions are taken as they are given. Scale them by gamma_I, or have it in the "
-             "a_g of the target (EN 1998-1:2004, 2.1(3))."},
+    {.text = "Importance factor: ground motions are taken as they are given. Scale them by gamma_I (EN 1998-1:2004, "
+             "4.2.5), or have it in the a_g of the target (3.2.1(3))."},
     {.text = "Resistance of members, foundations and non-structural parts, by any code."},
 };
 

@@ -138,8 +138,9 @@ struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, in
 /* The same of the report's code, and where it is from. */
 double thud_site_gap_by_code(const struct site *site, int interface);
 const char *thud_site_gap_source(const struct site *site, char *text, size_t size);
-/* "of this one motion", "largest of 3 ground motions", "means of 14 ground motions, 7 recordings". */
-const char *thud_site_displacements(const struct site *site, char *text, size_t size);
+/* Of a rule: "those of this one motion", "the largest of 3 ground motions", "the means over 14 ground motions of 7
+ * recordings". */
+const char *thud_site_displacements(const struct site *site, int rule, char *text, size_t size);
 
 /* ---- variants ---- */
 

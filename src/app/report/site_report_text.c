@@ -498,12 +498,12 @@ struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, in
     return ruled[widest];
 }
 
-const char *thud_site_displacements(const struct site *site, char *text, size_t size)
+const char *thud_site_displacements(const struct site *site, int rule, char *text, size_t size)
 {
     const struct thud_gap_suite *suite = &site->gaps.suite;
     if (suite->nrecords < 2)
         snprintf(text, size, "those of this one motion");
-    else if (thud_gap_suite_means(suite))
+    else if (thud_gap_suite_means(suite, rule))
         snprintf(text, size, "the means over %d ground motions of %d recordings", suite->nrecords, suite->recordings);
     else
         snprintf(text, size, "the largest of %d ground motions", suite->nrecords);
@@ -517,7 +517,7 @@ static void gap_rules(struct site *site)
     const bool suite = site->gaps.suite.nrecords > 1;
     const double needed = thud_site_ruled(site, 0, THUD_GAP_EXACT).gap_m;
     char displacements[80];
-    thud_site_displacements(site, displacements, sizeof displacements);
+    thud_site_displacements(site, THUD_GAP_EN1998, displacements, sizeof displacements);
     thud_document_table(d, suite ? "Required gap by rule over the suite, cm" : "Required gap by rule, cm");
     thud_document_head(d, "rule|clause|formula|cm");
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
@@ -554,7 +554,10 @@ static void gap_rules(struct site *site)
         "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
         "displacement from the property line, so that the gap is the sum. The codes take design "
         "displacements; here they are %s%s.",
-        displacements, suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means from seven recordings on)" : "");
+        displacements,
+        suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means from seven recordings on; of ASCE rules from eleven on, ASCE "
+                "7-16, 16.2.2)"
+              : "");
 }
 
 /* Of three or more structures: one that pushes another changes what is needed beside it. */

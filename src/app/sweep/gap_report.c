@@ -243,8 +243,12 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
             put_rule(study, rule, i, out);
     }
     if (n > 1)
-        thud_text_append(out, "\nuL and uR: %s of the %d ground motions.\n",
-                         thud_gap_suite_means(&study->suite) ? "means" : "largest", n);
+        thud_text_append(out, "\nuL and uR: %s of the %d ground motions%s.\n",
+                         thud_gap_suite_means(&study->suite, THUD_GAP_EXACT) ? "means" : "largest", n,
+                         thud_gap_suite_means(&study->suite, THUD_GAP_EXACT) !=
+                                 thud_gap_suite_means(&study->suite, THUD_GAP_ASCE7)
+                             ? ", of ASCE 7 the largest (16.2.2)"
+                             : "");
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
     thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force.\n",

@@ -2,7 +2,9 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "ground/target.h"
 #include "study/scene/building.h"
 #include "study/scene/solution.h"
 #include "study/suite/suite.h"
@@ -57,14 +59,17 @@ static struct thud_gap_level design_level(const struct thud_gap_suite *suite, in
     return out;
 }
 
-bool thud_gap_suite_means(const struct thud_gap_suite *suite)
+/* From seven on (EN 1998-1:2004, 4.3.3.4.3(3)), of ASCE 7 from eleven on (ASCE 7-16, 16.2.2). */
+bool thud_gap_suite_means(const struct thud_gap_suite *suite, int rule)
 {
-    return suite->recordings >= THUD_DRAWS_LEAST;
+    const bool asce = rule >= 0 && strncmp(thud_gap_rule_at(rule)->edition, "ASCE", 4) == 0;
+    const struct thud_target code = {.kind = asce ? THUD_TARGET_ASCE7 : THUD_TARGET_EN1998};
+    return suite->recordings >= thud_target_code(&code)->mean;
 }
 
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out)
 {
-    const bool means = thud_gap_suite_means(suite);
+    const bool means = thud_gap_suite_means(suite, rule);
     for (int i = 0; i < interfaces; i++)
         out[i] = (struct thud_gap_ruled){.gap_m = -1, .worst = -1};
     for (int l = 0; l < suite->gap[0]->nlevels; l++) {
