@@ -293,7 +293,20 @@ is "and a table of them" in_text 'Columns that slabs strike: largest shear and m
 is "beside what the drift alone asks of them" in_text 'no pounding: shear / capacity'
 sed 's/gap: 8 cm/gap: 9 cm/' "$tmp/own.yaml" >"$tmp/wider.yaml"
 is "no samples where none are asked for" report 0 "$tmp/own.yaml" --samples 0 --beside "$tmp/wider.yaml"
-is "a variant is run as its preset is written" in_text "| own | 8.00 | 5.00 | $(count) | $(force) | .* | wider | 9.00 | 5.00 | $(count --set gap=9cm) | $(force --set gap=9cm) |"
+is "a variant is run as its preset is written" in_text "| quantity | own | wider | |[-:|]*| | smallest gap, cm | 8.00 | 9.00 | .*| impacts | $(count) | $(count --set gap=9cm) | | force, MN | $(force) | $(force --set gap=9cm) |"
+is "a variant with a link, over a suite" report 0 "$tmp/own.yaml" --samples 0 --no-pdf --records "$three" --factor 0.4 --beside "$tmp/linked.yaml"
+linked_gap=$("$THUD" gap "$tmp/linked.yaml" --json --records "$three" --factor 0.4 2>/dev/null | tr '{' '\n' | sed -n 's/.*"rule": "EN 1998".*"gap_m": \([0-9.e+-]*\).*/\1/p' | awk '{ printf "%.1f", 100 * $1 }')
+is "has its required gap" in_text "| required gap of bare faces, cm: EN 1998-1:2004, 4.4.2.7(3), from the largest of 3 ground motions | [0-9.]* | $linked_gap | "
+is "and under how many motions it lowers a drift" in_text '| drift, mm | [0-9.]* | [0-9.]*, lower under [0-3] | .*| force of a link, kN | .- | [0-9.]* |'
+# bumper and links: each alone and both, as `thud sweep` has them
+{ cat "$tmp/own.yaml" && sed -n '/^links:/,$p' "$tmp/linked.yaml"; } >"$tmp/four.yaml"
+is "a report on bumper and links" report 0 "$tmp/four.yaml" --records "$three" --factor 0.4 --samples 0 --no-pdf
+"$THUD" sweep "$tmp/four.yaml" --records "$three" --factor 0.4 --cases none,bumper,link,as-written >"$tmp/out" 2>"$tmp/err"
+for case in "bumper alone lowers:bumper" "links alone lower:link" "bumper and links lower:as-written"; do
+    helped=$(awk -v of="${case#*:}" '$2 == "over" { on = $1 == of } on && sub(/^mean drift of Nr 14 */, "") { print $1, $2 }' "$tmp/out")
+    is "has what ${case%%:*}, as the sweep does" in_text "The ${case%%:*} the mean drift of Nr 14 under ${helped#* } of 3 motions and raises* it under [0-9]: its ratio to neither bumper nor links is $(echo "$helped" | awk '{ printf "%.2f", $1 }') in the median"
+done
+is "and its verdicts name what is in them" in_text '| pounding without bumper and links | .*| pounding with the bumper and without links | .*| pounding with the links and without bumper | .*| pounding with bumper and links | .*| bumper alone of use | .*| links alone of use | .*| bumper and links of use | '
 "$THUD" run "$tmp/own.yaml" --to 5s -o "$tmp/drawn" --format svg --quiet >/dev/null
 is "figures drawn before" report 0 "$tmp/own.yaml" --samples 0 --figures "$tmp/drawn/loop.svg,$tmp/drawn"
 is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*. .*: total floor acceleration (g); .*[^.]\.  '

@@ -45,24 +45,44 @@ static enum thud_status run_case(struct site *site, struct site_case *one, struc
     return status;
 }
 
+/* Returns how many. */
+static int choose_cases(const struct thud_scene *scene, enum thud_case which[SITE_CASES])
+{
+    bool cavity = false; /* a bumper in its own is no case by name */
+    int n = SITE_MEASURE;
+    for (int i = 0; i + 1 < scene->nstructures; i++)
+        cavity = cavity || (scene->interface[i].has_bumper && scene->interface[i].bumper_cavity_m > 0);
+    which[SITE_FREE] = THUD_CASE_FREE;
+    which[SITE_NONE] = THUD_CASE_NONE;
+    if (thud_scene_has_bumper(scene) && !cavity)
+        which[n++] = THUD_CASE_BUMPER;
+    if (scene->nlinks > 0)
+        which[n++] = THUD_CASE_LINK;
+    if (thud_scene_has_bumper(scene) && (cavity || scene->nlinks > 0))
+        which[n++] = THUD_CASE_WHOLE;
+    return n;
+}
+
 static enum thud_status run_cases(struct site *site, struct thud_error *err)
 {
-    const bool links = thud_site_compares_links(site);
-    const enum thud_case which[] = {THUD_CASE_FREE, links ? THUD_CASE_NONE : thud_scene_bare(site->scene),
-                                    THUD_CASE_WHOLE};
+    enum thud_case which[SITE_CASES];
     const int measures = thud_scene_measures(site->scene);
     enum thud_status status = THUD_OK;
-    site->ncases = thud_scene_has_measure(site->scene) ? SITE_CASES : SITE_MEASURE;
+    site->ncases = choose_cases(site->scene, which);
     for (int i = 0; i < site->ncases && status == THUD_OK; i++) {
         struct site_case *one = &site->cases[i];
+        one->which = which[i];
         one->name = thud_case_title(measures, which[i]);
         one->words = thud_case_phrase(measures, which[i]);
+        one->measure = i + 1 == site->ncases          ? one->name
+                       : which[i] == THUD_CASE_BUMPER ? "bumper alone"
+                                                      : "links alone";
         one->scene = malloc(sizeof *one->scene);
         if (!one->scene)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         *one->scene = *site->scene;
-        if (i == SITE_NONE || (i == SITE_FREE && links))
-            thud_scene_case(one->scene, which[SITE_NONE], one->scene, NULL);
+        if (which[i] != THUD_CASE_WHOLE)
+            thud_scene_case(one->scene, i == SITE_FREE ? THUD_CASE_NONE : which[i], one->scene, NULL);
         if (i == SITE_FREE)
             thud_scene_drop_contacts(one->scene, 0);
         status = run_case(site, one, err);
@@ -315,6 +335,7 @@ static void clear(struct site *site)
     thud_uncertainty_free(site->uncertainty);
     thud_site_suite_clear(site);
     thud_simplify_free(site->simplify);
+    thud_site_variants_clear(site);
     for (int i = 0; i < site->ndrawn; i++)
         thud_text_clear(&site->drawn[i]);
     thud_document_clear(&site->document);

@@ -44,14 +44,16 @@ static int tell_weight(struct site *site, const struct thud_remarks *of_scene, c
     for (int i = site->ncases - 1; i >= 0; i--)
         for (int k = 0; k < of_case[i].n; k++) {
             const struct thud_remark *remark = &of_case[i].item[k];
-            const bool with = i < SITE_MEASURE && site->ncases > SITE_MEASURE &&
-                              thud_remarks_like(&of_case[SITE_MEASURE], remark) != NULL;
-            const bool pounding = i < SITE_NONE && thud_remarks_like(&of_case[SITE_NONE], remark) != NULL;
-            if (remark->weight != weight || with || pounding)
+            bool later = false;
+            for (int j = i + 1; j < site->ncases; j++)
+                later = later || thud_remarks_like(&of_case[j], remark) != NULL;
+            if (remark->weight != weight || later)
                 continue;
             tell_one(site, remark, site->cases[i].words,
-                     i > SITE_NONE && thud_remarks_like(&of_case[SITE_NONE], remark) ? ", and likewise without it"
-                                                                                     : "");
+                     i > SITE_NONE && thud_remarks_like(&of_case[SITE_NONE], remark)
+                         ? thud_site_is_plural(&site->cases[i]) ? ", and likewise without them"
+                                                                : ", and likewise without it"
+                         : "");
             n++;
         }
     return n;

@@ -87,9 +87,7 @@ enum thud_status thud_site_criteria_read(struct site *site, struct thud_error *e
 
 /* ---- one number of several ground motions ---- */
 
-/* Of the suite's room, which it sorts: the mean or the largest of a code, or what is enough for 84 %. A value that is not
- * known makes the number unknown. */
-static double decided(const struct site *site)
+double thud_site_decided(const struct site *site)
 {
     const size_t n = (size_t)site->suite.runs->nrecords;
     double most = -INFINITY, sum = 0;
@@ -106,8 +104,7 @@ static double decided(const struct site *site)
     return isnan(f.p84) ? most : thud_enough(site->suite.room, n, 0.84, &count);
 }
 
-/* "means over 14 ground motions of 7 recordings", "enough for 84 % of 8 ground motions" */
-static const char *decided_words(const struct site *site, char *text, size_t size)
+const char *thud_site_decided_words(const struct site *site, char *text, size_t size)
 {
     const struct thud_gap_suite *suite = &site->gaps.suite;
     if (!site->code->by_84 || suite->recordings < THUD_SHARES_LEAST)
@@ -116,12 +113,12 @@ static const char *decided_words(const struct site *site, char *text, size_t siz
     return text;
 }
 
-double thud_site_gap_by_code(const struct site *site, int interface)
+double thud_site_gap_by_code(const struct site *site, const struct thud_gap_study *gaps, int nstructures, int interface)
 {
     struct thud_fractiles f;
     if (!site->code->by_84)
-        return thud_site_ruled(site, interface, site->code->rule).gap_m;
-    if (thud_gap_suite_fractiles(&site->gaps.suite, interface, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK)
+        return thud_site_ruled(gaps, nstructures, interface, site->code->rule).gap_m;
+    if (thud_gap_suite_fractiles(&gaps->suite, interface, -1, THUD_GAP_EXACT, &f, NULL) != THUD_OK)
         return NAN;
     return isnan(f.p84) ? f.most : f.p84;
 }
@@ -130,7 +127,7 @@ const char *thud_site_gap_source(const struct site *site, char *text, size_t siz
 {
     const struct thud_gap_rule *rule = thud_gap_rule_at(site->code->rule);
     char of[80];
-    decided_words(site, of, sizeof of);
+    thud_site_decided_words(site, of, sizeof of);
     if (site->code->by_84)
         snprintf(text, size, "the exact relative displacement, %s", of);
     else
@@ -149,7 +146,8 @@ static double stands_out(const struct site *site, int interface)
 
 static void recommend(struct site *site, int i)
 {
-    const double bare = thud_site_gap_by_code(site, i), out = stands_out(site, i);
+    const double bare = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i),
+                 out = stands_out(site, i);
     char source[240], given[64], bumper[80] = "", rest[120] = "";
     int more = 0;
     if (!(bare >= 0))
@@ -203,7 +201,7 @@ static void add_criterion(struct site *site, const char *limit, double value, do
 
 static void gap_criterion(struct site *site, int i)
 {
-    const double value = thud_site_gap_by_code(site, i) + stands_out(site, i);
+    const double value = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i) + stands_out(site, i);
     const struct thud_interface *f = &site->scene->interface[i - 1];
     char given[64], shown[32];
     double widest = -1, least, most;
@@ -256,7 +254,7 @@ static void criterion(struct site *site, enum thud_measure measure)
     }
     if (!any && !*limit->text)
         return;
-    const double value = decided(site);
+    const double value = thud_site_decided(site);
     thud_document_cell(&site->document, "%s", info->words);
     add_criterion(site, *limit->text ? limit->text + strcspn(limit->text, ":=") + 1 : "no limit given", value,
                   *limit->text ? limit->limit : NAN, value_text(info, value, shown, sizeof shown), governing,
@@ -286,7 +284,7 @@ void thud_site_conclusion(struct site *site)
     thud_document_heading(d, "Conclusion");
     for (int i = 1; site->gap && i < site->scene->nstructures; i++)
         recommend(site, i);
-    decided_words(site, of, sizeof of);
+    thud_site_decided_words(site, of, sizeof of);
     if (site->record)
         snprintf(caption, sizeof caption, "Criteria, %s: %s", site->own->words, of);
     else

@@ -168,7 +168,7 @@ static void add_choice(struct thud_text *out, const struct thud_param *param, do
 static void add_obtained(struct thud_text *out, const struct site *site, int interface, bool bumper,
                          const struct thud_law_choice *choice)
 {
-    const struct site_case *one = &site->cases[bumper ? SITE_MEASURE : SITE_NONE];
+    const struct site_case *one = bumper ? site->own : &site->cases[SITE_NONE];
     const int e = thud_law_param(choice->law, "restitution");
     const double speed_mps = 0.5;
     int c = one->result->ncontacts - 1;
@@ -267,17 +267,16 @@ void thud_site_method(struct site *site)
     if (method)
         thud_document_paragraph(d, "The equations are solved by the method \"%s\": %s. Sources: %s.", method->title,
                                 method->summary, method->reference);
+    char compared[400] = "";
+    size_t used = 0;
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        used += (size_t)snprintf(compared + used, sizeof compared - used, "%s%s", i > SITE_NONE ? "; " : "",
+                                 site->ncases > SITE_MEASURE ? site->cases[i].words : "as they stand");
     thud_document_paragraph(
         d,
-        "The cases compared are %s. Events (onset, separation, yielding) are located in time, and every peak is that "
-        "of the continuous history.",
-        site->ncases > SITE_MEASURE
-            ? (thud_site_compares_links(site)
-                   ? "the buildings without links and pounding (too far apart to touch), with pounding but without the "
-                     "links, and with the links"
-                   : "no pounding (the buildings are too far apart to touch), pounding without the bumper, and "
-                     "pounding with the bumper")
-            : "the buildings without pounding (too far apart to touch) and with pounding");
+        "The cases compared are the buildings too far apart to touch (%s), and at the gap given %s. Events (onset, separation, "
+        "yielding) are located in time, and every peak is that of the continuous history.",
+        site->cases[SITE_FREE].words, compared);
     add_symbols(site);
 }
 

@@ -16,11 +16,14 @@
 #include "study/sweep/floor_spectra.h"
 #include "study/sweep/remark.h"
 
-/* Cases in this order; a scene without the measures, bumper and links, has no last one. */
-enum { SITE_FREE, SITE_NONE, SITE_MEASURE, SITE_CASES };
+/* Cases in this order: without pounding, without the measures, which are bumper and links; from SITE_MEASURE on with
+ * each of the two alone, where the scene has both, and last as it is written. */
+enum { SITE_FREE, SITE_NONE, SITE_MEASURE, SITE_CASES = SITE_MEASURE + 3 };
 
 struct site_case {
+    enum thud_case which;
     const char *name, *words; /* in a table's head; in a sentence */
+    const char *measure;      /* "bumper", "links alone" */
     struct thud_scene *scene;
     struct thud_solution solution;
     const struct thud_result *result;
@@ -34,18 +37,22 @@ struct site_suite {
     bool leads;    /* there is more than one ground motion */
     long as_given; /* the setting with the motions unscaled */
     struct thud_event pounding, worse;
-    struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; with the bumper */
+    struct thud_fragility pounds[SITE_CASES - SITE_NONE], worsens; /* of each case; as written */
     double *room;                                                  /* (nrecords) scratch */
     bool drawing;                                                  /* figures are of the suite, not of one motion */
 };
 
 /* A preset beside the scene, which is the first of them. */
-enum { SITE_VARIANTS_MAX = 16, SITE_DRAWN_MAX = 64 };
+enum { SITE_VARIANTS_MAX = 16, SITE_VARIANT_VALUES = 6, SITE_DRAWN_MAX = 64 };
 struct site_variant {
     char name[THUD_NAME_MAX];
-    double gap_m, bumper_m; /* the smallest; the thickest, 0: there is none */
-    struct thud_stiffness_row row;
+    double gap_m, bumper_m;               /* the smallest; the thickest, 0: there is none */
+    double required_m;                    /* by the report's code */
+    double (*value)[SITE_VARIANT_VALUES]; /* (motions) */
 };
+
+/* A ratio this near to 1 is told as no difference. */
+#define THUD_SITE_SAME 0.02
 
 struct site {
     const struct thud_site_report_options *options;
@@ -114,8 +121,8 @@ void thud_site_provenance(struct site *site);
 
 /* Storeys of buildings that can yield, in the scene as written; isolators are none. *past, unless NULL: those that do. */
 int thud_site_storeys(const struct site *site, int *past);
-/* How many floors (storeys, for drifts) the bumper lowers, leaves unchanged and raises. */
-void thud_site_effect(const struct site *site, bool drifts, int count[3]);
+/* How many floors (storeys, for drifts) the measure of a case lowers, leaves unchanged and raises. */
+void thud_site_effect(const struct site *site, const struct site_case *one, bool drifts, int count[3]);
 
 /* ---- the suite ---- */
 
@@ -134,19 +141,27 @@ void thud_site_suite_section(struct site *site);
 
 /* What a rule asks for over the ground motions at an interface (from 1; 0: of all), as `thud gap` tells it: THUD_GAP_EXACT
  * is the largest of them. A gap of -1: nothing can touch. */
-struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, int rule);
-/* The same of the report's code, and where it is from. */
-double thud_site_gap_by_code(const struct site *site, int interface);
+struct thud_gap_ruled thud_site_ruled(const struct thud_gap_study *gaps, int nstructures, int interface, int rule);
+/* The same of the report's code over a study of so many structures, and where it is from. */
+double thud_site_gap_by_code(const struct site *site, const struct thud_gap_study *gaps, int nstructures,
+                             int interface);
 const char *thud_site_gap_source(const struct site *site, char *text, size_t size);
 /* Of a rule: "those of this one motion", "the largest of 3 ground motions", "the means over 14 ground motions of 7
  * recordings". */
 const char *thud_site_displacements(const struct site *site, int rule, char *text, size_t size);
+
+/* One number of those in the suite's room, which it sorts: the mean or the largest of the code, or what is enough for
+ * 84 % of the motions. NaN: one of them is not known. */
+double thud_site_decided(const struct site *site);
+/* "the means over 14 ground motions of 7 recordings", "what is enough for 84 % of 8 ground motions". */
+const char *thud_site_decided_words(const struct site *site, char *text, size_t size);
 
 /* ---- variants ---- */
 
 /* Errors: those of opening and running a preset. */
 enum thud_status thud_site_variants_run(struct site *site, struct thud_error *err);
 void thud_site_variants(struct site *site);
+void thud_site_variants_clear(struct site *site);
 
 /* ---- figures that were drawn before ---- */
 
@@ -174,10 +189,11 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
-/* What is compared: the bumper, with the links in every case, or without a bumper the links. `verb`, "lowers", of it. */
-bool thud_site_compares_links(const struct site *site);
-const char *thud_site_measures(const struct site *site);
-struct thud_site_shown thud_site_verb(const struct site *site, const char *verb);
+/* `verb`, "lowers", of the measure of a case. */
+bool thud_site_is_plural(const struct site_case *one);
+struct thud_site_shown thud_site_verb(const struct site_case *one, const char *verb);
+/* The case without bumpers that has the links of the scene. */
+const struct site_case *thud_site_bare(const struct site *site);
 /* "floor 4 of A", counted from 1; "the base slab of B", which is the first floor of an isolated building; of a wall its
  * name. Returns `text`. */
 const char *thud_site_floor(const struct site *site, int structure, int floor, char *text, size_t size);

@@ -32,18 +32,14 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
         suite->leads ? (const struct thud_record *const *)site->options->records->record : &site->record;
     suite->plan.nrecords = suite->leads ? site->options->records->n : site->record != NULL;
     enum thud_status status = suite->leads ? thud_sweep_vary(&suite->plan, scales, err) : THUD_OK;
-    const bool links = site->scene->nlinks > 0;
-    bool own = links; /* bumpers in their own cavities, and links, are no case by name */
-    for (int i = 0; i + 1 < site->scene->nstructures; i++)
-        own = own || (site->scene->interface[i].has_bumper && site->scene->interface[i].bumper_cavity_m > 0);
-    if (status == THUD_OK)
-        status = thud_sweep_cases(&suite->plan,
-                                  site->ncases <= SITE_MEASURE               ? "none"
-                                  : links && !thud_site_compares_links(site) ? "link,as-written"
-                                  : own                                      ? "none,as-written"
-                                                                             : "none,bumper",
-                                  err);
-    return status;
+    char cases[64] = "";
+    size_t used = 0;
+    for (int i = SITE_NONE; i < site->ncases; i++) {
+        const enum thud_case which = site->cases[i].which;
+        used += (size_t)snprintf(cases + used, sizeof cases - used, "%s%s", i > SITE_NONE ? "," : "",
+                                 thud_case_name(which == THUD_CASE_WHOLE ? THUD_CASE_AS_WRITTEN : which));
+    }
+    return status == THUD_OK ? thud_sweep_cases(&suite->plan, cases, err) : status;
 }
 
 static enum thud_status make_fragility(struct site_suite *suite, unsigned long long seed, struct thud_error *err)
@@ -56,7 +52,7 @@ static enum thud_status make_fragility(struct site_suite *suite, unsigned long l
             .event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed, .first_contact = true};
         status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
         ask.event = &suite->worse;
-        if (status == THUD_OK && k > 0 && suite->plan.cases[0] == THUD_CASE_NONE)
+        if (status == THUD_OK && k > 0 && k == suite->plan.ncases - 1)
             status = thud_fragility_make(suite->runs, &ask, &suite->worsens, err);
     }
     return status;
@@ -112,7 +108,7 @@ double thud_site_suite_median(const struct site *site, const struct thud_quantit
 /* Whether contact in case k is with the bumper, and nothing else tells it from case none. */
 static bool touches(const struct site *site, int k)
 {
-    return k > 0 && !thud_site_compares_links(site);
+    return k > 0 && thud_scene_measures(site->scene) == THUD_HAS_BUMPER;
 }
 
 static void say_pounding(struct site *site, int k)
@@ -180,34 +176,25 @@ static void say_widths(struct site *site)
                        f.half, thud_summary_gap_cm(f.median), most84, thud_summary_gap_cm(f.most));
 }
 
-/* What the bumper, or the links, make of a measure's mean, structure s under motion r. The suite's ratios are to neither
- * of them; where both are there the report has links in both cases. */
-static double bumper_ratio(const struct site *site, int r, enum thud_measure measure, int s)
-{
-    const struct site_suite *suite = &site->suite;
-    double of[2];
-    for (int k = 0; k < 2; k++)
-        of[k] = thud_suite_value(suite->runs, r, suite->as_given, k, measure, s);
-    return suite->plan.cases[0] == THUD_CASE_NONE ? of[1] : of[1] / of[0];
-}
-
-/* Its ratios over the motions; *helps: how many it lowers. */
-static struct thud_fractiles bumper_ratios(const struct site *site, int s, bool drift, int *helps)
+/* What case k makes of the mean acceleration, or drift, of structure s over the motions; *helps: how many it lowers. */
+static struct thud_fractiles ratios(const struct site *site, int k, int s, bool drift, int *helps)
 {
     const struct site_suite *suite = &site->suite;
     *helps = 0;
     for (int r = 0; r < suite->runs->nrecords; r++) {
-        suite->room[r] = bumper_ratio(site, r, drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO, s);
+        suite->room[r] = thud_suite_value(suite->runs, r, suite->as_given, k,
+                                          drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO, s);
         *helps += suite->room[r] < 1 - equal;
     }
     return thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, suite->runs->ndraws, 1 + equal);
 }
 
-/* How many motions the bumper helps and harms. */
-static void say_bumper(struct site *site, int s, bool drift)
+/* How many motions the measure of case k helps and harms. */
+static void say_measure(struct site *site, int k, int s, bool drift)
 {
     int helps;
-    const struct thud_fractiles f = bumper_ratios(site, s, drift, &helps);
+    const struct site_case *one = &site->cases[SITE_NONE + k];
+    const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
     char spread[64] = "";
     if (!isnan(f.p16))
         snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
@@ -215,10 +202,9 @@ static void say_bumper(struct site *site, int s, bool drift)
         thud_document_item(&site->document,
                            "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "
                            "ratio to %s is %.2f in the median%s.",
-                           thud_site_measures(site), thud_site_verb(site, "lowers").text,
-                           drift ? "drift" : "acceleration", thud_site_name(site, s), helps, f.n,
-                           thud_site_verb(site, "raises").text, f.share * (double)f.n, site->cases[SITE_NONE].name,
-                           f.median, spread);
+                           one->measure, thud_site_verb(one, "lowers").text, drift ? "drift" : "acceleration",
+                           thud_site_name(site, s), helps, f.n, thud_site_verb(one, "raises").text,
+                           f.share * (double)f.n, site->cases[SITE_NONE].name, f.median, spread);
 }
 
 void thud_site_suite_summary(struct site *site)
@@ -231,12 +217,11 @@ void thud_site_suite_summary(struct site *site)
         say_strength(site, k);
     }
     say_widths(site);
-    for (int s = 0; s < site->scene->nstructures && site->suite.plan.ncases > 1; s++)
-        if (site->scene->structure[s].kind != THUD_WALL) {
-            say_bumper(site, s, false);
-            if (thud_site_is_building(site, s))
-                say_bumper(site, s, true);
-        }
+    for (int k = 1; k < site->suite.plan.ncases; k++)
+        for (int s = 0; s < site->scene->nstructures; s++)
+            for (int drift = 0; drift < 2; drift++)
+                if (drift ? thud_site_is_building(site, s) : site->scene->structure[s].kind != THUD_WALL)
+                    say_measure(site, k, s, drift);
 }
 
 /* ---- the verdicts ---- */
@@ -262,7 +247,7 @@ static int used_up(const struct site *site, int interface)
 static void gap_verdict(struct site *site, int i)
 {
     const struct thud_interface *f = &site->scene->interface[i - 1];
-    const double required = thud_site_gap_by_code(site, i);
+    const double required = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i);
     const double out = f->gap_m - thud_interface_clearance(f);
     struct thud_fractiles exact;
     char what[200], text[600], given[64], from[240], bumper[64] = "";
@@ -308,22 +293,22 @@ static void pounding_verdict(struct site *site, int k)
     thud_site_verdict(site, what, text);
 }
 
-/* The mean accelerations, or drifts, that the bumper lowers and raises. */
-static void bumper_verdict(struct site *site, bool drift)
+/* The mean accelerations, or drifts, that the measure of case k lowers and raises. */
+static void measure_verdict(struct site *site, int k, bool drift)
 {
     struct thud_text text = {0};
     for (int s = 0; s < site->scene->nstructures; s++) {
         int helps;
         if (drift ? !thud_site_is_building(site, s) : site->scene->structure[s].kind == THUD_WALL)
             continue;
-        const struct thud_fractiles f = bumper_ratios(site, s, drift, &helps);
+        const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
         if (f.n > 0)
             thud_text_append(&text, "%sof %s lower under %d of %zu ground motions and higher under %.0f",
                              text.size > 0 ? "; " : "", thud_site_name(site, s), helps, f.n, f.share * (double)f.n);
     }
     if (text.size > 0) {
         char what[96];
-        snprintf(what, sizeof what, "mean %s %s", drift ? "drifts" : "accelerations", site->own->words);
+        snprintf(what, sizeof what, "mean %s %s", drift ? "drifts" : "accelerations", site->cases[SITE_NONE + k].words);
         thud_site_verdict(site, what, text.data);
     }
     site->document.failed = site->document.failed || text.failed;
@@ -336,8 +321,9 @@ void thud_site_suite_verdicts(struct site *site)
         gap_verdict(site, i);
     for (int k = 0; k < site->suite.plan.ncases; k++)
         pounding_verdict(site, k);
-    for (int drift = 0; drift < 2 && site->suite.plan.ncases > 1; drift++)
-        bumper_verdict(site, drift);
+    for (int k = 1; k < site->suite.plan.ncases; k++)
+        for (int drift = 0; drift < 2; drift++)
+            measure_verdict(site, k, drift);
 }
 
 /* ---- its section ---- */
@@ -348,9 +334,12 @@ static void add_motions(struct site *site)
     struct thud_document *d = &site->document;
     const struct site_suite *suite = &site->suite;
     int ncases = suite->plan.ncases;
-    thud_document_table(
-        d, ncases > 1 ? "Ground motions as specified; ratio: mean acceleration with the bumper over that without"
-                      : "Ground motions as specified");
+    char caption[200] = "Ground motions as specified";
+    if (ncases > 1)
+        snprintf(caption, sizeof caption,
+                 "Ground motions as specified; ratio: mean acceleration %s over that %s", site->own->words,
+                 site->cases[SITE_NONE].words);
+    thud_document_table(d, caption);
     thud_document_cells(d, "load case\tpeak g\tfactor\trequired gap cm");
     for (int k = 0; k < ncases; k++)
         thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
@@ -369,7 +358,8 @@ static void add_motions(struct site *site)
                 thud_site_number(1e-6 * thud_suite_value(suite->runs, r, suite->as_given, k, THUD_MEASURE_FORCE, -1), 3)
                     .text);
         for (int s = 0; s < site->scene->nstructures && ncases > 1; s++) {
-            double ratio = bumper_ratio(site, r, THUD_MEASURE_ACCELERATION_RATIO, s);
+            double ratio =
+                thud_suite_value(suite->runs, r, suite->as_given, ncases - 1, THUD_MEASURE_ACCELERATION_RATIO, s);
             if (site->scene->structure[s].kind != THUD_WALL)
                 thud_document_cell(d, isnan(ratio) ? "-" : "%.3f", ratio);
         }
@@ -423,7 +413,7 @@ static void add_figures(struct site *site)
     snprintf(caption, sizeof caption,
              "Under how many of the motions the %s %s the mean acceleration of a building; a share that need not grow "
              "with their strength has no curve.",
-             thud_site_measures(site), thud_site_verb(site, "raises").text);
+             site->own->measure, thud_site_verb(site->own, "raises").text);
     snprintf(ida, sizeof ida,
              "Peak drift %s against the scale factor applied to all motions: each of them, and their 16, 50 and 84 %% "
              "fractiles.",
@@ -435,11 +425,11 @@ static void add_figures(struct site *site)
                      "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "Probability of pounding at this gap, against the scale factor applied to all motions.");
-    if (suite->plan.ncases > 1 && suite->plan.cases[0] == THUD_CASE_NONE) {
-        curve[0] = (struct thud_fragility_curve){0, 1, &suite->worsens};
+    if (suite->plan.ncases > 1) {
+        curve[0] = (struct thud_fragility_curve){0, suite->plan.ncases - 1, &suite->worsens};
         thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62, caption);
     }
-    for (int k = 0; k < suite->plan.ncases; k++)
+    for (int k = 0; k<suite->plan.ncases; k += suite->plan.ncases> 1 ? suite->plan.ncases - 1 : 1)
         thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
                          k == 0 ? ida : same);
 }

@@ -183,8 +183,9 @@ void thud_site_samples_summary(struct site *site)
         if (!thud_quantity_is_ratio(quantity) || isnan(t->median))
             continue;
         thud_document_item(&site->document,
-                           "Over samples of the uncertain inputs the bumper lowers the %s of %s in %.0f %% of "
+                           "Over samples of the uncertain inputs the %s %s the %s of %s in %.0f %% of "
                            "%.0f (median ratio %.2f; %.2f to %.2f from 5 to 95 %%).",
+                           site->own->measure, thud_site_verb(site->own, "lowers").text,
                            thud_measure_info(thud_measure_info(quantity->measure)->ratio_of)->words,
                            thud_site_name(site, quantity->structure), 100 * t->below, t->count, t->median, t->low,
                            t->high);

@@ -19,9 +19,6 @@
 #include "study/scene/level.h"
 #include "study/suite/scaling.h"
 
-/* A ratio this near to 1 is reported as no difference. */
-static const double same_within = 0.02;
-
 /* ---- the result ---- */
 
 int thud_site_storeys(const struct site *site, int *past)
@@ -37,6 +34,12 @@ int thud_site_storeys(const struct site *site, int *past)
     if (past)
         *past = over;
     return n;
+}
+
+/* NaN: there is nothing to compare with. */
+static double over(double value, double before)
+{
+    return before > 0 && value >= 0 ? value / before : NAN;
 }
 
 /* The columns of the table of floors in every case; one that no floor has a value for is omitted. */
@@ -61,12 +64,12 @@ static const struct floor_table {
 };
 enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 
-/* With the bumper over without it; NaN where there is nothing to compare. */
-static double ratio_of(const struct site *site, int s, int floor, int table)
+/* With the measure of a case over without it; NaN where there is nothing to compare. */
+static double ratio_of(const struct site *site, const struct site_case *one, int s, int floor, int table)
 {
-    double with = floor_value(&site->cases[SITE_MEASURE], s, floor, table);
+    double with = floor_value(one, s, floor, table);
     double without = floor_value(&site->cases[SITE_NONE], s, floor, table);
-    return without > 0 ? with / without : NAN;
+    return over(with, without);
 }
 
 /* Where a ratio lies: lower, about the same, higher, nowhere. */
@@ -76,12 +79,13 @@ static enum side side_of(double ratio)
 {
     if (isnan(ratio))
         return NOWHERE;
-    return ratio < 1 - same_within ? LOWER : ratio > 1 + same_within ? HIGHER : SAME;
+    return ratio < 1 - THUD_SITE_SAME ? LOWER : ratio > 1 + THUD_SITE_SAME ? HIGHER : SAME;
 }
 
 /* Writes "1-3, 5 of A; 2 of B": the floors whose ratio lies on a side; *furthest: the ratio furthest from 1. Returns how
  * many there are. */
-static int list_floors(const struct site *site, int table, enum side side, struct thud_text *out, double *furthest)
+static int list_floors(const struct site *site, const struct site_case *one, int table, enum side side,
+                       struct thud_text *out, double *furthest)
 {
     int n = 0;
     *furthest = 1;
@@ -90,7 +94,7 @@ static int list_floors(const struct site *site, int table, enum side side, struc
         bool any = false;
         const int slab = floor_table[table].storeys && site->scene->structure[s].kind == THUD_ISOLATED;
         for (int i = slab; i <= floors; i++) { /* without the isolators */
-            double ratio = i < floors ? ratio_of(site, s, i, table) : NAN;
+            double ratio = i < floors ? ratio_of(site, one, s, i, table) : NAN;
             bool inside = side_of(ratio) == side;
             if (inside && begun < 0)
                 begun = i;
@@ -111,12 +115,13 @@ static int list_floors(const struct site *site, int table, enum side side, struc
     return n;
 }
 
-void thud_site_effect(const struct site *site, bool drifts, int count[3])
+void thud_site_effect(const struct site *site, const struct site_case *one, bool drifts, int count[3])
 {
     for (int side = LOWER; side <= (int)HIGHER; side++) {
         struct thud_text floors = {0};
         double furthest;
-        count[side] = list_floors(site, drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION, (enum side)side, &floors, &furthest);
+        count[side] =
+            list_floors(site, one, drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION, (enum side)side, &floors, &furthest);
         thud_text_clear(&floors);
     }
 }
@@ -128,17 +133,17 @@ static void say_effect(struct site *site, int table)
     for (int side = LOWER; side <= (int)HIGHER; side++) {
         struct thud_text floors = {0};
         double furthest;
-        int n = list_floors(site, table, (enum side)side, &floors, &furthest);
+        int n = list_floors(site, site->own, table, (enum side)side, &floors, &furthest);
         if (floors.failed)
             site->document.failed = true;
         else if (n > 0 && side == SAME)
             thud_document_item(&site->document, "The %s %s the largest %s%s %s unchanged, within %.0f %%.",
-                               thud_site_measures(site), thud_site_verb(site, "leaves").text, quantity,
-                               n > 1 ? "s" : "", floors.data, 100 * same_within);
+                               site->own->measure, thud_site_verb(site->own, "leaves").text, quantity, n > 1 ? "s" : "",
+                               floors.data, 100 * THUD_SITE_SAME);
         else if (n > 0)
-            thud_document_item(&site->document, "The %s %s the largest %s%s %s, by up to %s %%.",
-                               thud_site_measures(site), thud_site_verb(site, verb[side]).text, quantity,
-                               n > 1 ? "s" : "", floors.data, thud_site_number(100 * fabs(furthest - 1), 2).text);
+            thud_document_item(&site->document, "The %s %s the largest %s%s %s, by up to %s %%.", site->own->measure,
+                               thud_site_verb(site->own, verb[side]).text, quantity, n > 1 ? "s" : "", floors.data,
+                               thud_site_number(100 * fabs(furthest - 1), 2).text);
         thud_text_clear(&floors);
     }
 }
@@ -278,8 +283,8 @@ static void add_case_table(struct site *site, int s, int which)
     for (int i = 0; i < site->ncases; i++)
         thud_document_cell(d, "%s", site->cases[i].name);
     thud_document_cell(d, "%s / %s", site->cases[SITE_NONE].name, site->cases[SITE_FREE].name);
-    if (site->ncases > SITE_MEASURE)
-        thud_document_cell(d, "%s / %s", site->own->name, site->cases[SITE_NONE].name);
+    for (int i = SITE_MEASURE; i < site->ncases; i++)
+        thud_document_cell(d, "%s / %s", site->cases[i].name, site->cases[SITE_NONE].name);
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
@@ -295,10 +300,8 @@ static void add_case_table(struct site *site, int s, int which)
             thud_document_cell(d, "%s", thud_site_number(value[i] / table->unit, 3).text);
         }
         for (int i = 1; i < site->ncases; i++)
-            if (value[i - 1] > 0 && value[i] >= 0)
-                thud_document_cell(d, "%s", thud_site_number(value[i] / value[i - 1], 3).text);
-            else
-                thud_document_cell(d, "-");
+            thud_document_cell(d, "%s",
+                               thud_site_number(over(value[i], value[i > SITE_NONE ? SITE_NONE : SITE_FREE]), 3).text);
         thud_document_row(d);
     }
 }
@@ -393,11 +396,9 @@ static void add_column_table(struct site *site)
 
 static struct thud_figure_source source_of(const struct site *site, const struct site_case *one)
 {
-    return thud_run_source(one->name,
-                           one > &site->cases[SITE_NONE] && thud_site_compares_links(site)
-                               ? THUD_CASE_LINK
-                               : thud_case_compared((int)(one - site->cases)),
-                           one->scene, one->solution.run);
+    const enum thud_case whole = site->scene->nlinks > 0 ? THUD_CASE_AS_WRITTEN : THUD_CASE_BUMPER;
+    return thud_run_source(one->name, one->which == THUD_CASE_WHOLE ? whole : one->which, one->scene,
+                           one->solution.run);
 }
 
 static void floors(struct site *site)
@@ -412,7 +413,7 @@ static void floors(struct site *site)
                            "oscillators with 5 % damping, g, and its period");
     thud_document_cell(d, "floor");
     for (int i = 0; i < s->ncases; i++)
-        thud_document_cell(d, "%s", site->cases[i].name);
+        thud_document_cell(d, "%s", i > SITE_NONE ? site->own->name : site->cases[i].name);
     thud_document_row(d);
     for (int f = 0; f < s->nfloors; f++) {
         thud_document_cell(d, "%s",
@@ -486,12 +487,12 @@ static void add_gap_cell(struct thud_document *d, double gap_m)
         thud_document_cell(d, "%.1f", thud_summary_gap_cm(gap_m));
 }
 
-struct thud_gap_ruled thud_site_ruled(const struct site *site, int interface, int rule)
+struct thud_gap_ruled thud_site_ruled(const struct thud_gap_study *gaps, int nstructures, int interface, int rule)
 {
     struct thud_gap_ruled ruled[THUD_STRUCTURES_MAX];
-    const int n = site->scene->nstructures - 1;
+    const int n = nstructures - 1;
     int widest = interface > 0 ? interface - 1 : 0;
-    thud_gap_suite_rule(&site->gaps.suite, rule, n, ruled);
+    thud_gap_suite_rule(&gaps->suite, rule, n, ruled);
     for (int i = 1; interface == 0 && i < n; i++)
         if (thud_gap_is_wider(ruled[i].gap_m, ruled[widest].gap_m))
             widest = i;
@@ -515,7 +516,7 @@ static void gap_rules(struct site *site)
 {
     struct thud_document *d = &site->document;
     const bool suite = site->gaps.suite.nrecords > 1;
-    const double needed = thud_site_ruled(site, 0, THUD_GAP_EXACT).gap_m;
+    const double needed = thud_site_ruled(&site->gaps, site->scene->nstructures, 0, THUD_GAP_EXACT).gap_m;
     char displacements[80];
     thud_site_displacements(site, THUD_GAP_EN1998, displacements, sizeof displacements);
     thud_document_table(d, suite ? "Required gap by rule over the suite, cm" : "Required gap by rule, cm");
@@ -523,7 +524,7 @@ static void gap_rules(struct site *site)
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
         const struct thud_gap_rule *r = thud_gap_rule_at(rule);
         struct thud_text numbers = {0};
-        const struct thud_gap_ruled ruled = thud_site_ruled(site, 0, rule);
+        const struct thud_gap_ruled ruled = thud_site_ruled(&site->gaps, site->scene->nstructures, 0, rule);
         const double widest = ruled.gap_m;
         thud_document_cell(d, "%s", r->name);
         thud_document_cell(d, "%s%s%s%s%s%s%s", r->edition, *r->edition ? ", " : "", r->clause, *r->clause ? ": " : "",
@@ -539,7 +540,7 @@ static void gap_rules(struct site *site)
     }
     struct thud_text less = {0};
     for (int rule = 0; rule < (int)THUD_GAP_RULES; rule++) {
-        const double ruled = thud_site_ruled(site, 0, rule).gap_m;
+        const double ruled = thud_site_ruled(&site->gaps, site->scene->nstructures, 0, rule).gap_m;
         if (thud_gap_falls_short(ruled, needed))
             thud_text_append(&less, "%s%s (%.1f cm)", less.size > 0 ? ", " : "", thud_gap_rule_at(rule)->name,
                              thud_summary_gap_cm(ruled));

@@ -58,9 +58,8 @@ static bool pounds_at(const struct site_case *one, int interface)
 /* What the runs say of a gap that is wide enough or not when nothing else touches: between bare faces, and as written. */
 static const char *gap_verdict(const struct site *site, int interface, bool bare_enough, bool own_enough)
 {
-    const bool links = thud_site_compares_links(site); /* they stand in what is required */
-    const bool bare = pounds_at(links ? site->own : &site->cases[SITE_NONE], interface),
-               own = pounds_at(site->own, interface);
+    const bool bare = pounds_at(thud_site_bare(site), interface), /* links stand in what is required */
+        own = pounds_at(site->own, interface);
     return bare  ? (bare_enough ? "not enough, since another building pushes them together" : "not enough")
            : own ? (own_enough ? "not enough with the bumper, since another building pushes them together"
                                : "enough without the bumper, not with it")
@@ -130,27 +129,24 @@ static void pounding_row(struct site *site, const struct site_case *one)
     thud_site_verdict(site, what, text);
 }
 
-static void bumper_row(struct site *site)
+/* Of a case: what its measure does to floors and storeys. */
+static void measure_row(struct site *site, const struct site_case *one)
 {
     enum { LOWER, SAME, HIGHER };
-    const bool links = thud_site_compares_links(site);
+    const bool plural = thud_site_is_plural(one);
     char what[64];
     int a[3], d[3], impacts;
     char text[300];
-    if (site->ncases <= SITE_MEASURE) {
-        thud_site_verdict(site, "bumper of use", "there is none");
-        return;
-    }
-    snprintf(what, sizeof what, "%s of use", thud_site_measures(site));
-    if (!links && !thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
-        bool in_contact = thud_contact_hardest(site->cases[SITE_MEASURE].result, &impacts) != NULL;
+    snprintf(what, sizeof what, "%s of use", one->measure);
+    if (one->scene->nlinks == 0 && !thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
+        bool in_contact = thud_contact_hardest(one->result, &impacts) != NULL;
         thud_site_verdict(site, what,
                           in_contact ? "no: there is no contact without it, and it is struck"
                                      : "no: there is no contact without it");
         return;
     }
-    thud_site_effect(site, false, a);
-    thud_site_effect(site, true, d);
+    thud_site_effect(site, one, false, a);
+    thud_site_effect(site, one, true, d);
     const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
     size_t n = (size_t)snprintf(
         text, sizeof text,
@@ -158,14 +154,14 @@ static void bumper_row(struct site *site)
         "%s %d and %d",
         higher == 0 && lower > 0   ? "yes"
         : lower == 0 && higher > 0 ? "no"
-        : lower == 0               ? (links ? "they change nothing" : "it changes nothing")
+        : lower == 0               ? (plural ? "they change nothing" : "it changes nothing")
         : lower > higher           ? "in part, more lower than higher"
                                    : "in part, not more lower than higher",
-        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], links ? "they" : "it",
-        thud_site_verb(site, "lowers").text, a[LOWER], d[LOWER], thud_site_verb(site, "raises").text, a[HIGHER],
-        d[HIGHER], thud_site_verb(site, "leaves").text, a[SAME], d[SAME]);
+        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], plural ? "they" : "it",
+        thud_site_verb(one, "lowers").text, a[LOWER], d[LOWER], thud_site_verb(one, "raises").text, a[HIGHER],
+        d[HIGHER], thud_site_verb(one, "leaves").text, a[SAME], d[SAME]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
-                                     *with = thud_site_strongest(site->cases[SITE_MEASURE].result);
+                                     *with = thud_site_strongest(one->result);
     if (without && with)
         snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
                  thud_site_number(1e-6 * without->force.value, 3).text,
@@ -273,7 +269,10 @@ void thud_site_verdicts(struct site *site)
         gap_rows(site, i);
     for (int i = SITE_NONE; i < site->ncases; i++)
         pounding_row(site, &site->cases[i]);
-    bumper_row(site);
+    for (int i = SITE_MEASURE; i < site->ncases; i++)
+        measure_row(site, &site->cases[i]);
+    if (site->ncases <= SITE_MEASURE)
+        thud_site_verdict(site, "bumper of use", "there is none");
     governing_rows(site);
     failing_row(site);
     if (!site->suite.leads)

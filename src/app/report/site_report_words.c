@@ -24,21 +24,25 @@ bool thud_site_is_building(const struct site *site, int structure)
     return thud_kind_is_building(kind);
 }
 
-bool thud_site_compares_links(const struct site *site)
+bool thud_site_is_plural(const struct site_case *one)
 {
-    return thud_scene_measures(site->scene) == THUD_HAS_LINKS;
+    return strncmp(one->measure, "links", 5) == 0 || strchr(one->measure, 'd') != NULL; /* "and" */
 }
 
-const char *thud_site_measures(const struct site *site)
-{
-    return thud_site_compares_links(site) ? "links" : "bumper";
-}
-
-struct thud_site_shown thud_site_verb(const struct site *site, const char *verb)
+struct thud_site_shown thud_site_verb(const struct site_case *one, const char *verb)
 {
     struct thud_site_shown out;
-    snprintf(out.text, sizeof out.text, "%.*s", (int)strlen(verb) - thud_site_compares_links(site), verb);
+    snprintf(out.text, sizeof out.text, "%.*s", (int)strlen(verb) - thud_site_is_plural(one), verb);
     return out;
+}
+
+const struct site_case *thud_site_bare(const struct site *site)
+{
+    const struct site_case *one = &site->cases[SITE_NONE];
+    for (int i = SITE_MEASURE; i < site->ncases; i++)
+        if (site->cases[i].scene->nlinks > 0 && !thud_scene_has_bumper(site->cases[i].scene))
+            one = &site->cases[i];
+    return one;
 }
 
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *r)
