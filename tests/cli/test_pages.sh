@@ -69,6 +69,11 @@ on_paper() { # PRESET OPTION...
     is "without faults of its pages" faults "$tmp/pages"
 }
 on_paper "$tmp/own.yaml" --to 12s --samples 8 --records kobe-surrogate.csv,northridge-surrogate.csv,san-fernando-surrogate.csv
+pdftotext -raw "$tmp/pages/report.pdf" "$tmp/out"
+page=$(awk '/^## /{n++} /^## Required gap/{print n; exit}' "$tmp/pages/report.md") # its section
+page=$(awk -v RS='\f' -v head="(^|\n)$page Required gap\n" '$0 ~ head { print NR; exit }' "$tmp/out")
+tr '\n' ' ' <"$tmp/out" >"$tmp/line" && mv "$tmp/line" "$tmp/out"
+is "the criteria name the page of a section" shows "Required gap, page $page "
 # a fault is found: the same words, lower by half a line, further to the right, smaller, and without a caption
 awk '/<word/ && ++n == 700 { s = $0; sub(/yMin="[0-9.]+"/, "yMin=\"300.1\"", s); sub(/yMax="[0-9.]+"/, "yMax=\"304\"", s); sub(/xMax="[0-9.]+"/, "xMax=\"900\"", s); sub(/>[^<]*</, ">letters<", s); print s } { print }' \
     "$tmp/words.html" >"$tmp/faulty.html"

@@ -205,7 +205,7 @@ each() { # FIELD [DIVISOR]: the largest of a column of the runs over the suite, 
 forces() { for motion in $(echo "$three" | tr ',' ' '); do force --record "$(basename "$motion")" --factor 0.4; echo; done | sort -g | tail -1; }
 unrounded=$(tr '{' '\n' <"$tmp/gap.json" | sed -n 's/.*"rule": "EN 1998".*"gap_m": \([0-9.e+-]*\).*/\1/p' | awk '{ x = 1e4 * ($1 + 0.05); n = int(x); printf "%.2f", (n + (x - n > 1e-9)) / 100 }')
 is "the conclusion comes first, with the code's gap, the bumper and 1 cm" in_text "# Pounding report[^#]*## Conclusion *Recommended gap between [^:]*: $(echo "$unrounded" | awk '{ n = int($1); print n + ($1 > n) }') cm ($unrounded cm: .* by EN 1998-1:2004, 4.4.2.7(3), from the largest of 3 ground motions, and 5.00 cm for the projection of the bumper). Given: 8 cm"
-is "the gap is the first criterion" in_text "| criterion | limit | value | ratio | met? | governing load case | section | |[-:|]*| | gap between [^|]* | 8 cm | $unrounded cm | "
+is "the gap is the first criterion" in_text "| criterion | limit | value | ratio | met? | governing load case | section, page | |[-:|]*| | gap between [^|]* | 8 cm | $unrounded cm | "
 is "the largest force" in_text "| largest force | no limit given | $(forces) MN | "
 is "the largest acceleration" in_text "| largest acceleration | no limit given | $(each acceleration_mps2 9.80665) g | "
 is "the largest drift over the height" in_text "| largest drift over height | no limit given | $(each drift_m 0.032) % | "
@@ -276,12 +276,15 @@ is "its slab is no floor among others" in_text 'between west moat and the base s
 is "what has no stiffness to change is no column" in_text '| peak | value | gap | ground motion | stiffness of isolated | '
 is "a reversed motion has its event" in_text '| 2 | surrogate for Northridge 1994, [^|]* | none: synthetic | reversed |'
 is "and no name of a file" not_in_text 'sign='
+section=$(sed -n 's/.*<h2 id="section-\([0-9]*\)">[0-9]* Required gap<.*/\1/p' "$tmp/r/report.html")
+is "a criterion leads to its section" in_html "<td class=\"words\"><a href=\"#section-$section\">Required gap</a></td>"
 is "a report where storeys yield" report 0 "$tmp/own.yaml" --set structures.2.yield=15mm --samples 0
 ductility=$("$THUD" run "$tmp/own.yaml" --set structures.2.yield=15mm --csv 2>/dev/null | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "ductility") c = i } $1 == "Nr 14" && $c > m { m = $c } END { printf "%.2f", m }')
 is "has the ductility" in_text "The largest ductility of the storeys of Nr 14 is .* $ductility with the bumper"
 is "and a table of the drifts that stay" in_text 'Drift that stays in the storeys of Nr 14, mm'
 # k u_y, g times the masses above, and their ratio, by hand: 420 MN/m x 15 mm = 6.3 MN over 2260 t x g = 22.2 MN at the foot of Nr 14
 storeys() { sed 's/[\]//g' "$tmp/r/report.md" | sed -n "/Storeys of $1;/,/^!/p" | grep -q -x "$2"; }
+is "a rule without values has no column" in_text '| floors | left moves | right moves | needed | ABS | SRSS | EN 1998 | ASCE 7 |'
 is "storeys have stiffness, weight and what yields them" storeys 'Nr 14' '| 1 | 3.2 | 350 | 420 | 22.2 | 6.30 | 15.0 | 0.284 |'
 is "at the roof too" storeys 'Nr 14' '| 7 | 3.2 | 260 | 260 | 2.55 | 3.90 | 15.0 | 1.53 |'
 is "elastic ones no yield" storeys 'Nr <12>' '| 5 | 3.2 | 300 | 380 | 2.94 |'

@@ -85,6 +85,19 @@ void thud_document_table(struct thud_document *document, const char *caption)
     add(document, TABLE, caption);
 }
 
+static const char *text_of(const struct thud_document_piece *piece)
+{
+    return piece->text.data ? piece->text.data : "";
+}
+
+static int count_columns(const struct thud_document *document, size_t table)
+{
+    size_t i = table + 1;
+    while (i < document->n && document->piece[i].kind == CELL)
+        i++;
+    return (int)(i - table - 1);
+}
+
 /* Whether the cells after the first one since a piece say that there is nothing to say. */
 static bool is_bare(const struct thud_document *document, size_t first)
 {
@@ -92,6 +105,34 @@ static bool is_bare(const struct thud_document *document, size_t first)
         if (!document->piece[i].text.data || strcmp(document->piece[i].text.data, "-") != 0)
             return false;
     return first + 1 < document->n;
+}
+
+/* Whether all cells of column k below a table's head are "-". */
+static bool column_is_bare(const struct thud_document *document, size_t table, int k)
+{
+    int column = 0, row = 0;
+    for (size_t i = table + 1; i < document->n && document->piece[i].kind >= CELL; i++)
+        if (document->piece[i].kind == ROW) {
+            row++;
+            column = 0;
+        } else if (column++ == k && row > 0 && strcmp(text_of(&document->piece[i]), "-") != 0) {
+            return false;
+        }
+    return row > 1;
+}
+
+void thud_document_tidy(struct thud_document *document)
+{
+    for (size_t table = 0; table < document->n; table++)
+        for (int k = document->piece[table].kind == TABLE ? count_columns(document, table) - 1 : 0; k > 0; k--)
+            if (column_is_bare(document, table, k))
+                for (size_t i = table + 1, column = 0; i < document->n && document->piece[i].kind >= CELL;) {
+                    if (document->piece[i].kind == CELL && column++ == (size_t)k) {
+                        thud_document_take(document, i, 1);
+                        continue;
+                    }
+                    column = document->piece[i++].kind == ROW ? 0 : column;
+                }
 }
 
 void thud_document_row(struct thud_document *document)
@@ -209,11 +250,6 @@ static void put_number(const struct thud_document *document, size_t i, struct th
     thud_text_append(out, "%s %d. ", document->piece[i].kind == TABLE ? "Table" : "Figure", number_of(document, i));
 }
 
-static const char *text_of(const struct thud_document_piece *piece)
-{
-    return piece->text.data ? piece->text.data : "";
-}
-
 static bool is_words(const char *text)
 {
     return strlen(text) > 24 || !strchr("0123456789+-.<[", *text);
@@ -274,7 +310,8 @@ static const char style[] =
     "table.wide { font-size: .8em } table.wide th, table.wide td { padding: .15em .3em }\n"
     "table, tr { break-inside: avoid } table.long { break-inside: auto } caption, thead { break-after: avoid }\n"
     "tr.first { break-after: avoid } tr.last { break-before: avoid }\n"
-    "nav ol { columns: 2; list-style: none; padding: 0 } nav a { color: inherit; text-decoration: none }\n"
+    "nav ol { columns: 2; list-style: none; padding: 0 } nav a, td a { color: inherit; text-decoration: none }\n"
+    "td a::after { content: ', page ' target-counter(attr(href), page) }\n"
     "nav a::after { content: leader('.') target-counter(attr(href), page) }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
@@ -319,14 +356,6 @@ enum { ROWS_TOGETHER = 16, ROWS_AT_END = 3 };
 /* A table of more columns than a page takes in the letters of others has smaller ones. */
 enum { COLUMNS_WIDE = 10 };
 
-static int count_columns(const struct thud_document *document, size_t table)
-{
-    size_t i = table + 1;
-    while (i < document->n && document->piece[i].kind == CELL)
-        i++;
-    return (int)(i - table - 1);
-}
-
 static void html_caption(struct thud_text *out, const struct thud_document *document, size_t table, const char *open,
                          const char *close)
 {
@@ -365,6 +394,16 @@ static void html_list(struct thud_text *out, const char *text)
     }
 }
 
+/* To a section by its heading. */
+static void html_reference(struct thud_text *out, const struct thud_document *document, const char *heading)
+{
+    for (size_t i = 0; i < document->n; i++)
+        if (document->piece[i].kind == HEADING && strcmp(text_of(&document->piece[i]), heading) == 0) {
+            thud_text_append(out, "<a href=\"#section-%d\">", number_of(document, i));
+            html_element(out, "", heading, "</a>");
+        }
+}
+
 static void html_cell(struct thud_text *out, struct place *place, const struct thud_document *document,
                       const char *text)
 {
@@ -383,7 +422,10 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
     else {
         thud_text_append(out,
                          column_is_words(document, place->at, place->column - 1) ? "<td class=\"words\">" : "<td>");
-        (*text == '[' ? html_list : escape_html)(out, text);
+        if (*text == '#')
+            html_reference(out, document, text + 1);
+        else
+            (*text == '[' ? html_list : escape_html)(out, text);
         thud_text_append(out, "</td>");
     }
 }
@@ -582,7 +624,7 @@ static void markdown_piece(struct thud_text *out, struct place *place, const str
         return;
     case CELL:
         thud_text_append(out, place->column++ > 0 ? " " : "| ");
-        escape_markdown(out, text);
+        escape_markdown(out, text + (place->body && place->column > 1 && *text == '#'));
         thud_text_append(out, " |");
         return;
     case ROW:

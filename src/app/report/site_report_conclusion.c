@@ -218,7 +218,7 @@ static void gap_criterion(struct site *site, int i)
     snprintf(shown, sizeof shown, "%.2f cm", thud_table_gap_cm(value));
     thud_document_cell(&site->document, "gap between %s and %s, by %s", thud_site_name(site, i - 1),
                        thud_site_name(site, i), site->code->name);
-    add_criterion(site, given, value, least, shown, governing, "Required gap");
+    add_criterion(site, given, value, least, shown, governing, "#Required gap");
 }
 
 /* In the unit of documents. */
@@ -258,7 +258,7 @@ static void criterion(struct site *site, enum thud_measure measure)
     thud_document_cell(&site->document, "%s", info->words);
     add_criterion(site, *limit->text ? limit->text + strcspn(limit->text, ":=") + 1 : "no limit given", value,
                   *limit->text ? limit->limit : NAN, value_text(info, value, shown, sizeof shown), governing,
-                  "Results");
+                  "#Results");
 }
 
 /* Whether a measure stands among the criteria: always, unless another of its name has the limit, or by its limit. */
@@ -290,7 +290,7 @@ void thud_site_conclusion(struct site *site)
     else
         snprintf(caption, sizeof caption, "Criteria, %s", site->own->words);
     thud_document_table(d, caption);
-    thud_document_head(d, "criterion|limit|value|ratio|met?|governing load case|section");
+    thud_document_head(d, "criterion|limit|value|ratio|met?|governing load case|section, page");
     for (int i = 1; site->gap && i < site->scene->nstructures; i++)
         gap_criterion(site, i);
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++)

@@ -635,6 +635,7 @@ enum thud_status thud_site_write(struct site *site, struct thud_error *err)
     thud_document_contents(&site->document);
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
         sections[i](site);
+    thud_document_tidy(&site->document);
     if (site->pictures == THUD_CANCELLED) {
         if (err)
             *err = site->picture_error;
