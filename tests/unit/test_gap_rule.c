@@ -162,7 +162,7 @@ START_TEST(means_of_seven_and_largest_of_fewer)
     ck_assert_double_eq_tol(ruled.gap_m, 0.18, 1e-15); /* 0.06 + 0.12 */
     suite.nrecords = suite.recordings = 7;
     thud_gap_suite_rule(&suite, THUD_GAP_ABS, 1, &ruled);
-    ck_assert_double_eq_tol(ruled.gap_m, 0.12, 1e-15); /* 0.04 + 0.08 */
+    ck_assert_double_eq_tol(ruled.gap_m, 0.12, 1e-15);           /* 0.04 + 0.08 */
     thud_gap_suite_rule(&suite, THUD_GAP_ASCE7_LINE, 1, &ruled); /* ASCE 7-16, 16.2.2: the mean of eleven or more */
     ck_assert_double_eq_tol(ruled.gap_m, 0.21, 1e-15);
     suite.recordings = 11;

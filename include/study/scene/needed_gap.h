@@ -20,7 +20,7 @@ struct thud_needed_gap {
     struct thud_collapse collapse; /* without contact: what is needed is that until then */
     int nlevels, ncolumns;
     double ductility; /* the largest of the storeys that can yield; 0: there is none */
-    double *shear_n; /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
+    double *shear_n;  /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
     struct thud_gap_level level[]; /* (nlevels) */
 };
 /* `scene` as written; its bumpers and gaps do not matter. For a bumper, add its thickness less its cavity. Free
