@@ -233,7 +233,7 @@ more() { "$THUD" fragility "$tmp/own.yaml" --records "$three" --factor 0.4 --eve
 is "a limit below the value that is enough for 84 % is passed by a motion of a fragility" [ "$(more 0.98)" -ge 1 ]
 is "one above it by none" [ "$(more 1.02)" -eq 0 ]
 is "an unknown limit" report 2 "$tmp/own.yaml" --limit sway=1
-is "is refused with those there are" says 'limit: "sway=1" is not a limit (force=5MN, acceleration=1g, drift=3cm, drift=1%, ductility=2, permanent=1cm, isolator=30cm, column=1, strain=80%)'
+is "is refused with those there are" says 'limit: "sway=1" is not a limit (force=5MN, acceleration=1g, drift=3cm, drift=1%, ductility=2, permanent=1cm, isolator=30cm, column=1, strain=80%, link=500kN)'
 sed 's/force: 5 MN/sway: 5 MN/' "$tmp/limits.yaml" >"$tmp/sway.yaml"
 is "and one of a preset" report 3 "$tmp/sway.yaml"
 is "at its line" says 'sway.yaml:[0-9]*:[0-9]*: document.limits: "sway:5 MN" is not a limit'
@@ -309,7 +309,7 @@ for case in "bumper alone lowers:bumper" "links alone lower:link" "bumper and li
     helped=$(awk -v of="${case#*:}" '$2 == "over" { on = $1 == of } on && sub(/^mean drift of Nr 14 */, "") { print $1, $2 }' "$tmp/out")
     is "has what ${case%%:*}, as the sweep does" in_text "The ${case%%:*} the mean drift of Nr 14 under ${helped#* } of 3 motions and raises* it under [0-9]: its ratio to neither bumper nor links is $(echo "$helped" | awk '{ printf "%.2f", $1 }') in the median"
 done
-is "and its verdicts name what is in them" in_text '| pounding without bumper and links | .*| pounding with the bumper and without links | .*| pounding with the links and without bumper | .*| pounding with bumper and links | .*| bumper alone of use | .*| links alone of use | .*| bumper and links of use | '
+is "and its verdicts name what is in them" in_text '| pounding without the bumper and links | .*| pounding with the bumper and without links | .*| pounding with the links and without the bumper | .*| pounding with the bumper and links | .*| bumper alone of use | .*| links alone of use | .*| bumper and links of use | '
 "$THUD" run "$tmp/own.yaml" --to 5s -o "$tmp/drawn" --format svg --quiet >/dev/null
 is "figures drawn before" report 0 "$tmp/own.yaml" --samples 0 --figures "$tmp/drawn/loop.svg,$tmp/drawn"
 is "stand at its end with their titles" in_text 'Further figures.*Figure [0-9]*. .*: total floor acceleration (g); .*[^.]\.  '

@@ -272,11 +272,11 @@ void thud_site_method(struct site *site)
     for (int i = SITE_NONE; i < site->ncases; i++)
         used += (size_t)snprintf(compared + used, sizeof compared - used, "%s%s", i > SITE_NONE ? "; " : "",
                                  site->ncases > SITE_MEASURE ? site->cases[i].words : "as they stand");
-    thud_document_paragraph(
-        d,
-        "The cases compared are the buildings too far apart to touch (%s), and at the gap given %s. Events (onset, separation, "
-        "yielding) are located in time, and every peak is that of the continuous history.",
-        site->cases[SITE_FREE].words, compared);
+    thud_document_paragraph(d,
+                            "The cases compared are the buildings too far apart to touch (%s), and at the gap given "
+                            "%s. Events (onset, separation, "
+                            "yielding) are located in time, and every peak is that of the continuous history.",
+                            site->cases[SITE_FREE].words, compared);
     add_symbols(site);
 }
 

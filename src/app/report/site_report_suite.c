@@ -336,9 +336,8 @@ static void add_motions(struct site *site)
     int ncases = suite->plan.ncases;
     char caption[200] = "Ground motions as specified";
     if (ncases > 1)
-        snprintf(caption, sizeof caption,
-                 "Ground motions as specified; ratio: mean acceleration %s over that %s", site->own->words,
-                 site->cases[SITE_NONE].words);
+        snprintf(caption, sizeof caption, "Ground motions as specified; ratio: mean acceleration %s over that %s",
+                 site->own->words, site->cases[SITE_NONE].words);
     thud_document_table(d, caption);
     thud_document_cells(d, "load case\tpeak g\tfactor\trequired gap cm");
     for (int k = 0; k < ncases; k++)
@@ -367,40 +366,40 @@ static void add_motions(struct site *site)
     }
 }
 
-static void add_fractiles(struct site *site, enum thud_measure measure, int structure, double unit, const char *what,
-                          const char *unit_name)
+static void add_fractiles(struct site *site, int from, enum thud_measure measure, int structure, double unit,
+                          const char *what, const char *unit_name)
 {
     struct thud_document *d = &site->document;
     thud_document_cell(d, "%s%s%s%s", what, structure >= 0 ? " of " : "",
                        structure >= 0 ? thud_site_name(site, structure) : "", unit_name);
-    for (int k = 0; k < site->suite.plan.ncases; k++) {
-        struct thud_fractiles f = over(site, k, measure, structure, 0);
-        const double three[] = {f.p16, f.median, f.p84};
-        for (int q = 0; q < 3; q++)
-            thud_document_cell(d, "%s", isnan(three[q]) ? "-" : thud_site_number(three[q] / unit, 3).text);
+    for (int k = from; k < site->suite.plan.ncases && k < from + 2; k++) {
+        const struct thud_fractiles f = over(site, k, measure, structure, 0);
+        thud_document_cells(d, "%s\t%s\t%s", thud_site_number(f.p16 / unit, 3).text,
+                            thud_site_number(f.median / unit, 3).text, thud_site_number(f.p84 / unit, 3).text);
     }
     thud_document_row(d);
 }
 
-static void add_statistics(struct site *site)
+/* Of two cases at a time, so that the table fits on paper. */
+static void add_statistics(struct site *site, int from)
 {
-    static const char *const quantile[] = {"16 %", "median", "84 %"};
     struct thud_document *d = &site->document;
-    thud_document_table(d, "Over the unscaled ground motions");
+    thud_document_table(d, from > 0 ? "Over the unscaled ground motions, further cases"
+                                    : "Over the unscaled ground motions");
     thud_document_cell(d, "largest");
-    for (int k = 0; k < site->suite.plan.ncases; k++)
-        for (int q = 0; q < 3; q++)
-            thud_document_cell(d, "%s: %s", site->cases[SITE_NONE + k].name, quantile[q]);
+    for (int k = SITE_NONE + from; k < site->ncases && k < SITE_NONE + from + 2; k++)
+        thud_document_cells(d, "%s: 16 %%\t%s: median\t%s: 84 %%", site->cases[k].name, site->cases[k].name,
+                            site->cases[k].name);
     thud_document_row(d);
-    add_fractiles(site, THUD_MEASURE_FORCE, -1, 1e6, "force", ", MN");
+    add_fractiles(site, from, THUD_MEASURE_FORCE, -1, 1e6, "force", ", MN");
     for (int s = 0; s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;
-        add_fractiles(site, THUD_MEASURE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
+        add_fractiles(site, from, THUD_MEASURE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
         if (thud_site_is_building(site, s))
-            add_fractiles(site, THUD_MEASURE_DRIFT, s, 1e-3, "drift", ", mm");
+            add_fractiles(site, from, THUD_MEASURE_DRIFT, s, 1e-3, "drift", ", mm");
         if (site->suite.runs->features & THUD_HAS_YIELDING)
-            add_fractiles(site, THUD_MEASURE_DUCTILITY, s, 1, "ductility", "");
+            add_fractiles(site, from, THUD_MEASURE_DUCTILITY, s, 1, "ductility", "");
     }
 }
 
@@ -445,7 +444,8 @@ void thud_site_suite_section(struct site *site)
     thud_document_heading(d, heading);
     site->suite.drawing = true;
     add_motions(site);
-    add_statistics(site);
+    for (int k = 0; k < site->suite.plan.ncases; k += 2)
+        add_statistics(site, k);
     const struct thud_suite *runs = site->suite.runs;
     thud_document_paragraph(d,
                             "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "

@@ -328,67 +328,52 @@ static double contact_value(const struct thud_contact_result *r, int column)
     return value[column] / contact_column[column].unit;
 }
 
-static bool has_column(const struct site *site, int column)
-{
-    for (int i = SITE_NONE; i < site->ncases; i++)
-        for (int c = 0; c < site->cases[i].result->ncontacts; c++)
-            if (!isnan(contact_value(&site->cases[i].result->contact[c], column)))
-                return true;
-    return false;
-}
-
-static void add_contact_table(struct site *site)
+/* Of two cases at a time, so that the table fits on paper. */
+static void add_contact_table(struct site *site, int from, int till)
 {
     struct thud_document *d = &site->document;
     if (site->own->result->ncontacts == 0)
         return;
-    thud_document_table(d, "Contacts");
+    thud_document_table(d, from > SITE_NONE ? "Contacts, further cases" : "Contacts");
     thud_document_cell(d, "floors");
-    for (int i = SITE_NONE; i < site->ncases; i++)
+    for (int i = from; i < till; i++)
         for (int k = 0; k < CONTACT_COLUMNS; k++)
-            if (has_column(site, k))
-                thud_document_cell(d, "%s: %s", site->cases[i].name, contact_column[k].name);
+            thud_document_cell(d, "%s: %s", site->cases[i].name, contact_column[k].name);
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
         const struct thud_contact_result *p = &site->own->result->contact[c];
         add_level_cell(site, p->interface, p->left_floor, p->right_floor, p->struck);
-        for (int i = SITE_NONE; i < site->ncases; i++)
+        for (int i = from; i < till; i++)
             for (int k = 0; k < CONTACT_COLUMNS; k++) {
-                double value = contact_value(&site->cases[i].result->contact[c], k);
-                if (has_column(site, k))
-                    thud_document_cell(d, "%s", thud_site_number(value, contact_column[k].digits).text);
+                const double value = contact_value(&site->cases[i].result->contact[c], k);
+                thud_document_cell(d, "%s", thud_site_number(value, contact_column[k].digits).text);
             }
         thud_document_row(d);
     }
 }
 
 /* The columns that slabs strike, of the ends the one that bears more. */
-static void add_column_table(struct site *site)
+static void add_column_table(struct site *site, int from, int till)
 {
     struct thud_document *d = &site->document;
     const struct thud_result *own = site->own->result;
     char name[THUD_NAME_MAX + 32];
-    bool limited = false;
-    for (int k = 0; k < own->ncolumns; k++)
-        limited = limited || !isnan(own->column[k].ratio);
     if (own->ncolumns == 0)
         return;
-    thud_document_table(d, "Columns that slabs strike: largest shear and moment at their ends");
+    thud_document_table(d, from > SITE_NONE ? "Columns that slabs strike, further cases"
+                                            : "Columns that slabs strike: largest shear and moment at their ends");
     thud_document_cell(d, "columns below");
-    for (int i = SITE_FREE; i < site->ncases; i++) {
-        thud_document_cells(d, "%s: shear MN\t%s: moment MN m", site->cases[i].name, site->cases[i].name);
-        if (limited)
-            thud_document_cell(d, "%s: shear / capacity", site->cases[i].name);
-    }
+    for (int i = from; i < till; i++)
+        thud_document_cells(d, "%s: shear MN\t%s: moment MN m\t%s: shear / capacity", site->cases[i].name,
+                            site->cases[i].name, site->cases[i].name);
     thud_document_row(d);
     for (int k = own->ncolumns - 1; k >= 0; k--) {
         thud_document_cell(d, "%s", thud_site_columns(site, &own->column[k], name, sizeof name));
-        for (int i = SITE_FREE; i < site->ncases; i++) {
+        for (int i = from; i < till; i++) {
             const struct thud_column_result *r = &site->cases[i].result->column[k];
-            thud_document_cells(d, "%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
-                                thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text);
-            if (limited)
-                thud_document_cell(d, "%s", thud_site_number(r->ratio, 3).text);
+            thud_document_cells(d, "%s\t%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
+                                thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text,
+                                thud_site_number(r->ratio, 3).text);
         }
         thud_document_row(d);
     }
@@ -448,8 +433,11 @@ static void results(struct site *site)
             for (int i = 0; i < FLOOR_TABLES; i++)
                 add_case_table(site, s, i);
         }
-    add_contact_table(site);
-    add_column_table(site);
+    for (int i = SITE_NONE; i < site->ncases; i += 2)
+        add_contact_table(site, i, i + 2 < site->ncases ? i + 2 : site->ncases);
+    add_column_table(site, SITE_FREE, site->ncases < SITE_MEASURE + 1 ? site->ncases : SITE_MEASURE + 1);
+    if (site->ncases > SITE_MEASURE + 1)
+        add_column_table(site, SITE_MEASURE + 1, site->ncases);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(site, &site->cases[i]);
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases)) {
