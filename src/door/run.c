@@ -102,7 +102,8 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
         status = thud_scene_options(cased, &options, err);
     if (status != THUD_OK)
         return status;
-    options.keep_history = options.keep_impacts = control->histories != 0;
+    options.keep_history = control->histories != 0;
+    options.keep_impacts = true; /* which remarks count */
     options.watch = control->step ? &watch : NULL;
     status = thud_scene_start(cased, scene->session.record, &options, &solution, err);
     if (status == THUD_OK)
