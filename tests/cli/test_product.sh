@@ -283,7 +283,7 @@ for key in impacts force_n impulse_ns; do
     column one/contacts.csv $key >of-sweep
     compare 1e-7 "$key of run and of a sweep of one point" of-run of-sweep
 done
-if [ -x "$PRODUCT_PEAKS" ]; then
+if [ -x "${PRODUCT_PEAKS:-}" ]; then
     "$PRODUCT_PEAKS" --json $(echo "$scene" | sed 's/ --set / /g') ${cut:+record.file=kobe-surrogate.csv record.peak=0.6g record.from=6s record.to=10s} >library.json 2>library.err ||
         complain "the library: $(head -c 200 library.err)"
     "$THUD" run $scene $cut --json --quiet >run.json 2>/dev/null
@@ -344,6 +344,19 @@ if [ -d sweep ]; then
 fi
 tell "counts and cases"
 
+# the largest peaks in the report's words, to three digits
+most() { awk -v size="$1" '$1 != "-" && $1 / size > m { m = $1 / size } END { printf "%.9g", m }'; }
+told() { sed -n "s/^| largest $1 | [^|]* | \\([0-9.]*\\) $2 |.*/\\1/p" report/report.md 2>/dev/null; }
+agree() { # WHAT TOLD OF-RUN
+    [ "${2:-0}" = 0 ] || awk -v said="$2" -v run="$3" 'BEGIN { d = said / run - 1; exit !(d * d < 1e-4 / 4) }' ||
+        complain "the largest $1 of report and run: $2 and $3"
+}
+floors() { grep -o '"floor": [0-9]*, "acceleration_mps2".*' run/result.json | member "$1"; }
+agree force "$(told force MN)" "$(grep '"left_floor"' run/result.json | member force_n | most 1e6)"
+case $name in isolated-moat-backfill) ;; # whose walls have accelerations, too
+*) agree acceleration "$(told acceleration g)" "$(floors acceleration_mps2 | most 9.80665)" ;; esac
+tell "the largest peaks of report and run"
+
 # the factor at which contact begins: fragility, solve, single runs on either side of it
 touches() { # FACTOR CASE
     "$THUD" run $scene $cut --factor "$1" $2 --json --quiet 2>/dev/null | grep '"left_floor"' | member impacts | awk '{ n += $1 } END { print (n > 0 ? "yes" : "no") }'
@@ -364,4 +377,14 @@ if [ -n "$motion" ]; then
         grep -q '^no pounding holds up to' solve.out || complain "solve of case $case from $below to $above: $(head -1 solve.out solve.err | tr '\n' ' ')"
     done <first-factors
 fi
-tell "the factor of first contact of fragility, solve and single runs"
+# over several motions the report tells the factor at which half of them touch
+case $full$name in full* | towers | links-friction | isolated-moat-backfill)
+    if [ -n "$motion" ] && command suite-report report $scene $motions --no-pdf --samples 0; then
+        sed -n 's/.*when the motions are scaled by \(.*, \)*\([0-9.]*\) ([0-9]* of the 2).*/\2/p' suite-report/report.md >said-report
+        "$THUD" fragility $scene $motions $factors --cases $cases --event pounding --no-figures --quiet -o both >/dev/null 2>both.err || complain "fragility of two motions: $(head -c 300 both.err)"
+        column both/fragility-curves.csv exact_median | awk '$1 != "-" { printf "%.2f\n", $1 }' >of-fragility
+        [ -s said-report ] || complain "the report of two motions tells no factor of first contact"
+        while read -r said; do grep -q -x -e "$said" of-fragility || complain "the factor of first contact in the report: $said; of fragility: $(tr '\n' ' ' <of-fragility)"; done <said-report
+    fi ;;
+esac
+tell "the factor of first contact of fragility, solve, report and single runs"
