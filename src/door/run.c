@@ -163,7 +163,7 @@ struct sweep {
     atomic_int stop;
 };
 
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+static enum thud_status deliver_point(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct sweep *s = context;
     enum thud_status status = THUD_OK;
@@ -227,7 +227,7 @@ static enum thud_status make_points(struct sweep *s, struct thud_results *result
                                          .threads = s->control->threads,
                                          .cancel = &s->stop,
                                          .context = s,
-                                         .take = take,
+                                         .take = deliver_point,
                                          .progress = progress};
     static const struct thud_schema *const schema[] = {&thud_sweep_floor_schema, &thud_sweep_contact_schema,
                                                        &thud_need_schema};

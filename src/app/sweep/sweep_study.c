@@ -12,7 +12,7 @@ struct making {
     struct thud_sweep_outcome *out;
 };
 
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+static enum thud_status deliver_point(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct making *m = context;
     enum thud_status status = m->journal ? thud_sweep_journal_add(m->journal, point, err)
@@ -71,7 +71,7 @@ static enum thud_status make(struct making *m, long done, struct thud_error *err
                                    .threads = study->threads,
                                    .cancel = study->cancel,
                                    .context = m,
-                                   .take = take,
+                                   .take = deliver_point,
                                    .progress = show};
     enum thud_status status = done < count ? thud_sweep_jobs_run(&jobs, err) : THUD_OK;
     if (status == THUD_CANCELLED) {

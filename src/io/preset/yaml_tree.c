@@ -203,7 +203,7 @@ static enum thud_status take_document(struct reading *r, const yaml_event_t *eve
     return THUD_OK;
 }
 
-static enum thud_status take(struct reading *r, const yaml_event_t *event)
+static enum thud_status add_event(struct reading *r, const yaml_event_t *event)
 {
     enum thud_status status = check_plain(r, event);
     if (status != THUD_OK)
@@ -260,7 +260,7 @@ static enum thud_status read_events(struct reading *r)
             break;
         }
         end = event.type == YAML_STREAM_END_EVENT;
-        status = take(r, &event);
+        status = add_event(r, &event);
         yaml_event_delete(&event);
     }
     yaml_parser_delete(&parser);

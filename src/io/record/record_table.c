@@ -111,7 +111,7 @@ enum thud_status record_table_name(struct record_table *table, size_t i, const c
 
 /* ---- names ---- */
 
-static bool named(const struct record_table *table, size_t i)
+static bool has_name(const struct record_table *table, size_t i)
 {
     return table->names == table->columns && table->name[i][0];
 }
@@ -119,7 +119,7 @@ static bool named(const struct record_table *table, size_t i)
 static bool name_begins(const struct record_table *table, size_t i, const char *word, bool whole)
 {
     size_t n = strlen(word);
-    return named(table, i) && thud_ascii_begins(table->name[i], strlen(table->name[i]), word) &&
+    return has_name(table, i) && thud_ascii_begins(table->name[i], strlen(table->name[i]), word) &&
            (!whole || !thud_ascii_is_alnum(table->name[i][n]));
 }
 
@@ -184,7 +184,8 @@ static int time_column(const struct record_table *table, bool *by_name)
             return (int)i;
     *by_name = false;
     size_t odd;
-    return table->columns > 1 && !named(table, 0) && table->in_last == table->columns && equal_step(table, 0, &odd) > 0
+    return table->columns > 1 && !has_name(table, 0) && table->in_last == table->columns &&
+                   equal_step(table, 0, &odd) > 0
                ? 0
                : -1;
 }
@@ -217,7 +218,7 @@ static enum thud_status take_step(struct record_table *table, int column, bool b
     }
     char unknown[TABLE_NAME_MAX] = "";
     double factor =
-        named(table, (size_t)column) ? record_name_seconds(table->name[column], unknown, sizeof unknown) : 1;
+        has_name(table, (size_t)column) ? record_name_seconds(table->name[column], unknown, sizeof unknown) : 1;
     if (factor == 0 && isnan(choice->dt_s) && !table->prose.dt_line) {
         record_refuse(table->source, table->names_line, 0, err,
                       "the unit of the times in the column \"%s\" is not known: give the time step with `record.dt`",
@@ -255,10 +256,10 @@ static enum thud_status ask_column(const struct record_table *table, int time, s
     size_t n = 0;
     for (size_t i = 0; i < table->columns && n < sizeof list - 60; i++)
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%zu%s%.40s", i ? ", " : ": ", i + 1,
-                              named(table, i) ? " " : "",
-                              (int)i == time && !named(table, i) ? " time"
-                              : named(table, i)                  ? table->name[i]
-                                                                 : "");
+                              has_name(table, i) ? " " : "",
+                              (int)i == time && !has_name(table, i) ? " time"
+                              : has_name(table, i)                  ? table->name[i]
+                                                                    : "");
     record_refuse(table->source, (int)table->lines.value[0], 0, err,
                   "it is not specified which of the %zu columns is the acceleration%s", table->columns, list);
     thud_error_key(err, "column");
@@ -290,14 +291,14 @@ static int find_column(const struct record_table *table, const struct thud_recor
     int horizontal = 0, at[2] = {-1, -1};
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < (int)table->columns && *wanted && !choice->part; i++)
-            if (i != time && named(table, (size_t)i) &&
+            if (i != time && has_name(table, (size_t)i) &&
                 (pass == 0             ? thud_ascii_same(table->name[i], wanted)
                  : !choice->channel[0] ? thud_component_is(table->name[i], wanted)
                                        : false))
                 return i;
     for (int i = 0; i < (int)table->columns; i++)
         if (i != time && !name_is_other(table, (size_t)i) &&
-            !(named(table, (size_t)i) && thud_component_is_vertical(table->name[i])) && horizontal++ < 2)
+            !(has_name(table, (size_t)i) && thud_component_is_vertical(table->name[i])) && horizontal++ < 2)
             at[horizontal - 1] = i;
     return choice->part && horizontal == 2 ? at[choice->part - 1] : -1;
 }
@@ -308,8 +309,8 @@ static bool is_list(const struct record_table *table, int time)
 {
     const struct record_source *source = table->source;
     char last = source->size ? source->text[source->size - 1] : 0;
-    return table->columns > 2 && table->in_last < table->columns && table->rows > 2 && time < 0 && !named(table, 0) &&
-           (last == '\n' || last == '\r');
+    return table->columns > 2 && table->in_last < table->columns && table->rows > 2 && time < 0 &&
+           !has_name(table, 0) && (last == '\n' || last == '\r');
 }
 
 /* *column from 0; -1: all of them, row by row. */
@@ -415,12 +416,12 @@ enum thud_status record_table_finish(struct record_table *table, const struct th
         return status;
     if (column >= 0 && only_candidate(table, time) < 0)
         raw->parts = (int)table->columns - (time >= 0);
-    if (raw->parts > 1 && named(table, (size_t)column) && !raw->component[0])
+    if (raw->parts > 1 && has_name(table, (size_t)column) && !raw->component[0])
         record_copy(raw->component, sizeof raw->component, table->name[column],
                     table->name[column] + strlen(table->name[column]));
     if (!isnan(choice->dt_s) && isnan(raw->dt_s))
         table->prose.dt_line = 0; /* the user has decided */
-    if (column >= 0 && named(table, (size_t)column)) {
+    if (column >= 0 && has_name(table, (size_t)column)) {
         double factor = record_name_unit(table->name[column], raw->unknown_unit, sizeof raw->unknown_unit);
         raw->factor_line = table->names_line;
         if (factor != 0)

@@ -14,7 +14,7 @@ struct taker {
     struct thud_sweep_collector *to;
 };
 
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+static enum thud_status collect_point(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct taker *taker = context;
     enum thud_status status = thud_sweep_collector_add(taker->to, taker->plan, point, err);
@@ -39,7 +39,7 @@ static enum thud_status vary_storeys(struct thud_paper_runs *runs, const struct 
                                    .threads = how->threads,
                                    .cancel = how->cancel,
                                    .context = &taker,
-                                   .take = take};
+                                   .take = collect_point};
     thud_sweep_collector_init(&runs->storeys, &runs->plan, &runs->name);
     return thud_sweep_jobs_run(&jobs, err);
 }

@@ -148,7 +148,7 @@ struct taker {
     long before; /* points of the half that is done */
 };
 
-static enum thud_status take(void *context, struct thud_sweep_point *point, struct thud_error *err)
+static enum thud_status collect_point(void *context, struct thud_sweep_point *point, struct thud_error *err)
 {
     struct taker *taker = context;
     enum thud_status status = thud_sweep_collector_add(taker->to, &taker->work->plan, point, err);
@@ -194,7 +194,7 @@ static enum thud_status run_half(struct thud_paper_work *work, const struct thud
                                    .threads = request->threads,
                                    .cancel = request->cancel,
                                    .context = &taker,
-                                   .take = take,
+                                   .take = collect_point,
                                    .progress = progress};
     return thud_sweep_jobs_run(&jobs, err);
 }

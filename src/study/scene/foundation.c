@@ -1,6 +1,5 @@
 /* Foundations as a person gives them: springs and dashpots, or the soil that they follow from. */
 #include <math.h>
-#include <stdio.h>
 
 #include "base/quantity.h"
 #include "core/model/model.h"
@@ -58,12 +57,7 @@ struct thud_foundation_input thud_structure_foundation(const struct thud_structu
         .rocking_nmsprad = given(s->rocking_nmsprad, soil ? rho * vp * 0.25 * THUD_PI * a * a * a * a : 0)};
 }
 
-static enum thud_status refuse(struct thud_error *err, int index, const char *key, const char *allowed)
-{
-    thud_error_key(err, "structures.%d.foundation.%s", index + 1, key);
-    thud_error_allow(err, "%s", allowed);
-    return THUD_INPUT;
-}
+#define KEY "structures.%d.foundation.%s"
 
 enum thud_status thud_structure_check_foundation(const struct thud_structure *s, int index, struct thud_error *err)
 {
@@ -77,28 +71,26 @@ enum thud_status thud_structure_check_foundation(const struct thud_structure *s,
             continue;
         thud_quantity_format(value, param->unit, text, sizeof text);
         thud_param_check(param, value, text, err);
-        snprintf(text, sizeof text, "structures.%d.foundation.%s", index + 1, param->name);
-        thud_error_key(err, "%s", text);
-        return THUD_INPUT;
+        return thud_scene_refuse(err, NULL, KEY, index + 1, param->name);
     }
     if (isnan(f.mass_kg)) {
         thud_error_set(err, THUD_INPUT, "the foundation's mass is not given");
-        return refuse(err, index, "mass", "a mass in t or kg");
+        return thud_scene_refuse(err, "a mass in t or kg", KEY, index + 1, "mass");
     }
     if (soil && isnan(s->soil_vs_mps + s->soil_density_kgpm3 + s->foundation_radius_m)) {
         const char *key = isnan(s->soil_vs_mps) ? "vs" : isnan(s->soil_density_kgpm3) ? "density" : "radius";
         thud_error_set(err, THUD_INPUT, "of the soil, vs, density and radius are not all given");
-        return refuse(err, index, key, "all three, and poisson (1/3 where it is not given)");
+        return thud_scene_refuse(err, "all three, and poisson (1/3 where it is not given)", KEY, index + 1, key);
     }
     if (isnan(f.sway_npm) || isnan(f.rocking_nmprad)) {
         thud_error_set(err, THUD_INPUT, "the stiffness against %s is not given",
                        isnan(f.sway_npm) ? "sway" : "rocking");
-        return refuse(err, index, isnan(f.sway_npm) ? "sway-stiffness" : "rocking-stiffness",
-                      "sway-stiffness and rocking-stiffness, or vs, density and radius");
+        return thud_scene_refuse(err, "sway-stiffness and rocking-stiffness, or vs, density and radius", KEY, index + 1,
+                                 isnan(f.sway_npm) ? "sway-stiffness" : "rocking-stiffness");
     }
     if (isnan(f.inertia_kgm2)) {
         thud_error_set(err, THUD_INPUT, "the foundation's moment of inertia is not given");
-        return refuse(err, index, "inertia", "in t m2; or a radius, for that of a disk");
+        return thud_scene_refuse(err, "in t m2; or a radius, for that of a disk", KEY, index + 1, "inertia");
     }
     return THUD_OK;
 }

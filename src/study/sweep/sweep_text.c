@@ -220,7 +220,7 @@ static void sizes(struct line *l, struct thud_sweep_point *p)
     count(l, &p->ncontacts, 0, FLOORS);
 }
 
-static void rest(struct line *l, struct thud_sweep_point *p)
+static void numbers_of_runs(struct line *l, struct thud_sweep_point *p)
 {
     number(l, &p->gap_m);
     for (int s = 0; s < p->nstructures; s++)
@@ -285,7 +285,7 @@ void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_te
     if (fall)
         falls(&l, &same);
     sizes(&l, &same);
-    rest(&l, &same);
+    numbers_of_runs(&l, &same);
     put_sum(out, start);
 }
 
@@ -312,7 +312,7 @@ enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point
     point->index = head.index;
     memcpy(point->fall, head.fall, sizeof point->fall);
     point->nstructures = head.nstructures;
-    rest(&l, point);
+    numbers_of_runs(&l, point);
     int nfloors = 0;
     for (int s = 0; s < point->nstructures; s++)
         nfloors += point->floors[s];
