@@ -51,14 +51,11 @@ static void move_record(const struct thud_session *session, const char *to, stru
 }
 
 static enum thud_status write_preset(const struct thud_session *session, const struct thud_simplify_found *found,
-                                     const char *folder, struct thud_error *err)
+                                     const char *folder, struct thud_scene *scene, struct thud_error *err)
 {
-    struct thud_scene *scene = malloc(sizeof *scene);
     struct thud_text text = {0};
     char path[4096], *preset = NULL;
     unsigned long size;
-    if (!scene)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
     *scene = found->scene;
     snprintf(path, sizeof path, "%s/simplest.yaml", folder);
     thud_building_files_move(scene, session->preset_path, path);
@@ -71,13 +68,12 @@ static enum thud_status write_preset(const struct thud_session *session, const s
     }
     thud_text_clear(&text);
     free(preset);
-    free(scene);
     return status;
 }
 
 static enum thud_status save(const struct thud_args *args, const struct thud_session *session,
                              const struct thud_simplify_found *found, struct thud_picture_choice *picture,
-                             struct thud_error *err)
+                             struct thud_scene *scene, struct thud_error *err)
 {
     const char *folder = thud_args_value(args, "o"),
                *title = session->scene.title[0] ? session->scene.title : session->scene.name;
@@ -87,7 +83,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_ses
     enum thud_status status = thud_text_write_in(&text, folder, "simplifications.csv", err);
     thud_text_clear(&text);
     if (status == THUD_OK)
-        status = write_preset(session, found, folder, err);
+        status = write_preset(session, found, folder, scene, err);
     picture->options.cancel = thud_interrupt_watch();
     return status == THUD_OK
                ? thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err)
@@ -123,7 +119,7 @@ static enum thud_status simplify(const struct thud_args *args, struct thud_sessi
         begun = status == THUD_OK;
     }
     if (status == THUD_OK && thud_args_has(args, "o"))
-        status = save(args, session, found, &picture, err);
+        status = save(args, session, found, &picture, scene, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
         thud_simplify_json(found, scene->name, &text);
     else if (status == THUD_OK && thud_args_has(args, "csv")) {

@@ -1,6 +1,7 @@
 #include "app/sweep/simplify_report.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "app/run/timing.h"
@@ -24,27 +25,26 @@ enum thud_status thud_simplify_search(const struct thud_scene *scene, const stru
     return status;
 }
 
-static void put_change(double change, struct thud_text *out)
+struct shown {
+    char text[24];
+};
+static struct shown percent(double change)
 {
-    if (change > 10)
-        thud_text_append(out, "more than 1000 %%");
-    else
-        thud_text_append(out, "%.2g %%", 100 * change);
+    struct shown out;
+    snprintf(out.text, sizeof out.text, change > 10 ? "more than 1000 %%" : "%.2g %%", 100 * change);
+    return out;
 }
 
 void thud_simplify_sentence(const struct thud_simplify_found *f, struct thud_text *out)
 {
     if (f->steps == 0) {
-        thud_text_append(out, "this scene is at its least: nothing can be left out within ");
-        put_change(f->within, out);
+        thud_text_append(out, "this scene is at its least: nothing can be left out within %s", percent(f->within).text);
         return;
     }
     for (int i = 0; i < f->steps; i++)
         thud_text_append(out, "%s%s", i > 0 ? ", " : "", f->one[f->step[i]].words);
-    thud_text_append(out, ": ");
-    put_change(f->cheapest.change.all, out);
-    thud_text_append(out, " off at %.3g %% of the work; %d numbers to be known in place of %d", 100 * f->cheapest.work,
-                     f->cheapest.inputs, f->full.inputs);
+    thud_text_append(out, ": %s off at %.3g %% of the work; %d numbers to be known in place of %d",
+                     percent(f->cheapest.change.all).text, 100 * f->cheapest.work, f->cheapest.inputs, f->full.inputs);
 }
 
 /* What a change is without any impact where the full run has some. */
@@ -84,22 +84,17 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
         "Methods that keep it, each at its largest step or tolerance: "};
     if (f->nmotions > 1) {
         thud_text_append(out, "%sFound on ground motion %d of %d, the hardest.", before, f->governing + 1, f->nmotions);
-        if (f->steps > 0) {
-            thud_text_append(out, " On all of them: median ");
-            put_change(f->cheapest.median, out);
-            thud_text_append(out, " off, worst ");
-            put_change(f->cheapest.worst, out);
-            thud_text_append(out, ".");
-        }
+        if (f->steps > 0)
+            thud_text_append(out, " On all of them: median %s off, worst %s.", percent(f->cheapest.median).text,
+                             percent(f->cheapest.worst).text);
         thud_text_append(out, "\n");
     }
-    if (f->moved > f->within) {
-        thud_text_append(out, "%sThis scene's peaks move by ", before);
-        put_change(f->moved, out);
-        thud_text_append(out, " under 0.1 %% of input: ");
-        put_change(f->within, out);
-        thud_text_append(out, " holds for these inputs exactly, and no model reaches it for the real scene.\n");
-    }
+    if (f->moved > f->within)
+        thud_text_append(
+            out,
+            "%sThis scene's peaks move by %s under 0.1 %% of input: %s holds for these inputs exactly, and "
+            "no model reaches it for the real scene.\n",
+            before, percent(f->moved).text, percent(f->within).text);
     if (f->untried > 0)
         thud_text_append(out, "%sNot tried, since %d runs are enough: %d simplifications.\n", before, f->runs,
                          f->untried);
@@ -122,9 +117,7 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
 void thud_simplify_report(const struct thud_simplify_found *f, struct thud_text *out)
 {
     const struct thud_rows rows = thud_simplify_table_rows(f);
-    thud_text_append(out, "Within ");
-    put_change(f->within, out);
-    thud_text_append(out, ": ");
+    thud_text_append(out, "Within %s: ", percent(f->within).text);
     thud_simplify_sentence(f, out);
     thud_text_append(out, ".\n");
     thud_simplify_remarks(f, "", out);
@@ -163,16 +156,13 @@ void thud_simplify_json(const struct thud_simplify_found *f, const char *preset,
 
 void thud_simplify_comments(const struct thud_simplify_found *f, struct thud_text *out)
 {
-    thud_text_append(out, "# Written by `thud simplify`: the cheapest model within ");
-    put_change(f->within, out);
-    thud_text_append(out, ".\n# Left out:\n");
-    for (int i = 0; i < f->steps; i++) {
-        thud_text_append(out, "#   %s: ", f->one[f->step[i]].words);
-        put_change(f->one[f->step[i]].change.all, out);
-        thud_text_append(out, " alone\n");
-    }
-    thud_text_append(out, "%s# All together: ", f->steps == 0 ? "#   nothing\n" : "");
-    put_change(f->cheapest.change.all, out);
-    thud_text_append(out, " off (peaks over the largest of their group, required gap over itself).\n");
+    thud_text_append(out, "# Written by `thud simplify`: the cheapest model within %s.\n# Left out:\n",
+                     percent(f->within).text);
+    for (int i = 0; i < f->steps; i++)
+        thud_text_append(out, "#   %s: %s alone\n", f->one[f->step[i]].words,
+                         percent(f->one[f->step[i]].change.all).text);
+    thud_text_append(out,
+                     "%s# All together: %s off (peaks over the largest of their group, required gap over itself).\n",
+                     f->steps == 0 ? "#   nothing\n" : "", percent(f->cheapest.change.all).text);
     thud_simplify_remarks(f, "# ", out);
 }
