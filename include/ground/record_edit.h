@@ -24,8 +24,6 @@ enum thud_status thud_record_like(const struct thud_record *record, const double
  * (1 or more) of its own apart: a sinc in a Blackman window, which shifts no phase and falls within a sixth of its corner.
  * Beyond its ends the motion is 0. Errors: THUD_INPUT (fewer than two remain), THUD_MEMORY. */
 enum thud_status thud_record_low_pass(struct thud_record *record, double spacing, int every, struct thud_error *err);
-/* One sample in `every` (2 or more), after a low pass at half of their rate. */
-enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err);
 
 /* Returns a new record at another step, by linear interpolation between the samples, as every run does: at a whole
  * fraction of the step the motion is the same, at any other it loses what lies between. Errors: THUD_INPUT (a step that

@@ -176,8 +176,3 @@ enum thud_status thud_record_low_pass(struct thud_record *record, double spacing
     free(weight);
     return THUD_OK;
 }
-
-enum thud_status thud_record_thin(struct thud_record *record, int every, struct thud_error *err)
-{
-    return thud_record_low_pass(record, every, every, err);
-}

@@ -174,12 +174,12 @@ START_TEST(thinning_keeps_what_is_slow)
         const double away = (dt * (double)i - 10) / 3;
         record->a_mps2[i] += exp(-away * away) * sin(2 * PI * 45 * dt * (double)i);
     }
-    ck_assert_int_eq(thud_record_thin(record, every, &err), THUD_OK);
+    ck_assert_int_eq(thud_record_low_pass(record, every, every, &err), THUD_OK);
     ck_assert_uint_eq(record->samples, 2000 / (size_t)every + 1);
     ck_assert_double_eq_tol(record->dt_s, every * dt, 1e-15);
     for (size_t i = 0; i < record->samples && i < plain->samples; i++)
         ck_assert_double_eq_tol(record->a_mps2[i], plain->a_mps2[i], 2e-3);
-    ck_assert_int_eq(thud_record_thin(record, 5000, &err), THUD_INPUT);
+    ck_assert_int_eq(thud_record_low_pass(record, 5000, 5000, &err), THUD_INPUT);
     thud_record_free(record);
     thud_record_free(plain);
 }

@@ -202,7 +202,7 @@ enum thud_status thud_record_choice_apply(struct thud_record *record, const stru
     for (size_t i = 0; i < record->samples; i++)
         if (!isfinite(record->a_mps2[i]))
             return thud_error_set(err, THUD_INPUT, "scaled by %g, the record is no longer finite", factor);
-    if (choice->every > 1 && (status = thud_record_thin(record, choice->every, err)) == THUD_INPUT) {
+    if (choice->every > 1 && (status = thud_record_low_pass(record, choice->every, choice->every, err)) == THUD_INPUT) {
         thud_error_place(err, record->file, 0, 0);
         thud_error_key(err, "every");
     }

@@ -84,13 +84,18 @@ enum thud_status thud_simplify_create(const struct thud_scene *scene, struct thu
     return THUD_OK;
 }
 
+static void clear_peaks(struct motion *motion)
+{
+    for (int i = 0; i < THUD_SIMPLIFY_CASES; i++)
+        thud_simplify_peaks_clear(&motion->peaks[i]);
+}
+
 void thud_simplify_free(struct thud_simplify *s)
 {
     if (!s)
         return;
     for (int i = 0; s->motion && i < s->found.nmotions; i++)
-        for (int k = 0; k < THUD_SIMPLIFY_CASES; k++)
-            thud_simplify_peaks_clear(&s->motion[i].peaks[k]);
+        clear_peaks(&s->motion[i]);
     thud_solution_clear(&s->full);
     free(s->motion);
     free(s->change);
@@ -167,8 +172,18 @@ static enum thud_status make_record(const struct thud_simplify *s, const struct 
     if (status == THUD_OK && cut)
         status = thud_record_trim(*out, scene->record.from_s - begin, scene->record.to_s - begin, err);
     if (status == THUD_OK && scene->record.every > 1 && s->base.record.every != scene->record.every)
-        status = thud_record_thin(*out, scene->record.every, err);
+        status = thud_record_low_pass(*out, scene->record.every, scene->record.every, err);
     return status == THUD_OK && low_pass > 0 ? thud_record_low_pass(*out, low_pass, 1, err) : status;
+}
+
+static struct thud_simplify_change compare(const struct thud_simplify *s, const struct motion *full,
+                                           const struct motion *simple)
+{
+    struct thud_simplify_change change = thud_simplify_unchanged();
+    for (int i = 0; i < s->ask.ncases; i++)
+        thud_simplify_compare(&full->peaks[i], &simple->peaks[i], &change);
+    thud_simplify_compare_gap(full->gap_m, simple->gap_m, &change);
+    return change;
 }
 
 /* A scene against the full one on a ground motion. A run that fails is no error: `failed`. */
@@ -178,25 +193,16 @@ static enum thud_status evaluate(struct thud_simplify *s, const struct thud_scen
     struct thud_record *record = NULL;
     struct motion simple = {.gap_m = NAN};
     const int runs = s->found.runs;
-    to->change = thud_simplify_unchanged();
     to->inputs = thud_scene_inputs(scene);
     enum thud_status status = make_record(s, scene, full->record, low_pass, &record, err);
     simple.record = record;
     if (status == THUD_OK)
         status = run_cases(s, scene, &simple, err);
-    for (int i = 0; i < s->ask.ncases; i++) {
-        if (status == THUD_OK)
-            thud_simplify_compare(&full->peaks[i], &simple.peaks[i], &to->change);
-        thud_simplify_peaks_clear(&simple.peaks[i]);
-    }
-    thud_simplify_compare_gap(full->gap_m, simple.gap_m, &to->change);
-    thud_simplify_change_end(&to->change);
-    to->work = full->work > 0 ? simple.work / full->work : 1;
     to->failed = status != THUD_OK;
-    if (to->failed) {
-        to->change = thud_simplify_unchanged();
-        to->change.all = INFINITY;
-    }
+    to->change =
+        to->failed ? (struct thud_simplify_change){NAN, NAN, NAN, NAN, INFINITY, 0} : compare(s, full, &simple);
+    to->work = full->work > 0 ? simple.work / full->work : 1;
+    clear_peaks(&simple);
     if (full != s->on)
         s->found.runs = runs;
     thud_record_free(record);
@@ -224,7 +230,6 @@ static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *er
             status = thud_simplify_peaks_take(thud_run_result(solution.run), &peaks, err);
         if (status == THUD_OK)
             thud_simplify_compare(&full, &peaks, &change);
-        thud_simplify_change_end(&change);
         most = fmax(most, change.all);
         thud_simplify_peaks_clear(&peaks);
         thud_solution_clear(&solution);
@@ -243,35 +248,27 @@ static struct thud_simplify_from from(const struct thud_simplify *s)
 static enum thud_status list_one_motion(struct thud_simplify *s, struct thud_error *err)
 {
     struct thud_simplify_found *f = &s->found;
-    struct thud_simplify_peaks mean[THUD_SIMPLIFY_CASES] = {{0}};
+    struct motion mean = {.gap_m = 0};
     struct thud_simplification *to = &f->one[s->listed];
-    double gap_m = 0;
     enum thud_status status = THUD_OK;
     for (int m = 0; status == THUD_OK && m < f->nmotions; m++) {
         for (int i = 0; status == THUD_OK && i < s->ask.ncases; i++)
-            status = thud_simplify_peaks_add(&s->motion[m].peaks[i], 1.0 / f->nmotions, &mean[i], err);
-        gap_m += s->motion[m].gap_m / f->nmotions;
+            status = thud_simplify_peaks_add(&s->motion[m].peaks[i], 1.0 / f->nmotions, &mean.peaks[i], err);
+        mean.gap_m += s->motion[m].gap_m / f->nmotions;
     }
-    *to = (struct thud_simplification){.group = THUD_SIMPLIFY_MOTION,
-                                       .information = true,
-                                       .inputs = f->full.inputs,
-                                       .work = 1.0 / f->nmotions,
-                                       .median = NAN,
-                                       .worst = NAN,
-                                       .row = -1};
+    *to = f->full;
+    to->group = THUD_SIMPLIFY_MOTION;
+    to->information = true;
+    to->work = 1.0 / f->nmotions;
+    to->seconds = 0;
     for (int m = 0; status == THUD_OK && m < f->nmotions; m++) {
-        struct thud_simplify_change change = thud_simplify_unchanged();
-        for (int i = 0; i < s->ask.ncases; i++)
-            thud_simplify_compare(&mean[i], &s->motion[m].peaks[i], &change);
-        thud_simplify_compare_gap(gap_m, s->motion[m].gap_m, &change);
-        thud_simplify_change_end(&change);
+        const struct thud_simplify_change change = compare(s, &mean, &s->motion[m]);
         if (m == 0 || change.all < to->change.all) {
             to->change = change;
             snprintf(to->words, sizeof to->words, "ground motion %d alone in place of %d", m + 1, f->nmotions);
         }
     }
-    for (int i = 0; i < s->ask.ncases; i++)
-        thud_simplify_peaks_clear(&mean[i]);
+    clear_peaks(&mean);
     return status;
 }
 

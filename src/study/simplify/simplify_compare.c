@@ -108,6 +108,8 @@ void thud_simplify_compare(const struct thud_simplify_peaks *full, const struct 
         if (simple->item[i].kind == FORCE && !find(full, &simple->item[i], i))
             widen(part[FORCE], 0, simple->item[i].value, kind[FORCE], kind[FORCE]);
     change->impacts += simple->impacts;
+    for (int k = 0; k < KINDS; k++)
+        change->all = fmax(change->all, *part[k]); /* of numbers alone */
     if ((full->impacts > 0) != (simple->impacts > 0) || full->collapsed != simple->collapsed)
         change->all = INFINITY;
 }
@@ -116,9 +118,5 @@ void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simpl
 {
     if (full_m > 0)
         change->gap = isnan(simple_m) ? 1 : fabs(simple_m - full_m) / full_m;
-}
-
-void thud_simplify_change_end(struct thud_simplify_change *c)
-{
-    c->all = fmax(c->all, fmax(fmax(c->acceleration, c->drift), fmax(c->force, c->gap))); /* of numbers alone */
+    change->all = fmax(change->all, change->gap);
 }

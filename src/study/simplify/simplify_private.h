@@ -69,5 +69,3 @@ void thud_simplify_compare(const struct thud_simplify_peaks *full, const struct 
                            struct thud_simplify_change *change);
 /* The same of required gaps (NaN: none), m. */
 void thud_simplify_compare_gap(double full_m, double simple_m, struct thud_simplify_change *change);
-/* The largest of all. */
-void thud_simplify_change_end(struct thud_simplify_change *change);
