@@ -47,12 +47,6 @@ void thud_simplify_sentence(const struct thud_simplify_found *f, struct thud_tex
                      percent(f->cheapest.change.all).text, 100 * f->cheapest.work, f->cheapest.inputs, f->full.inputs);
 }
 
-/* What a change is without any impact where the full run has some. */
-static bool misses_impacts(const struct thud_simplify_found *f, const struct thud_simplification *one)
-{
-    return !one->failed && one->row >= 0 && one->change.impacts == 0 && f->full.change.impacts > 0;
-}
-
 /* Whether a method keeps the accuracy with it, and does not with a larger step: these stand one after the other. */
 static bool is_largest_step(const struct thud_simplify_found *f, const struct thud_simplification *one)
 {
@@ -103,8 +97,8 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
         for (int i = 0; i < f->n; i++) {
             const struct thud_simplification *one = &f->one[i];
             const double change = *one->input ? change_of_input(f, i) : NAN;
-            const bool told[LISTS] = {misses_impacts(f, one), change > f->within, change < nothing,
-                                      is_largest_step(f, one)};
+            const bool misses = !one->failed && one->row >= 0 && one->change.impacts == 0 && f->full.change.impacts > 0;
+            const bool told[LISTS] = {misses, change > f->within, change < nothing, is_largest_step(f, one)};
             if (told[list])
                 thud_text_append(out, "%s%s%s", n > 0 ? "" : before, n > 0 ? ", " : begins[list],
                                  list == DECIDES || list == NOTHING ? one->input : one->words);

@@ -16,6 +16,7 @@
 #include "study/sweep/sensitivity.h"
 
 enum { RUNS_MOST = 150 };
+static const struct thud_simplify_change unchanged = {NAN, NAN, NAN, NAN, 0, 0}; /* as yet */
 enum stage { STAGE_MOTIONS, STAGE_MOVED, STAGE_SINGLE, STAGE_TOGETHER, STAGE_WHOLE, STAGE_EACH, STAGE_DONE };
 
 /* The full run on a ground motion. */
@@ -179,7 +180,7 @@ static enum thud_status make_record(const struct thud_simplify *s, const struct 
 static struct thud_simplify_change compare(const struct thud_simplify *s, const struct motion *full,
                                            const struct motion *simple)
 {
-    struct thud_simplify_change change = thud_simplify_unchanged();
+    struct thud_simplify_change change = unchanged;
     for (int i = 0; i < s->ask.ncases; i++)
         thud_simplify_compare(&full->peaks[i], &simple->peaks[i], &change);
     thud_simplify_compare_gap(full->gap_m, simple->gap_m, &change);
@@ -222,7 +223,7 @@ static enum thud_status run_moved(struct thud_simplify *s, struct thud_error *er
     for (int i = 0; status == THUD_OK && i < 2 * THUD_CHANGES; i++) {
         struct thud_solution solution;
         struct thud_simplify_peaks peaks = {0};
-        struct thud_simplify_change change = thud_simplify_unchanged();
+        struct thud_simplify_change change = unchanged;
         status = thud_change_solve(&s->base, s->on->record, (enum thud_change)(i / 2), i % 2 ? 1.001 : 0.999, &solution,
                                    err);
         s->found.runs++;
@@ -426,9 +427,7 @@ enum thud_status thud_simplify_advance(struct thud_simplify *s, double **seconds
         if (s->at == f->nmotions) {
             f->governing = (int)(s->on - s->motion);
             f->runs /= f->nmotions;
-            for (int i = 0; i < s->ask.ncases; i++)
-                f->full.change.impacts += s->on->peaks[i].impacts;
-            f->cheapest.change = f->full.change;
+            f->cheapest.change = f->full.change = compare(s, s->on, s->on);
             next_stage(s);
         }
         break;

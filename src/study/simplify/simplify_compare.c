@@ -60,11 +60,6 @@ void thud_simplify_peaks_clear(struct thud_simplify_peaks *peaks)
     *peaks = (struct thud_simplify_peaks){0};
 }
 
-struct thud_simplify_change thud_simplify_unchanged(void)
-{
-    return (struct thud_simplify_change){NAN, NAN, NAN, NAN, 0, 0};
-}
-
 /* The same peak of another run, where the list has it (NULL: nowhere); most stand at the same place. */
 static const struct thud_simplify_peak *find(const struct thud_simplify_peaks *in, const struct thud_simplify_peak *as,
                                              int place)

@@ -15,8 +15,9 @@ struct thud_simplify_from {
 };
 
 struct thud_simplify_row {
-    const char *words, *keys; /* $: name, @: number from 1, #: size; keys: KEY=VALUE parted by ; (NULL: made) */
-    const char *const *size;  /* what # stands for, the least first, NULL at the end; NULL: there is none */
+    const char *words,
+        *keys; /* $: name, @: number from 1, #: size; keys: KEY=VALUE parted by ; (NULL: made), !: the law that acts */
+    const char *const *size; /* what # stands for, the least first, NULL at the end; NULL: there is none */
     enum thud_simplify_group group;
     enum thud_simplify_span span;
     const char *input;
@@ -62,8 +63,6 @@ enum thud_status thud_simplify_peaks_take(const struct thud_result *result, stru
 enum thud_status thud_simplify_peaks_add(const struct thud_simplify_peaks *of, double share,
                                          struct thud_simplify_peaks *to, struct thud_error *err);
 void thud_simplify_peaks_clear(struct thud_simplify_peaks *peaks);
-/* No change yet, of anything. */
-struct thud_simplify_change thud_simplify_unchanged(void);
 /* Widens a change by that of one case; `gap` stays. */
 void thud_simplify_compare(const struct thud_simplify_peaks *full, const struct thud_simplify_peaks *simple,
                            struct thud_simplify_change *change);

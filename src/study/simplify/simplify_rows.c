@@ -174,15 +174,6 @@ static bool make_stiffness(const struct thud_simplify_from *from, struct thud_sc
     return true;
 }
 
-static bool make_residual(const struct thud_simplify_from *from, struct thud_scene *scene)
-{
-    struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
-    const int i = choice->law ? thud_law_param(choice->law, "residual") : -1;
-    if (i >= 0)
-        choice->value[i] = 1;
-    return i >= 0;
-}
-
 static bool make_without_link(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
     for (int i = 0; i < scene->nlinks; i++)
@@ -247,7 +238,7 @@ static const struct thud_simplify_row rows[] = {
     {ROW(CONTACT, INTERFACE, "no contact of $", NULL, NULL, "contact of $"), .make = make_no_contact},
     {ROW(CONTACT, INTERFACE, "linear law of $", NULL, NULL, "contact law of $"), .make = make_linear_law},
     {ROW(CONTACT, INTERFACE, "impulses by restitution of $", NULL, NULL, "contact law of $"), .make = make_impulses},
-    {ROW(CONTACT, INTERFACE, "no residual of $", NULL, NULL, "residual indentation of $"), .make = make_residual},
+    {ROW(CONTACT, INTERFACE, "no residual of $", "interfaces.@.!.residual=recover", NULL, "residual indentation of $")},
     {ROW(CONTACT, INTERFACE, "contact of $ # as stiff", NULL, stiffnesses, "contact stiffness of $"), .information = true, .make = make_stiffness},
     {ROW(MOTION, SCENE, "strong part of the motion (5 to 95 %)", NULL, NULL, "motion outside its strong part"), .make = make_strong_part},
     {ROW(MOTION, SCENE, "one sample in #", "record.every=#", every, "")},
@@ -275,6 +266,8 @@ static void fill(const char *template, const struct thud_simplification *of, con
             snprintf(part, sizeof part, "%s", row->size[of->size]);
         else if (*c == '@')
             snprintf(part, sizeof part, "%d", of->at + 1);
+        else if (*c == '!')
+            snprintf(part, sizeof part, "%s", scene->interface[of->at].has_bumper ? "bumper" : "contact");
         else if (*c == '$' && row->span == THUD_SPAN_LINK)
             thud_link_name(scene, of->at, part, sizeof part);
         else if (*c == '$' && row->span == THUD_SPAN_INTERFACE)
