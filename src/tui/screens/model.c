@@ -10,7 +10,6 @@
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
-#include "study/sweep/remark.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
 #include "tui/screens/moment.h"
