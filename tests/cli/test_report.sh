@@ -241,11 +241,13 @@ is "a code that there is not" report 3 "$tmp/own.yaml" --code nzs
 is "is refused with those there are" says 'document.code: "nzs" is not a code for the gap (en1998, asce7, exact84)'
 # without a bumper the links are what is compared, as `thud sweep --cases none,link` does
 { cat "$tmp/bare.yaml" && printf 'links:\n  - law: dashpot\n    from: Nr <12>.5\n    to: Nr 14.5\n    damping: 3 MN s/m\n'; } >"$tmp/linked.yaml"
-is "a report where a damper is what helps" report 0 "$tmp/linked.yaml" --records "$three" --factor 0.4 --samples 0 --no-pdf
-"$THUD" sweep "$tmp/linked.yaml" --records "$three" --factor 0.4 --cases none,link >"$tmp/out" 2>"$tmp/err"
+is "a report where a damper is what helps" report 0 "$tmp/linked.yaml" --records "$three" --factor 1 --samples 0 --no-pdf
+"$THUD" sweep "$tmp/linked.yaml" --records "$three" --factor 1 --cases none,link >"$tmp/out" 2>"$tmp/err"
 helped=$(sed -n 's/^  mean drift of Nr 14: damper, \([0-9.]*\) in the median, lower under \([0-9]\) of 3 motions$/\1 \2/p' "$tmp/out")
 is "has the sweep's median and count" in_text "The links lower the mean drift of Nr 14 under ${helped#* } of 3 motions and raise it under [0-9]: its ratio to no links is $(echo "$helped" | awk '{ printf "%.2f", $1 }') in the median"
 is "says which cases its verdicts are of" in_text "| pounding without the links | .*| pounding with the links | .*| links of use | .* they lower "
+is "what is raised under none of the motions has no empty figure" [ ! -e "$tmp/r/fragility-worse.svg" ]
+is "but a sentence" in_text 'the links raise the mean acceleration of a building under none of the motions'
 # the target of a suite: its numbers, and how the motions stand to it, as `thud suite` says of the list that it made
 "$THUD" suite "$three" --preset "$tmp/own.yaml" --target en1998:0.3g,B -o "$tmp/scaled.list" >"$tmp/scaled" 2>"$tmp/err"
 is "a suite scaled to a target" report 0 "$tmp/own.yaml" --records "$tmp/scaled.list" --target en1998:0.3g,B --samples 0 --no-pdf

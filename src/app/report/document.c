@@ -121,18 +121,31 @@ static bool column_is_bare(const struct thud_document *document, size_t table, i
     return row > 1;
 }
 
+/* Takes out what stands in column k of a table. */
+static void take_column(struct thud_document *document, size_t table, int k)
+{
+    int column = 0;
+    for (size_t i = table + 1; i < document->n && document->piece[i].kind >= CELL; i++)
+        if (document->piece[i].kind == ROW)
+            column = 0;
+        else if (column++ == k)
+            thud_document_take(document, i--, 1);
+}
+
 void thud_document_tidy(struct thud_document *document)
 {
-    for (size_t table = 0; table < document->n; table++)
-        for (int k = document->piece[table].kind == TABLE ? count_columns(document, table) - 1 : 0; k > 0; k--)
+    for (size_t table = 0; table < document->n; table++) {
+        if (document->piece[table].kind != TABLE)
+            continue;
+        for (int k = count_columns(document, table) - 1; k > 0; k--)
             if (column_is_bare(document, table, k))
-                for (size_t i = table + 1, column = 0; i < document->n && document->piece[i].kind >= CELL;) {
-                    if (document->piece[i].kind == CELL && column++ == (size_t)k) {
-                        thud_document_take(document, i, 1);
-                        continue;
-                    }
-                    column = document->piece[i++].kind == ROW ? 0 : column;
-                }
+                take_column(document, table, k);
+        const size_t body = table + (size_t)count_columns(document, table) + 2;
+        if (*text_of(&document->piece[table]) && (body >= document->n || document->piece[body].kind < CELL)) {
+            thud_document_take(document, table, body - table);
+            table--; /* the next piece stands there now */
+        }
+    }
 }
 
 void thud_document_row(struct thud_document *document)

@@ -24,7 +24,8 @@ void thud_document_item(struct thud_document *document, const char *fmt, ...) TH
 /* Takes out the pieces from the n-th (from 0) on; document->n counts them. Or so many of them. */
 void thud_document_cut(struct thud_document *document, size_t n);
 void thud_document_take(struct thud_document *document, size_t n, size_t count);
-/* Takes columns out of tables whose cells all say that there is nothing to say, as rows are. */
+/* Takes out the columns of tables whose cells all say that there is nothing to say, as rows are, and tables of which
+ * nothing but the head is left. */
 void thud_document_tidy(struct thud_document *document);
 /* Lines as they are, in letters of one width. */
 void thud_document_lines(struct thud_document *document, const char *text);

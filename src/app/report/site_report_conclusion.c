@@ -224,16 +224,8 @@ static void gap_criterion(struct site *site, int i)
 /* In the unit of documents. */
 static const char *value_text(const struct thud_measure_info *info, double value, char *text, size_t size)
 {
-    static const struct {
-        double size;
-        const char *name;
-    } unit[THUD_DIMENSIONS] = {[THUD_RATIO] = {0.01, " %"},
-                               [THUD_LENGTH] = {1e-3, " mm"},
-                               [THUD_FORCE] = {1e6, " MN"},
-                               [THUD_ACCELERATION] = {THUD_GRAVITY, " g"}};
-    const double own = unit[info->kind].size > 0 ? unit[info->kind].size : 1;
-    snprintf(text, size, "%s%s", thud_site_number(value / own, 3).text,
-             unit[info->kind].name && !isnan(value) ? unit[info->kind].name : "");
+    const struct thud_site_unit unit = thud_site_unit(info->kind);
+    snprintf(text, size, "%s%s", thud_site_number(value / unit.size, 3).text, isnan(value) ? "" : unit.name);
     return text;
 }
 

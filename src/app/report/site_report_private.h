@@ -184,6 +184,12 @@ void thud_site_simplify(struct site *site);
 
 const char *thud_site_name(const struct site *site, int structure);
 bool thud_site_is_building(const struct site *site, int structure);
+/* In which documents show a quantity; " g" behind a number, "" where there is none. */
+struct thud_site_unit {
+    double size;
+    const char *name;
+};
+struct thud_site_unit thud_site_unit(enum thud_dimension kind);
 /* A number with so many significant digits, and no exponent where it has a size of daily life. */
 struct thud_site_shown {
     char text[32];

@@ -366,16 +366,17 @@ static void add_motions(struct site *site)
     }
 }
 
-static void add_fractiles(struct site *site, int from, enum thud_measure measure, int structure, double unit,
-                          const char *what, const char *unit_name)
+static void add_fractiles(struct site *site, int from, enum thud_measure measure, int structure, const char *what)
 {
     struct thud_document *d = &site->document;
-    thud_document_cell(d, "%s%s%s%s", what, structure >= 0 ? " of " : "",
-                       structure >= 0 ? thud_site_name(site, structure) : "", unit_name);
+    const struct thud_site_unit unit = thud_site_unit(thud_measure_info(measure)->kind);
+    thud_document_cell(d, "%s%s%s%s%s", what, structure >= 0 ? " of " : "",
+                       structure >= 0 ? thud_site_name(site, structure) : "", *unit.name ? "," : "", unit.name);
     for (int k = from; k < site->suite.plan.ncases && k < from + 2; k++) {
         const struct thud_fractiles f = over(site, k, measure, structure, 0);
-        thud_document_cells(d, "%s\t%s\t%s", thud_site_number(f.p16 / unit, 3).text,
-                            thud_site_number(f.median / unit, 3).text, thud_site_number(f.p84 / unit, 3).text);
+        thud_document_cells(d, "%s\t%s\t%s", thud_site_number(f.p16 / unit.size, 3).text,
+                            thud_site_number(f.median / unit.size, 3).text,
+                            thud_site_number(f.p84 / unit.size, 3).text);
     }
     thud_document_row(d);
 }
@@ -391,15 +392,15 @@ static void add_statistics(struct site *site, int from)
         thud_document_cells(d, "%s: 16 %%\t%s: median\t%s: 84 %%", site->cases[k].name, site->cases[k].name,
                             site->cases[k].name);
     thud_document_row(d);
-    add_fractiles(site, from, THUD_MEASURE_FORCE, -1, 1e6, "force", ", MN");
+    add_fractiles(site, from, THUD_MEASURE_FORCE, -1, "force");
     for (int s = 0; s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;
-        add_fractiles(site, from, THUD_MEASURE_ACCELERATION, s, THUD_GRAVITY, "acceleration", ", g");
+        add_fractiles(site, from, THUD_MEASURE_ACCELERATION, s, "acceleration");
         if (thud_site_is_building(site, s))
-            add_fractiles(site, from, THUD_MEASURE_DRIFT, s, 1e-3, "drift", ", mm");
+            add_fractiles(site, from, THUD_MEASURE_DRIFT, s, "drift");
         if (site->suite.runs->features & THUD_HAS_YIELDING)
-            add_fractiles(site, from, THUD_MEASURE_DUCTILITY, s, 1, "ductility", "");
+            add_fractiles(site, from, THUD_MEASURE_DUCTILITY, s, "ductility");
     }
 }
 
@@ -408,6 +409,7 @@ static void add_figures(struct site *site)
     const struct site_suite *suite = &site->suite;
     struct thud_fragility_curve curve[SITE_CASES - SITE_NONE];
     const char *note = thud_fragility_note(suite->runs->ndraws);
+    const int last = suite->plan.ncases - 1;
     char caption[240], ida[240], same[96];
     snprintf(caption, sizeof caption,
              "Under how many of the motions the %s %s the mean acceleration of a building; a share that need not grow "
@@ -424,11 +426,19 @@ static void add_figures(struct site *site)
                      "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "Probability of pounding at this gap, against the scale factor applied to all motions.");
-    if (suite->plan.ncases > 1) {
-        curve[0] = (struct thud_fragility_curve){0, suite->plan.ncases - 1, &suite->worsens};
+    int worse = 0;
+    for (size_t i = 0; i < suite->worsens.n; i++)
+        worse += suite->worsens.stripe[i].count;
+    if (worse > 0) {
+        curve[0] = (struct thud_fragility_curve){0, last, &suite->worsens};
         thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62, caption);
+    } else if (last > 0) {
+        thud_document_paragraph(&site->document,
+                                "At 0.25 to 2 times their strength the %s %s the mean acceleration of a building under "
+                                "none of the motions.",
+                                site->own->measure, thud_site_verb(site->own, "raises").text);
     }
-    for (int k = 0; k<suite->plan.ncases; k += suite->plan.ncases> 1 ? suite->plan.ncases - 1 : 1)
+    for (int k = 0; k <= last; k += last > 0 ? last : 1)
         thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
                          k == 0 ? ida : same);
 }

@@ -87,13 +87,12 @@ static void sensitivity(struct site *site)
 
 /* ---- all of them at once ---- */
 
-/* Shown in g, mm and MN, a gap as everywhere; a ratio without factor. */
-static double unit_of(const struct thud_quantity_of_run *q)
+/* A gap as everywhere, a ratio without factor. */
+static struct thud_site_unit unit_of(const struct thud_quantity_of_run *q)
 {
-    static const double unit[THUD_DIMENSIONS] = {
-        [THUD_ACCELERATION] = THUD_GRAVITY, [THUD_LENGTH] = 1e-3, [THUD_FORCE] = 1e6};
-    const double own = unit[thud_measure_info(q->measure)->kind];
-    return own > 0 && q->measure != THUD_MEASURE_GAP ? own : 1;
+    const enum thud_dimension kind = thud_measure_info(q->measure)->kind;
+    const bool as_it_is = q->measure == THUD_MEASURE_GAP || kind == THUD_RATIO;
+    return as_it_is ? (struct thud_site_unit){1, q->measure == THUD_MEASURE_GAP ? " cm" : ""} : thud_site_unit(kind);
 }
 
 /* "stiffness of B" of "stiffness.B", "contact stiffness" of "contact-stiffness", "gap between A and B" of "gap.1". */
@@ -119,26 +118,21 @@ static void add_sampled_row(struct site *site, int q)
     const double nominal = site->suite.leads ? thud_site_suite_median(site, quantity) : t->nominal;
     const double value[] = {nominal, t->low, t->median, t->high};
     const bool gap = quantity->measure == THUD_MEASURE_GAP, same = t->low == t->high && t->nominal == t->median;
-    double unit = unit_of(quantity);
+    const struct thud_site_unit unit = unit_of(quantity);
     const char *what = strstr(quantity->name, ": ");
-    const bool isolators = unit_of(quantity) == 1e-3 && quantity->structure >= 0 &&
+    const bool isolators = thud_measure_info(quantity->measure)->kind == THUD_LENGTH && quantity->structure >= 0 &&
                            site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
-    thud_document_cell(d, "%s%s%s%s",
+    thud_document_cell(d, "%s%s%s%s%s",
                        quantity->which == THUD_CASE_AS_WRITTEN || !what
                            ? ""
                            : thud_case_title(thud_scene_measures(site->scene), quantity->which),
                        !what ? quantity->name : what + (quantity->which == THUD_CASE_AS_WRITTEN ? 2 : 0),
-                       isolators ? " or its isolators" : "",
-                       gap                    ? ", cm"
-                       : unit == THUD_GRAVITY ? ", g"
-                       : unit == 1e-3         ? ", mm"
-                       : unit == 1e6          ? ", MN"
-                                              : "");
+                       isolators ? " or its isolators" : "", *unit.name ? "," : "", unit.name);
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
         if (gap && !isnan(value[i]))
             thud_document_cell(d, "%.1f", thud_summary_gap_cm(value[i]));
         else
-            thud_document_cell(d, "%s", thud_site_number(value[i] / unit, 3).text);
+            thud_document_cell(d, "%s", thud_site_number(value[i] / unit.size, 3).text);
     char input[160];
     input_words(site, &study->uncertainty->input[thud_uncertainty_strongest(study, t)], input, sizeof input);
     thud_document_cell(d, "%s", same || isnan(t->median) ? "-" : input);

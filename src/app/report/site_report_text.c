@@ -261,21 +261,12 @@ static void say_results(struct site *site)
 
 /* ---- the cases ---- */
 
-static bool has_values(const struct site *site, int s, int table)
-{
-    for (int i = 0; i < site->ncases; i++)
-        for (int f = 0; f < site->cases[i].result->structure[s].floors; f++)
-            if (!isnan(floor_value(&site->cases[i], s, f, table)))
-                return true;
-    return false;
-}
-
 static void add_case_table(struct site *site, int s, int which)
 {
     const struct floor_table *table = &floor_table[which];
     struct thud_document *d = &site->document;
     char caption[THUD_NAME_MAX + 96];
-    if ((table->storeys && !thud_site_is_building(site, s)) || !has_values(site, s, which))
+    if (table->storeys && !thud_site_is_building(site, s))
         return;
     snprintf(caption, sizeof caption, table->caption, thud_site_name(site, s));
     thud_document_table(d, caption);

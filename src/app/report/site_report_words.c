@@ -200,6 +200,15 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
     snprintf(text, size, "%s of %s", quantity, place);
 }
 
+struct thud_site_unit thud_site_unit(enum thud_dimension kind)
+{
+    static const struct thud_site_unit unit[THUD_DIMENSIONS] = {[THUD_RATIO] = {0.01, " %"},
+                                                                [THUD_LENGTH] = {1e-3, " mm"},
+                                                                [THUD_FORCE] = {1e6, " MN"},
+                                                                [THUD_ACCELERATION] = {THUD_GRAVITY, " g"}};
+    return unit[kind].size > 0 ? unit[kind] : (struct thud_site_unit){1, ""};
+}
+
 struct thud_site_shown thud_site_number(double value, int digits)
 {
     struct thud_site_shown out = {{isnan(value) ? '-' : '0'}};

@@ -39,13 +39,20 @@ static void add_steps(struct thud_panel *panel, const struct thud_sweep_axis *ax
     free(x);
 }
 
+/* As written it has all that the scene has. */
+static const char *case_title(const struct thud_sweep_plan *plan, int k)
+{
+    const enum thud_case which = plan->cases[k];
+    return thud_case_title(thud_scene_measures(&plan->scene), which == THUD_CASE_AS_WRITTEN ? THUD_CASE_WHOLE : which);
+}
+
 /* One case: counts with their bands; the curve with its own where there is one, or the exact result in its place. */
 static void add_curve(struct thud_panel *panel, const struct thud_sweep_plan *plan,
                       const struct thud_fragility_curve *curve)
 {
     const struct thud_fragility *f = curve->fragility;
     double unit = thud_varied_factor(&plan->axis[curve->axis]), x[FINE], y[FINE];
-    const char *name = thud_case_title(thud_scene_measures(&plan->scene), plan->cases[curve->k]);
+    const char *name = case_title(plan, curve->k);
     int color = thud_case_color(plan->cases[curve->k]);
     double *point = malloc(4 * (f->n + 1) * sizeof *point), *share = point + f->n, *low = share + f->n,
            *high = low + f->n;
@@ -215,8 +222,7 @@ struct thud_figure *thud_figure_of_ida(const struct thud_suite *suite, int axis,
         if (thud_kind_is_building(plan->scene.structure[s].kind))
             structure[columns++] = s;
     snprintf(name, sizeof name, "ida-%s", thud_case_name(plan->cases[k]));
-    snprintf(title, sizeof title, "Incremental dynamic analysis, %s",
-             thud_case_title(thud_scene_measures(&plan->scene), plan->cases[k]));
+    snprintf(title, sizeof title, "Incremental dynamic analysis, %s", case_title(plan, k));
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
     for (int c = 0; c < columns; c++) {
         struct thud_panel *panel = thud_figure_panel(figure, 0, c, plan->scene.structure[structure[c]].name);
