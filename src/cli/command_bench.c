@@ -14,7 +14,8 @@
 
 static void show_progress(void *context, const char *what, int done, int count)
 {
-    struct thud_figure *figure = context ? thud_bench_figure(context, "Speed against accuracy so far") : NULL;
+    struct thud_figure *figure =
+        context && thud_progress_is_watched() ? thud_bench_figure(context, "Speed against accuracy so far") : NULL;
     thud_progress_show("%d of %d  %s", done, count, what);
     thud_progress_figure(figure);
     thud_figure_free(figure);

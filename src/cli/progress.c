@@ -63,6 +63,11 @@ void thud_progress_drawing(void *context, const struct thud_figure *figure)
     thud_progress_figure(figure);
 }
 
+bool thud_progress_is_watched(void)
+{
+    return getenv("THUD_FIGURES") != NULL;
+}
+
 void thud_progress_figure(const struct thud_figure *figure)
 {
     const char *to = getenv("THUD_FIGURES");
