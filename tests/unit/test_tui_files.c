@@ -757,6 +757,7 @@ START_TEST(studies_show_their_figures)
     snprintf(expected, sizeof expected, "[bench][%s/towers.yaml.recovered][-o][out]", f.folder);
     ck_assert_str_eq(said, expected);
     free(said);
+    ck_assert_ptr_null(fixture_file(&f, "towers.yaml.recovered"));
     fixture_keys(&f, "<Esc><C-o>");
     fixture_expect(&f, "its table");
     fixture_keys(&f, "<Esc>uF");

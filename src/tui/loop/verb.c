@@ -148,6 +148,8 @@ void thud_tui_verb_look(struct thud_tui *tui)
     int status = thud_command_work_finish(tui->files.command, &printed, &said);
     tui->files.command = NULL;
     tui->backend->also = -1;
+    if (!tui->end.keeps) /* it was made for the command */
+        thud_doc_forget_kept(&tui->doc);
     const bool shelf = tui->dialog.mode == THUD_MODE_OVER && tui->dialog.over->where == THUD_AT_SHELF;
     if (status == 0 && (shelf || tui->dialog.mode == THUD_MODE_NORMAL))
         show(tui, &printed);
