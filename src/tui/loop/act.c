@@ -14,7 +14,7 @@ static int pane_count(struct thud_tui *tui)
     return thud_tui_view(tui)->layout(tui, area, rect);
 }
 
-static void undo(struct thud_tui *tui, bool back)
+static void undo(struct thud_tui *tui, int back)
 {
     const char *what = back ? thud_doc_undo(&tui->doc) : thud_doc_redo(&tui->doc);
     if (!what)
@@ -66,71 +66,38 @@ static void zoom(struct thud_tui *tui, bool more, double at)
     tui->window[tui->screen] = thud_chart_zoom(&tui->chart, more ? 1.0 / step : step, at);
 }
 
-static bool move(struct thud_tui *tui, enum thud_action action)
+static void rows(struct thud_tui *tui, int step)
 {
-    struct thud_form *form = &tui->form;
-    if (read_on(tui, action))
-        return true;
-    switch (action) {
-    case THUD_DO_UP:
-        thud_form_move(form, 0, -1);
-        return true;
-    case THUD_DO_DOWN:
-        thud_form_move(form, 0, 1);
-        return true;
-    case THUD_DO_LEFT:
-        thud_form_move(form, -1, 0);
-        return true;
-    case THUD_DO_RIGHT:
-        thud_form_move(form, 1, 0);
-        return true;
-    case THUD_DO_PAGE_UP:
-    case THUD_DO_PAGE_DOWN:
-        thud_form_page(form, action == THUD_DO_PAGE_UP ? -1 : 1);
-        return true;
-    case THUD_DO_FIRST:
-    case THUD_DO_LAST:
-        thud_form_edge(form, action == THUD_DO_LAST);
-        return true;
-    case THUD_DO_NEXT_PANE:
-    case THUD_DO_PREVIOUS_PANE:
-        thud_form_pane(form, action == THUD_DO_NEXT_PANE ? 1 : -1, pane_count(tui));
-        return true;
-    default:
-        return false;
-    }
+    thud_form_move(&tui->form, 0, step);
 }
 
-static bool values(struct thud_tui *tui, enum thud_action action)
+static void columns(struct thud_tui *tui, int step)
 {
-    switch (action) {
-    case THUD_DO_EDIT:
-        if (!thud_form_focus(&tui->form) && thud_tui_view(tui)->take)
-            return thud_tui_view(tui)->take(tui);
-        thud_tui_edit(tui, true);
-        return true;
-    case THUD_DO_EDIT_OLD:
-        thud_tui_edit(tui, false);
-        return true;
-    case THUD_DO_MARK:
-    case THUD_DO_TOGGLE:
-        thud_tui_toggle(tui);
-        return true;
-    case THUD_DO_STEP_UP:
-    case THUD_DO_STEP_DOWN:
-        thud_tui_step_value(tui, action == THUD_DO_STEP_UP ? 1 : -1);
-        return true;
-    case THUD_DO_LEAP_UP:
-    case THUD_DO_LEAP_DOWN:
-        thud_tui_step_value(tui, action == THUD_DO_LEAP_UP ? 10 : -10);
-        return true;
-    case THUD_DO_UNDO:
-    case THUD_DO_REDO:
-        undo(tui, action == THUD_DO_UNDO);
-        return true;
-    default:
-        return false;
-    }
+    thud_form_move(&tui->form, step, 0);
+}
+
+static void pages(struct thud_tui *tui, int step)
+{
+    thud_form_page(&tui->form, step);
+}
+
+static void edge(struct thud_tui *tui, int last)
+{
+    thud_form_edge(&tui->form, last);
+}
+
+static void panes(struct thud_tui *tui, int step)
+{
+    thud_form_pane(&tui->form, step, pane_count(tui));
+}
+
+static void edit(struct thud_tui *tui, int select)
+{
+    const struct thud_view *view = thud_tui_view(tui);
+    if (select && !thud_form_focus(&tui->form) && view->take)
+        view->take(tui);
+    else
+        thud_tui_edit(tui, select);
 }
 
 /* "picture plots impact-force": the screen, and of one figure its name. */
@@ -141,85 +108,121 @@ static void log_output(struct thud_tui *tui, const char *word, bool one)
     thud_tui_log(tui, "%s %s%s%s", word, view->title, figure ? " " : "", figure ? figure->name : "");
 }
 
-static bool files(struct thud_tui *tui, enum thud_action action)
+static void picture(struct thud_tui *tui)
 {
-    switch (action) {
-    case THUD_DO_SAVE:
-        thud_tui_save(tui, NULL, false);
-        return true;
-    case THUD_DO_PICTURE:
-        log_output(tui, "picture", true);
-        thud_tui_picture(tui);
-        return true;
-    case THUD_DO_PICTURES:
-        log_output(tui, "figures", false);
-        thud_tui_pictures(tui);
-        return true;
-    case THUD_DO_EXPORT:
-        log_output(tui, "table", thud_tui_view(tui)->figure && !thud_tui_view(tui)->export_csv);
-        thud_tui_export(tui);
-        return true;
-    default:
-        return false;
-    }
+    log_output(tui, "picture", true);
+    thud_tui_picture(tui);
 }
 
-/* Those that a function of that name does. */
-static bool named(struct thud_tui *tui, enum thud_action action)
+static void pictures(struct thud_tui *tui)
 {
-    static void (*const done_by[THUD_ACTIONS])(struct thud_tui * tui) = {
-        [THUD_DO_RUN] = thud_tui_run,           [THUD_DO_NEW] = thud_tui_new,
-        [THUD_DO_OPEN] = thud_tui_list_presets, [THUD_DO_SAVE_AS] = thud_tui_save_as,
-        [THUD_DO_COPY] = thud_tui_copy,         [THUD_DO_SOLVE] = thud_tui_solve_field,
-        [THUD_DO_MESSAGES] = thud_tui_show_log, [THUD_DO_DESIGNS] = thud_tui_list_designs,
-        [THUD_DO_SHELF] = thud_tui_shelf,       [THUD_DO_REMARKS] = thud_tui_list_remarks,
-        [THUD_DO_FIND] = thud_tui_palette,      [THUD_DO_BACK] = back,
-    };
-    if (done_by[action])
-        done_by[action](tui);
-    return done_by[action] != NULL;
+    log_output(tui, "figures", false);
+    thud_tui_pictures(tui);
 }
 
-static void rest(struct thud_tui *tui, enum thud_action action)
+static void table(struct thud_tui *tui)
 {
-    switch (action) {
-    case THUD_DO_ZOOM:
-    case THUD_DO_UNZOOM:
-        zoom(tui, action == THUD_DO_ZOOM, tui->reading[tui->screen]);
-        break;
-    case THUD_DO_REPORT:
-        thud_tui_verb_form(tui, THUD_COMMAND_REPORT);
-        break;
-    case THUD_DO_COMMAND:
-        thud_tui_command_line(tui, "");
-        break;
-    case THUD_DO_HELP:
-        thud_tui_go(tui, THUD_SCREEN_HELP);
-        break;
-    case THUD_DO_QUIT:
-        thud_tui_quit(tui, false);
-        break;
-    case THUD_DO_NEXT_SCREEN:
-        thud_tui_go(tui, (tui->screen + 1) % tui->screens);
-        break;
-    case THUD_DO_PREVIOUS_SCREEN:
-        thud_tui_go(tui, (tui->screen + tui->screens - 1) % tui->screens);
-        break;
-    case THUD_DO_GO:
-        thud_tui_say(tui, THUD_ROLE_PLAIN, "the number of a screen, 1 to %d", tui->screens);
-        break;
-    case THUD_DO_MOUSE:
-        tui->mouse = !tui->mouse;
-        tui->backend->mouse(tui->backend, tui->mouse);
-        thud_tui_say(tui, THUD_ROLE_PLAIN, tui->mouse ? "Mouse on: clicks and the wheel" : "Mouse off");
-        break;
-    case THUD_DO_REPAINT:
-        tui->backend->repaint(tui->backend);
-        break;
-    default:
-        break;
-    }
+    log_output(tui, "table", thud_tui_view(tui)->figure && !thud_tui_view(tui)->export_csv);
+    thud_tui_export(tui);
 }
+
+static void save(struct thud_tui *tui)
+{
+    thud_tui_save(tui, NULL, false);
+}
+
+static void quit(struct thud_tui *tui)
+{
+    thud_tui_quit(tui, false);
+}
+
+static void command_line(struct thud_tui *tui)
+{
+    thud_tui_command_line(tui, "");
+}
+
+static void zoom_here(struct thud_tui *tui, int more)
+{
+    zoom(tui, more, tui->reading[tui->screen]);
+}
+
+static void screens(struct thud_tui *tui, int step)
+{
+    thud_tui_go(tui, (tui->screen + tui->screens + step) % tui->screens);
+}
+
+static void ask_screen(struct thud_tui *tui)
+{
+    thud_tui_say(tui, THUD_ROLE_PLAIN, "the number of a screen, 1 to %d", tui->screens);
+}
+
+static void turn_mouse(struct thud_tui *tui)
+{
+    tui->mouse = !tui->mouse;
+    tui->backend->mouse(tui->backend, tui->mouse);
+    thud_tui_say(tui, THUD_ROLE_PLAIN, tui->mouse ? "Mouse on: clicks and the wheel" : "Mouse off");
+}
+
+static void repaint(struct thud_tui *tui)
+{
+    tui->backend->repaint(tui->backend);
+}
+
+/* What an action does on every screen that does nothing else: a function, or one with a number. */
+static const struct {
+    void (*done)(struct thud_tui *tui);
+    void (*by)(struct thud_tui *tui, int how);
+    int how;
+    bool seen; /* the field is to be seen then */
+} actions[THUD_ACTIONS] = {
+    [THUD_DO_UP] = {.by = rows, .how = -1},
+    [THUD_DO_DOWN] = {.by = rows, .how = 1},
+    [THUD_DO_LEFT] = {.by = columns, .how = -1},
+    [THUD_DO_RIGHT] = {.by = columns, .how = 1},
+    [THUD_DO_PAGE_UP] = {.by = pages, .how = -1},
+    [THUD_DO_PAGE_DOWN] = {.by = pages, .how = 1},
+    [THUD_DO_FIRST] = {.by = edge, .how = 0},
+    [THUD_DO_LAST] = {.by = edge, .how = 1},
+    [THUD_DO_NEXT_PANE] = {.by = panes, .how = 1},
+    [THUD_DO_PREVIOUS_PANE] = {.by = panes, .how = -1},
+    [THUD_DO_EDIT] = {.by = edit, .how = 1, .seen = true},
+    [THUD_DO_EDIT_OLD] = {.by = edit, .how = 0, .seen = true},
+    [THUD_DO_MARK] = {.done = thud_tui_toggle, .seen = true},
+    [THUD_DO_TOGGLE] = {.done = thud_tui_toggle, .seen = true},
+    [THUD_DO_STEP_UP] = {.by = thud_tui_step_value, .how = 1, .seen = true},
+    [THUD_DO_STEP_DOWN] = {.by = thud_tui_step_value, .how = -1, .seen = true},
+    [THUD_DO_LEAP_UP] = {.by = thud_tui_step_value, .how = 10, .seen = true},
+    [THUD_DO_LEAP_DOWN] = {.by = thud_tui_step_value, .how = -10, .seen = true},
+    [THUD_DO_UNDO] = {.by = undo, .how = 1, .seen = true},
+    [THUD_DO_REDO] = {.by = undo, .how = 0, .seen = true},
+    [THUD_DO_ZOOM] = {.by = zoom_here, .how = 1},
+    [THUD_DO_UNZOOM] = {.by = zoom_here, .how = 0},
+    [THUD_DO_REPORT] = {.by = thud_tui_verb_form, .how = THUD_COMMAND_REPORT},
+    [THUD_DO_HELP] = {.by = thud_tui_go, .how = THUD_SCREEN_HELP},
+    [THUD_DO_NEXT_SCREEN] = {.by = screens, .how = 1},
+    [THUD_DO_PREVIOUS_SCREEN] = {.by = screens, .how = -1},
+    [THUD_DO_SAVE] = {.done = save},
+    [THUD_DO_PICTURE] = {.done = picture},
+    [THUD_DO_PICTURES] = {.done = pictures},
+    [THUD_DO_EXPORT] = {.done = table},
+    [THUD_DO_RUN] = {.done = thud_tui_run},
+    [THUD_DO_NEW] = {.done = thud_tui_new},
+    [THUD_DO_OPEN] = {.done = thud_tui_list_presets},
+    [THUD_DO_SAVE_AS] = {.done = thud_tui_save_as},
+    [THUD_DO_COPY] = {.done = thud_tui_copy},
+    [THUD_DO_SOLVE] = {.done = thud_tui_solve_field},
+    [THUD_DO_MESSAGES] = {.done = thud_tui_show_log},
+    [THUD_DO_DESIGNS] = {.done = thud_tui_list_designs},
+    [THUD_DO_SHELF] = {.done = thud_tui_shelf},
+    [THUD_DO_REMARKS] = {.done = thud_tui_list_remarks},
+    [THUD_DO_FIND] = {.done = thud_tui_palette},
+    [THUD_DO_BACK] = {.done = back},
+    [THUD_DO_COMMAND] = {.done = command_line},
+    [THUD_DO_QUIT] = {.done = quit},
+    [THUD_DO_GO] = {.done = ask_screen},
+    [THUD_DO_MOUSE] = {.done = turn_mouse},
+    [THUD_DO_REPAINT] = {.done = repaint},
+};
 
 void thud_tui_act(struct thud_tui *tui, enum thud_action action)
 {
@@ -237,12 +240,14 @@ void thud_tui_act(struct thud_tui *tui, enum thud_action action)
     enum thud_reaction reaction = view->act ? view->act(tui, action) : THUD_NOT_MINE;
     if (reaction == THUD_LEAVE)
         thud_tui_go(tui, before);
-    if (reaction != THUD_NOT_MINE || move(tui, action) || files(tui, action) || named(tui, action))
+    if (reaction != THUD_NOT_MINE || read_on(tui, action))
         return;
-    if (values(tui, action))
-        tui->form.loose[tui->screen] = false; /* the field is seen */
-    else
-        rest(tui, action);
+    if (actions[action].done)
+        actions[action].done(tui);
+    else if (actions[action].by)
+        actions[action].by(tui, actions[action].how);
+    if (actions[action].seen)
+        tui->form.loose[tui->screen] = false;
 }
 
 /* What a column of the chart that is read stands for; NaN: it is not drawn at that place. */
