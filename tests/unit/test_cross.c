@@ -66,7 +66,7 @@ END_TEST
 /* Isolators, walls that give, links and all else together. */
 START_TEST(mixed_scenes)
 {
-    static const unsigned long long seeds[] = {2, 16, 25, 28, 31};
+    static const unsigned long long seeds[] = {2, 16, 25, 28, 31, 40009};
     struct scenes_tally tally = {.only = ""};
     for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++)
         scenes_check(SCENES_MIXED + seeds[i], &tally);

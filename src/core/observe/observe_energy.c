@@ -14,7 +14,8 @@
 #include "core/numerics/vec.h"
 #include "core/observe/contact_work.h"
 
-enum { LOOKS_APART = 64 }; /* segments and blocks between two looks at the balance */
+enum { LOOKS_APART = 64 };       /* segments and blocks between two looks at the balance */
+static const double fine = 1e-7; /* tolerance below which works are summed to rounding */
 
 /* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
@@ -115,7 +116,7 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
     const struct thud_segment *seg = o->seg;
     const int last = THUD_LOBATTO_RULES - 1, degree = 2 * (seg->terms - 2);
     const struct thud_lobatto *by = &thud_lobatto[degree < thud_lobatto[0].order ? 0 : last];
-    if (seg->nodes)
+    if (seg->nodes && o->state->tolerance >= fine) /* as good as the step */
         by = thud_lobatto_of(seg->nodes->count);
     struct thud_rate_powers scaled;
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];

@@ -322,8 +322,6 @@ void thud_sums_clear(struct thud_sums *sums)
     *sums = (struct thud_sums){0};
 }
 
-/* ---- links at the end ---- */
-
 void thud_links_finish(const struct thud_state *state, struct thud_result *result)
 {
     const struct thud_model *m = state->model;
