@@ -242,8 +242,8 @@ static struct thud_sum_force *add_forces(const struct thud_model *m, struct thud
     return next;
 }
 
-static struct thud_sum *add(struct thud_sums *sums, int kind, int structure, int index, const double *row,
-                            struct thud_peak *peak)
+static struct thud_sum *add(struct thud_sums *sums, enum thud_sum_kind kind, int structure, int index,
+                            const double *row, struct thud_peak *peak)
 {
     struct thud_sum *sum = &sums->sum[sums->count++];
     *sum = (struct thud_sum){kind, structure, index, .row = row, .by_row = 1, .limit = INFINITY, .peak = peak};

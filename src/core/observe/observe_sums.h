@@ -11,7 +11,7 @@
 #include "core/observe/observer.h"
 
 struct thud_sum {
-    enum { THUD_SUM_SHEAR, THUD_SUM_LEAN, THUD_SUM_MOMENT, THUD_SUM_COLUMN, THUD_SUM_LINK } kind;
+    enum thud_sum_kind { THUD_SUM_SHEAR, THUD_SUM_LEAN, THUD_SUM_MOMENT, THUD_SUM_COLUMN, THUD_SUM_LINK } kind;
     int structure, index, quantity; /* one of the system; floor, column or link, and which of its peaks */
     const double *row, *rate;       /* (modes); rate: NULL where it has no part */
     double by_row, by_rate;
