@@ -35,7 +35,7 @@ is "a gap too wide for the time is no contact" [ "$(number impacts)" = 0 ]
 is "cases as JSON" gives 0 run towers --cases none,bumper --json --quiet
 is "are a list of the format of its results" test "$(head -1 "$tmp/out")" = '{"format": 2, "cases": ['
 is "cases in words" gives 0 run towers --cases none,bumper
-is "set a force against that without" shows 'MN, A and B at floor 4, 7.106 s (+15 % against the force without)[.]$'
+is "set a force against that without" shows 'MN between A and B at floor 4, 7.106 s (+15 % relative to no bumper)[.]$'
 
 # the three forms
 is "table" gives 0 run towers

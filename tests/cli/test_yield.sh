@@ -39,10 +39,10 @@ is "both at once" gives 3 run "$tmp/p.yaml"
 is "are told apart" says 'one of yield, yield-shear and yield-coefficient'
 # by a share of the weight above each storey: 1210, 890, 570 and 250 t
 is "by a yield coefficient" gives 0 run towers --case none --set structures.1.yield-coefficient=12% --quiet
-grep -v '^method\|tolerance' "$tmp/out" >"$tmp/coefficient"
+sed '/^energy/,$d' "$tmp/out" >"$tmp/coefficient"
 is "it is the shear by hand" gives 0 run towers --case none --quiet --set "structures.1.yield-shear=$(awk 'BEGIN {
     n = split("1210 890 570 250", t, " "); for (i = 1; i <= n; i++) printf "%s%.17g kN", (i > 1 ? ", " : "["), 0.12 * 9.80665 * t[i]; print "]" }')"
-grep -v '^method\|tolerance' "$tmp/out" >"$tmp/shear"
+sed '/^energy/,$d' "$tmp/out" >"$tmp/shear"
 is "and gives the same run" cmp "$tmp/coefficient" "$tmp/shear"
 is "a coefficient beside a shear" gives 3 run towers --set structures.1.yield-coefficient=12% --set structures.1.yield-shear=9MN
 is "is refused" says 'structures.1.yield-coefficient: storey 1 has its strength twice'
