@@ -44,7 +44,7 @@ is "table: a row per floor, contact, and the balance" shows "base shear"
 is "table: restitution" shows "real nominal"
 # what remains of a speed says something of the law alone where the contact is short beside the buildings' periods
 is "impacts in which the buildings act" gives 0 run towers --case none --json -o "$tmp/long" --quiet
-shortest=$(grep -o '"periods_s": \[[^]]*' "$tmp/out" | tr ',[' '\n\n' | awk '/^ *0[.]/ && (!t || $1 < t) { t = $1 } END { print t }')
+shortest=$(grep -o '"periods_s": \[[^]]*' "$tmp/out" | sed 's/[[,]/\n/g' | awk '/^ *0[.]/ && (!t || $1 < t) { t = $1 } END { print t }')
 # shellcheck disable=SC2016 # a program of awk
 is "have no restitution, and only those" awk -F, -v t="$shortest" 'FILENAME ~ /csv/ { last[$2] = $5; next } # by floor: of level floors
     match($0, /"left_floor": [0-9]+/) && /"nominal_restitution"/ { floor = substr($0, RSTART + 14, RLENGTH - 14)
