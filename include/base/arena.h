@@ -9,9 +9,9 @@ struct thud_arena {
     char *next, *end;
 };
 
-/* Bytes that a piece of `count` elements of `size` bytes takes. */
+/* Returns the bytes that a piece of `count` elements of `size` bytes takes. */
 size_t thud_arena_room(size_t count, size_t size);
-/* A block of so many bytes, all 0, to hand out, and to be freed with free; false: out of memory. */
+/* Allocates a block of this size, all 0, to be freed with free; false: out of memory. */
 bool thud_arena_open(struct thud_arena *arena, size_t bytes);
-/* The next piece, aligned to 16 bytes. */
+/* Returns the next piece, aligned to 16 bytes. */
 void *thud_arena_take(struct thud_arena *arena, size_t count, size_t size);

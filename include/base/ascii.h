@@ -12,11 +12,11 @@ bool thud_ascii_is_alnum(char c);
 char thud_ascii_lower(char c);
 char thud_ascii_upper(char c);
 
-/* The same letters, large or small. */
+/* Whether both are equal, ignoring case. */
 bool thud_ascii_same(const char *a, const char *b);
-/* `text`, of which `size` bytes may be read, begins with `word`, large or small. */
+/* Whether `text` (`size` bytes) begins with `word`, ignoring case. */
 bool thud_ascii_begins(const char *text, size_t size, const char *word);
-/* Where `part` stands in `text`, large or small, the first time; NULL: nowhere. */
+/* Finds the first `part` in `text`, ignoring case; NULL: none. */
 const char *thud_ascii_find(const char *text, const char *part);
-/* `text` ends with these very letters. */
+/* Whether `text` ends with these letters. */
 bool thud_ascii_ends(const char *text, const char *end);

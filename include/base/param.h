@@ -23,9 +23,9 @@ struct thud_param {
         choices; /* NULL-terminated; of whole numbers (NULL: none): words allowed in place of one, the i-th stored as -1 - i */
 };
 
-/* What is allowed, in words: "> 0, up to 1e6 t", "paper, exact"; empty where anything is. */
+/* Writes what is allowed, in words: "> 0, up to 1e6 t", "paper, exact"; empty where anything is. */
 void thud_param_allowed(const struct thud_param *param, char *text, unsigned long size);
-/* Holds a value against the hard bounds; `text` is it as typed. Errors: THUD_INPUT. */
+/* Checks a value against the hard bounds; `text` is the value as typed. Errors: THUD_INPUT. */
 enum thud_status thud_param_check(const struct thud_param *param, double value, const char *text,
                                   struct thud_error *err);
 /* Whether a value lies outside the soft bounds; if so `text` gets the usual range. */

@@ -58,11 +58,11 @@ int thud_number_parse(const char *text, const char **end, double *out);
 void thud_number_format(double value, char *text, size_t size);
 /* Rounded to twelve digits, as printf's %.12g writes it, but in a tenth of its time; returns the length. */
 size_t thud_number_twelve(double value, char text[32]);
-/* So many significant digits and no exponent: whole where it has more before the point. Returns text. */
+/* Writes `digits` significant digits without an exponent, more if it is that large. Returns text. */
 const char *thud_digits(double value, int digits, char text[32]);
 /* "+12 %" of a ratio of 1.12, "-0.2 %" of 0.998; "0 %" where not even that shows. Returns text. */
 const char *thud_change_text(double ratio, char text[32]);
-/* The value, or 0 where no digit of it shows at so many decimal places: printf would write -0. */
+/* Returns the value, or 0 if it rounds to 0 at this number of decimals, where printf would write -0. */
 double thud_shown(double value, int places);
 
 #define THUD_GRAVITY 9.80665         /* m/s2, standard gravity */

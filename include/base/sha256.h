@@ -4,5 +4,5 @@
 #include <stddef.h>
 
 enum { THUD_SHA256_TEXT = 65 };
-/* The digest of `size` bytes in hexadecimal. */
+/* Writes the SHA-256 digest of `size` bytes in hexadecimal. */
 void thud_sha256(const void *bytes, size_t size, char text[THUD_SHA256_TEXT]);

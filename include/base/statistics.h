@@ -26,7 +26,7 @@ struct thud_fractiles {
 /* Sorts the values in place (NaN last). `draws`: how many of them are of independent motions. */
 struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit);
 
-/* Where the share that `count` of n trials stand for lies with 90 % confidence: the score interval of Wilson, Journal of
+/* The 90 % confidence interval of a share, from `count` of n trials: the score interval of Wilson, Journal of
  * the American Statistical Association 22 (1927) 209. `independent`: how much of a trial each one is (1; 1/2 where they
  * come in pairs). NaN for n = 0. */
 void thud_share_band(size_t count, size_t n, double independent, double *low, double *high);

@@ -22,10 +22,10 @@ int thud_records_synthetic(const struct thud_record *const *record, int n);
 bool thud_record_is_vertical(const struct thud_record *record);
 /* Degrees from north towards east by what a component is called: NS, E-W, HNE, N28W, 090, 90 DEG; NaN: it does not say. */
 double thud_record_azimuth(const struct thud_record *record);
-/* Called so, or on the same axis. */
+/* Whether a component has this name, or is on the same axis. */
 bool thud_component_is(const char *name, const char *wanted);
 bool thud_component_is_vertical(const char *name);
-/* Of one event, or of one station in it, as both say; false where one does not say. */
+/* Whether both are of one event, or of one station in it; false where one does not state it. */
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b);
 bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b);
 /* The same motion but for a factor, where it begins, and how it was processed: at the best lag of up to 5 s the

@@ -16,7 +16,7 @@ void thud_record_baseline(struct thud_record *record, int degree);
  * THUD_INPUT (less than 0, or more than half of the motion). */
 enum thud_status thud_record_taper(struct thud_record *record, double taper_s, struct thud_error *err);
 
-/* A new record of other samples, under the same names. Errors: as thud_record_create. */
+/* Creates a record with other samples and the same names. Errors: as thud_record_create. */
 enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
                                   struct thud_record **out, struct thud_error *err);
 

@@ -13,10 +13,10 @@ struct thud_record_filter {
     int order;
 };
 
-/* How long the zeros are that are put at each end, s. */
+/* Returns the duration of the zeros added at each end, s. */
 double thud_record_filter_pad(const struct thud_record_filter *filter, double dt_s);
 
-/* A new record, filtered, which is longer by that at each end. Errors: THUD_INPUT (corners that are not in order
+/* Creates a filtered record, longer by that at each end. Errors: THUD_INPUT (corners that are not in order
  * between 0 and half the rate of samples, an order that is not 1 to THUD_FILTER_ORDER_MAX), THUD_MEMORY. */
 enum thud_status thud_record_filter_apply(const struct thud_record *record, const struct thud_record_filter *filter,
                                           struct thud_record **out, struct thud_error *err);

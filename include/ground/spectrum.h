@@ -14,7 +14,7 @@ struct thud_spectrum_point {
     double acceleration_mps2; /* Sa, total (not the pseudo acceleration) */
 };
 
-/* One oscillator; period 0 is a rigid one. damping in [0, 1), period finite and not negative (asserted). */
+/* Computes the response of one oscillator; period 0: rigid. damping in [0, 1), period finite and not negative (asserted). */
 struct thud_spectrum_point thud_spectrum_at(const struct thud_record *record, double period_s, double damping);
 
 /* Pseudo spectral acceleration omega^2 Sd at 5 % damping, what ground motions are scaled to; period > 0 (asserted). */

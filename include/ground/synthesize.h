@@ -30,7 +30,7 @@ struct thud_synthesis_param {
 extern const struct thud_synthesis_param thud_synthesis_params[];
 extern const size_t thud_synthesis_param_count;
 
-/* Ordinary values; no pulse. */
+/* Fills in usual values, without a pulse. */
 void thud_synthesis_init(struct thud_synthesis *synthesis);
 double *thud_synthesis_field(struct thud_synthesis *synthesis, const struct thud_synthesis_param *param);
 
@@ -39,5 +39,5 @@ double *thud_synthesis_field(struct thud_synthesis *synthesis, const struct thud
 enum thud_status thud_synthesis_run(const struct thud_synthesis *synthesis, struct thud_record **out,
                                     struct thud_error *err);
 
-/* Every parameter as `name: value unit` lines, each after `prefix`. */
+/* Writes every parameter as a line `name: value unit` after `prefix`. */
 void thud_synthesis_describe(const struct thud_synthesis *synthesis, const char *prefix, struct thud_text *text);

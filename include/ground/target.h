@@ -55,7 +55,7 @@ enum thud_status thud_target_parse(const char *text, struct thud_target *out, st
 /* Whether a text names a code's spectrum, and not a file. */
 bool thud_target_is_code(const char *text);
 
-/* The periods at which it is defined. */
+/* Gives the range of periods in which it is defined. */
 void thud_target_range(const struct thud_target *target, double *from_s, double *to_s);
 /* Sa at a period (0: the peak ground acceleration); between points straight on logarithmic axes (ASCE 7-22: on linear
  * ones), NaN outside its range. */

@@ -45,7 +45,7 @@ again() { # COLUMN STRUCTURE mean|largest: median ratio, and how many are lower
     awk -F, -v column="$1" -v of="$2" -v how="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) c = i; next }
         $4 != of || (how == "mean") != ($5 == 0) { next }
         $c > most[$1, $2] { most[$1, $2] = $c } { motion[$1] } END { for (m in motion) print most[m, "bumper"] / most[m, "none"] }' runs/sweep.csv |
-        sort -g | awk '{ x[NR] = $1; lower += $1 < 1 - 1e-9; higher += $1 > 1 + 1e-9 } END { printf "%.3f  %d  %d  %d\n", sqrt(x[NR / 2] * x[NR / 2 + 1]), lower, NR - lower - higher, higher }'
+        sort -g | awk '{ x[NR] = $1; lower += $1 < 1 - 1e-9; higher += $1 > 1 + 1e-9 } END { printf "%.3f  *%d  *%d  *%d\n", sqrt(x[NR / 2] * x[NR / 2 + 1]), lower, NR - lower - higher, higher }'
 }
 for s in A B; do
     is "mean acceleration of $s" shows "^mean acceleration of $s  *$(again acceleration_mps2 $s mean)$"
@@ -54,7 +54,7 @@ for s in A B; do
     is "largest drift of $s" shows "^largest drift of $s  *$(again drift_m $s largest)$"
 done
 is "a response from nothing is not lowered" gives 0 sweep mine.yaml --records mine.list --signs both --vary gap=6cm,22cm --cases none,bumper --quiet
-is "and has no ratio" shows "^largest force  *1.029  3  0  5  *from 0  0  0  2$"
+is "and has no ratio" shows "^largest force  *1.029  *3  *0  *5  *from 0  *0  *0  *2$"
 is "three settings at most in 80 columns" gives 0 sweep mine.yaml --records mine.list --vary gap=6cm:22cm:4cm --cases none,bumper --quiet
 is "the first, the middle and the last" sh -c "awk '/^bumper over none/ { getline; print \$1, \$3, \$5, NF; exit }' '$tmp/out' | grep -q '^6 14 22 6$'"
 is "without case none there is none" gives 0 sweep mine.yaml --records mine.list --cases bumper --quiet

@@ -11,7 +11,7 @@ is "a run" gives 0 run towers-yielding --case none
 is "says ductility, permanent drift, excursions, energy and shear" shows '^     1         15      4\.184            7\.635          16    1973      10\.433    6\.309$'
 is "and what storeys have lost" shows 'lost in storeys that yield 7342\.4; unaccounted [0-9.]*e-1[0-9]$'
 is "elastic storeys say nothing of it" [ "$("$THUD" run towers --case none 2>&1 | grep -c 'ductility\|lost in')" -eq 0 ]
-is "a drift of 2 % is no remark where the storey yields" [ "$("$THUD" run towers-yielding --case none 2>&1 | grep -c 'taken as elastic')" -eq 0 ]
+is "a drift of 2 % is no remark where the storey yields" [ "$("$THUD" run towers-yielding --case none 2>&1 | grep -c 'modelled as elastic')" -eq 0 ]
 columns() { "$THUD" sweep towers --vary gap=20cm --cases none --to 1s --csv --quiet "$@" 2>/dev/null | head -1 | grep -c ductility; }
 is "a varied key that makes no storey yield adds no columns" [ "$(columns --vary structures.1.yield=none)" = 0 ]
 is "one of its values that does adds them" [ "$(columns --vary structures.1.yield=none,8mm)" = 1 ]

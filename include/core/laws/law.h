@@ -161,13 +161,13 @@ void thud_law_reversal(const struct thud_law *law, const struct thud_law_setup *
                        double d_m, struct thud_law_memory *memory);
 struct thud_branch thud_law_branch(const struct thud_law *law, const struct thud_law_setup *setup,
                                    const struct thud_law_memory *memory, enum thud_phase phase, bool past_ultimate);
-/* The same at indentation d: picks the side of the ultimate compression. */
+/* Returns the branch at indentation d, on its side of the ultimate compression. */
 struct thud_branch thud_law_branch_at(const struct thud_law *law, const struct thud_law_setup *setup,
                                       const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
-/* Indentation at which the branch changes; INFINITY where there is none. */
+/* Returns the indentation (m) at which the branch changes; INFINITY: none. */
 double thud_law_ultimate(const struct thud_law *law, const struct thud_law_setup *setup,
                          const struct thud_law_memory *memory, enum thud_phase phase);
-/* Energy stored at indentation d, J; 0 for laws without force. */
+/* Returns the energy stored at indentation d, J; 0 for laws without force. */
 double thud_law_energy(const struct thud_law *law, const struct thud_law_setup *setup,
                        const struct thud_law_memory *memory, enum thud_phase phase, double d_m);
 double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup);

@@ -15,12 +15,11 @@
 /* Largest difference between two elements that ought to be equal, over the root of their diagonal elements, and where
  * (row, column from 0). */
 double thud_lateral_asymmetry(int n, const double *k, int *row, int *column);
-/* Smallest eigenvalue; NaN where LAPACK finds none. Errors: THUD_MEMORY. */
+/* Computes the smallest eigenvalue; NaN where LAPACK finds none. Errors: THUD_MEMORY. */
 enum thud_status thud_lateral_least(int n, const double *k, double *least, struct thud_error *err);
-/* In place, of a definite one. Errors: THUD_INPUT (it is not), THUD_MEMORY. */
+/* Inverts a positive definite matrix in place. Errors: THUD_INPUT (not definite), THUD_MEMORY. */
 enum thud_status thud_lateral_invert(int n, double *k, struct thud_error *err);
-/* Whether the first floor sways further than the last one under equal loads on all: then they stand from the roof
- * down. Errors: THUD_MEMORY. */
+/* Whether floors are listed from the roof down: the first one then sways furthest under equal loads on all. Errors: THUD_MEMORY. */
 enum thud_status thud_lateral_hangs(int n, const double *k, bool *hangs, struct thud_error *err);
 
 /* `row` (modes x (1 + n)): a period and the shape's values. */

@@ -258,7 +258,7 @@ static inline int thud_model_row_structures(const struct thud_model *model, int 
 /* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
 double thud_model_fastest(const struct thud_model *model, int structure);
 
-/* Which of the storeys that yield is the one below this floor; -1: that is elastic, or there is none. */
+/* Returns the index, among the storeys that yield, of the one below a floor; -1: elastic, or none. */
 int thud_model_yielding(const struct thud_model *model, int dof);
 
 /* What a storey feels of values by floor, `apart` doubles each from the structure's first dof on: the value of the floor
@@ -285,14 +285,14 @@ static inline double thud_model_most_lean(const struct thud_model *model, const 
     return model->mode_max[model->nmodes + mode] + (p->rise ? model->mode_max[mode] : 0);
 }
 
-/* A floor's value from modal values (nmodes). */
+/* Returns a floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
 /* Values of row c's two sides from modal values; 0 for a wall and the ground. */
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
-/* Left side's value minus the right side's, from modal values. */
+/* Returns the left side's value minus the right side's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
 
-/* d of a link, or its rate, from modal values. */
+/* Returns d of a link, or its rate, from modal values. */
 double thud_model_link(const struct thud_model *model, int link, const double *modal);
 
 /* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy

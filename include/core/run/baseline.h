@@ -20,12 +20,12 @@ enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, lo
                                        struct thud_error *err);
 void thud_baseline_free(struct thud_baseline_motion *baseline);
 
-/* The contact-free result. */
+/* Returns the contact-free result. */
 const struct thud_result *thud_baseline_result(const struct thud_baseline_motion *baseline);
-/* Largest u_left - u_right of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
+/* Returns the largest u_left - u_right (m) of contact c (from 0) over the whole motion, at least 0: a clearance this wide is never used
  * up. */
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c);
-/* Largest |displacement| of the place of contact c that is struck between two floors; 0 where floors meet. */
+/* Returns the largest |displacement| (m) of the point of contact c that is struck between two floors; 0 where floors meet. */
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c);
 
 /* Whether runs can share its beginning: the exact method, whose contact-free response is the same whatever the

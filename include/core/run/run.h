@@ -37,11 +37,11 @@ void thud_run_options_init(struct thud_run_options *options);
 enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
 
-/* Goes on by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays
+/* Advances the run by at most `budget` segments. Errors: THUD_DIVERGED with time, floor and limit (what was found before stays
  * readable), also at the end when more of the energy is unaccounted for than thud_run_balance allows; THUD_MEMORY. */
 enum thud_status thud_run_advance(struct thud_run *run, long budget, bool *done, struct thud_error *err);
 
-/* Largest part of the energy that may be unaccounted for at the end of a run. */
+/* Returns the largest fraction of the energy that may be unaccounted for at the end of a run. */
 double thud_run_balance(const struct thud_run *run);
 
 double thud_run_time(const struct thud_run *run);

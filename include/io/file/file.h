@@ -19,7 +19,7 @@ enum thud_status thud_text_check(const char *text, size_t size, const char *name
 /* Cuts the next line off *text, without its end (LF or CR LF); NULL behind the last one. */
 char *thud_text_line(char **text);
 
-/* Whether both are there and one file, by whatever names. */
+/* Whether both exist and are the same file. */
 bool thud_file_is_same(const char *a, const char *b);
 
 /* Writes a temporary beside `path`, syncs and renames; on failure `path` is as it was and the temporary is gone.
@@ -38,7 +38,7 @@ struct thud_file_draft {
  * place of whatever has its name, so that nothing outside of the folder is written. */
 enum thud_file_owner { THUD_FILE_NAMED, THUD_FILE_RESULT };
 
-/* thud_file_write but for the renaming. Errors: THUD_OUTPUT, THUD_MEMORY; *out is then as {0}. */
+/* Does as thud_file_write without renaming. Errors: THUD_OUTPUT, THUD_MEMORY; *out is then as {0}. */
 enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
                                  struct thud_file_draft *out, struct thud_error *err);
 /* Renames and ends the draft, also on failure. Errors: THUD_OUTPUT. */
@@ -57,7 +57,7 @@ enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, 
  * THUD_OUTPUT.
  */
 enum thud_status thud_folder_make(const char *path, struct thud_error *err);
-/* Likewise, but nothing is made: whether a file of its name is in the way. */
+/* Checks this without making anything: whether a file of its name is in the way. */
 enum thud_status thud_folder_check(const char *path, struct thud_error *err);
 
 /* One study at a time writes into a folder; the lock goes with the process, and holds wherever the file system's locks

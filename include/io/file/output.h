@@ -8,7 +8,7 @@ struct thud_output {
     char path[4096], part[4200];
 };
 
-/* A temporary beside `path`. Errors: THUD_OUTPUT. */
+/* Opens a temporary beside `path`. Errors: THUD_OUTPUT. */
 enum thud_status thud_output_open(const char *path, struct thud_output *out, struct thud_error *err);
 /* Writes what `text` holds so far when it is at least `least` bytes, and empties it. Errors: THUD_OUTPUT, THUD_MEMORY.
  */
@@ -16,5 +16,5 @@ enum thud_status thud_output_drain(struct thud_output *out, struct thud_text *te
                                    struct thud_error *err);
 /* Syncs and renames. On failure the temporary is gone. Errors: THUD_OUTPUT. */
 enum thud_status thud_output_commit(struct thud_output *out, struct thud_error *err);
-/* Nothing is left; does nothing after a commit. */
+/* Removes the temporary; does nothing after a commit. */
 void thud_output_abandon(struct thud_output *out);

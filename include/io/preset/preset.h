@@ -7,12 +7,12 @@
 /* A preset as read: the file's bytes, where each value stands, and the scene. */
 struct thud_preset;
 
-/* From a file; from memory, where `name` stands for the path. Errors: THUD_INPUT with file, line, column, key and what is
+/* Reads a preset from a file; from memory, with `name` as its path. Errors: THUD_INPUT with file, line, column, key and what is
  * allowed; THUD_MEMORY. */
 enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err);
 enum thud_status thud_preset_parse(const char *text, unsigned long size, const char *name, struct thud_preset **out,
                                    struct thud_error *err);
-/* The same for who asks for no bumper: a preset whose bumpers alone are unfinished is taken, and what they lack is in
+/* Does the same for callers that use no bumper: accepts a preset of which only bumpers are unfinished; what they lack is in
  * thud_preset_unfinished (NULL: nothing). */
 enum thud_status thud_preset_read_unfinished(const char *path, struct thud_preset **out, struct thud_error *err);
 const struct thud_error *thud_preset_unfinished(const struct thud_preset *preset);

@@ -6,7 +6,7 @@
 /* Decided by buildings, which files do not know: see thud_motion_read. */
 #define THUD_COMPONENT_GOVERNS "governs"
 
-/* Whether it asks for more than the motion of one component: rotd50, rotd100, rotN, governs. */
+/* Whether a name needs more than one component: rotd50, rotd100, rotN, governs. */
 bool thud_component_is_rotated(const char *component);
 
 /* The other horizontal component of the recording at `path`, in a file named like it in the same folder, read as

@@ -20,7 +20,7 @@ enum thud_status thud_record_file_read(const char *path, const struct thud_recor
  * whose end may never come, and more than THUD_RECORD_BYTES_MAX of text), THUD_MEMORY. */
 enum thud_status thud_record_text_read(const char *path, char **text, size_t *size, struct thud_error *err);
 
-/* A record from memory; `name` stands for the path. Errors: those of thud_record_file_read. */
+/* Reads a record from memory, with `name` as its path. Errors: those of thud_record_file_read. */
 enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err);

@@ -33,7 +33,7 @@ enum {
 }; /* of that file and of a list of such: dissipated_j and lost_j are without what
                                       is stored at the end */
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
-/* What a ground motion is known by, as an object on one line. */
+/* Writes the identity of a ground motion as an object on one line. */
 void thud_record_json(const struct thud_record *record, struct thud_text *out);
 /* One row per structure and floor; of several reports, behind the name of its case. */
 void thud_result_csv(const struct thud_report *report, int n, struct thud_text *out);

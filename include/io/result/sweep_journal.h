@@ -38,12 +38,12 @@ enum thud_status thud_sample_journal_add(struct thud_sweep_journal *journal, str
 enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, const struct thud_sweep_point *point,
                                         struct thud_error *err);
 long thud_sweep_journal_done(const struct thud_sweep_journal *journal);
-/* Reads from the first point on. */
+/* Rewinds to the first point. */
 void thud_sweep_journal_rewind(struct thud_sweep_journal *journal);
 /* The next point (free with free()); NULL at the end of what is done. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
                                          struct thud_error *err);
-/* `remove`: the file too. Takes NULL. */
+/* Closes a journal (NULL: nothing); `remove`: deletes the file too. */
 void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 
 /* What a journal's head says, as text. */

@@ -121,13 +121,13 @@ struct thud_figure {
 /* NULL when out of memory. */
 struct thud_figure *thud_figure_create(const char *name, const char *title, int rows, int columns);
 void thud_figure_free(struct thud_figure *figure);
-/* Another one just like it; NULL when out of memory. */
+/* Returns a copy; NULL when out of memory. */
 struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
 /* As bytes for another process of the same program, and the next one from such bytes; NULL: they are cut off, or there
  * is no memory. */
 void thud_figure_write(const struct thud_figure *figure, struct thud_text *out);
 struct thud_figure *thud_figure_read(const char **bytes, const char *end);
-/* Another name for its files. */
+/* Renames the files of the figure. */
 void thud_figure_rename(struct thud_figure *figure, const char *name);
 /* THUD_MEMORY when anything could not be kept, else THUD_OK. */
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);

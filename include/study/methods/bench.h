@@ -40,14 +40,14 @@ void thud_bench_free(struct thud_bench *bench);
 bool thud_bench_yields(const struct thud_bench *bench);
 int thud_bench_count(const struct thud_bench *bench);
 struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i);
-/* Leaves only the curves of these methods. */
+/* Keeps only the curves of these methods. */
 void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
 /* As thud_stepping_name. */
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
 
-/* What is to be run next: of the points that wait, the one that stands first on its curve; -1: none waits. */
+/* Returns the next point to run, the first pending one of its curve; -1: none. */
 int thud_bench_next(const struct thud_bench *bench);
-/* How many wait no more. */
+/* Returns the number of points that are done. */
 int thud_bench_ended(const struct thud_bench *bench);
 
 /* What an accuracy costs by a curve: its quickest run whose peaks are that near and that has every impact. `ratio`: of

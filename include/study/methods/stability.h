@@ -92,10 +92,10 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
                                        struct thud_stability **out, struct thud_error *err);
 void thud_stability_free(struct thud_stability *stability);
 int thud_stability_jobs(const struct thud_stability *stability);
-/* A job (from 0), which writes a row of its own: several may be made at once, each once. Errors: THUD_MEMORY, and
+/* Runs a job (from 0), which writes its own row: several may run at once, each once. Errors: THUD_MEMORY, and
  * THUD_DIVERGED of an exact method. */
 enum thud_status thud_stability_job(struct thud_stability *stability, int job, struct thud_error *err);
-/* A summary (from 0), once all jobs are done. */
+/* Returns a summary (from 0) after all jobs. */
 struct thud_stability_summary thud_stability_summary_of(const struct thud_stability *stability, int i);
 
 /* The test cases, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */

@@ -72,5 +72,5 @@ struct thud_check {
 struct thud_check thud_verify_check(const struct thud_expectation *expected,
                                     const struct thud_checked_values *measures);
 
-/* The name of the method that confirms what `method` answered: one that shares no time stepping with it. */
+/* Returns the method that confirms a result of `method`: one with different time stepping. */
 const char *thud_verify_independent(const char *method);

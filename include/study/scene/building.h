@@ -6,20 +6,20 @@
 /* Shapes overlap by no more than this: largest off-diagonal element of Phi^T M Phi. */
 #define THUD_OVERLAP_MOST 0.02
 
-/* Values in a row of a structure's part of the scene's shape. */
+/* Returns the number of values in a row of a structure's part of the scene's shape. */
 int thud_shape_columns(const struct thud_structure *structure);
-/* That part, row after row; NULL: it has not been read. */
+/* Returns that part, row after row; NULL: not read yet. */
 const double *thud_structure_shape(const struct thud_scene *scene, int structure);
 /* Keeps what has been read in place of what was; parts of no structure are dropped. Errors: THUD_INPUT (no room). */
 enum thud_status thud_structure_keep_shape(struct thud_scene *scene, int structure, int rows, const double *value,
                                            struct thud_error *err);
-/* K (storeys x storeys), N/m. Errors: THUD_INPUT (not read, or shapes that overlap) with key, THUD_MEMORY. */
+/* Computes K (storeys x storeys), N/m. Errors: THUD_INPUT (not read, or shapes that overlap) with key, THUD_MEMORY. */
 enum thud_status thud_structure_lateral(const struct thud_scene *scene, int structure, double *matrix_npm,
                                         struct thud_error *err);
-/* The same without the matrix. */
+/* Checks the same without the matrix. */
 enum thud_status thud_structure_check_shape(const struct thud_scene *scene, int structure, struct thud_error *err);
 
-/* Whether it stands under its own weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with key,
+/* Whether a building is stable under its weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with key,
  * THUD_MEMORY. */
 enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int structure, struct thud_error *err);
 /* Foundation, springs and dashpots of a building on soil, as they are given or as they follow for a disk of radius a on

@@ -59,5 +59,5 @@ struct thud_gap_rule {
 };
 const struct thud_gap_rule *thud_gap_rule_at(int rule);
 double thud_gap_value(const struct thud_gap_level *level, int rule);
-/* The rule's formula with the level's numbers. */
+/* Writes the rule's formula with the level's numbers. */
 void thud_gap_numbers(const struct thud_gap_level *level, int rule, struct thud_text *out);

@@ -6,16 +6,16 @@
 
 /* Floors that move: storeys, and the base slab of an isolated building; a rigid body and a flexible wall have one, another wall none. */
 int thud_structure_floors(const struct thud_structure *structure);
-/* Of floor `floor` (from 0) of a building or rigid body; NaN for a rigid body without elevation. */
+/* Returns the elevation (m) of a floor (from 0) of a building or rigid body; NaN for a body without one. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
-/* The number of the storey below a floor (from 0) as presets and messages count them; 0: the isolators. */
+/* Returns the number of the storey below a floor (from 0), as in presets and messages; 0: the isolators. */
 int thud_structure_storey(const struct thud_structure *structure, int floor);
-/* What a floor (from 0), or the storey below it, is called: "floor 3", "base slab"; "storey 3", "isolators". */
+/* Writes the name of a floor (from 0), or of the storey below it: "floor 3", "base slab"; "storey 3", "isolators". */
 const char *thud_structure_level_name(const struct thud_structure *structure, int floor, bool storey, char text[24]);
 
-/* Depth of its slab: its face covers [z - depth, z]; 0 for a rigid body. */
+/* Returns the depth (m) of its slab: its face covers [z - depth, z]; 0 for a rigid body. */
 double thud_structure_depth(const struct thud_structure *structure, int floor);
-/* Height over which two faces at levels a and b overlap; below 0: the distance between them. */
+/* Returns the height (m) over which two faces at levels a and b overlap; below 0: the distance between them. */
 double thud_face_overlap(double a, double a_depth, double b, double b_depth);
 
 /* One contact that there may be. */
@@ -41,7 +41,7 @@ int thud_contact_level(const struct thud_scene *scene, int interface, const stru
 /* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
 bool thud_slab_is_left(int left_floor, int struck);
 int thud_slab_floor(int left_floor, int right_floor, int struck);
-/* Whose columns: "left", "right", "". */
+/* Returns the side of the struck columns: "left", "right", "". */
 const char *thud_struck_name(int struck);
 /* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
 void thud_contact_pair_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);

@@ -32,9 +32,9 @@ enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struc
  * could touch. */
 enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
                                         double *need_m, struct thud_error *err);
-/* The index of a level (from 0) among those of its interface. */
+/* Returns the index of a level (from 0) among those of its interface. */
 int thud_needed_gap_level(const struct thud_gap_level *level, int i);
-/* Of several values the widest, where one that is not known stays. */
+/* Whether a gap is wider than the widest so far; one that is not known (NaN) is kept. */
 static inline bool thud_gap_is_wider(double gap_m, double widest_m)
 {
     return !isnan(widest_m) && !(gap_m <= widest_m);
@@ -43,9 +43,9 @@ static inline bool thud_gap_is_wider(double gap_m, double widest_m)
  * one. *level where not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
 
-/* Damping ratio of a structure's first mode; 0: it has none. */
+/* Returns the damping ratio of a structure's first mode; 0: it has none. */
 double thud_gap_damping(const struct thud_model *model, int structure);
-/* Whether a rule asks for less than is needed, by more than rounding. */
+/* Whether a rule requires too little, by more than rounding. */
 bool thud_gap_falls_short(double asked_m, double needed_m);
 
 /* Of each interface (from 0): whether the floor elevations of its two buildings are the same, all of them. */

@@ -104,12 +104,12 @@ struct thud_structure {
                                            the fingerprint of a scene only where it is given. */
     int modes;                          /* its lowest ones alone; 0: analysis.modes */
 };
-/* The file of matrix or modes that a structure names; "" where it names none. */
+/* Returns the file of matrix or modes that a structure names; "": none. */
 const char *thud_structure_file(const struct thud_structure *structure);
 
-/* Length of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
+/* Returns the length (m) of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
 double thud_clear_height(const struct thud_structure *structure, int storey);
-/* EI of the struck columns of a storey (from 0), from either; NaN: not given. */
+/* Returns EI (N m2) of the struck columns of a storey (from 0), from EI or stiffness; NaN: not given. */
 double thud_column_ei(const struct thud_structure *structure, int storey);
 
 /* A law with its parameters in the order of law->params. NaN: not given. */
@@ -250,22 +250,21 @@ struct thud_scene {
 
 /* ---- making one ---- */
 
-/* An empty scene with defaults. */
+/* Clears a scene and sets its defaults. */
 void thud_scene_init(struct thud_scene *scene);
-/* No file, nothing said, nothing scaled. */
+/* Clears a record choice: no file, no scaling. */
 void thud_record_choice_init(struct thud_record_choice *choice);
-/* Another file, as recorded: what was said of the one before (peak, factor, sign, part, unit, ...) does not hold for it.
- * `file` may be empty. */
+/* Selects another file, as recorded, and clears the settings of the one before (peak, factor, sign, part, unit, ...). `file` may be empty. */
 void thud_record_choice_replace(struct thud_record_choice *choice, const char *file);
-/* Of a kind, with one storey where it has storeys; what must be given is NaN. The name is empty. */
+/* Sets the defaults of a kind, with one storey if it has storeys; required values are NaN. The name is empty. */
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
-/* A law with the defaults of its table (NaN where a value must be given). */
+/* Selects a law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* The lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
  * ratios, of columns EI, stiffness and capacity, and weights. */
 enum { THUD_STRUCTURE_LISTS = 12 };
 double *thud_structure_list(struct thud_structure *structure, int which);
-/* The drift at which storey i (from 0) yields; INFINITY where it is elastic. */
+/* Returns the drift (m) at which storey i (from 0) yields; INFINITY: elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
 /* All isolators of a building together: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= u_y; linear ones have r = 1 and
  * an infinite u_y. */
@@ -274,12 +273,12 @@ struct thud_isolator {
     double stiffness_npm, yield_m, hardening, damping; /* k = Q_d/u_y + K_d, u_y, r = K_d/k, damping ratio */
 };
 struct thud_isolator thud_structure_isolator(const struct thud_structure *structure);
-/* Leaves of what is given of isolators what their law has. */
+/* Clears the isolator values that the law of the isolators does not have. */
 void thud_isolator_keep_own(struct thud_structure *structure);
-/* Weight on the isolators. */
+/* Returns the weight on the isolators, N. */
 double thud_isolated_weight(const struct thud_structure *structure);
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
-/* Whether they yield or slide. */
+/* Whether the isolators yield or slide. */
 bool thud_isolator_slides(const struct thud_structure *structure);
 /* Whether a building stands on soil: any key of its foundation is given. */
 bool thud_structure_on_soil(const struct thud_structure *structure);
@@ -290,30 +289,30 @@ bool thud_wall_gives(const struct thud_structure *structure);
 extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
 bool thud_wall_has_backfill(const struct thud_structure *structure);
 double thud_wall_damping(const struct thud_structure *structure);
-/* Weight above storey i (from 0) of a building. */
+/* Returns the weight (N) above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* With P-Delta a storey has collapsed where it drifts by this part of its height. */
 #define THUD_COLLAPSE_DRIFT 0.1
 /* Whether a storey of the scene yields, or an isolator slides; whether a link does. By their elements. */
 bool thud_scene_yields(const struct thud_scene *scene);
 bool thud_scene_slips(const struct thud_scene *scene);
-/* Of a law; what must be given is NaN, its ends are empty. */
+/* Sets the defaults of a link law; required values are NaN, its ends are empty. */
 void thud_link_init(struct thud_link *link, enum thud_link_law law);
 bool thud_link_has(enum thud_link_law law, int param); /* of THUD_GROUP_LINK, by index */
-/* "A.4-B.4", and the word of its law, of link i of a result. */
+/* Writes the name "A.4-B.4" of link i of a result, and returns the word of its law. */
 void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size);
 const char *thud_link_law_name(const struct thud_scene *scene, int i);
 /* Behind the scene's links a result has the soil behind walls: the structure whose soil link i is; -1: a link. */
 int thud_link_wall(const struct thud_scene *scene, int i);
-/* Whether both ends of link i are there, floors of neighbours. */
+/* Whether both ends of link i exist and are floors of neighbours. */
 bool thud_link_stands(const struct thud_scene *scene, int i);
-/* The ends that have a structure's old name get its new one. */
+/* Renames a structure at the ends of links. */
 void thud_links_rename(struct thud_scene *scene, const char *before, const char *now);
-/* The interface (from 0) that link i crosses; -1: it does not stand. */
+/* Returns the interface (from 0) that link i crosses; -1: the link is not valid. */
 int thud_link_interface(const struct thud_scene *scene, int i);
-/* Takes link i away. */
+/* Removes link i. */
 void thud_link_remove(struct thud_scene *scene, int i);
-/* Where an end of a link stands: the structure from 0, the floor from 1; 0: it moves with the ground. Errors: THUD_INPUT
+/* Finds an end of a link: the structure from 0, the floor from 1; 0: it moves with the ground. Errors: THUD_INPUT
  * without key. */
 enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, int *structure, int *floor,
                                struct thud_error *err);
@@ -346,9 +345,9 @@ const struct thud_param *thud_group_param(enum thud_group group, int i);
 const char *thud_group_key(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
-/* Columns that the widest name of a structure takes in a table, at least so many. */
+/* Returns the table columns of the widest structure name, at least `least`. */
 int thud_scene_names_width(const struct thud_scene *scene, int least);
-/* The word of a kind in presets. */
+/* Returns the word of a kind in presets. */
 const char *thud_kind_name(enum thud_structure_kind kind);
 
 /* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
@@ -357,7 +356,7 @@ const char *thud_kind_name(enum thud_structure_kind kind);
  * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
  * and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
-/* The value as text in its shown unit; empty where it is not given. Errors: THUD_INPUT (no such key). */
+/* Writes the value as text in its shown unit; empty: not given. Errors: THUD_INPUT (no such key). */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
                                 struct thud_error *err);
 /* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. Errors:
@@ -366,7 +365,7 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
-/* Whether what stands there changes no run: the title, a structure's name, the study and the title block. */
+/* Whether a key changes no run: the title, a structure's name, the study and the title block. */
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
@@ -399,12 +398,12 @@ void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
  * none. */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
-/* What it makes of an interface alone. */
+/* Applies a case to one interface only. */
 void thud_interface_case(struct thud_interface *interface, enum thud_case which);
 /* The scene as it moves without pounding: no bumpers, and contacts without a force, at an interface (from 1; 0: at all). */
 void thud_scene_drop_contacts(struct thud_scene *scene, int interface);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
-/* Whether there is anything that case `none` leaves out. */
+/* Whether case `none` omits anything. */
 bool thud_scene_has_measure(const struct thud_scene *scene);
 /* Without its bumpers, and with the links that it has. */
 static inline enum thud_case thud_scene_bare(const struct thud_scene *scene)
@@ -436,15 +435,15 @@ struct thud_level_values {
 };
 struct thud_level_values thud_interface_level(const struct thud_interface *interface, int level);
 double thud_level_clearance(const struct thud_level_values *level);
-/* The smallest and the largest gap of its levels. */
+/* Gives the smallest and the largest gap (m) of its levels. */
 void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
 /* "10 cm", "8 to 12 cm by level" */
 void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size);
-/* Multiplies every gap, and leaves no less than its bumper takes. */
+/* Multiplies every gap, but keeps at least the projection of its bumper. */
 void thud_interface_scale_gap(struct thud_interface *interface, double factor);
 /* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
 /* "6 cm"; by level "10 cm at 1-1 to 2-2, 6 cm at 3-3". */
 void thud_interface_clearance_text(const struct thud_scene *scene, int interface, char *text, size_t size);
-/* Of the bumper; NaN where there is none, or its law has no max-strain. */
+/* Returns the ultimate strain of the bumper; NaN: no bumper, or its law has none. */
 double thud_interface_max_strain(const struct thud_interface *interface);

@@ -5,7 +5,7 @@
 #include "core/run/run.h"
 #include "study/scene/scene.h"
 
-/* The model of a scene as written (apply thud_scene_case first). Errors: THUD_INPUT, THUD_MEMORY. */
+/* Assembles the model of a scene as written (apply thud_scene_case first). Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err);
 /* Law, its values and the clearance of every contact of an interface: a bumper covers all of its levels. */
 /* level: as thud_interface_level. */
@@ -44,8 +44,8 @@ enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const s
 /* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
  * between the impulses. */
 bool thud_floor_struck(const struct thud_result *result, int structure, int floor);
-/* Its peak acceleration; NaN: it was struck. */
+/* Returns the peak acceleration of a floor, m/s2; NaN: struck by an impulse. */
 double thud_floor_acceleration(const struct thud_result *result, int structure, int floor);
-/* Peaks of a contact; NaN: impulses of a law without force. */
+/* Returns the peaks of a contact; NaN: impulses of a law without force. */
 double thud_peak_force(const struct thud_contact_result *contact);
 double thud_peak_depth(const struct thud_contact_result *contact);

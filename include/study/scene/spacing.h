@@ -1,11 +1,11 @@
 /* Rules of the codes for the gap that two neighbours need, from their largest displacements at one level. */
 #pragma once
 
-/* Sum of the two. */
+/* Returns the sum of the two. */
 double thud_spacing_abs(double left_m, double right_m);
-/* Square root of the sum of squares. */
+/* Returns the square root of the sum of squares. */
 double thud_spacing_srss(double left_m, double right_m);
-/* Double difference combination sqrt(a^2 + b^2 - 2 rho a b). */
+/* Returns the double difference combination sqrt(a^2 + b^2 - 2 rho a b). */
 double thud_spacing_ddc(double left_m, double right_m, double correlation);
 /* rho of the double difference combination from the first periods and damping ratios: Jeng, Kasai and Maison, "A
  * spectral difference method to estimate building separations to avoid pounding", Earthquake Spectra 8 (1992) 201-223,

@@ -9,16 +9,16 @@
 
 /* A slab pushed at its edge: k = E A/L, A the section's area, L the length in the direction of the impact. N/m. */
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa);
-/* Two slabs against each other: springs in series. */
+/* Returns the stiffness of two slabs that meet: springs in series, N/m. */
 double thud_stiffness_series(double a_npm, double b_npm);
-/* A bumper: k = alpha A K_r/d^n. N/m^n. */
+/* Returns the stiffness of a bumper, k = alpha A K_r/d^n, N/m^n. */
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
 /* What is varied: of every interface with a bumper the bumper, which alone is struck there, of the others the
  * contact. */
 enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER };
 
-/* Multiplies it; what the law has no parameter for stays. false: there is nothing of the kind. */
+/* Multiplies this stiffness where the law has a parameter for it. false: there is none. */
 bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor);
 
 struct thud_stiffness_row {

@@ -47,7 +47,7 @@ struct thud_gap_range {
     double least_m, most_m;
     double left_factor, right_factor; /* of the periods where it is most_m; NaN: not estimated */
 };
-/* Of how many such periods; 0: no building is estimated. */
+/* Returns the number of such periods; 0: no building is estimated. */
 int thud_gap_periods(const struct thud_scene *scene);
 /* What is enough at one of them (from 0) for a ground motion, where it is more than need_m (nstructures - 1). Errors:
  * those of thud_needed_gap_run. */

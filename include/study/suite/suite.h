@@ -31,7 +31,7 @@ enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_swee
 /* `k`: index into the plan's cases. structure -1: the largest over the structures. */
 double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k, enum thud_measure measure,
                         int structure);
-/* Over the ground motions. `room` (nrecords) is scratch. `share`: of values above
+/* Computes statistics over the ground motions. `room` (nrecords) is scratch. `share`: of values above
  * `limit`. */
 struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
                                            enum thud_measure measure, int structure, double limit, double *room);

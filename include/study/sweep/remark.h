@@ -87,8 +87,8 @@ struct thud_remark_scope {
     const struct thud_sweep_plan *plan;
     const struct thud_sweep_watch *watch;
 };
-/* The remarks of a set of enum thud_remark_about, to be cleared. What no memory is left for is not told. */
+/* The remarks of a set of enum thud_remark_about, to be cleared. Remarks for which there is no memory are omitted. */
 struct thud_remarks thud_remarks_find(const struct thud_remark_scope *scope, unsigned about);
 void thud_remarks_clear(struct thud_remarks *remarks);
-/* The one of the same row and key; NULL: there is none. */
+/* Returns the remark of the same row and key; NULL: none. */
 const struct thud_remark *thud_remarks_like(const struct thud_remarks *remarks, const struct thud_remark *as);

@@ -59,7 +59,7 @@ struct thud_sweep_table {
     const struct thud_sweep_need_row *need;
 };
 
-/* Bytes of a summary. */
+/* Returns the bytes of a summary. */
 size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread);
 /* An empty one for structures with so many floors each; NULL when out of memory. */
 struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread);

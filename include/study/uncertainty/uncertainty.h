@@ -71,7 +71,7 @@ struct thud_drawn_input {
     char name[96]; /* "gap", "gap.2", "stiffness.A", "stiffness.common" */
 };
 enum { THUD_DRAWN_MAX = 11 * THUD_STRUCTURES_MAX + 2 * THUD_INPUTS };
-/* What an input of its kind is multiplied by at place u. */
+/* Returns the factor of an input of its kind at place u. */
 double thud_input_times(const struct thud_drawn_input *input, double u);
 /* Changes an input to place u (0 to 1; 0.5 is nominal) of its range. The motion's factor goes into *motion. No gap is
  * less than its bumper takes. */

@@ -58,12 +58,11 @@ static const struct phrase model[] = {
              "to the ground it moves by M u'' + C u' + K u = -M 1 a_g(t) + F, with the ground acceleration a_g and the "
              "contact forces F. C gives every mode the damping ratio of the building (A. K. Chopra, Dynamics of "
              "Structures, 4th ed., 11.4)."},
-    {.text = "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), with the "
-             "drift d, the permanent drift d_p and the hardening ratio r; |d - d_p| does not exceed the yield drift.",
+    {.text = "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p). d is the "
+             "drift, d_p the permanent drift and r the hardening ratio; |d - d_p| does not exceed the yield drift.",
      .when = YIELDS},
-    {.text = "An isolated building stands on a base slab of its own mass; its isolators are one storey below the slab, "
-             "with a stiffness k and a damping ratio z of their own: c = 2 z sqrt(k m), with the mass m of the whole "
-             "building.",
+    {.text = "An isolated building has a base slab with its own mass. The isolators are one storey below the slab, "
+             "with stiffness k and damping ratio z: c = 2 z sqrt(k m), where m is the mass of the whole building.",
      .when = SPRINGS},
     {.text =
          "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - "
@@ -74,19 +73,20 @@ static const struct phrase model[] = {
     {.text = "A flexible wall is one mass on a spring and a dashpot against the ground; the periods of walls are "
              "those without the soil behind them.",
      .when = WALL},
-    {.text = "The soil behind a wall acts in compression alone, F = x/(1/K_max + R_f x/F_ult) for the wall's "
-             "displacement x into it, unloads by K_max from the largest x so far, and leaves a gap behind.",
+    {.text = "The soil behind a wall acts in compression only, F = x/(1/K_max + R_f x/F_ult) for the wall's "
+             "displacement x into it. It unloads with K_max from the largest x so far, and leaves a gap.",
      .when = BACKFILL},
-    {.text = "A link acts along the line of the buildings by d = u_left - u_right of its ends: a spring and dashpot by "
-             "F = k d + c d', friction by F = k (d - d_p) up to its slip force, a strut while d exceeds its slack, a "
-             "restrainer while -d does. They stand in every case that is not named without them.",
+    {.text = "A link acts along the line of the buildings on d = u_left - u_right of its ends. A spring and dashpot "
+             "has F = k d + c d'; friction has F = k (d - d_p) up to its slip force. A strut acts while d exceeds its "
+             "slack, a restrainer while -d does. Links are part of every case that is not named without them.",
      .when = LINKS},
-    {.text = "A building on soil stands on a foundation of its own mass and moment of inertia that sways by u_f and "
-             "rocks by t: springs and dashpots act under it, given or of a rigid disk of radius a on an elastic "
-             "half-space (K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. "
-             "Gazetas, Formulas and charts for impedances of surface and embedded foundations, 1991). Displacements "
-             "count from the free field; the drift of a storey is without the rocking, contacts see the whole motion, "
-             "and the building's damping acts on its deformation.",
+    {.text =
+         "A building on soil has a foundation with its own mass and moment of inertia that sways by u_f and rocks by "
+         "t. Springs and dashpots act under it. They are given, or those of a rigid disk of radius a on an elastic "
+         "half-space (K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. "
+         "Gazetas, Formulas and charts for impedances of surface and embedded foundations, 1991). Displacements are "
+         "relative to the free field. Storey drifts exclude rocking, contacts use the whole motion, and the building's "
+         "damping acts on its deformation.",
      .when = SOIL},
     {.text = "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN "
              "1998-1:2004, 4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates.",
@@ -97,18 +97,18 @@ static const struct phrase model[] = {
     {.text = "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
              "the approach velocity. The clearance is the gap minus the bumper's projection. Slabs whose faces overlap "
              "in elevation can collide."},
-    {.text = "A slab that meets no slab strikes the columns of the storey beside it: they bend between the two floors "
-             "as a member clamped in both, in series with the contact, and their shears and moments follow from the "
-             "place of the strike.",
+    {.text = "A slab that faces no slab strikes the columns of the storey beside it. They bend between the two floors "
+             "as members fixed at both ends, in series with the contact. Their shears and moments follow from the "
+             "point of impact.",
      .when = COLUMNS},
 };
 
 static const struct phrase unmade[] = {
-    {.text = "Whether the ground motions stand for what the site has to expect. Tables and figures of single floors "
-             "are under the one ground motion of the verdicts alone.",
+    {.text = "Whether the ground motions represent the hazard of the site. Tables and figures of single floors are for "
+             "the one ground motion of the verdicts.",
      .when = SUITE},
-    {.text = "Other ground motions: this one proves nothing about a gap, another of the same size can need more. A "
-             "suite of motions adds fractions and fractiles over several.",
+    {.text = "Other ground motions: a single motion does not establish a sufficient gap; another of the same intensity "
+             "may require more. A suite of motions adds fractions and fractiles across motions.",
      .when = MOTION,
      .unless = SUITE},
     {.text = "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
@@ -367,8 +367,8 @@ void thud_site_provenance(struct site *site)
     d->failed = d->failed || version.failed;
     thud_text_clear(&version);
     thud_document_paragraph(d,
-                            "To make this report again, write what follows into a folder, with the files of the "
-                            "ground motions (and of matrices, where there are such) by their SHA-256, and type there:");
+                            "To reproduce this report, write what follows into a folder. Add the files of the ground "
+                            "motions (and of matrices, if any), identified by their SHA-256. Then type there:");
     thud_document_lines(d, site->options->command);
     thud_document_paragraph(
         d, "%s.yaml, the scene as computed with every change made on the command line:", site->scene->name);

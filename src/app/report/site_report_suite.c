@@ -201,7 +201,7 @@ static void say_measure(struct site *site, int k, int s, bool drift)
     if (f.n > 0)
         thud_document_item(&site->document,
                            "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "
-                           "ratio to %s is %.2f in the median%s.",
+                           "ratio to %s has a median of %.2f%s.",
                            one->measure, thud_site_verb(one, "lowers").text, drift ? "drift" : "acceleration",
                            thud_site_name(site, s), helps, f.n, thud_site_verb(one, "raises").text,
                            f.share * (double)f.n, site->cases[SITE_NONE].name, f.median, spread);

@@ -223,9 +223,8 @@ static void stiffness(struct site *site)
     if (site->record)
         add_stiffness_row(site, "ground motion, reversed polarity", &site->reversed);
     thud_document_paragraph(
-        d, "The stiffness of a contact is the least known number of a scene: estimates from the slabs or the rubber "
-           "differ by such factors. Where half or twice of it changes a result, the result is not known better than "
-           "that.");
+        d, "Contact stiffness is the least certain input: estimates based on the slabs or the rubber differ by such "
+           "factors. If halving or doubling it changes a result, the result is uncertain by at least that change.");
 }
 
 void thud_site_sure_section(struct site *site)

@@ -385,8 +385,8 @@ static void floors(struct site *site)
     int k;
     if (!s)
         return;
-    thud_document_table(d, "What equipment on the floors struck hardest feels: largest pseudo-acceleration of "
-                           "oscillators with 5 % damping, g, and its period");
+    thud_document_table(d, "Floor response spectra of the floors with the largest impact forces: peak "
+                           "pseudo-acceleration (g) at 5 % damping, and its period");
     thud_document_cell(d, "floor");
     for (int i = 0; i < s->ncases; i++)
         thud_document_cell(d, "%s", i > SITE_NONE ? site->own->name : site->cases[i].name);
@@ -400,8 +400,9 @@ static void floors(struct site *site)
         }
         thud_document_row(d);
     }
-    thud_site_figure(site, thud_figure_of_floors(site->scene, s), 0.25 * s->nfloors,
-                     "Floor spectra of the floors struck hardest: pseudo-acceleration, 5 % damping.");
+    thud_site_figure(
+        site, thud_figure_of_floors(site->scene, s), 0.25 * s->nfloors,
+        "Floor response spectra of the floors with the largest impact forces: pseudo-acceleration, 5 % damping.");
 }
 
 static void results(struct site *site)
@@ -529,15 +530,14 @@ static void gap_rules(struct site *site)
                                 suite ? "all of the suite require" : "this motion requires", less.data);
     d->failed = d->failed || less.failed;
     thud_text_clear(&less);
-    thud_document_paragraph(
-        d,
-        "EN (2)(a) and ASCE line are of buildings that do not belong to one owner: each keeps its own "
-        "displacement from the property line, so that the gap is the sum. The codes take design "
-        "displacements; here they are %s%s.",
-        displacements,
-        suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means from seven recordings on; of ASCE rules from eleven on, ASCE "
-                "7-16, 16.2.2)"
-              : "");
+    thud_document_paragraph(d,
+                            "EN (2)(a) and ASCE line apply to buildings with different owners. Each building is set "
+                            "back from the property line by its own displacement, so the gap is their sum. The codes "
+                            "use design displacements; those used here are %s%s.",
+                            displacements,
+                            suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means of seven recordings or more; "
+                                    "for the ASCE rules of eleven or more, ASCE 7-16, 16.2.2)"
+                                  : "");
 }
 
 /* Of three or more structures: one that pushes another changes what is needed beside it. */

@@ -155,15 +155,15 @@ static void measure_row(struct site *site, const struct site_case *one)
         higher == 0 && lower > 0   ? "yes"
         : lower == 0 && higher > 0 ? "no"
         : lower == 0               ? (plural ? "they change nothing" : "it changes nothing")
-        : lower > higher           ? "in part, more lower than higher"
-                                   : "in part, not more lower than higher",
+        : lower > higher           ? "partly; more peaks are lower than higher"
+                                   : "partly; no more peaks are lower than higher",
         a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], plural ? "they" : "it",
         thud_site_verb(one, "lowers").text, a[LOWER], d[LOWER], thud_site_verb(one, "raises").text, a[HIGHER],
         d[HIGHER], thud_site_verb(one, "leaves").text, a[SAME], d[SAME]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
                                      *with = thud_site_strongest(one->result);
     if (without && with)
-        snprintf(text + n, sizeof text - n, "; the largest force goes from %s MN to %s MN",
+        snprintf(text + n, sizeof text - n, "; the peak force changes from %s MN to %s MN",
                  thud_site_number(1e-6 * without->force.value, 3).text,
                  thud_site_number(1e-6 * with->force.value, 3).text);
     thud_site_verdict(site, what, text);

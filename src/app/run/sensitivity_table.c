@@ -97,7 +97,7 @@ void thud_sensitivity_table(const struct thud_report *report, struct thud_text *
     thud_text_append(out,
                      "\nsensitivity: largest change of each peak under %g %% more or less gap, ground motion or "
                      "storey stiffness of every second building (%d runs), from %s%s:\na change that "
-                     "begins or ends a contact counts there alone\n%-*s",
+                     "begins or ends a contact counts only there\n%-*s",
                      100 * s->change, s->runs, *gap ? "a gap of " : "the gaps as given", gap, width + 6,
                      "structure and floor");
     for (int q = 0; q < THUD_FLOOR_SPREADS; q++)

@@ -123,9 +123,9 @@ static void put_few(const struct thud_suite *suite, struct thud_text *out)
             out, "\n%d independent ground motion%s no likelihood: the counts are all there is, without bands.\n", n,
             n == 1 ? " gives" : "s give");
     else if (n < THUD_DRAWS_LEAST)
-        thud_text_append(
-            out, "\n%d independent ground motions are too few for a band of a curve: from %d on there is one.\n", n,
-            THUD_DRAWS_LEAST);
+        thud_text_append(out,
+                         "\n%d independent ground motions are too few for a confidence band; at least %d are needed.\n",
+                         n, THUD_DRAWS_LEAST);
 }
 
 /* Contact that is not monotone in the intensity: the median is that of the first contact. */

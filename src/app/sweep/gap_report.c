@@ -258,7 +258,7 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
             thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);
             before = ", ";
         }
-    thud_text_append(out, ": second-hand; read the clause.\n");
+    thud_text_append(out, ": implemented from secondary sources; check the clause.\n");
 }
 
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,

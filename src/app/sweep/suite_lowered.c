@@ -214,10 +214,10 @@ static void put_best(const struct compared *c, int q, int s, struct thud_text *o
         return;
     name_response(c, q, s, name);
     if (best.median < 1 - rounding)
-        thud_text_append(out, "  %s: %s, %.3f in the median, lower under %zu of %zu motions\n", name,
+        thud_text_append(out, "  %s: %s, median ratio %.3f, lower under %zu of %zu motions\n", name,
                          c->measure[which].name, best.median, best.below, best.n);
     else
-        thud_text_append(out, "  %s: none of them lowers it in the median\n", name);
+        thud_text_append(out, "  %s: none of them lowers the median\n", name);
 }
 
 /* Which of bumper and links lowers what most, and how much each lowers at all. */

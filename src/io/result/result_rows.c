@@ -164,8 +164,8 @@ static const struct thud_column contacts[] = {
     {CONTACT(peak.indentation.time_s, "indentation_time_s", "Its time, s.")},
     {CONTACT(peak.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
     {CONTACT(peak.contact_time_s, "contact_time_s",
-             "Time in which the contact pushes, F > 0, s: the pull at the end of kelvin-voigt is not in it, nor is a "
-             "contact whose impulse does not count as an impact. Of contacts that hardly have a force, this time and "
+             "Time in which the contact pushes, F > 0, s: without the pull at the end of kelvin-voigt, and without "
+             "contacts whose impulse does not count as an impact. Of contacts that hardly have a force, this time and "
              "their number depend on the method and its tolerance; force and impulse do not."),
      .shown = {"contact", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
     {CONTACT(peak.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
@@ -174,9 +174,9 @@ static const struct thud_column contacts[] = {
     {CONTACT(peak.approach_mps, "approach_mps", "Speed before the last impact, m/s.")},
     {CONTACT(peak.separation_mps, "separation_mps", "Speed after it, m/s.")},
     {CONTACT(peak.restitution, "restitution",
-             "Speed after the last impact over that before it; no value where that says nothing: the floors did not "
-             "part, or the "
-             "contact lasted longer than a quarter of the shortest period of the two structures, whose storeys then "
+             "Speed after the last impact over that before it. No value where this is meaningless: the floors did not "
+             "separate, or the contact lasted longer than a quarter of the shortest period of the two structures, "
+             "whose storeys then "
              "act too."),
      .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
     {CONTACT(peak.nominal_restitution, "nominal_restitution", "Coefficient that was asked for."),

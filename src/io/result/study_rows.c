@@ -46,9 +46,9 @@ static const struct thud_column motions[] = {
     MOTION(why, "Why not.", 0)};
 const struct thud_schema thud_motion_schema =
     THUD_SCHEMA("motions.csv",
-                "Of\n.Cm thud suite :\na row for each ground motion.\nWith\n.Fl -json\nthe same, the marked periods as "
-                "the list\n.Va sa ,\nwith the target, the common factor, the range of periods, the least ratio "
-                "of\nmean and target with its period, the mean peak, and the target at T = 0.\n",
+                "Written by\n.Cm thud suite :\none row for each ground motion.\n.Fl -json\nhas the same, with the "
+                "marked periods as the list\n.Va sa .\nIt adds the target, the common factor, the range of periods, "
+                "the least ratio of\nmean and target with its period, the mean peak, and the target at T = 0.\n",
                 motions);
 
 #define KEY(member, name, text) THUD_FIELD(struct thud_curve_key, member, name, text)
@@ -126,10 +126,10 @@ static const struct thud_column tried[] = {
     TRIED(held, "Under how many of them the criterion holds.")};
 const struct thud_schema thud_tried_schema =
     THUD_SCHEMA("solve",
-                "Of\n.Cm thud solve Fl -csv ,\nand with\n.Fl -json\nthe list\n.Va tried\nbehind the criterion\n"
-                ".Va for ,\nthe\n.Va key\nthat may change, the\n.Va share\nof the ground motions under which it has to "
-                "hold, how often the answer\n.Va changes ,\nand the\n.Va answer\n(no value: there is none, or "
-                "several).\n",
+                "Written by\n.Cm thud solve Fl -csv ;\nwith\n.Fl -json\nit is the list\n.Va tried .\nJSON also has the "
+                "criterion\n.Va for ,\nthe\n.Va key\nthat may change, and the\n.Va share\nof the ground motions under "
+                "which the criterion must be met.\n.Va changes\nis how often the result changes, and\n.Va answer\nis "
+                "the value (none: there is no value, or several).\n",
                 tried);
 
 #define BEST(member, key, text) THUD_FIELD(struct thud_best_row, member, key, text)
@@ -239,8 +239,8 @@ static const struct thud_column of_designs[] = {
     SAMPLE(from_b, "from_b", "That input."), SAMPLE(row, "row", "Row of the design, from 1."), OF_RUN};
 const struct thud_schema thud_index_schema =
     THUD_SCHEMA("indices.csv",
-                "Written by\n.Cm uncertainty Fl -indices Fl o :\nthe runs that the indices rest on, a row for each run "
-                "and\nquantity, so that anybody can compute them again, as thud(1) says.\n",
+                "Written by\n.Cm uncertainty Fl -indices Fl o :\nthe runs on which the indices are based, one row for "
+                "each run and\nquantity.\nthud(1) has the estimators, to recompute them.\n",
                 of_designs);
 
 /* What is written by column and not from rows: named for the manual and the description of tables. */

@@ -180,12 +180,12 @@ static const struct thud_column needs[] = {
     {RULE(id, column, text), .only = THUD_NEED_CODES},
 #include "study/scene/gap_rule_list.h"
 };
-const struct thud_schema thud_need_schema =
-    THUD_SCHEMA("needed-gaps.csv",
-                "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe gap at which "
-                "two floors just do not touch, and what rules of combination\nmake of it: a row for each ground motion "
-                "and pair of floors.\nOf a sweep varied keys that change the motion without pounding follow.\n",
-                needs);
+const struct thud_schema thud_need_schema = THUD_SCHEMA(
+    "needed-gaps.csv",
+    "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe smallest gap at which two "
+    "floors do not touch, and the gaps of the combination\nrules: one row for each ground motion and pair of "
+    "floors.\nFor a sweep, the varied keys that change the motion without pounding follow.\n",
+    needs);
 
 struct thud_need_fields thud_need_fields_of(const struct thud_gap_level *level, const char *record)
 {

@@ -663,7 +663,7 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_doc
     put_forces(&view[1], "reversed", d);
     thud_document_item(
         d,
-        "The sign of a motion, which the paper does not give, changes these counts: under %s with reversed polarity "
+        "The sign of a motion, which the paper does not give, changes these counts. Under %s with reversed polarity "
         "the 4-storey building's 4th floor is amplified at %d of %d gaps, as given at %d.",
         table->record[0], of_floor(&view[1], 0, 4, NULL).above, of_floor(&view[1], 0, 4, NULL).n,
         of_floor(&view[0], 0, 4, NULL).above);

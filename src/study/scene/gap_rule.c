@@ -111,7 +111,7 @@ static double by_motion(const struct thud_gap_level *l)
 #define THUD_RULE_CODE THUD_RULE
 #include "study/scene/gap_rule_list.h"
 
-#define THUD_SECOND_HAND "second-hand; read the clause"
+#define THUD_SECOND_HAND "from secondary sources; check the clause"
 #define THUD_EN1998      "EN 1998-1:2004"
 #define THUD_ASCE7       "ASCE/SEI 7-16"
 

@@ -67,7 +67,7 @@ void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct
     thud_error_set(said, THUD_OK, "%d files, %d recording%s%s%s", files, recordings, recordings == 1 ? "" : "s",
                    unknown,
                    recordings < 3   ? ": fewer than codes accept"
-                   : recordings < 7 ? ": few, so that codes ask for the largest result, not the mean"
+                   : recordings < 7 ? ": few; codes then require the largest result, not the mean"
                                     : "");
     thud_error_allow(said, recordings < 7 ? "7 or more (EN 1998-1 4.3.3.4.3(3)); at least 3"
                                           : "each counts as independent, also where two are components of one station");
@@ -124,5 +124,5 @@ void thud_remark_synthetic(const struct thud_remark_scope *scope, int i, struct 
     else
         thud_error_set(said, THUD_OK, "%d of the %d ground motions are synthetic: " THUD_RECORD_COMPUTED, n,
                        scope->nrecords);
-    thud_error_allow(said, "recorded motions for a design: no earthquake was like this");
+    thud_error_allow(said, "use recorded motions for a design: this is not an actual earthquake");
 }

@@ -89,9 +89,9 @@ void thud_remark_drift(const struct thud_remark_scope *scope, int i, struct thud
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "storey %d of %.40s drifts by %.3g mm, %.2g %% of its height, and is taken as elastic", storey,
-                   s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
-    thud_error_allow(said, "buildings yield before %g %%", 100 * drift_most);
+                   "storey %d of %.40s reaches a drift of %.3g mm, %.2g %% of its height, but is modelled as elastic",
+                   storey, s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
+    thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
     thud_error_key(said, "structures.%d", i + 1);
 }
 
@@ -219,7 +219,7 @@ void thud_remark_struck(const struct thud_remark_scope *scope, int i, struct thu
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
                    "the struck columns below floor %d of %.40s carry a shear of %s kN at %.3f s, %.3g times their "
-                   "capacity, but are modelled as intact%s: results after that are meaningless",
+                   "capacity, but are modelled as intact%s: later results are meaningless",
                    worst->storey, scope->scene->structure[i].name, thud_digits(1e-3 * shear->value, 4, number[0]),
                    shear->time_s, worst->ratio, others);
     thud_error_allow(said, "up to %s kN", thud_digits(1e-3 * worst->capacity_n, 4, number[1]));
@@ -425,11 +425,11 @@ void thud_remark_drifts(const struct thud_remark_scope *scope, int i, struct thu
     struct thud_error *said = thud_remark_add(out);
     where_text(scope->plan, w->drift.point, w->drift.which, where, sizeof where);
     thud_error_set(said, THUD_OK,
-                   "storeys drift by more than %g %% of their height in %ld of %ld runs, and are taken as elastic: "
-                   "storey %d of %.40s by %.2g %% (%s)",
+                   "storeys modelled as elastic drift by more than %g %% of their height in %ld of %ld runs: storey %d "
+                   "of %.40s by %.2g %% (%s)",
                    100 * drift_most, w->drifting, w->runs, w->drift.storey,
                    scope->plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
-    thud_error_allow(said, "buildings yield before %g %%", 100 * drift_most);
+    thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
 }
 
 void thud_remark_thetas(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)

@@ -208,8 +208,8 @@ void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the wall of %.3g t hardly moves under a floor of %.3g t, but is not the wall that does not give: "
-                   "the dashpot of %s is that of their effective mass, %.3g t",
+                   "the wall of %.3g t hardly moves under a floor of %.3g t, but is not fixed: the dashpot of %s is "
+                   "that of their effective mass, %.3g t",
                    1e-3 * wall->wall_mass_kg, 1e-3 * mass, choice->law->name, 1e-3 * effective);
     thud_error_allow(said, "a wall without mass and stiffness stands fixed");
     thud_error_key(said, "structures.%d.mass", (int)(wall - scope->scene->structure) + 1);
@@ -279,8 +279,8 @@ void thud_remark_faces(const struct thud_remark_scope *scope, int i, struct thud
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): that is "
-                   "neither a contact of floors nor one of a slab and columns",
+                   "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): neither "
+                   "floor-to-floor nor slab-to-column contact",
                    a, left->name, b, right->name, 100 * overlap, 100 * depth, few);
     thud_error_allow(said, "usually a quarter of the shallower slab or more; see height and base");
     thud_error_key(said, "structures.%d.slab-depth", i + 1);
