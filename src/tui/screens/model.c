@@ -143,11 +143,18 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
 static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
-} column[] = {
-    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 7},          {"height", "h m", 21, 7},
-    {"yield", "yield mm", 29, 8},    {"yield-shear", "yield MN", 40, 8},      {"hardening", "hardening %", 49, 11},
-    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8},   {"slab-depth", "slab cm", 79, 8},
-    {"gravity", "weight kN", 88, 9}, {"column.stiffness", "col. MN/m", 98, 9}};
+} column[] = {{"mass", "mass t", 6, 7},
+              {"stiffness", "k MN/m", 13, 7},
+              {"height", "h m", 21, 7},
+              {"yield", "yield mm", 29, 8},
+              {"yield-shear", "yield MN", 40, 8},
+              {"hardening", "hardening %", 49, 11},
+              {"column.EI", "col. EI", 61, 8},
+              {"column.capacity", "cap. kN", 70, 8},
+              {"slab-depth", "slab cm", 79, 8},
+              {"gravity", "weight kN", 88, 9},
+              {"column.stiffness", "col. MN/m", 98, 9},
+              {"yield-coefficient", "yield %", 108, 8}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 /* Beside each floor, where there is room: its acceleration over time in the three cases, all to one scale. */
@@ -377,7 +384,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     return rows;
 }
 
-enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 4 };
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 5 };
 
 /* Whether the scene has so much detail that there is a command to tell what of it is needed. */
 static bool is_detailed(const struct thud_scene *scene)
@@ -502,8 +509,11 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
 /* What few buildings have otherwise: below their periods, so that the floors have the rows above. */
 static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
 {
-    static const struct thud_labelled row[] = {
-        {"base at", "base"}, {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}, {"lowest modes", "modes"}};
+    static const struct thud_labelled row[] = {{"base at", "base"},
+                                               {"soil Vs", "foundation.vs"},
+                                               {"columns", "column.shape"},
+                                               {"lowest modes", "modes"},
+                                               {"given T1", "period"}};
     const bool soil = thud_structure_on_soil(&tui->doc.scene.structure[s]); /* its values have rows of their own */
     if (is_detailed(&tui->doc.scene))
         thud_field_note(pane, y++, ":simplify tells what is needed");
