@@ -63,40 +63,6 @@ static double contact_change(const struct thud_solve *solve, const struct thud_s
     return counts->exact[solve->criterion.happens == thud_axis_is_intensity(axis) ? need - 1 : n - need];
 }
 
-/* Runs the values, `axis` as a sweep's (cleared), and puts them among those tried. `contact` where not NULL: where it begins. */
-static enum thud_status run_values(struct thud_solve *solve, const struct thud_scene *scene,
-                                   const struct thud_record_list *records, struct thud_text *axis, double *contact,
-                                   const atomic_int *cancel, struct thud_error *err)
-{
-    struct thud_sweep_plan plan;
-    struct thud_suite *suite = NULL;
-    struct thud_fragility counts = {0};
-    struct thud_fragility_ask ask = {.event = &solve->criterion.event, .first_contact = contact};
-    thud_sweep_plan_init(&plan, scene);
-    plan.nrecords = records ? records->n : 0;
-    plan.record = plan.nrecords ? (const struct thud_record *const *)records->record : NULL;
-    enum thud_status status =
-        axis->failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : thud_sweep_vary(&plan, axis->data, err);
-    if (status == THUD_OK)
-        status = thud_sweep_suite_run(&plan, 0, cancel, &suite, err);
-    if (status == THUD_OK)
-        status = thud_fragility_make(suite, &ask, &counts, err);
-    for (int i = 0; status == THUD_OK && i < plan.axis[0].n && solve->n < THUD_SOLVE_TRIES_MAX; i++) {
-        const struct thud_stripe *s = &counts.stripe[i];
-        struct thud_solve_try tried = {.x = s->x, .n = s->n};
-        tried.held = solve->criterion.happens ? s->count : s->n - s->count;
-        snprintf(tried.text, sizeof tried.text, "%.40s", plan.axis[0].text[i]);
-        put(solve, &tried);
-    }
-    if (status == THUD_OK && contact)
-        *contact = contact_change(solve, &plan.axis[0], &counts);
-    thud_fragility_clear(&counts);
-    thud_suite_free(suite);
-    thud_sweep_plan_clear(&plan);
-    thud_text_clear(axis);
-    return status;
-}
-
 /* "KEY=V1,V2,...": n values between two, without them where `inner`. */
 static void write_axis(const char *key, const char *unit, double from, double to, int parts, bool inner,
                        struct thud_text *out)
@@ -112,6 +78,51 @@ static void write_axis(const char *key, const char *unit, double from, double to
         thud_number_parse(value, &rest, &number);
         thud_text_append(out, "%s%.*g%s", i > inner ? "," : "", digits, number, rest);
     }
+}
+
+struct search {
+    struct thud_solve *solve;
+    const struct thud_scene *scene;
+    const struct thud_record_list *records;
+    const char *unit;
+    const atomic_int *cancel;
+};
+
+/* Runs the values that write_axis writes, and puts them among those tried. `contact` where not NULL: where it begins. */
+static enum thud_status run_values(const struct search *search, double from, double to, int parts, bool inner,
+                                   double *contact, struct thud_error *err)
+{
+    struct thud_solve *solve = search->solve;
+    const struct thud_record_list *records = search->records;
+    struct thud_sweep_plan plan;
+    struct thud_suite *suite = NULL;
+    struct thud_fragility counts = {0};
+    struct thud_fragility_ask ask = {.event = &solve->criterion.event, .first_contact = contact};
+    struct thud_text axis = {0};
+    thud_sweep_plan_init(&plan, search->scene);
+    plan.nrecords = records ? records->n : 0;
+    plan.record = plan.nrecords ? (const struct thud_record *const *)records->record : NULL;
+    write_axis(solve->key, search->unit, from, to, parts, inner, &axis);
+    enum thud_status status =
+        axis.failed ? thud_error_set(err, THUD_MEMORY, "out of memory") : thud_sweep_vary(&plan, axis.data, err);
+    if (status == THUD_OK)
+        status = thud_sweep_suite_run(&plan, 0, search->cancel, &suite, err);
+    if (status == THUD_OK)
+        status = thud_fragility_make(suite, &ask, &counts, err);
+    for (int i = 0; status == THUD_OK && i < plan.axis[0].n && solve->n < THUD_SOLVE_TRIES_MAX; i++) {
+        const struct thud_stripe *s = &counts.stripe[i];
+        struct thud_solve_try tried = {.x = s->x, .n = s->n};
+        tried.held = solve->criterion.happens ? s->count : s->n - s->count;
+        snprintf(tried.text, sizeof tried.text, "%.40s", plan.axis[0].text[i]);
+        put(solve, &tried);
+    }
+    if (status == THUD_OK && contact)
+        *contact = contact_change(solve, &plan.axis[0], &counts);
+    thud_fragility_clear(&counts);
+    thud_suite_free(suite);
+    thud_sweep_plan_clear(&plan);
+    thud_text_clear(&axis);
+    return status;
 }
 
 /* Where a value is not possible (a bumper thicker than the gap) nothing changes. */
@@ -159,16 +170,13 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
     *out = (struct thud_solve){.criterion = *criterion, .share = share, .nrecords = records ? records->n : 0};
     enum thud_status status = read_by(scene, by, out, &param, range, err);
     const char *unit = status == THUD_OK && param->unit ? param->unit : "";
-    struct thud_text axis = {0};
+    const struct search search = {out, scene, records, unit, cancel};
     double contact = NAN;
-    if (status == THUD_OK) {
-        write_axis(out->key, unit, range[0], range[1], SCAN - 1, false, &axis);
-        status = run_values(out, scene, records, &axis, &contact, cancel, err);
-    }
-    if (status == THUD_OK && contact * (1 - close) > range[0] && contact * (1 + close) < range[1]) {
-        write_axis(out->key, unit, contact * (1 - close), contact * (1 + close), 1, false, &axis);
-        status = run_values(out, scene, records, &axis, NULL, cancel, err);
-    }
+    if (status == THUD_OK)
+        status = run_values(&search, range[0], range[1], SCAN - 1, false, &contact, err);
+    const double below = contact * (1 - close), above = contact * (1 + close);
+    if (status == THUD_OK && below > range[0] && above < range[1])
+        status = run_values(&search, below, above, 1, false, NULL, err);
     for (bool more = true; status == THUD_OK && more;) {
         more = false;
         find_changes(out);
@@ -176,8 +184,7 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
             double from = out->tried[out->change[i]].x, to = out->tried[out->change[i] + 1].x;
             if (to - from <= fine * (range[1] - range[0]) || out->n + PARTS > THUD_SOLVE_TRIES_MAX)
                 continue;
-            write_axis(out->key, unit, from, to, PARTS, true, &axis);
-            status = run_values(out, scene, records, &axis, NULL, cancel, err);
+            status = run_values(&search, from, to, PARTS, true, NULL, err);
             more = true;
         }
     }

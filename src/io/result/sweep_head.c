@@ -170,59 +170,39 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     return check_version(journal, version, err);
 }
 
-/* What stands behind a word, or behind it and "-escaped" with ends of lines in it; NULL: another word. */
-static const char *behind(char *line, const char *word)
+/* What stands behind a word, or behind it and "-escaped" with ends of lines in it; false: another word. */
+static bool take(char *line, const char *word, const char **to)
 {
-    const char *at = line;
-    if (!thud_scan_word(&at, word))
-        return NULL;
-    char *text = line + (at - line);
-    if (strncmp(text, "-escaped ", 9) == 0)
-        return unescape(text + 9);
-    return *text == ' ' ? text + 1 : NULL;
-}
-
-/* A line of the last record; false: it is none. */
-static bool split_record(struct thud_sweep_head_record *record, char *line)
-{
-    const char **const to[] = {&record->event, &record->station, &record->step, &record->motion};
-    static const char *const word[] = {"event", "station", "step", "motion"};
-    for (int i = 0; i < 4; i++) {
-        const char *text = behind(line, word[i]);
-        if (text) {
-            *to[i] = text;
-            return true;
-        }
-    }
-    return false;
+    char *text = line + strlen(word);
+    if (strncmp(line, word, strlen(word)) != 0 || (*text != ' ' && strncmp(text, "-escaped ", 9) != 0))
+        return false;
+    *to = *text == ' ' ? text + 1 : unescape(text + 9);
+    return true;
 }
 
 /* Takes the body apart in place. */
 static bool split(struct thud_sweep_head *head)
 {
-    const char *text;
     int records = 0;
     for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
         records++;
     head->record = calloc((size_t)records + 1, sizeof *head->record);
+    struct thud_sweep_head_record *r = NULL; /* the last one */
     for (char *line = head->text, *end; head->record && (end = strchr(line, '\n')) != NULL; line = end + 1) {
         *end = '\0';
-        if (strncmp(line, "cases ", 6) == 0)
-            head->cases = line + 6;
-        else if (strncmp(line, "vary ", 5) == 0 && head->nvary < THUD_VARY_MAX)
-            head->vary[head->nvary++] = line + 5;
-        else if (head->nrecords < records && (text = behind(line, "record")) != NULL)
-            head->record[head->nrecords++].name = text;
-        else if (strncmp(line, "name ", 5) == 0)
-            head->name = line + 5;
-        else if (strncmp(line, "sensitivity ", 12) == 0)
-            head->sensitivity = line + 12;
-        else if (strcmp(line, "preset") == 0) {
+        if (strcmp(line, "preset") == 0) {
             head->preset = end + 1;
             return head->cases != NULL;
-        } else if (head->nrecords == 0 || !split_record(&head->record[head->nrecords - 1], line)) {
-            return false;
         }
+        if (head->nvary < THUD_VARY_MAX && take(line, "vary", &head->vary[head->nvary]))
+            head->nvary++;
+        else if (head->nrecords < records && take(line, "record", &head->record[head->nrecords].name))
+            r = &head->record[head->nrecords++];
+        else if (!take(line, "cases", &head->cases) && !take(line, "name", &head->name) &&
+                 !take(line, "sensitivity", &head->sensitivity) &&
+                 !(r && (take(line, "event", &r->event) || take(line, "station", &r->station) ||
+                         take(line, "step", &r->step) || take(line, "motion", &r->motion))))
+            return false;
     }
     return false;
 }

@@ -155,6 +155,8 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
 /* What a law of isolators needs is given, and nothing that it has not. */
 static enum thud_status check_isolator(const struct thud_structure *structure, int s, struct thud_error *err)
 {
+    static const char *const has[] = {"isolation-stiffness; or another law", "strength, post-yield, yield",
+                                      "radius, friction, yield"};
     const enum thud_isolator_law law = (enum thud_isolator_law)structure->isolator_law;
     const struct thud_param *param;
     char key[96];
@@ -165,9 +167,7 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
     }
     if (law != THUD_ISOLATOR_LINEAR && !isnan(structure->isolation_stiffness_npm)) {
         thud_error_set(err, THUD_INPUT, "%s isolators have no isolation stiffness", thud_isolator_name(law));
-        return thud_scene_refuse(
-            err, law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield" : "radius, friction, yield",
-            "structures.%d.isolation-stiffness", s + 1);
+        return thud_scene_refuse(err, has[law], "structures.%d.isolation-stiffness", s + 1);
     }
     for (int i = 1; (param = thud_group_param(THUD_GROUP_ISOLATOR, i)); i++) {
         const struct thud_place *place = thud_group_place(THUD_GROUP_ISOLATOR, i);
@@ -175,11 +175,7 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
         snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, param->name);
         if (!isnan(value) && !(place->laws & 1u << law)) {
             thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), param->title);
-            return thud_scene_refuse(err,
-                                     law == THUD_ISOLATOR_LINEAR        ? "isolation-stiffness; or another law"
-                                     : law == THUD_ISOLATOR_LEAD_RUBBER ? "strength, post-yield, yield"
-                                                                        : "radius, friction, yield",
-                                     "structures.%d.isolator.%s", s + 1, param->name);
+            return thud_scene_refuse(err, has[law], "%s", key);
         }
         if (place->needed & 1u << law || !isnan(value)) {
             enum thud_status status = check_value(param, value, key, err);

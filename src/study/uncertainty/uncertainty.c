@@ -101,6 +101,15 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
         "\"%.60s\" is not an input with its size", text);
 }
 
+/* The value of the laws of contacts and bumpers that an input is. */
+static const struct {
+    const char *name;
+    bool contacts, bumpers;
+} of_laws[THUD_INPUTS] = {[THUD_INPUT_CONTACT_STIFFNESS] = {"stiffness", .contacts = true},
+                          [THUD_INPUT_RESTITUTION] = {"restitution", .contacts = true, .bumpers = true},
+                          [THUD_INPUT_BUMPER_STIFFNESS] = {"stiffness", .bumpers = true},
+                          [THUD_INPUT_BUMPER_EXPONENT] = {"exponent", .bumpers = true}};
+
 /* A parameter of a law; NULL where the law has none of the name, or it is not given. */
 static double *law_value(struct thud_law_choice *choice, const char *name)
 {
@@ -126,9 +135,9 @@ double thud_input_times(const struct thud_drawn_input *input, double u)
     return changed(input->input, 1, input->size, u);
 }
 
-static void change_law(struct thud_law_choice *choice, const char *name, enum thud_input input, double size, double u)
+static void change_law(struct thud_law_choice *choice, enum thud_input input, double size, double u)
 {
-    double *value = law_value(choice, name);
+    double *value = law_value(choice, of_laws[input].name);
     if (!value)
         return;
     double x = changed(input, *value, size, u);
@@ -247,18 +256,10 @@ static void change_interfaces(struct thud_scene *scene, enum thud_input input, i
             continue;
         if (input == THUD_INPUT_GAP)
             thud_interface_scale_gap(f, changed(input, 1, size, u));
-        if (input == THUD_INPUT_CONTACT_STIFFNESS)
-            change_law(&f->contact, "stiffness", input, size, u);
-        if (input == THUD_INPUT_RESTITUTION)
-            change_law(&f->contact, "restitution", input, size, u);
-        if (!f->has_bumper)
-            continue;
-        if (input == THUD_INPUT_RESTITUTION)
-            change_law(&f->bumper, "restitution", input, size, u);
-        if (input == THUD_INPUT_BUMPER_STIFFNESS)
-            change_law(&f->bumper, "stiffness", input, size, u);
-        if (input == THUD_INPUT_BUMPER_EXPONENT)
-            change_law(&f->bumper, "exponent", input, size, u);
+        if (of_laws[input].contacts)
+            change_law(&f->contact, input, size, u);
+        if (of_laws[input].bumpers && f->has_bumper)
+            change_law(&f->bumper, input, size, u);
     }
 }
 
@@ -310,22 +311,19 @@ static bool has_struck(const struct thud_scene *scene, int structure, bool given
     return found;
 }
 
-static bool yields(const struct thud_structure *s)
-{
-    return thud_structure_elements(s).traits & THUD_SLIPS;
-}
-
 static bool is_building(const struct thud_scene *scene, int s)
 {
     return s >= 0 && s < scene->nstructures && thud_kind_is_building(scene->structure[s].kind);
 }
 
 /* Whether the law of a contact or a bumper of the scene has such a value. */
-static bool has_law_value(const struct thud_scene *scene, const char *name, bool contacts, bool bumpers)
+static bool has_law_value(const struct thud_scene *scene, enum thud_input input)
 {
+    const char *name = of_laws[input].name;
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         struct thud_interface own = scene->interface[i], *at = &own;
-        if ((contacts && law_value(&at->contact, name)) || (bumpers && at->has_bumper && law_value(&at->bumper, name)))
+        if ((of_laws[input].contacts && law_value(&at->contact, name)) ||
+            (of_laws[input].bumpers && at->has_bumper && law_value(&at->bumper, name)))
             return true;
     }
     return false;
@@ -349,25 +347,17 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_MASS:
         return own && own->kind != THUD_WALL;
     case THUD_INPUT_YIELD:
-        return own && yields(own);
+        return own && thud_structure_elements(own).traits & THUD_SLIPS;
     case THUD_INPUT_HARDENING: /* isolators have none */
         return own && thud_structure_elements(own).states > thud_isolator_slides(own);
     case THUD_INPUT_COLUMNS:
         return has_struck(scene, of, true);
     case THUD_INPUT_ELEVATION: /* against a neighbour */
         return is_building(scene, of) && (is_building(scene, of - 1) || is_building(scene, of + 1));
-    case THUD_INPUT_CONTACT_STIFFNESS:
-        return has_law_value(scene, "stiffness", true, false);
-    case THUD_INPUT_RESTITUTION:
-        return has_law_value(scene, "restitution", true, true);
-    case THUD_INPUT_BUMPER_STIFFNESS:
-        return has_law_value(scene, "stiffness", false, true);
-    case THUD_INPUT_BUMPER_EXPONENT:
-        return has_law_value(scene, "exponent", false, true);
     case THUD_INPUT_LINK:
         return scene->nlinks > 0;
     default:
-        return scene->nstructures > 1;
+        return of_laws[input].name ? has_law_value(scene, input) : scene->nstructures > 1;
     }
 }
 
@@ -503,7 +493,8 @@ static void add_quantities(struct thud_uncertainty *u)
     for (int k = 0; k < u->ncases; k++) {
         for (int s = 0; s < u->scene.nstructures; s++)
             if (has_floors(&u->scene.structure[s]))
-                add(u, k, s, yields(&u->scene.structure[s]) ? THUD_HAS_YIELDING : 0);
+                add(u, k, s,
+                    thud_structure_elements(&u->scene.structure[s]).traits & THUD_SLIPS ? THUD_HAS_YIELDING : 0);
         add(u, k, -1, u->columns ? THUD_HAS_COLUMNS : 0);
     }
 }
