@@ -7,7 +7,7 @@
 
 #include "app/report/site_report_private.h"
 
-/* What is told of a variant, of one run each; NaN: there is no such. */
+/* What is reported of a variant, of one run each; NaN: there is no such. */
 static const struct quantity {
     const char *name;
     double unit;

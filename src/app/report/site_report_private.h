@@ -51,7 +51,7 @@ struct site_variant {
     double (*value)[SITE_VARIANT_VALUES]; /* (motions) */
 };
 
-/* A ratio this near to 1 is told as no difference. */
+/* A ratio this near to 1 is reported as no difference. */
 #define THUD_SITE_SAME 0.02
 
 struct site {
