@@ -82,7 +82,7 @@ motions="$motion,northridge-surrogate.csv:from=4s:to=8s"
 factors="--vary record.factor=0.5,1"
 case $name in rigid*) cut='' motion='' motions='' factors="--vary $vary" ;; esac
 cases=none,as-written
-case $name in *link*) cases=none,link,as-written ;; esac # a report leaves the bumper out, and keeps the links
+case $name in *link*) cases=none,bumper,link,as-written ;; esac # each alone, and both, as in a report
 rest=yes # of commands: laws differ in none of what studies do with them
 case $name in law-*) rest=$full ;; esac
 impulses=0
@@ -327,7 +327,7 @@ fi
 tell "the required gap of run, gap, sweep, uncertainty, report and terminal"
 
 # the impacts and the largest force of the two cases, in the report's words
-for case in none link as-written; do
+for case in none bumper link as-written; do
     at=cases/$case/result.json
     [ -f $at ] || continue
     grep '"left_floor"' $at | member impacts | awk '{ n += $1 } END { print n + 0 }'

@@ -309,7 +309,7 @@ is "a report on bumper and links" report 0 "$tmp/four.yaml" --records "$three" -
 "$THUD" sweep "$tmp/four.yaml" --records "$three" --factor 0.4 --cases none,bumper,link,as-written >"$tmp/out" 2>"$tmp/err"
 for case in "bumper alone lowers:bumper" "links alone lower:link" "bumper and links lower:as-written"; do
     helped=$(awk -v of="${case#*:}" '$2 == "over" { on = $1 == of } on && sub(/^mean drift of Nr 14 */, "") { print $1, $2 }' "$tmp/out")
-    is "has what ${case%%:*}, as the sweep does" in_text "The ${case%%:*} the mean drift of Nr 14 under ${helped#* } of 3 motions and raises* it under [0-9]: its ratio to neither bumper nor links is $(echo "$helped" | awk '{ printf "%.2f", $1 }') in the median"
+    is "has what ${case%%:*}, as the sweep does" in_text "The ${case%%:*} the mean drift of Nr 14 under ${helped#* } of 3 motions and raises* it under [0-9]: its ratio to neither bumper nor links has a median of $(echo "$helped" | awk '{ printf "%.2f", $1 }')"
 done
 is "and its verdicts name what is in them" in_text '| pounding without the bumper and links | .*| pounding with the bumper and without links | .*| pounding with the links and without the bumper | .*| pounding with the bumper and links | .*| bumper alone of use | .*| links alone of use | .*| bumper and links of use | '
 "$THUD" run "$tmp/own.yaml" --to 5s -o "$tmp/drawn" --format svg --quiet >/dev/null

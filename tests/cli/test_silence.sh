@@ -59,7 +59,7 @@ is "names each with its reason" says '2 of 3 files cannot be read: e.csv (the fi
 # scripts of a session
 printf 'set gap 5 cm\n! x\n' >bang.play
 is "a line that begins with !" gives 3 towers --play bang.play
-is "is no command" says '^bang.play:2: "! x" is no command'
+is "is not a command" says '^bang.play:2: "! x" is not a command'
 printf '\033[31mset gap 5 cm\n' >escape.play
 is "a line with an escape" gives 3 towers --play escape.play
 is "is not sent to the terminal" sh -c '! LC_ALL=C grep -q "$(printf "\033")" "$1" && grep -q "^> ?\[31mset" "$1"' sh out

@@ -110,6 +110,7 @@ is "leaves nothing" [ ! -e "$tmp/stopped" ]
 
 # The command is named where a scene has much detail, and nowhere else.
 is "a scene on soil" gives 0 run towers-on-soil
+# shellcheck disable=SC2016 # no command: what is shown
 is "names the command" shows '^simpler .*`thud simplify` tells what of soil this scene needs'
 is "a plain one" gives 0 run towers
 is "does not" [ "$(grep -c simplify "$tmp/out")" = 0 ]

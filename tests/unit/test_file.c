@@ -106,7 +106,7 @@ static int lock_in_child(void)
         struct thud_folder_lock lock;
         struct thud_error err = {0};
         enum thud_status got = thud_folder_lock(folder, &lock, &err);
-        _exit(got == THUD_OK ? 0 : got == THUD_OUTPUT && strstr(err.what, "another sweep") ? 1 : 2);
+        _exit(got == THUD_OK ? 0 : got == THUD_OUTPUT && strstr(err.what, "another study") ? 1 : 2);
     }
     waitpid(child, &status, 0);
     return WEXITSTATUS(status);

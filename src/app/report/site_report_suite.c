@@ -197,7 +197,7 @@ static void say_measure(struct site *site, int k, int s, bool drift)
     const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
     char spread[64] = "";
     if (!isnan(f.p16))
-        snprintf(spread, sizeof spread, " and %.2f to %.2f from 16 to 84 %%", f.p16, f.p84);
+        snprintf(spread, sizeof spread, " (16 to 84 %%: %.2f to %.2f)", f.p16, f.p84);
     if (f.n > 0)
         thud_document_item(&site->document,
                            "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "

@@ -112,7 +112,7 @@ static const struct thud_column storeys[] = {
            "then, and it has no ratios. Else 0.")}};
 const struct thud_schema thud_sweep_storey_schema = THUD_SCHEMA(
     "sweep.csv of storeys",
-    "At the end of each row: the last one, and before it where storeys of the scene yield the others.\n", storeys);
+    "At the end of each row: the last one;\nbefore it, if storeys of the scene yield, the others.\n", storeys);
 
 /* ---- contacts ---- */
 
@@ -183,7 +183,7 @@ static const struct thud_column needs[] = {
 const struct thud_schema thud_need_schema = THUD_SCHEMA(
     "needed-gaps.csv",
     "Written by\n.Cm sweep Fl o\nand\n.Cm gap Fl o ,\nthe latter also with\n.Fl -csv :\nthe smallest gap at which two "
-    "floors do not touch, and the gaps of the combination\nrules: one row for each ground motion and pair of "
+    "floors do not touch, and the gaps of the\ncombination rules: one row for each ground motion and pair of "
     "floors.\nFor a sweep, the varied keys that change the motion without pounding follow.\n",
     needs);
 

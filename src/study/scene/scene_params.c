@@ -233,7 +233,7 @@ static const struct row foundation_rows[] = {
 
 #define AT(member) offsetof(struct thud_interface, member)
 static const struct row interface_rows[] = {
-    {{NUMBER("gap", "gap", "Distance from concrete to concrete.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL}, {PLACE(NUMBER, gap_m)}},
+    {{NUMBER("gap", "gap", "Distance between bare faces.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL}, {PLACE(NUMBER, gap_m)}},
     {{NUMBER("gap-by-level", "gap by level", "A list, upwards from the lowest pair that can collide, for setbacks; none: `gap`.", THUD_LENGTH, "cm", NAN), FROM(0), UP_TO(5), ANY_USUAL},
      {PLACE(LEVELS, gap)}},
     {CHOICE("levels", "levels", "all: floors between the neighbour's floors strike its columns; aligned: only floors at the same elevation collide.", levels, THUD_LEVELS_ALL),
