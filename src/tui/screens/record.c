@@ -10,7 +10,7 @@
 #include "tui/screens/record_figure.h"
 #include "tui/widgets/chart.h"
 
-enum { LIST, CURVE, DATA, MOVE, TALL = 45 };
+enum { LIST, CURVE, DATA, MOVE };
 enum { SUITE = THUD_RECORD_CURVES }; /* the curve after those of one motion */
 
 struct thud_record_state {
@@ -74,14 +74,8 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     if (area.w < THUD_MOMENT_WIDE || area.h < 2 * data)
         return 3;
     pane[MOVE] = pane[DATA];
-    if (area.h >= TALL) { /* all that the motion says below the list */
-        pane[LIST].h = area.h / 2;
-        pane[DATA] = (struct thud_rect){area.x, area.y + pane[LIST].h, left, area.h - pane[LIST].h};
-    } else {
-        pane[DATA].w /= 2;
-        pane[MOVE].x += pane[DATA].w;
-        pane[MOVE].w -= pane[DATA].w;
-    }
+    pane[LIST].h = area.h / 2; /* all that the motion says below the list */
+    pane[DATA] = (struct thud_rect){area.x, area.y + pane[LIST].h, left, area.h - pane[LIST].h};
     return 4;
 }
 
