@@ -47,16 +47,16 @@ static const char *kind(const struct thud_over_row *row, int i)
 
 static void log_values(struct thud_tui *tui, const struct thud_new_preset *preset)
 {
-    char line[THUD_LINE_MAX] = "";
+    struct thud_text line = {0};
     for (int row = 0; row < THUD_NEW_ROWS; row++) {
         const struct thud_new_about *about = thud_new_about((enum thud_new_row)row);
-        size_t n = strlen(line);
         if (row == THUD_NEW_RECORD && !*preset->text[THUD_NEW_RECORD][0])
             continue;
-        snprintf(line + n, sizeof line - n, "%s%s: %s%s%s", row ? "; " : "", about->word, preset->text[row][0],
-                 about->single ? "" : ", ", about->single ? "" : preset->text[row][1]);
+        thud_text_append(&line, "%s%s: %s%s%s", row ? "; " : "", about->word, preset->text[row][0],
+                         about->single ? "" : ", ", about->single ? "" : preset->text[row][1]);
     }
-    thud_tui_log(tui, "new %s", line);
+    thud_tui_log(tui, "new %s", line.failed ? "" : line.data);
+    thud_text_clear(&line);
 }
 
 /* The values as they were typed make the scene, or stay in the form with the reason. */
