@@ -7,7 +7,7 @@
 
 PATH=${PATH#"$tmp/paper:"} # the real one
 for tool in weasyprint pdftotext; do
-    command -v "$tool" >/dev/null 2>&1 && continue
+    "$tool" --help >/dev/null 2>&1 && continue # without the interpreter of its language there is one that does not start
     echo "ok - pages of a report # SKIP no $tool"
     echo "1..1"
     exit 0
