@@ -364,14 +364,10 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
     plan->ncases = 0;
     while (text) {
         char part[TEXT];
-        int which = THUD_CASES;
-        if (next_part(&text, ',', part))
-            for (which = THUD_CASE_AS_WRITTEN; which < THUD_CASES; which++)
-                if (strcmp(part, thud_case_name((enum thud_case)which)) == 0)
-                    break;
-        if (which == THUD_CASES)
+        enum thud_case which;
+        if (!next_part(&text, ',', part) || thud_case_find(part, &which, NULL) != THUD_OK)
             return refuse(err, "cases", "names an unknown case", "none, bumper, cavity, link");
-        enum thud_status status = add_case(plan, (enum thud_case)which, err);
+        enum thud_status status = add_case(plan, which, err);
         if (status != THUD_OK)
             return status;
     }
