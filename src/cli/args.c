@@ -81,12 +81,26 @@ static enum thud_status take_option(struct thud_args *args, int argc, char **arg
     return THUD_OK;
 }
 
+/* A list is given once: of two, the first would be dropped in silence. */
+static enum thud_status check_list(const struct thud_args *args, int i, struct thud_error *err)
+{
+    const struct thud_option *option = args->given[i].option;
+    if (option->repeatable || !option->argument || !strstr(option->argument, ",...") ||
+        thud_args_value(args, option->name) == args->given[i].value)
+        return THUD_OK;
+    thud_error_set(err, THUD_USAGE, "--%s is given twice", option->name);
+    thud_error_allow(err, "one list, its members separated by commas");
+    return THUD_USAGE;
+}
+
 /* What holds whatever the command. */
 static enum thud_status check_together(const struct thud_args *args, struct thud_error *err)
 {
     int jobs;
     for (int i = 0; i < args->ngiven; i++) {
         enum thud_word word = args->given[i].option->word;
+        if (check_list(args, i, err) != THUD_OK)
+            return THUD_USAGE;
         if (args->given[i].value && !args->given[i].value[0] &&
             (word == THUD_WORD_FILE || word == THUD_WORD_FOLDER || word == THUD_WORD_PRESET)) {
             thud_error_set(err, THUD_USAGE, "a name is wanted, and it is empty");

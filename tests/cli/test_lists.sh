@@ -171,6 +171,8 @@ is "says so" says 'no part .chapter.$'
 # wrong words, the same for every command
 is "a value for an option that takes none" gives 2 run towers --json=yes
 is "is told" says "^thud: --json=yes takes no value"
+is "a list given twice" gives 2 gap towers --records a.at2 --records b.at2
+is "is told how lists are given" says "^thud: --records is given twice (one list, its members separated by commas)"
 is "a short option takes its value in the same word" gives 0 run rigid-concrete --quiet "-o$tmp/o"
 is "and writes there" test -s "$tmp/o/histories.csv"
 many=$(awk 'BEGIN { for (i = 0; i < 400; i++) printf "--quiet " }')
