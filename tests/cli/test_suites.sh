@@ -235,6 +235,13 @@ done
 is "seven files of three recordings" gives 0 gap towers --records "$tmp/three.list"
 is "are three, whose largest displacements count" says "7 files, 3 recordings: few; codes then require the largest"
 is "and not the mean" shows "^uL and uR: largest of the 7 ground motions"
+gaps="--vary gap=5cm,10cm --to 4s --quiet"
+# shellcheck disable=SC2086 # several words
+is "a scene without bumper and link is compared with nothing" gives 0 fragility towers --set bumper.fitted=off --cases as-written $gaps
+is "and has no table that says so" sh -c "grep -q '^pounding' '$tmp/out' && ! grep -q '^worse' '$tmp/out'"
+# shellcheck disable=SC2086 # several words
+is "asked for that alone, it is refused" gives 2 fragility towers --cases none --event worse $gaps
+is "and told why" says 'compares with the scene without bumpers and links: no case here has any'
 seven() { "$THUD" fragility towers --records "$tmp/seven.list" --vary gap=5cm:21cm:1cm --cases none --event pounding --event force:8MN --csv --quiet "$@" 2>"$tmp/err"; }
 seven --samples 40 >"$tmp/c8"
 seven --samples 40 --seed 2 >"$tmp/out"

@@ -166,11 +166,12 @@ static bool next_setting(const struct thud_sweep_plan *plan, int axis, int *at)
     return false;
 }
 
-/* The event `worse` asks for a bumper. */
+/* The event `worse` compares a case with the scene without bumpers and links: it must have some. */
 static bool is_asked(const struct thud_fragility_study *study, int event, int k)
 {
+    const struct thud_sweep_plan *plan = study->suite->plan;
     return study->event[event].measure != THUD_MEASURE_ACCELERATION_RATIO ||
-           study->suite->plan->cases[k] != THUD_CASE_NONE;
+           (plan->cases[k] != THUD_CASE_NONE && thud_scene_has_measure(&plan->scene));
 }
 
 static size_t count_lines(const struct thud_fragility_study *study)
@@ -256,6 +257,9 @@ enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, s
                 if (status != THUD_OK)
                     return status;
             }
+    if (study->n == 0)
+        return thud_error_refuse(err, THUD_USAGE, "--event", "a case with a bumper or a link",
+                                 "\"worse\" compares with the scene without bumpers and links: no case here has any");
     return has_result(study->suite) ? check_events(study, err) : THUD_OK;
 }
 
