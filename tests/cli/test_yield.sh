@@ -57,6 +57,8 @@ is "in the proportions that are given" awk 'match($0, /"stiffness_npm": \[[^]]*/
 sed '0,/^    stiffness: /{/^    stiffness: /d}; 0,/^    height:/s//    period: 0.9 s\n    height:/' presets/towers.yaml >"$tmp/period.yaml"
 is "without stiffnesses" gives 0 run "$tmp/period.yaml" --case none --json --quiet
 is "too" awk "BEGIN { d = $(first) / 0.9 - 1; exit !(d * d < 1e-20) }"
+"$THUD" simplify "$tmp/period.yaml" --set structures.1.period=0.8s --to 2s --quiet >"$tmp/out" 2>"$tmp/err"
+is "filled in again, they are the same: no step of simplify changes their base" sh -c "grep -q '^1 mode of A' '$tmp/out' && ! grep -q 'base of A' '$tmp/out'"
 # omega_1 = 2 sqrt(k/m) sin(pi/(2 (2 n + 1))) of equal floors and storeys (Blevins 1979)
 is "equal floors" gives 0 run towers --case none --json --quiet --set structures.1.period=0.9s --set structures.1.mass=320t
 # shellcheck disable=SC2016 # a program of awk

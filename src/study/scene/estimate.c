@@ -38,7 +38,8 @@ struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
                                   .asce7_s = systems[system].asce7_ct * pow(height, systems[system].asce7_x)};
 }
 
-/* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. */
+/* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. Those that
+ * have this period already keep their bits, so that filling in twice is no change of the scene. */
 static void fill_period(struct thud_structure *s)
 {
     const int n = s->storeys;
@@ -54,7 +55,7 @@ static void fill_period(struct thud_structure *s)
         s->stiffness_npm[i] = THUD_GRAVITY * s->mass_kg[0];
     if (thud_modes_shear(n, s->mass_kg, s->stiffness_npm, omega, omega + n, omega + n + n * n, NULL) == THUD_OK) {
         const double factor = 2 * THUD_PI / s->period_s / omega[0];
-        for (int i = 0; i < n; i++)
+        for (int i = 0; i < n && fabs(factor - 1) > 1e-12; i++)
             s->stiffness_npm[i] *= factor * factor;
     }
     free(omega);
