@@ -437,7 +437,7 @@ START_TEST(cases_say_what_they_leave_out)
     }
     ck_assert_str_eq(thud_case_title(THUD_HAS_LINKS, THUD_CASE_NONE), "no links");
     ck_assert_str_eq(thud_case_title(THUD_HAS_BUMPER, THUD_CASE_NONE), "no bumper");
-    ck_assert_str_eq(thud_case_title(0, THUD_CASE_WHOLE), "no bumper");
+    ck_assert_str_eq(thud_case_title(0, THUD_CASE_WHOLE), "pounding");
 }
 END_TEST
 

@@ -359,7 +359,7 @@ START_TEST(pounding_is_shown_without_a_bumper)
     struct thud_figure *figure = thud_figure_of_pounding(&s->table, 1, "pounding");
     const struct thud_panel *b = &figure->panel[1];
     ck_assert_int_eq(b->nseries, 3);
-    ck_assert_str_eq(b->series[0]->name, "no bumper");
+    ck_assert_str_eq(b->series[0]->name, "pounding");
     for (int i = 0; i < GAPS; i++)
         ck_assert(near(b->series[2]->y[i], 2 * mark(1, 2, i, 0, 2, 0)));
     thud_figure_free(figure);

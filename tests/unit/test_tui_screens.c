@@ -318,8 +318,8 @@ START_TEST(the_whole_plots_of_two_bodies)
     static const char expected[] = " thud  bodies   no ground motion                                   run 0 ms  ok\n"
                                    "\n"
                                    " POUNDS at 0 cm: 1 impact, 8.38 MN\n"
-                                   "+ 1/8 impact force (MN), floor 1, no bumper, ga~ ++ t=0.009 s x0.25 paused ----+\n"
-                                   "|Impact force (MN)   1 no bumper                 ||no bumper *1 8.38 MN 3.01 mm|\n"
+                                   "+ 1/8 impact force (MN), floor 1, pounding, gap~ ++ t=0.009 s x0.25 paused ----+\n"
+                                   "|Impact force (MN)   1 pounding                  ||pounding  *1 8.38 MN 3.01 mm|\n"
                                    "| 10 +:                                          ||         ..........         |\n"
                                    "|    |:                                          ||         :   ::   :         |\n"
                                    "|    |.                                          ||         :   ::   :         |\n"
@@ -337,7 +337,7 @@ START_TEST(the_whole_plots_of_two_bodies)
                                    "|     0      0.2     0.4     0.6     0.8 Time (s)|| +---------+ 500 mm across  |\n"
                                    "+------------------------------------------------++----------------------------+\n"
                                    " next: 6 finds the gap, U keeps this design, R reports\n"
-                                   " Time 0.008812 s:  no bumper 8.38 MN\n"
+                                   " Time 0.008812 s:  pounding 8.38 MN\n"
                                    " Space play  +/- speed  Left/Right time  n/N impact  L largest   ? help  q quit\n";
     fixture_close(&f);
     fixture_open(&f, "bodies", 80, 24, false);

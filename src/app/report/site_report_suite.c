@@ -125,7 +125,7 @@ static void say_pounding(struct site *site, int k)
                  ": a share of %.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence",
                  100 * f.share, 100 * low, 100 * high);
     thud_document_item(&site->document,
-                       "Of the suite of %zu ground motions, %zu make the buildings %s%s at the given gap%s.", f.n,
+                       "Of the suite of %zu ground motions, %zu make the buildings %s%s%s.", f.n,
                        count, touches(site, k) ? "touch the bumper" : "pound ",
                        touches(site, k) ? "" : site->cases[SITE_NONE + k].words, band);
 }

@@ -51,9 +51,8 @@ static void panel_words(const struct thud_panel *panel, struct thud_text *out)
     thud_text_append(out, "%s%s%s", out->size ? " " : "", panel->title, *panel->title ? ": " : "");
     if (panel->drawing) {
         for (int i = 0; i < panel->nseries; i++)
-            if (is_first(panel, i)) {
+            if (is_first(panel, i) && *panel->series[i]->name)
                 thud_text_append(out, "%s%s", curves++ ? ", " : "a drawing of ", panel->series[i]->name);
-            }
         thud_text_append(out, ".");
         return;
     }

@@ -6,36 +6,49 @@
 #include "study/scene/scene.h"
 #include "study/scene/scene_words.h"
 
-/* Words of a case by what the scene has: a bumper or nothing, links alone, both. */
+/* Words of a case by what the scene has: a bumper, links alone, both, or nothing that a case would omit. */
 struct words {
     const char *title, *phrase;
 };
-enum { OF_BUMPER, OF_LINKS, OF_BOTH, MEASURES };
+enum { OF_BUMPER, OF_LINKS, OF_BOTH, OF_NOTHING, MEASURES };
 static const struct {
     const char *name;
     struct words words[MEASURES];
-} cases[THUD_CASES + 3] = {
-    {"no-pounding",
-     {{"no pounding", "without pounding"}, {"no pounding", "without pounding"}, {"no pounding", "without pounding"}}},
-    {"as-written", {{"as written", "as written"}, {"as written", "as written"}, {"as written", "as written"}}},
-    {"none",
-     {{"no bumper", "without the bumper"},
-      {"no links", "without the links"},
-      {"neither bumper nor links", "without the bumper and links"}}},
-    {"bumper",
-     {{"bumper", "with the bumper"},
-      {"bumper", "with the bumper"},
-      {"bumper, no links", "with the bumper and without links"}}},
-    {"cavity",
-     {{"bumper in a cavity", "with the bumper in a cavity"},
-      {"bumper in a cavity", "with the bumper in a cavity"},
-      {"bumper in a cavity, no links", "with the bumper in a cavity and without links"}}},
-    {"link",
-     {{"links", "with the links"},
-      {"links", "with the links"},
-      {"links, no bumper", "with the links and without the bumper"}}},
-    {"",
-     {{"bumper", "with the bumper"}, {"links", "with the links"}, {"bumper and links", "with the bumper and links"}}}};
+} cases[THUD_CASES + 3] = {{"no-pounding",
+                            {{"no pounding", "without pounding"},
+                             {"no pounding", "without pounding"},
+                             {"no pounding", "without pounding"},
+                             {"no pounding", "without pounding"}}},
+                           {"as-written",
+                            {{"as written", "as written"},
+                             {"as written", "as written"},
+                             {"as written", "as written"},
+                             {"as written", "as written"}}},
+                           {"none",
+                            {{"no bumper", "without the bumper"},
+                             {"no links", "without the links"},
+                             {"neither bumper nor links", "without the bumper and links"},
+                             {"pounding", "at the gap given"}}},
+                           {"bumper",
+                            {{"bumper", "with the bumper"},
+                             {"bumper", "with the bumper"},
+                             {"bumper, no links", "with the bumper and without links"},
+                             {"bumper", "with the bumper"}}},
+                           {"cavity",
+                            {{"bumper in a cavity", "with the bumper in a cavity"},
+                             {"bumper in a cavity", "with the bumper in a cavity"},
+                             {"bumper in a cavity, no links", "with the bumper in a cavity and without links"},
+                             {"bumper in a cavity", "with the bumper in a cavity"}}},
+                           {"link",
+                            {{"links", "with the links"},
+                             {"links", "with the links"},
+                             {"links, no bumper", "with the links and without the bumper"},
+                             {"links", "with the links"}}},
+                           {"",
+                            {{"bumper", "with the bumper"},
+                             {"links", "with the links"},
+                             {"bumper and links", "with the bumper and links"},
+                             {"pounding", "at the gap given"}}}};
 
 int thud_scene_measures(const struct thud_scene *scene)
 {
@@ -44,10 +57,11 @@ int thud_scene_measures(const struct thud_scene *scene)
 
 static const struct words *words_of(int measures, enum thud_case which)
 {
-    if (which == THUD_CASE_WHOLE && measures == 0)
-        which = THUD_CASE_NONE;
-    const bool links = measures & THUD_HAS_LINKS, bumper = measures & THUD_HAS_BUMPER;
-    return &cases[which - THUD_CASE_FREE].words[!links ? OF_BUMPER : bumper ? OF_BOTH : OF_LINKS];
+    static const int of[] = {[THUD_HAS_BUMPER] = OF_BUMPER,
+                             [THUD_HAS_LINKS] = OF_LINKS,
+                             [THUD_HAS_BUMPER | THUD_HAS_LINKS] = OF_BOTH,
+                             [0] = OF_NOTHING};
+    return &cases[which - THUD_CASE_FREE].words[of[measures]];
 }
 
 const char *thud_case_title(int measures, enum thud_case which)
