@@ -164,6 +164,7 @@ static void measures(struct thud_text *out)
         [THUD_TOLD_BY_LOWERED] = "what lowers a response",
         [THUD_TOLD_BY_UNCERTAINTY] = "uncertainty.csv",
         [THUD_TOLD_BY_SWEEP] = "figures of sweep",
+        [THUD_TOLD_BY_FLOORS] = "sweep.csv (each floor)",
     };
     static const char *const needs[] = {"storeys that yield", "isolators", "columns that slabs strike",
                                         "a capacity of columns", "case none to compare with"};

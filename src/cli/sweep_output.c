@@ -25,10 +25,11 @@ enum thud_status thud_sweep_output_point(void *context, const struct thud_sweep_
     if (o->format == THUD_SWEEP_OUTPUT_TABLE)
         return THUD_OK;
     begin(o);
-    enum thud_status status = o->format == THUD_SWEEP_OUTPUT_CSV
-                                  ? thud_sweep_csv_rows(o->plan, THUD_SWEEP_CSV_FLOORS, point, &o->text, err)
-                                  : thud_sweep_json_rows(o->plan, point, &o->row, &o->text, err);
-    return status == THUD_OK ? thud_cli_print_data(&o->text, err) : status;
+    if (o->format == THUD_SWEEP_OUTPUT_CSV)
+        thud_sweep_csv_rows(o->plan, THUD_SWEEP_CSV_FLOORS, point, &o->text);
+    else
+        thud_sweep_json_rows(o->plan, point, &o->row, &o->text);
+    return thud_cli_print_data(&o->text, err);
 }
 
 enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const struct thud_remark_scope *scope,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../unit/sweep_rows.h"
 #include "../unit/towers.h"
 #include "app/sweep/sweep_study_private.h"
 #include "fault.h"
@@ -84,7 +85,7 @@ START_TEST(a_point_with_its_spread)
     struct thud_sweep_point *whole, *point;
     static struct thud_sweep_row wanted[ROWS], row[ROWS];
     ck_assert_int_eq(make_point(&whole), THUD_OK);
-    int rows = thud_sweep_rows(plan, whole, wanted);
+    int rows = sweep_rows(whole, wanted);
     ck_assert_int_eq(rows, 3 * (3 + 4));
     ck_assert_int_gt(whole->changed.made, 6);
     long n = 0;
@@ -97,7 +98,7 @@ START_TEST(a_point_with_its_spread)
         ck_assert_msg(status == THUD_OK || (fired && status == THUD_MEMORY), "allocation %ld: status %d", n,
                       (int)status);
         if (status == THUD_OK) {
-            ck_assert_int_eq(thud_sweep_rows(plan, point, row), rows);
+            ck_assert_int_eq(sweep_rows(point, row), rows);
             ck_assert_int_eq(memcmp(row, wanted, (size_t)rows * sizeof *row), 0);
         }
         free(point);

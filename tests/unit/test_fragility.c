@@ -7,11 +7,13 @@
 
 #include "app/sweep/fragility_report.h"
 #include "base/random.h"
+#include "io/result/sweep_csv.h"
 #include "plot/figures/figures_case.h"
 #include "plot/figures/figures_fragility.h"
 #include "plot/figures/figures_sweep.h"
 #include "study/suite/fragility.h"
 #include "study_setup.h"
+#include "sweep_rows.h"
 
 /* Two stripes and two parameters: the curve goes through both shares, in closed form. */
 START_TEST(two_stripes_in_closed_form)
@@ -536,7 +538,12 @@ START_TEST(measures_are_told_apart)
 {
     for (enum thud_measure a = 0; a < THUD_MEASURES; a++) {
         const struct thud_measure_info *x = thud_measure_info(a);
-        ck_assert(x->column && x->words && (x->read || a == THUD_MEASURE_GAP));
+        const int floors = x->place[THUD_TOLD_BY_FLOORS],
+                  ahead = 5; /* columns before theirs, and nine before storeys */
+        if (floors > 0)
+            ck_assert_str_eq(x->column, floors <= 9 ? thud_sweep_floor_schema.column[ahead + floors - 1].name
+                                                    : thud_sweep_storey_schema.column[floors - 10].name);
+        ck_assert(x->column && x->words && (x->read || a == THUD_MEASURE_GAP || x->place[THUD_TOLD_BY_FLOORS] > 0));
         for (enum thud_measure b = 0; b < a; b++) {
             const struct thud_measure_info *y = thud_measure_info(b);
             ck_assert_str_ne(x->column, y->column);
@@ -575,13 +582,13 @@ START_TEST(a_suite_holds_what_the_rows_say)
     struct thud_sweep_point *point = thud_sweep_task_take(task);
     ck_assert_int_eq(thud_suite_add(suite, point, &error), THUD_OK);
     struct thud_sweep_row row[64];
-    int n = thud_sweep_rows(plan, point, row);
+    int n = sweep_rows(point, row);
     double most = 0, drift = 0, ratio = NAN;
     for (int i = 0; i < n; i++)
         if (row[i].which == THUD_CASE_BUMPER && row[i].structure == 1) {
-            most = row[i].floor > 0 ? fmax(most, row[i].of[THUD_SWEEP_ACCELERATION]) : most;
-            drift = row[i].floor > 0 ? fmax(drift, row[i].of[THUD_SWEEP_DRIFT]) : drift;
-            ratio = row[i].floor == 0 ? row[i].of[THUD_SWEEP_ACCELERATION_RATIO] : ratio;
+            most = row[i].floor > 0 ? fmax(most, row[i].of[THUD_MEASURE_ACCELERATION]) : most;
+            drift = row[i].floor > 0 ? fmax(drift, row[i].of[THUD_MEASURE_DRIFT]) : drift;
+            ratio = row[i].floor == 0 ? row[i].of[THUD_MEASURE_ACCELERATION_RATIO] : ratio;
         }
     ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_ACCELERATION, 1) == most);
     ck_assert(thud_suite_value(suite, 0, 0, 1, THUD_MEASURE_DRIFT, 1) == drift);

@@ -9,6 +9,7 @@
 #include "study/scene/solution.h"
 #include "study/scene/spacing.h"
 #include "study_setup.h"
+#include "sweep_rows.h"
 
 static void set_up(void)
 {
@@ -72,9 +73,9 @@ START_TEST(rows_are_those_of_single_runs)
     struct thud_sweep_row row[24];
     struct thud_sweep_contact_row contact[8];
     ck_assert_int_eq(point->ncases, 3); /* `none` was added for the ratios */
-    ck_assert_int_eq(thud_sweep_rows(plan, point, NULL), 24);
-    ck_assert_int_eq(thud_sweep_rows(plan, point, row), 24);
-    ck_assert_int_eq(thud_sweep_contact_rows(plan, point, contact), 8);
+    ck_assert_int_eq(sweep_rows(point, NULL), 24);
+    ck_assert_int_eq(sweep_rows(point, row), 24);
+    ck_assert_int_eq(sweep_contact_rows(point, contact), 8);
     struct thud_solution solution[4];
     struct thud_scene *now = malloc(2 * sizeof *now);
     *now = *scene;
@@ -100,23 +101,23 @@ START_TEST(rows_are_those_of_single_runs)
             }
             ck_assert_int_eq(row[i].which, which[k]);
             ck_assert_int_eq(row[i].floor, 0);
-            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_ACCELERATION], sum[k] / n, 1e-12 * sum[k]);
-            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_ACCELERATION_RATIO], sum[k] / sum[2], 1e-13);
-            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_DRIFT_RATIO], drift[k] / drift[2], 1e-13);
-            ck_assert_double_eq_tol(row[i].of[THUD_SWEEP_DRIFT_FREE_RATIO], drift[k] / drift[3], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_MEASURE_ACCELERATION], sum[k] / n, 1e-12 * sum[k]);
+            ck_assert_double_eq_tol(row[i].of[THUD_MEASURE_ACCELERATION_RATIO], sum[k] / sum[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_MEASURE_DRIFT_RATIO], drift[k] / drift[2], 1e-13);
+            ck_assert_double_eq_tol(row[i].of[THUD_MEASURE_DRIFT_FREE_RATIO], drift[k] / drift[3], 1e-13);
             i++;
             for (int f = 0; f < n; f++, i++) {
                 ck_assert_int_eq(row[i].structure, s);
                 ck_assert_int_eq(row[i].floor, f + 1);
-                ck_assert(row[i].gap_m == 0.06 && row[i].value[0] == 0.06);
-                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION] == floor[k][f].acceleration.value);
-                ck_assert(row[i].of[THUD_SWEEP_DRIFT] == floor[k][f].drift.value);
-                ck_assert(row[i].of[THUD_SWEEP_DISPLACEMENT] == floor[k][f].displacement.value);
-                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION_RATIO] ==
+                ck_assert(row[i].gap_m == 0.06);
+                ck_assert(row[i].of[THUD_MEASURE_ACCELERATION] == floor[k][f].acceleration.value);
+                ck_assert(row[i].of[THUD_MEASURE_DRIFT] == floor[k][f].drift.value);
+                ck_assert(row[i].of[THUD_MEASURE_DISPLACEMENT] == floor[k][f].displacement.value);
+                ck_assert(row[i].of[THUD_MEASURE_ACCELERATION_RATIO] ==
                           floor[k][f].acceleration.value / floor[2][f].acceleration.value);
-                ck_assert(row[i].of[THUD_SWEEP_DISPLACEMENT_RATIO] ==
+                ck_assert(row[i].of[THUD_MEASURE_DISPLACEMENT_RATIO] ==
                           floor[k][f].displacement.value / floor[2][f].displacement.value);
-                ck_assert(row[i].of[THUD_SWEEP_ACCELERATION_FREE_RATIO] ==
+                ck_assert(row[i].of[THUD_MEASURE_ACCELERATION_FREE_RATIO] ==
                           floor[k][f].acceleration.value / floor[3][f].acceleration.value);
             }
         }
@@ -158,22 +159,22 @@ START_TEST(ratios_by_hand)
                                      .floors = {2},
                                      .floor = floor};
     struct thud_sweep_row row[6];
-    ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 6);
-    ck_assert(row[0].of[THUD_SWEEP_ACCELERATION] == 5 && row[0].of[THUD_SWEEP_ACCELERATION_RATIO] == 1);
-    ck_assert(row[3].of[THUD_SWEEP_ACCELERATION] == 3.5 && row[3].of[THUD_SWEEP_ACCELERATION_RATIO] == 0.7);
-    ck_assert(row[4].of[THUD_SWEEP_ACCELERATION_RATIO] == 1.5 && row[5].of[THUD_SWEEP_ACCELERATION_RATIO] == 0.5);
-    ck_assert(row[4].of[THUD_SWEEP_DRIFT_RATIO] == 2 && isnan(row[5].of[THUD_SWEEP_DRIFT_RATIO]));
-    ck_assert(row[4].of[THUD_SWEEP_DISPLACEMENT_FREE_RATIO] == 0.5 &&
-              row[5].of[THUD_SWEEP_ACCELERATION_FREE_RATIO] == 0.25);
-    ck_assert(row[0].of[THUD_SWEEP_DUCTILITY] == 4 && row[0].of[THUD_SWEEP_EXCURSIONS] == 5 &&
-              row[0].of[THUD_SWEEP_HYSTERETIC] == 600);
-    ck_assert_double_eq_tol(row[0].of[THUD_SWEEP_PERMANENT], 0.03, 1e-17); /* of the sizes */
-    ck_assert(row[1].of[THUD_SWEEP_PERMANENT] == -0.02 && row[2].of[THUD_SWEEP_DUCTILITY] == 5);
-    ck_assert(row[3].of[THUD_SWEEP_DUCTILITY] == 7 && row[3].of[THUD_SWEEP_PERMANENT] == 0.03 &&
-              row[4].of[THUD_SWEEP_PERMANENT] == -0.03);
-    ck_assert(isnan(row[5].of[THUD_SWEEP_DUCTILITY]) && isnan(row[5].of[THUD_SWEEP_HYSTERETIC]));
+    ck_assert_int_eq(sweep_rows(&point, row), 6);
+    ck_assert(row[0].of[THUD_MEASURE_ACCELERATION] == 5 && row[0].of[THUD_MEASURE_ACCELERATION_RATIO] == 1);
+    ck_assert(row[3].of[THUD_MEASURE_ACCELERATION] == 3.5 && row[3].of[THUD_MEASURE_ACCELERATION_RATIO] == 0.7);
+    ck_assert(row[4].of[THUD_MEASURE_ACCELERATION_RATIO] == 1.5 && row[5].of[THUD_MEASURE_ACCELERATION_RATIO] == 0.5);
+    ck_assert(row[4].of[THUD_MEASURE_DRIFT_RATIO] == 2 && isnan(row[5].of[THUD_MEASURE_DRIFT_RATIO]));
+    ck_assert(row[4].of[THUD_MEASURE_DISPLACEMENT_FREE_RATIO] == 0.5 &&
+              row[5].of[THUD_MEASURE_ACCELERATION_FREE_RATIO] == 0.25);
+    ck_assert(row[0].of[THUD_MEASURE_DUCTILITY] == 4 && row[0].of[THUD_MEASURE_EXCURSIONS] == 5 &&
+              row[0].of[THUD_MEASURE_HYSTERETIC] == 600);
+    ck_assert_double_eq_tol(row[0].of[THUD_MEASURE_PERMANENT], 0.03, 1e-17); /* of the sizes */
+    ck_assert(row[1].of[THUD_MEASURE_PERMANENT] == -0.02 && row[2].of[THUD_MEASURE_DUCTILITY] == 5);
+    ck_assert(row[3].of[THUD_MEASURE_DUCTILITY] == 7 && row[3].of[THUD_MEASURE_PERMANENT] == 0.03 &&
+              row[4].of[THUD_MEASURE_PERMANENT] == -0.03);
+    ck_assert(isnan(row[5].of[THUD_MEASURE_DUCTILITY]) && isnan(row[5].of[THUD_MEASURE_HYSTERETIC]));
     point.effort[1].status = THUD_DIVERGED; /* no result, no row */
-    ck_assert_int_eq(thud_sweep_rows(plan, &point, row), 3);
+    ck_assert_int_eq(sweep_rows(&point, row), 3);
 }
 END_TEST
 
@@ -333,22 +334,21 @@ START_TEST(needed_gap_is_where_contacts_end)
 {
     struct thud_sweep_group *group = make_group(0);
     struct thud_sweep_point *point = make_point(group, 0);
-    struct thud_sweep_need_row need[4];
-    ck_assert_int_eq(thud_sweep_need_rows(plan, point, need), 4);
+    const struct thud_gap_level *need = point->level;
+    ck_assert(thud_sweep_is_first(plan, point));
+    ck_assert_int_eq(point->ncontacts, 4);
     double widest = 0, low = 0, high = 1;
     for (int c = 0; c < 4; c++) {
-        widest = fmax(widest, need[c].level.relative_displacement_m);
-        ck_assert_double_le(need[c].level.relative_displacement_m,
-                            thud_gap_value(&need[c].level, THUD_GAP_ABS) * (1 + 1e-12));
-        ck_assert(thud_gap_value(&need[c].level, THUD_GAP_ABS) == need[c].level.left_m + need[c].level.right_m);
-        ck_assert_double_eq_tol(thud_gap_value(&need[c].level, THUD_GAP_SRSS),
-                                sqrt(pow(need[c].level.left_m, 2) + pow(need[c].level.right_m, 2)), 1e-15);
-        ck_assert_double_lt(thud_gap_value(&need[c].level, THUD_GAP_DDC),
-                            thud_gap_value(&need[c].level, THUD_GAP_SRSS));
-        ck_assert_int_eq(need[c].level.left_floor, c + 1);
+        widest = fmax(widest, need[c].relative_displacement_m);
+        ck_assert_double_le(need[c].relative_displacement_m, thud_gap_value(&need[c], THUD_GAP_ABS) * (1 + 1e-12));
+        ck_assert(thud_gap_value(&need[c], THUD_GAP_ABS) == need[c].left_m + need[c].right_m);
+        ck_assert_double_eq_tol(thud_gap_value(&need[c], THUD_GAP_SRSS),
+                                sqrt(pow(need[c].left_m, 2) + pow(need[c].right_m, 2)), 1e-15);
+        ck_assert_double_lt(thud_gap_value(&need[c], THUD_GAP_DDC), thud_gap_value(&need[c], THUD_GAP_SRSS));
+        ck_assert_int_eq(need[c].left_floor, c + 1);
     }
     /* periods of model.md, section 5 */
-    ck_assert_double_eq_tol(need[0].level.correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
+    ck_assert_double_eq_tol(need[0].correlation, thud_spacing_correlation(0.39791, 0.05, 0.58184, 0.05), 1e-5);
     for (int i = 0; i < 40; i++) {
         double middle = 0.5 * (low + high);
         if (in_contact(middle))
@@ -383,8 +383,8 @@ START_TEST(impossible_points_have_no_rows)
     struct thud_sweep_group *group = make_group(0);
     struct thud_sweep_point *narrow = make_point(group, 0), *wide = make_point(group, 1);
     ck_assert_int_eq(narrow->effort[1].status, THUD_INPUT);
-    ck_assert_int_eq(thud_sweep_rows(plan, narrow, NULL), 12);
-    ck_assert_int_eq(thud_sweep_rows(plan, wide, NULL), 24);
+    ck_assert_int_eq(sweep_rows(narrow, NULL), 12);
+    ck_assert_int_eq(sweep_rows(wide, NULL), 24);
     free(narrow);
     free(wide);
     thud_sweep_group_free(group);

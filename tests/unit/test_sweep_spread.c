@@ -6,6 +6,7 @@
 
 #include "study/scene/solution.h"
 #include "study_setup.h"
+#include "sweep_rows.h"
 
 static const double change = 2e-3;
 
@@ -56,8 +57,8 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
     struct thud_sweep_row row[24];
     struct thud_sweep_contact_row contact[8];
     struct thud_sweep_point *point = one_point("gap=7 cm", "bumper,none");
-    ck_assert_int_eq(thud_sweep_rows(plan, point, row), 24);
-    ck_assert_int_eq(thud_sweep_contact_rows(plan, point, contact), 8);
+    ck_assert_int_eq(sweep_rows(point, row), 24);
+    ck_assert_int_eq(sweep_contact_rows(point, contact), 8);
     ck_assert_int_eq(point->changed.made + point->changed.free, 16);
     scene->interface[0].gap_m = 0.07;
     for (int k = 0, i = 0; k < 2; k++) {
@@ -69,11 +70,11 @@ START_TEST(the_spread_is_that_of_runs_made_apart)
             if (row[i].floor == 0)
                 continue;
             ck_assert_int_eq(row[i].which, which);
-            ck_assert_double_eq_tol(reach(row[i].low[THUD_SWEEP_ACCELERATION], row[i].of[THUD_SWEEP_ACCELERATION],
-                                          row[i].high[THUD_SWEEP_ACCELERATION]),
+            ck_assert_double_eq_tol(reach(row[i].low[THUD_MEASURE_ACCELERATION], row[i].of[THUD_MEASURE_ACCELERATION],
+                                          row[i].high[THUD_MEASURE_ACCELERATION]),
                                     thud_spread_most(&s->floor[floor][0]), 1e-12);
             ck_assert_double_eq_tol(
-                reach(row[i].low[THUD_SWEEP_DRIFT], row[i].of[THUD_SWEEP_DRIFT], row[i].high[THUD_SWEEP_DRIFT]),
+                reach(row[i].low[THUD_MEASURE_DRIFT], row[i].of[THUD_MEASURE_DRIFT], row[i].high[THUD_MEASURE_DRIFT]),
                 thud_spread_most(&s->floor[floor][3]), 1e-12);
             floor++;
         }
@@ -97,21 +98,23 @@ START_TEST(ratios_are_of_runs_changed_alike)
 {
     struct thud_sweep_row row[24];
     struct thud_sweep_point *point = one_point("gap=7 cm", "none");
-    int n = thud_sweep_rows(plan, point, row);
+    int n = sweep_rows(point, row);
     ck_assert_int_eq(n, 12);
     for (int i = 0; i < n; i++) {
-        ck_assert(row[i].low[THUD_SWEEP_ACCELERATION_RATIO] == 1 && row[i].high[THUD_SWEEP_ACCELERATION_RATIO] == 1);
-        ck_assert(row[i].high[THUD_SWEEP_ACCELERATION] > row[i].low[THUD_SWEEP_ACCELERATION]);
+        ck_assert(row[i].low[THUD_MEASURE_ACCELERATION_RATIO] == 1 &&
+                  row[i].high[THUD_MEASURE_ACCELERATION_RATIO] == 1);
+        ck_assert(row[i].high[THUD_MEASURE_ACCELERATION] > row[i].low[THUD_MEASURE_ACCELERATION]);
     }
     free(point);
     point = one_point("gap=3 m", "none,bumper");
-    n = thud_sweep_rows(plan, point, row);
+    n = sweep_rows(point, row);
     ck_assert_int_eq(point->changed.made, 0); /* there is no contact in any of them */
     for (int i = 0; i < n; i++) {
-        ck_assert(row[i].low[THUD_SWEEP_ACCELERATION_RATIO] == 1 && row[i].high[THUD_SWEEP_ACCELERATION_RATIO] == 1);
-        ck_assert(row[i].low[THUD_SWEEP_DRIFT_FREE_RATIO] == 1 && row[i].high[THUD_SWEEP_DRIFT_FREE_RATIO] == 1);
-        ck_assert(row[i].low[THUD_SWEEP_DRIFT] <= row[i].of[THUD_SWEEP_DRIFT] * (1 - change) * (1 + 1e-9));
-        ck_assert(row[i].high[THUD_SWEEP_DRIFT] >= row[i].of[THUD_SWEEP_DRIFT] * (1 + change) * (1 - 1e-9));
+        ck_assert(row[i].low[THUD_MEASURE_ACCELERATION_RATIO] == 1 &&
+                  row[i].high[THUD_MEASURE_ACCELERATION_RATIO] == 1);
+        ck_assert(row[i].low[THUD_MEASURE_DRIFT_FREE_RATIO] == 1 && row[i].high[THUD_MEASURE_DRIFT_FREE_RATIO] == 1);
+        ck_assert(row[i].low[THUD_MEASURE_DRIFT] <= row[i].of[THUD_MEASURE_DRIFT] * (1 - change) * (1 + 1e-9));
+        ck_assert(row[i].high[THUD_MEASURE_DRIFT] >= row[i].of[THUD_MEASURE_DRIFT] * (1 + change) * (1 - 1e-9));
     }
     free(point);
 }
@@ -123,7 +126,7 @@ START_TEST(shortcuts_change_no_spread)
     for (int i = 0; i < 2; i++) {
         plan->shortcuts = i ? THUD_SWEEP_ALL : 0;
         struct thud_sweep_point *point = one_point("gap=9 cm", "none,bumper,cavity");
-        ck_assert_int_eq(thud_sweep_rows(plan, point, row[i]), 36);
+        ck_assert_int_eq(sweep_rows(point, row[i]), 36);
         free(point);
     }
     for (int i = 0; i < 36; i++) {
@@ -138,16 +141,16 @@ START_TEST(a_bumper_keeps_its_room)
 {
     struct thud_sweep_row row[24];
     struct thud_sweep_point *point = one_point("gap=5 cm", "none,bumper");
-    ck_assert_int_eq(thud_sweep_rows(plan, point, row), 24);
+    ck_assert_int_eq(sweep_rows(point, row), 24);
     ck_assert_int_eq(point->changed.failed, 0);
     for (int i = 0; i < 24; i++)
-        ck_assert(isfinite(row[i].low[THUD_SWEEP_ACCELERATION_RATIO]));
+        ck_assert(isfinite(row[i].low[THUD_MEASURE_ACCELERATION_RATIO]));
     free(point);
     point = one_point("gap=4 cm", "none,bumper");
-    ck_assert_int_eq(thud_sweep_rows(plan, point, row), 12);
+    ck_assert_int_eq(sweep_rows(point, row), 12);
     ck_assert_int_eq(point->changed.failed, 0);
     for (int i = 0; i < 12; i++)
-        ck_assert(isfinite(row[i].low[THUD_SWEEP_ACCELERATION]));
+        ck_assert(isfinite(row[i].low[THUD_MEASURE_ACCELERATION]));
     free(point);
 }
 END_TEST
@@ -166,10 +169,10 @@ START_TEST(a_spread_as_text_and_back)
         ck_assert_int_eq(thud_sweep_point_read(text.data, &back, &error), THUD_OK);
         thud_sweep_point_write(back, &again);
         ck_assert_str_eq(text.data, again.data);
-        int n = thud_sweep_rows(plan, point, row[0]);
-        ck_assert_int_eq(thud_sweep_rows(plan, back, row[1]), n);
+        int n = sweep_rows(point, row[0]);
+        ck_assert_int_eq(sweep_rows(back, row[1]), n);
         ck_assert_int_eq(memcmp(row[0], row[1], sizeof row[0]), 0);
-        ck_assert(isnan(row[0][0].low[THUD_SWEEP_DRIFT]) == (i >= 3));
+        ck_assert(isnan(row[0][0].low[THUD_MEASURE_DRIFT]) == (i >= 3));
         free(back);
         for (size_t at = 0; at < text.size; at += 31) {
             char kept = text.data[at];

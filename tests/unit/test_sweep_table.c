@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "app/sweep/sweep_table.h"
+#include "sweep_rows.h"
 #include "towers.h"
 
 enum { CASES = 3, FLOORS = 13, CONTACTS = 2, ROWS = 15 }; /* rows: a mean for each building */
@@ -99,8 +100,8 @@ static void check_storeys(const struct thud_sweep_summary *d, const struct thud_
             for (int i = 0; i < n; i++)
                 if (row[i].which == d->which[k] && row[i].structure == s && row[i].floor > 0) {
                     ductility =
-                        row[i].of[THUD_SWEEP_DUCTILITY] > ductility ? row[i].of[THUD_SWEEP_DUCTILITY] : ductility;
-                    permanent = fmax(permanent, fabs(row[i].of[THUD_SWEEP_PERMANENT]));
+                        row[i].of[THUD_MEASURE_DUCTILITY] > ductility ? row[i].of[THUD_MEASURE_DUCTILITY] : ductility;
+                    permanent = fmax(permanent, fabs(row[i].of[THUD_MEASURE_PERMANENT]));
                 }
             const double own = *thud_sweep_summary_measure(d, k, THUD_MEASURE_DUCTILITY, s, THUD_SWEEP_VALUE),
                          left = *thud_sweep_summary_measure(d, k, THUD_MEASURE_PERMANENT, s, THUD_SWEEP_VALUE);
@@ -115,7 +116,7 @@ static void check_storeys(const struct thud_sweep_summary *d, const struct thud_
 static void check_rows(const struct thud_sweep_summary *d)
 {
     struct thud_sweep_row row[CASES * ROWS];
-    int n = thud_sweep_rows(plan, &point, row);
+    int n = sweep_rows(&point, row);
     bool spread = point.nvariants > 1;
     ck_assert_int_eq(d->nruns * d->nrows, n);
     check_storeys(d, row, n);
@@ -127,14 +128,14 @@ static void check_rows(const struct thud_sweep_summary *d)
                 ck_assert_int_eq(r && spread, thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH) != NULL);
                 if (!r)
                     continue;
-                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->of[THUD_SWEEP_ACCELERATION_RATIO],
-                     r->of[THUD_SWEEP_DRIFT_RATIO]);
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_VALUE), r->of[THUD_MEASURE_ACCELERATION_RATIO],
+                     r->of[THUD_MEASURE_DRIFT_RATIO]);
                 if (!spread)
                     continue;
-                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW), r->low[THUD_SWEEP_ACCELERATION_RATIO],
-                     r->low[THUD_SWEEP_DRIFT_RATIO]);
-                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH), r->high[THUD_SWEEP_ACCELERATION_RATIO],
-                     r->high[THUD_SWEEP_DRIFT_RATIO]);
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_LOW), r->low[THUD_MEASURE_ACCELERATION_RATIO],
+                     r->low[THUD_MEASURE_DRIFT_RATIO]);
+                same(thud_sweep_summary_ratio(d, k, s, f, THUD_SWEEP_HIGH), r->high[THUD_MEASURE_ACCELERATION_RATIO],
+                     r->high[THUD_MEASURE_DRIFT_RATIO]);
             }
 }
 

@@ -29,10 +29,9 @@ enum thud_sweep_csv { THUD_SWEEP_CSV_FLOORS, THUD_SWEEP_CSV_CONTACTS, THUD_SWEEP
 /* "sweep.csv", "contacts.csv", "needed-gaps.csv" */
 const char *thud_sweep_csv_name(enum thud_sweep_csv which);
 void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct thud_text *out);
-/* The rows of one point. Errors: THUD_MEMORY. */
-enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
-                                     const struct thud_sweep_point *point, struct thud_text *out,
-                                     struct thud_error *err);
-/* The floors of one point as objects; *any: one was written before, and is set. Errors: THUD_MEMORY. */
-enum thud_status thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                                      bool *any, struct thud_text *out, struct thud_error *err);
+/* The rows of one point. */
+void thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
+                         const struct thud_sweep_point *point, struct thud_text *out);
+/* The floors of one point as objects; *any: one was written before, and is set. */
+void thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, bool *any,
+                          struct thud_text *out);

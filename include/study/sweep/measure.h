@@ -22,6 +22,13 @@ enum thud_measure {
     THUD_MEASURE_MEAN_DRIFT,
     THUD_MEASURE_ACCELERATION_RATIO, /* of the means, to the point's reference; NaN for 0/0 */
     THUD_MEASURE_DRIFT_RATIO,
+    THUD_MEASURE_DISPLACEMENT, /* this and the next four: of the rows of floors alone, relative to the ground, m */
+    THUD_MEASURE_DISPLACEMENT_RATIO,
+    THUD_MEASURE_ACCELERATION_FREE_RATIO, /* over no pounding at all */
+    THUD_MEASURE_DRIFT_FREE_RATIO,
+    THUD_MEASURE_DISPLACEMENT_FREE_RATIO,
+    THUD_MEASURE_EXCURSIONS, /* how many times the storey below a floor yielded, and the energy lost in it, J */
+    THUD_MEASURE_HYSTERETIC,
     THUD_MEASURE_DUCTILITY, /* largest drift over yield drift of the storeys that yield; NaN: none does */
     THUD_MEASURE_PERMANENT, /* largest size of the permanent drift of those, m */
     THUD_MEASURE_ISOLATOR,  /* largest displacement of its isolators, m; NaN: it has none */
@@ -38,6 +45,7 @@ enum thud_measure_document {
     THUD_TOLD_BY_LOWERED,     /* what bumper and links lower: ratios to case none */
     THUD_TOLD_BY_UNCERTAINTY, /* uncertainty.csv and what goes with it */
     THUD_TOLD_BY_SWEEP,       /* what a study keeps of a run for its figures and its table */
+    THUD_TOLD_BY_FLOORS,      /* sweep.csv: rows of floors, and of the mean over them */
     THUD_MEASURE_DOCUMENTS
 };
 
@@ -66,6 +74,7 @@ struct thud_measure_info {
     bool unknown;               /* of several the largest is not known where one is not; else that one gives way */
     unsigned needs;             /* THUD_HAS_... */
     enum thud_measure ratio_of; /* a ratio to the reference: the measure that it is of; else 0 */
+    bool free;                  /* of floors: a ratio to no pounding */
     int place[THUD_MEASURE_DOCUMENTS]; /* from 1; 0: not told there */
     struct {
         const char *word;    /* of --event and --for; NULL: none */
@@ -88,9 +97,28 @@ unsigned thud_measure_features(const struct thud_sweep_plan *plan);
 
 /* The larger of two values of a measure: not known where one is not, or that one gives way (`unknown`). */
 double thud_measure_larger(const struct thud_measure_info *info, double a, double b);
+/* One of THUD_TOLD_BY_FLOORS in case k (k = ncases: no pounding) of a variant of a point, on a floor of a structure from
+ * 1; 0: the mean over its floors, of what yielding storeys tell over those that do, of the sizes (permanent drifts to
+ * either side would cancel), of a ratio that of the means. NaN: there is none, as for 0/0. */
+double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,
+                             const struct thud_measure_info *info, int structure, int floor);
 /* Of a measure of the run `structure` counts for nothing. NaN: there is none, or it is not known. */
 static inline double thud_measure_read(const struct thud_measured_run *run, enum thud_measure measure, int structure)
 {
     const struct thud_measure_info *info = thud_measure_info(measure);
     return info->read(run, info, structure);
 }
+
+/* A row of a run and floor. */
+struct thud_sweep_row {
+    enum thud_case which;
+    double gap_m;   /* of the first interface; NaN where there is none */
+    int structure;  /* from 0 */
+    int floor;      /* from 1; 0: the mean over the structure's floors */
+    bool collapsed; /* its run did: peaks until then, and no ratios */
+    /* Those of THUD_TOLD_BY_FLOORS; low and high over the changed runs and the one as asked for; a ratio's two runs are
+     * changed alike. NaN where no spread was asked for or one of the runs has no result. */
+    double of[THUD_MEASURES], low[THUD_MEASURES], high[THUD_MEASURES];
+};
+int thud_sweep_row_count(const struct thud_sweep_point *point);
+void thud_sweep_row_at(const struct thud_sweep_point *point, int i, struct thud_sweep_row *row);

@@ -161,14 +161,15 @@ void thud_sweep_task_free(struct thud_sweep_task *task);
 enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,
                                          struct thud_error *err);
 
-/* Rows of a point; each returns how many there are and fills them where `row` is not NULL. */
-int thud_sweep_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                    struct thud_sweep_row *row);
-int thud_sweep_contact_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                            struct thud_sweep_contact_row *row);
-/* Only the first point of a group has any. */
-int thud_sweep_need_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                         struct thud_sweep_need_row *row);
+/* Whether a point is the first of its group: what its levels need holds for all of them. */
+static inline bool thud_sweep_is_first(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point)
+{
+    return point->index % thud_sweep_points_per_group(plan) == 0;
+}
+/* The i-th of the runs of a point that were asked for and have a result: its case; ncases: there are no more. */
+int thud_sweep_answered(const struct thud_sweep_point *point, int i);
+int thud_sweep_contact_row_count(const struct thud_sweep_point *point);
+void thud_sweep_contact_row_at(const struct thud_sweep_point *point, int i, struct thud_sweep_contact_row *row);
 
 /* A point as one line of text without a newline, and back; one with a spread says so at its start. Reading errors:
  * THUD_INPUT, THUD_MEMORY. */

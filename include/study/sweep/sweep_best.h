@@ -7,13 +7,12 @@
 struct thud_sweep_best {
     int record; /* from 0; -1: the worst of all records counts */
     enum thud_case which;
-    double other[THUD_VARY_MAX];  /* the other varied keys; NaN for the key itself */
-    double best, ratio;           /* the key's value, and the ratio there */
-    double drift_ratio;           /* largest over the structures of the ratio of mean drifts, there */
-    double flat_least, flat_most; /* around it, values whose ratio is at most 5 % above the best one's */
-    double worst_ratio;           /* over the key's values */
-    int values;                   /* how many had a result */
-    bool at_end;                  /* the best is the first or the last value: beyond there may be a better one */
+    int at[THUD_VARY_MAX];     /* place of its value on each axis; on that of the key the best */
+    int flat_least, flat_most; /* around it, places of the values whose ratio is at most 5 % above the best one's */
+    double ratio, drift_ratio; /* there; of the mean drifts also the largest over the structures */
+    double worst_ratio;        /* over the key's values */
+    int values;                /* how many had a result */
+    bool at_end;               /* the best is the first or the last value: beyond there may be a better one */
     bool idle; /* there the ratio is 1.000: the bumper is struck by nothing, or hardly, and no value is best */
 };
 enum { THUD_SWEEP_BEST_PER_CENT = 5 };

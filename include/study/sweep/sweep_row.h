@@ -19,42 +19,6 @@ struct thud_sweep_axis {
     double period_s;             /* of a spectral acceleration; NaN: the mean first period of each point's buildings */
 };
 
-/* What a row measures. */
-enum thud_sweep_measure {
-    THUD_SWEEP_ACCELERATION, /* m/s2 */
-    THUD_SWEEP_DRIFT,        /* m */
-    THUD_SWEEP_DISPLACEMENT, /* m */
-    /* Over case `none` at the same parameters and record (floor 0: the ratio of the means); NaN for 0/0 or where `none`
-     * has no result. */
-    THUD_SWEEP_ACCELERATION_RATIO,
-    THUD_SWEEP_DRIFT_RATIO,
-    THUD_SWEEP_DISPLACEMENT_RATIO,
-    /* Over no pounding at all. */
-    THUD_SWEEP_ACCELERATION_FREE_RATIO,
-    THUD_SWEEP_DRIFT_FREE_RATIO,
-    THUD_SWEEP_DISPLACEMENT_FREE_RATIO,
-    /* Of the storey below the floor where it yields (floor 0: means of the sizes over those that do); NaN: elastic. */
-    THUD_SWEEP_DUCTILITY,
-    THUD_SWEEP_PERMANENT,  /* drift at which it carries no force, m */
-    THUD_SWEEP_EXCURSIONS, /* how many times it yielded */
-    THUD_SWEEP_HYSTERETIC, /* energy lost, J */
-    THUD_SWEEP_MEASURES
-};
-
-struct thud_sweep_row {
-    int record; /* from 0 */
-    enum thud_case which;
-    double gap_m;                /* of the first interface; NaN where there is none */
-    double value[THUD_VARY_MAX]; /* of the varied keys */
-    int structure;               /* from 0 */
-    int floor;                   /* from 1; 0: the mean over the structure's floors */
-    bool collapsed;              /* its run did: peaks until then, and no ratios */
-    double of[THUD_SWEEP_MEASURES];
-    /* Each over the changed runs and the one as asked for; a ratio's two runs are changed alike. NaN where no spread
-     * was asked for or one of the runs has no result. */
-    double low[THUD_SWEEP_MEASURES], high[THUD_SWEEP_MEASURES];
-};
-
 /* What a run makes of a contact. */
 struct thud_sweep_contact {
     int impacts;
@@ -65,21 +29,18 @@ struct thud_sweep_contact {
 };
 
 struct thud_sweep_contact_row {
-    int record;
     enum thud_case which;
-    double gap_m;
-    double value[THUD_VARY_MAX];
-    int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
-    int struck;                             /* whose columns, as in gap levels */
+    double gap_m; /* of the first interface; NaN where there is none */
+    struct thud_gap_level level;
     struct thud_sweep_contact of;
-    double force_low_n, force_high_n, indentation_low_m, indentation_high_m; /* as low and high of a floor's row */
+    /* Over the changed runs and the one as asked for. NaN where no spread was asked for or a run has no result. */
+    double force_low_n, force_high_n, indentation_low_m, indentation_high_m;
 };
 
 /* The gap that a level needs, from the motion without pounding, beside the rules of the codes. */
 struct thud_sweep_need_row {
     int record;
-    double value[THUD_VARY_MAX]; /* of the varied keys; those that change no motion without pounding as in the first
-                                    point */
+    int at[THUD_VARY_MAX]; /* place of its value on each axis; of those that change no motion without pounding 0 */
     struct thud_gap_level level;
     struct thud_collapse fall; /* without pounding: the gap is that until then */
 };

@@ -16,8 +16,6 @@ struct share {
     struct thud_sweep_point *point[POINTS];
     int points;
     struct thud_text text[THUD_SWEEP_CSVS];
-    enum thud_status status;
-    struct thud_error error;
 };
 
 struct files {
@@ -63,9 +61,8 @@ static void *write_rows(void *context)
     struct share *share = context;
     locale_t before = thud_threads_numbers();
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        for (int k = 0; k < share->points && share->status == THUD_OK; k++)
-            share->status = thud_sweep_csv_rows(share->study->plan, (enum thud_sweep_csv)i, share->point[k],
-                                                &share->text[i], &share->error);
+        for (int k = 0; k < share->points; k++)
+            thud_sweep_csv_rows(share->study->plan, (enum thud_sweep_csv)i, share->point[k], &share->text[i]);
     thud_threads_numbers_back(before);
     return NULL;
 }
@@ -86,10 +83,6 @@ static enum thud_status put(const struct thud_sweep_study *study, struct files *
             pthread_join(thread[k], NULL);
         else
             write_rows(share);
-        if (status == THUD_OK && share->status != THUD_OK) {
-            status = share->status;
-            *err = share->error;
-        }
         for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
             status = thud_output_drain(&files->output[i], &share->text[i], 0, err);
     }

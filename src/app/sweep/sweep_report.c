@@ -19,31 +19,6 @@ static const char *short_name(const char *path)
     return *path ? thud_path_name(path) : "-";
 }
 
-/* A value of an axis as a reader writes it: `14 cm`. */
-static int index_of(const struct thud_sweep_axis *axis, double value)
-{
-    for (int i = 0; i < axis->n; i++)
-        if (axis->value[i] == value)
-            return i;
-    return -1;
-}
-
-static const char *text_of(const struct thud_sweep_axis *axis, double value)
-{
-    const int i = index_of(axis, value);
-    return i < 0 ? "-" : axis->text[i];
-}
-
-/* The first n of the varied keys; `but`: an axis left out, -1 for none. */
-static const char *place(const struct thud_sweep_plan *plan, int n, const double *value, int but, bool keys,
-                         char text[PLACE])
-{
-    int at[THUD_VARY_MAX];
-    for (int a = 0; a < n; a++)
-        at[a] = index_of(&plan->axis[a], value[a]);
-    return thud_sweep_setting(plan, n, at, but, keys, text, PLACE);
-}
-
 static const char *place_of(const struct thud_sweep_plan *plan, const struct thud_sweep_summary *d, char text[PLACE])
 {
     return thud_sweep_setting(plan, plan->naxes, d->at, -1, false, text, PLACE);
@@ -110,7 +85,7 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     thud_text_append(out, "  required gap %.2f cm (%sfloors %s)",
                      thud_table_gap_cm(worst->level.relative_displacement_m), interface, pair);
     if (varies)
-        thud_text_append(out, " at %s", place(plan, plan->nouter, worst->value, -1, true, at));
+        thud_text_append(out, " at %s", thud_sweep_setting(plan, plan->nouter, worst->at, -1, true, at, PLACE));
     thud_text_append(out, "; ABS %.2f, SRSS %.2f", thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_ABS)),
                      thud_table_gap_cm(thud_gap_value(&worst->level, THUD_GAP_SRSS)));
     if (!isnan(ddc_m)) /* where storeys yield it has no value */
@@ -119,7 +94,7 @@ static void put_need(const struct thud_sweep_plan *plan, const struct thud_sweep
     if (varies)
         thud_text_append(out, "    least %.2f cm at %s (needed-gaps.csv of -o has every point's)\n",
                          thud_table_gap_cm(least->level.relative_displacement_m),
-                         place(plan, plan->nouter, least->value, -1, true, at));
+                         thud_sweep_setting(plan, plan->nouter, least->at, -1, true, at, PLACE));
     if (worst->fall.happened)
         thud_gap_collapse(&plan->scene, &worst->fall, "Storey", out);
 }
@@ -357,11 +332,12 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
 {
     const struct thud_sweep_axis *along = &plan->axis[axis];
     char at[PLACE], flat[2 * THUD_NAME_MAX + 8];
-    snprintf(flat, sizeof flat, "%s to %s", text_of(along, best->flat_least), text_of(along, best->flat_most));
+    snprintf(flat, sizeof flat, "%s to %s", along->text[best->flat_least], along->text[best->flat_most]);
     const char *remark = best_remark(best);
     thud_text_append(out, "  %-*s %-8s %-*s %-10s %6.3f %6.3f  %-20s %6.3f%s%s\n", width, best_record(table, best),
-                     thud_case_name(best->which), wide, place(plan, plan->naxes, best->other, axis, false, at),
-                     best->idle ? "-" : text_of(along, best->best), best->ratio, best->drift_ratio,
+                     thud_case_name(best->which), wide,
+                     thud_sweep_setting(plan, plan->naxes, best->at, axis, false, at, PLACE),
+                     best->idle ? "-" : along->text[best->at[axis]], best->ratio, best->drift_ratio,
                      best->idle ? "-" : flat, best->worst_ratio, *remark ? "  " : "", remark);
 }
 
@@ -369,6 +345,7 @@ static void put_best(const struct thud_sweep_plan *plan, const struct thud_sweep
  * word, named with its unit. */
 enum { BEST, FLAT_FROM, FLAT_TO, BEST_VALUES };
 struct best_columns {
+    bool other[THUD_VARY_MAX]; /* axes */
     struct thud_made_columns axes, made;
     struct thud_schema names, best, ratios, flat, last;
 };
@@ -378,24 +355,23 @@ static void name_best(const struct thud_sweep_plan *plan, int axis, struct best_
     static const char *const name[] = {"best", "flat_from", "flat_to"};
     const struct thud_column *own = thud_best_schema.column;
     const struct thud_sweep_axis *along = &plan->axis[axis];
-    bool other[THUD_VARY_MAX];
     *out = (struct best_columns){.names = {"", "", own, 2},
                                  .best = {"", "", out->made.column, 1},
                                  .ratios = {"", "", own + 4, 2},
                                  .flat = {"", "", out->made.column + FLAT_FROM, 2},
                                  .last = {"", "", own + 8, 2}};
     for (int a = 0; a < plan->naxes; a++)
-        other[a] = a != axis;
-    thud_axis_columns(plan, other, &out->axes);
+        out->other[a] = a != axis;
+    thud_axis_columns(plan, out->other, &out->axes);
     for (int i = 0; i < BEST_VALUES; i++)
         thud_column_add(&out->made, along->words, "%s%s", name[i], along->words ? "" : thud_si_suffix(along->param));
 }
 
 /* A value of an axis: its number, or its word. */
-static union thud_column_value value_on(const struct thud_sweep_axis *axis, double value)
+static union thud_column_value value_on(const struct thud_sweep_axis *axis, int at)
 {
-    return axis->words ? (union thud_column_value){.text = text_of(axis, value)}
-                       : (union thud_column_value){.number = value};
+    return axis->words ? (union thud_column_value){.text = axis->text[at]}
+                       : (union thud_column_value){.number = axis->value[at]};
 }
 
 /* NULL: the names. */
@@ -421,10 +397,8 @@ static void put_best_csv(const struct thud_sweep_plan *plan, int axis, const str
                                  best->drift_ratio,
                                  best->worst_ratio,
                                  best->idle ? "is struck by nothing or hardly" : best_remark(best)};
-    for (int a = 0, n = 0; a < plan->naxes; a++)
-        if (a != axis)
-            c.axes.cell[n++] = value_on(&plan->axis[a], best->other[a]);
-    c.made.cell[BEST] = value_on(&plan->axis[axis], best->best);
+    thud_axis_cells(plan, c.other, best->at, c.axes.cell);
+    c.made.cell[BEST] = value_on(&plan->axis[axis], best->at[axis]);
     c.made.cell[FLAT_FROM] = value_on(&plan->axis[axis], best->flat_least);
     c.made.cell[FLAT_TO] = value_on(&plan->axis[axis], best->flat_most);
     thud_parts_csv(part, PARTS, out);
@@ -446,7 +420,7 @@ enum thud_status thud_sweep_report_best(const struct thud_sweep_plan *plan, cons
                          plan->axis[axis].key, THUD_SWEEP_BEST_PER_CENT);
         for (long i = 0; i < n; i++) {
             width = thud_text_wider(width, best_record(table, &best[i]));
-            wide = thud_text_wider(wide, place(plan, plan->naxes, best[i].other, axis, false, at));
+            wide = thud_text_wider(wide, thud_sweep_setting(plan, plan->naxes, best[i].at, axis, false, at, PLACE));
         }
         thud_text_append(out, "  %-*s %-8s %-*s %-10s %6s %6s  %-20s %6s\n", width, "record", "case", wide, "at",
                          "best", "ratio", "drift", "flat", "worst");

@@ -39,32 +39,27 @@ static bool reserve(struct thud_sweep_collector *c)
 }
 
 /* Keeps the level that decides the gap of a group of points where it is the widest, or the narrowest, of its record. */
-static enum thud_status add_needs(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
-                                  const struct thud_sweep_point *point, struct thud_error *err)
+static void add_need(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
+                     const struct thud_sweep_point *point)
 {
-    int n = thud_sweep_need_rows(plan, point, NULL);
-    struct thud_sweep_need_row *row = n > 0 ? malloc((size_t)n * sizeof *row) : NULL;
-    if (n > 0 && !row)
-        return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
-    n = row ? thud_sweep_need_rows(plan, point, row) : 0;
-    int decides = 0;
-    for (int i = 1; i < n; i++)
-        if (row[i].level.relative_displacement_m > row[decides].level.relative_displacement_m)
-            decides = i;
-    if (n > 0) {
-        struct thud_sweep_need_row *most = &c->need[row[decides].record], *least = most + c->table.nrecords;
-        const struct thud_collapse fall = row[decides].fall.happened ? row[decides].fall : most->fall;
-        const double own_m = row[decides].level.relative_displacement_m;
-        if (most->level.interface == 0 || own_m > most->level.relative_displacement_m)
-            *most = row[decides];
-        most->fall = fall; /* of any of them */
-        /* the gap until a collapse is no least one */
-        if (least->level.interface == 0 || (least->fall.happened && !row[decides].fall.happened) ||
-            (own_m < least->level.relative_displacement_m && !row[decides].fall.happened))
-            *least = row[decides];
-    }
-    free(row);
-    return THUD_OK;
+    const struct thud_gap_level *decides = point->level;
+    if (!thud_sweep_is_first(plan, point) || point->ncontacts == 0)
+        return;
+    for (int i = 1; i < point->ncontacts; i++)
+        if (point->level[i].relative_displacement_m > decides->relative_displacement_m)
+            decides = &point->level[i];
+    struct thud_sweep_need_row own = {.level = *decides, .fall = point->fall[0]};
+    own.record = thud_sweep_place(plan, point->index, own.at);
+    struct thud_sweep_need_row *most = &c->need[own.record], *least = most + c->table.nrecords;
+    const struct thud_collapse fall = own.fall.happened ? own.fall : most->fall;
+    const double own_m = own.level.relative_displacement_m;
+    if (most->level.interface == 0 || own_m > most->level.relative_displacement_m)
+        *most = own;
+    most->fall = fall; /* of any of them */
+    /* the gap until a collapse is no least one */
+    if (least->level.interface == 0 || (least->fall.happened && !own.fall.happened) ||
+        (own_m < least->level.relative_displacement_m && !own.fall.happened))
+        *least = own;
 }
 
 enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *c, const struct thud_sweep_plan *plan,
@@ -73,9 +68,8 @@ enum thud_status thud_sweep_collector_add(struct thud_sweep_collector *c, const 
     struct thud_sweep_summary *summary = NULL;
     if (!reserve(c))
         return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
-    enum thud_status status = add_needs(c, plan, point, err);
-    if (status == THUD_OK)
-        status = thud_sweep_summary_make(plan, point, &summary, err);
+    add_need(c, plan, point);
+    enum thud_status status = thud_sweep_summary_make(plan, point, &summary, err);
     if (summary) {
         c->point[c->table.npoints++] = summary;
         c->table.nrows += (size_t)summary->nruns * (size_t)summary->nrows;

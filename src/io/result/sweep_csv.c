@@ -2,10 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "study/scene/level.h"
+#include "study/sweep/measure.h"
 
 const char *thud_sweep_csv_name(enum thud_sweep_csv which)
 {
@@ -51,42 +51,40 @@ struct floor_row {
 };
 enum { SPREAD = 1 };
 
-#define FLOOR(member, key, text) THUD_COLUMN(struct floor_row, member, key, text)
+#define FLOOR(member, key, text) THUD_FIELD(struct floor_row, member, key, text)
+#define OF(measure, key, text)   FLOOR(own.of[THUD_MEASURE_##measure], key, text)
 #define ENDS(measure, key, unit, of)                                                                                   \
-    {FLOOR(own.low[measure], key "_low" unit, "With --sensitivity: smallest within the spread" of "."),                \
-     .only = SPREAD},                                                                                                  \
-    {                                                                                                                  \
-        FLOOR(own.high[measure], key "_high" unit, "With --sensitivity: largest within the spread" of "."),            \
-            .only = SPREAD                                                                                             \
-    }
+    THUD_FIELD_WITH(struct floor_row, own.low[THUD_MEASURE_##measure], key "_low" unit,                                \
+                    "With --sensitivity: smallest within the spread" of ".", .only = SPREAD),                          \
+        THUD_FIELD_WITH(struct floor_row, own.high[THUD_MEASURE_##measure], key "_high" unit,                          \
+                        "With --sensitivity: largest within the spread" of ".", .only = SPREAD)
 
 static const struct thud_column floors[] = {
-    {FLOOR(record, "record", "Ground motion, as specified; empty for none.")},
-    {FLOOR(which, "case", "none, bumper, cavity or as-written.")},
-    {FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m.")},
-    {FLOOR(structure, "structure", "Name of the structure.")},
-    {FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors.")},
-    {FLOOR(own.of[THUD_SWEEP_ACCELERATION], "acceleration_mps2",
-           "Peak of the total acceleration, m/s2; empty on a floor struck by impulses, and so is the mean over its "
-           "structure.")},
-    {FLOOR(own.of[THUD_SWEEP_DRIFT], "drift_m", "Peak of the drift, m.")},
-    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT], "displacement_m", "Peak of the displacement relative to the ground, m.")},
-    {FLOOR(own.of[THUD_SWEEP_ACCELERATION_RATIO], "acceleration_ratio", "Over that of case none at the same values.")},
-    {FLOOR(own.of[THUD_SWEEP_DRIFT_RATIO], "drift_ratio", "Likewise.")},
-    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT_RATIO], "displacement_ratio", "Likewise.")},
-    {FLOOR(own.of[THUD_SWEEP_ACCELERATION_FREE_RATIO], "acceleration_free_ratio",
-           "Over that without pounding, the structures being alone.")},
-    {FLOOR(own.of[THUD_SWEEP_DRIFT_FREE_RATIO], "drift_free_ratio", "Likewise.")},
-    {FLOOR(own.of[THUD_SWEEP_DISPLACEMENT_FREE_RATIO], "displacement_free_ratio", "Likewise.")},
-    ENDS(THUD_SWEEP_ACCELERATION, "acceleration", "_mps2", ", m/s2"),
-    ENDS(THUD_SWEEP_DRIFT, "drift", "_m", ", m"),
-    ENDS(THUD_SWEEP_DISPLACEMENT, "displacement", "_m", ", m"),
-    ENDS(THUD_SWEEP_ACCELERATION_RATIO, "acceleration_ratio", "", ""),
-    ENDS(THUD_SWEEP_DRIFT_RATIO, "drift_ratio", "", ""),
-    ENDS(THUD_SWEEP_DISPLACEMENT_RATIO, "displacement_ratio", "", ""),
-    ENDS(THUD_SWEEP_ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "", ""),
-    ENDS(THUD_SWEEP_DRIFT_FREE_RATIO, "drift_free_ratio", "", ""),
-    ENDS(THUD_SWEEP_DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "", ""),
+    FLOOR(record, "record", "Ground motion, as specified; empty for none."),
+    FLOOR(which, "case", "none, bumper, cavity or as-written."),
+    FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m."),
+    FLOOR(structure, "structure", "Name of the structure."),
+    FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors."),
+    OF(ACCELERATION, "acceleration_mps2",
+       "Peak of the total acceleration, m/s2; empty on a floor struck by impulses, and so is the mean over its "
+       "structure."),
+    OF(DRIFT, "drift_m", "Peak of the drift, m."),
+    OF(DISPLACEMENT, "displacement_m", "Peak of the displacement relative to the ground, m."),
+    OF(ACCELERATION_RATIO, "acceleration_ratio", "Over that of case none at the same values."),
+    OF(DRIFT_RATIO, "drift_ratio", "Likewise."),
+    OF(DISPLACEMENT_RATIO, "displacement_ratio", "Likewise."),
+    OF(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "Over that without pounding, the structures being alone."),
+    OF(DRIFT_FREE_RATIO, "drift_free_ratio", "Likewise."),
+    OF(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "Likewise."),
+    ENDS(ACCELERATION, "acceleration", "_mps2", ", m/s2"),
+    ENDS(DRIFT, "drift", "_m", ", m"),
+    ENDS(DISPLACEMENT, "displacement", "_m", ", m"),
+    ENDS(ACCELERATION_RATIO, "acceleration_ratio", "", ""),
+    ENDS(DRIFT_RATIO, "drift_ratio", "", ""),
+    ENDS(DISPLACEMENT_RATIO, "displacement_ratio", "", ""),
+    ENDS(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "", ""),
+    ENDS(DRIFT_FREE_RATIO, "drift_free_ratio", "", ""),
+    ENDS(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "", ""),
     THUD_STANDS_FOR("KEY", "A varied key other than the gap, with its unit as in bumper.thickness_m, in SI units.")};
 const struct thud_schema thud_sweep_floor_schema =
     THUD_SCHEMA("sweep.csv",
@@ -95,21 +93,21 @@ const struct thud_schema thud_sweep_floor_schema =
                 floors);
 
 static const struct thud_column storeys[] = {
-    {FLOOR(own.of[THUD_SWEEP_DUCTILITY], "ductility",
-           "Peak drift of the storey below the floor over that at which it yields; this and the following are empty "
-           "for an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the "
-           "same storey is that of the drifts.")},
-    {FLOOR(own.of[THUD_SWEEP_PERMANENT], "permanent_m",
-           "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes.")},
-    {FLOOR(own.of[THUD_SWEEP_EXCURSIONS], "excursions", "How many times it yielded.")},
-    {FLOOR(own.of[THUD_SWEEP_HYSTERETIC], "hysteretic_j", "Energy lost in it, J.")},
-    ENDS(THUD_SWEEP_DUCTILITY, "ductility", "", ""),
-    ENDS(THUD_SWEEP_PERMANENT, "permanent", "_m", ", m"),
-    ENDS(THUD_SWEEP_EXCURSIONS, "excursions", "", ""),
-    ENDS(THUD_SWEEP_HYSTERETIC, "hysteretic", "_j", ", J"),
-    {FLOOR(own.collapsed, "collapsed",
-           "The last one of every row: 1 where a storey collapses in the run (with P-Delta); its peaks are those until "
-           "then, and it has no ratios. Else 0.")}};
+    OF(DUCTILITY, "ductility",
+       "Peak drift of the storey below the floor over that at which it yields; this and the following are empty "
+       "for an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the "
+       "same storey is that of the drifts."),
+    OF(PERMANENT, "permanent_m",
+       "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes."),
+    OF(EXCURSIONS, "excursions", "How many times it yielded."),
+    OF(HYSTERETIC, "hysteretic_j", "Energy lost in it, J."),
+    ENDS(DUCTILITY, "ductility", "", ""),
+    ENDS(PERMANENT, "permanent", "_m", ", m"),
+    ENDS(EXCURSIONS, "excursions", "", ""),
+    ENDS(HYSTERETIC, "hysteretic", "_j", ", J"),
+    FLOOR(own.collapsed, "collapsed",
+          "The last one of every row: 1 where a storey collapses in the run (with P-Delta); its peaks are those until "
+          "then, and it has no ratios. Else 0.")};
 const struct thud_schema thud_sweep_storey_schema = THUD_SCHEMA(
     "sweep.csv of storeys",
     "At the end of each row: the last one;\nbefore it, if storeys of the scene yield, the others.\n", storeys);
@@ -120,38 +118,38 @@ struct contact_row {
     const char *record, *which, *struck;
     struct thud_sweep_contact_row own;
 };
-#define CONTACT(member, key, text) THUD_COLUMN(struct contact_row, member, key, text)
+#define CONTACT(member, key, text) THUD_FIELD(struct contact_row, member, key, text)
 
 static const struct thud_column contacts[] = {
-    {CONTACT(record, "record", "Ground motion, as specified.")},
-    {CONTACT(which, "case", "Case.")},
-    {CONTACT(own.gap_m, "gap_m", "Gap of the first interface, m.")},
-    {CONTACT(own.interface, "interface", "Number of the interface.")},
-    {CONTACT(own.left_floor, "left_floor", "Floor on its left.")},
-    {CONTACT(own.right_floor, "right_floor", "Floor on its right.")},
-    {CONTACT(own.of.impacts, "impacts", "How many.")},
-    {CONTACT(own.of.force_n, "force_n", "Largest force, N; empty where impulses have none.")},
-    {CONTACT(own.of.indentation_m, "indentation_m", "Largest indentation, m; empty like the force.")},
-    {CONTACT(own.of.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
-    {CONTACT(own.of.contact_time_s, "contact_time_s",
-             "Time in which the contact pushes, s, as in the contacts of a run.")},
-    {CONTACT(own.of.residual_m, "residual_m", "Indentation left by plastic deformation, m.")},
-    {CONTACT(own.of.residual_gap_m, "residual_gap_m", "Clearance and residual indentation at the end, m.")},
-    {CONTACT(struck, "struck_columns",
-             "left or right where a slab strikes that structure's columns, below the floor named; otherwise empty.")},
-    {CONTACT(own.of.shear_lower_n, "shear_lower_n", "Largest shear at the lower end of those columns, N.")},
-    {CONTACT(own.of.shear_upper_n, "shear_upper_n", "At their upper end, N.")},
-    {CONTACT(own.of.capacity_ratio, "shear_over_capacity", "The larger one over what they can bear.")},
-    {CONTACT(own.force_low_n, "force_low_n", "With --sensitivity: smallest force within the spread, N."),
-     .only = SPREAD},
-    {CONTACT(own.force_high_n, "force_high_n", "Largest, N."), .only = SPREAD},
-    {CONTACT(own.indentation_low_m, "indentation_low_m", "With --sensitivity: smallest indentation, m."),
-     .only = SPREAD},
-    {CONTACT(own.indentation_high_m, "indentation_high_m", "Largest, m."), .only = SPREAD},
+    CONTACT(record, "record", "Ground motion, as specified."),
+    CONTACT(which, "case", "Case."),
+    CONTACT(own.gap_m, "gap_m", "Gap of the first interface, m."),
+    CONTACT(own.level.interface, "interface", "Number of the interface."),
+    CONTACT(own.level.left_floor, "left_floor", "Floor on its left."),
+    CONTACT(own.level.right_floor, "right_floor", "Floor on its right."),
+    CONTACT(own.of.impacts, "impacts", "How many."),
+    CONTACT(own.of.force_n, "force_n", "Largest force, N; empty where impulses have none."),
+    CONTACT(own.of.indentation_m, "indentation_m", "Largest indentation, m; empty like the force."),
+    CONTACT(own.of.impulse_ns, "impulse_ns", "Impulse of all impacts, N s."),
+    CONTACT(own.of.contact_time_s, "contact_time_s",
+            "Time in which the contact pushes, s, as in the contacts of a run."),
+    CONTACT(own.of.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
+    CONTACT(own.of.residual_gap_m, "residual_gap_m", "Clearance and residual indentation at the end, m."),
+    CONTACT(struck, "struck_columns",
+            "left or right where a slab strikes that structure's columns, below the floor named; otherwise empty."),
+    CONTACT(own.of.shear_lower_n, "shear_lower_n", "Largest shear at the lower end of those columns, N."),
+    CONTACT(own.of.shear_upper_n, "shear_upper_n", "At their upper end, N."),
+    CONTACT(own.of.capacity_ratio, "shear_over_capacity", "The larger one over what they can bear."),
+    THUD_FIELD_WITH(struct contact_row, own.force_low_n, "force_low_n",
+                    "With --sensitivity: smallest force within the spread, N.", .only = SPREAD),
+    THUD_FIELD_WITH(struct contact_row, own.force_high_n, "force_high_n", "Largest, N.", .only = SPREAD),
+    THUD_FIELD_WITH(struct contact_row, own.indentation_low_m, "indentation_low_m",
+                    "With --sensitivity: smallest indentation, m.", .only = SPREAD),
+    THUD_FIELD_WITH(struct contact_row, own.indentation_high_m, "indentation_high_m", "Largest, m.", .only = SPREAD),
     THUD_STANDS_FOR("KEY", "A varied key other than the gap, in SI units."),
-    {CONTACT(own.of.moment_lower_nm, "moment_lower_nm",
-             "Largest bending moment at the lower end of struck columns, N m; empty where floors meet.")},
-    {CONTACT(own.of.moment_upper_nm, "moment_upper_nm", "At their upper end, N m.")}};
+    CONTACT(own.of.moment_lower_nm, "moment_lower_nm",
+            "Largest bending moment at the lower end of struck columns, N m; empty where floors meet."),
+    CONTACT(own.of.moment_upper_nm, "moment_upper_nm", "At their upper end, N m.")};
 const struct thud_schema thud_sweep_contact_schema =
     THUD_SCHEMA("contacts.csv", "Written by\n.Cm sweep Fl o :\na row for each run and contact.\n", contacts);
 enum { MOMENTS = 2 }; /* behind the varied keys */
@@ -202,6 +200,8 @@ struct form {
     const struct thud_sweep_plan *plan;
     enum thud_sweep_csv which;
     unsigned marks;
+    const struct thud_sweep_point *point; /* whose rows they are */
+    const char *record;                   /* its ground motion; "" without */
     bool shown[THUD_VARY_MAX]; /* varied keys that no other column shows; of needs only those that change the motion */
     struct thud_made_columns axes;
     struct thud_schema first, last; /* before and behind the varied keys; last.n 0: nothing */
@@ -247,65 +247,54 @@ void thud_sweep_csv_header(const struct thud_sweep_plan *plan, enum thud_sweep_c
     thud_parts_names(part, 3, out);
 }
 
-/* "" without ground motion. */
-static const char *record_of(const struct thud_sweep_plan *plan, int record)
+static void make_floor(const struct form *form, int i, void *out)
 {
-    return record < plan->nrecords && plan->record[record] ? plan->record[record]->file : "";
+    struct floor_row *row = out;
+    thud_sweep_row_at(form->point, i, &row->own);
+    row->record = form->record;
+    row->which = thud_case_name(row->own.which);
+    row->structure = form->plan->scene.structure[row->own.structure].name;
 }
 
-/* The rows of a point, and one of them with its texts. */
-union rows {
-    void *any;
-    struct thud_sweep_row *floor;
-    struct thud_sweep_contact_row *contact;
-    struct thud_sweep_need_row *need;
-};
+static void make_contact(const struct form *form, int i, void *out)
+{
+    struct contact_row *row = out;
+    thud_sweep_contact_row_at(form->point, i, &row->own);
+    row->record = form->record;
+    row->which = thud_case_name(row->own.which);
+    row->struck = thud_struck_name(row->own.level.struck);
+}
 
-static int take_rows(const struct form *form, const struct thud_sweep_point *point, union rows rows)
+static void make_need(const struct form *form, int i, void *out)
+{
+    *(struct thud_need_fields *)out = thud_need_fields_of(&form->point->level[i], form->record);
+}
+
+static int count_rows(const struct form *form)
 {
     if (form->which == THUD_SWEEP_CSV_FLOORS)
-        return thud_sweep_rows(form->plan, point, rows.floor);
+        return thud_sweep_row_count(form->point);
     if (form->which == THUD_SWEEP_CSV_CONTACTS)
-        return thud_sweep_contact_rows(form->plan, point, rows.contact);
-    return thud_sweep_need_rows(form->plan, point, rows.need);
+        return thud_sweep_contact_row_count(form->point);
+    return thud_sweep_is_first(form->plan, form->point) ? form->point->ncontacts : 0;
 }
 
-static void row_of(const struct form *form, union rows rows, int i, struct thud_row_room *out)
+/* As CSV; or as objects, `any`: one was written before. */
+static void put_rows(struct form *form, const struct thud_sweep_point *point, bool *any, struct thud_text *out)
 {
-    if (form->which == THUD_SWEEP_CSV_FLOORS) {
-        const struct thud_sweep_row *r = &rows.floor[i];
-        *(struct floor_row *)(void *)out->bytes =
-            (struct floor_row){record_of(form->plan, r->record), thud_case_name(r->which),
-                               form->plan->scene.structure[r->structure].name, *r};
-    } else if (form->which == THUD_SWEEP_CSV_CONTACTS) {
-        const struct thud_sweep_contact_row *r = &rows.contact[i];
-        *(struct contact_row *)(void *)out->bytes = (struct contact_row){
-            record_of(form->plan, r->record), thud_case_name(r->which), thud_struck_name(r->struck), *r};
-    } else {
-        const struct thud_sweep_need_row *r = &rows.need[i];
-        *(struct thud_need_fields *)(void *)out->bytes =
-            thud_need_fields_of(&r->level, record_of(form->plan, r->record));
-    }
-}
-
-static enum thud_status put_rows(struct form *form, const struct thud_sweep_point *point, bool json, bool *any,
-                                 struct thud_text *out, struct thud_error *err)
-{
-    static const size_t size[] = {sizeof(struct thud_sweep_row), sizeof(struct thud_sweep_contact_row),
-                                  sizeof(struct thud_sweep_need_row)};
-    int n = take_rows(form, point, (union rows){NULL}), at[THUD_VARY_MAX];
-    union rows rows = {malloc(((size_t)n + 1) * size[form->which])};
-    if (!rows.any)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    take_rows(form, point, rows);
-    thud_sweep_place(form->plan, point->index, at);
+    static void (*const make[THUD_SWEEP_CSVS])(const struct form *form, int i, void *out) = {make_floor, make_contact,
+                                                                                             make_need};
+    int at[THUD_VARY_MAX];
+    const int record = thud_sweep_place(form->plan, point->index, at);
+    form->point = point;
+    form->record = record < form->plan->nrecords && form->plan->record[record] ? form->plan->record[record]->file : "";
     thud_axis_cells(form->plan, form->shown, at, form->axes.cell);
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < count_rows(form); i++) {
         struct thud_row_room row;
         struct thud_part part[3];
-        row_of(form, rows, i, &row);
+        make[form->which](form, i, row.bytes);
         parts_of(form, row.bytes, part);
-        if (!json) {
+        if (!any) {
             thud_parts_csv(part, 3, out);
             continue;
         }
@@ -314,23 +303,20 @@ static enum thud_status put_rows(struct form *form, const struct thud_sweep_poin
         thud_text_append(out, "}");
         *any = true;
     }
-    free(rows.any);
-    return THUD_OK;
 }
 
-enum thud_status thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
-                                     const struct thud_sweep_point *point, struct thud_text *out,
-                                     struct thud_error *err)
+void thud_sweep_csv_rows(const struct thud_sweep_plan *plan, enum thud_sweep_csv which,
+                         const struct thud_sweep_point *point, struct thud_text *out)
 {
     struct form form;
     make_form(plan, which, &form);
-    return put_rows(&form, point, false, NULL, out, err);
+    put_rows(&form, point, NULL, out);
 }
 
-enum thud_status thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
-                                      bool *any, struct thud_text *out, struct thud_error *err)
+void thud_sweep_json_rows(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point, bool *any,
+                          struct thud_text *out)
 {
     struct form form;
     make_form(plan, THUD_SWEEP_CSV_FLOORS, &form);
-    return put_rows(&form, point, true, any, out, err);
+    put_rows(&form, point, any, out);
 }

@@ -34,7 +34,9 @@ enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct th
         suite->features = thud_measure_features(plan);
         for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
             suite->at[m] = suite->nvalues;
-            suite->nvalues += thud_measure_info(m)->of_structure ? suite->nstructures : 1;
+            suite->nvalues += !thud_measure_info(m)->read          ? 0
+                              : thud_measure_info(m)->of_structure ? suite->nstructures
+                                                                   : 1;
         }
         size_t n = (size_t)thud_sweep_points(plan) * (size_t)plan->ncases * (size_t)suite->nvalues;
         suite->value = malloc((n + 1) * sizeof *suite->value);

@@ -45,28 +45,52 @@ static double largest_of_floors(const struct thud_measured_run *run, const struc
     return most;
 }
 
-static double mean_of_case(const struct thud_measured_run *run, const struct thud_measure_info *info, int k,
-                           int structure)
+static double floor_of(const struct thud_sweep_point *p, int variant, int k, const struct thud_measure_info *info,
+                       int structure, int floor)
 {
-    int n;
-    const struct thud_sweep_floor *floor = floors_of(run, k, structure, &n);
+    const struct thud_sweep_floor *x = thud_sweep_floors(p, variant, k);
+    const bool yielding = info->needs & THUD_HAS_YIELDING;
     double sum = 0;
-    for (int i = 0; i < n; i++)
-        sum += field_of(&floor[i], info);
+    int n = 0;
+    for (int s = 0; s < structure; s++)
+        x += p->floors[s];
+    if (floor > 0)
+        return field_of(&x[floor - 1], info);
+    for (int i = 0; i < p->floors[structure]; i++) {
+        if (yielding && isnan(x[i].ductility))
+            continue;
+        sum += yielding ? fabs(field_of(&x[i], info)) : field_of(&x[i], info);
+        n++;
+    }
     return n > 0 ? sum / n : (double)NAN;
+}
+
+/* Without pounding: with the links where every case that was asked for has them. */
+static bool collapses_free(const struct thud_sweep_point *p)
+{
+    enum thud_case alone = THUD_CASE_AS_WRITTEN;
+    for (int k = 0; k < p->ncases; k++)
+        if (!p->effort[k].reference && !thud_case_has_links(p->which[k]))
+            alone = THUD_CASE_NONE;
+    return p->fall[thud_sweep_linkage(p->nlinkages, alone)].happened;
+}
+
+double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,
+                             const struct thud_measure_info *info, int structure, int floor)
+{
+    const double own = floor_of(point, variant, k, info, structure, floor);
+    if (!info->ratio_of)
+        return own;
+    const int reference = info->free ? point->ncases : thud_sweep_reference(point);
+    const double other = floor_of(point, variant, reference, info, structure, floor);
+    const bool cut =
+        point->effort[k].collapsed || (info->free ? collapses_free(point) : point->effort[reference].collapsed);
+    return other > 0 && !cut ? own / other : (double)NAN;
 }
 
 static double mean_of_floors(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
-    return mean_of_case(run, info, run->k, structure);
-}
-
-static double ratio_of_means(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
-{
-    const int reference = thud_sweep_reference(run->point);
-    const double none = mean_of_case(run, info, reference, structure);
-    const bool cut = run->point->effort[run->k].collapsed || run->point->effort[reference].collapsed;
-    return none > 0 && !cut ? mean_of_case(run, info, run->k, structure) / none : (double)NAN;
+    return thud_measure_of_floor(run->point, 0, run->k, info, structure, 0);
 }
 
 static double isolator(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
@@ -197,59 +221,79 @@ static double missing(const struct thud_measured_run *run, const struct thud_mea
 
 #define FLOOR(member)   .field = offsetof(struct thud_sweep_floor, member)
 #define CONTACT(member) .field = offsetof(struct thud_sweep_contact, member)
-#define TOLD(suite, lowered, uncertainty, sweep)                                                                       \
+#define TOLD(suite, lowered, uncertainty, sweep, floors)                                                               \
     .place = {[THUD_TOLD_BY_SUITE] = suite,                                                                            \
               [THUD_TOLD_BY_LOWERED] = lowered,                                                                        \
               [THUD_TOLD_BY_UNCERTAINTY] = uncertainty,                                                                \
-              [THUD_TOLD_BY_SWEEP] = sweep}
+              [THUD_TOLD_BY_SWEEP] = sweep,                                                                            \
+              [THUD_TOLD_BY_FLOORS] = floors}
 
 static const struct thud_measure_info infos[THUD_MEASURES] = {
-    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11, 0)},
-    [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, TOLD(0, 0, 0, 1), .event.word = "pounding",
+    [THUD_MEASURE_GAP] = {"needed_gap_m", "required gap", THUD_LENGTH, TOLD(0, 0, 11, 0, 0)},
+    [THUD_MEASURE_IMPACTS] = {"impacts", "impacts", THUD_NUMBER, TOLD(0, 0, 0, 1, 0), .event.word = "pounding",
                               .read = impacts},
     [THUD_MEASURE_USED] = {"used_up", "share of the clearance", THUD_RATIO, .read = used_up},
     [THUD_MEASURE_SHORT] = {"short_m", "missing clearance", THUD_LENGTH, .read = missing},
-    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9, 2),
+    [THUD_MEASURE_FORCE] = {"force_n", "largest force", THUD_FORCE, .unknown = true, TOLD(1, 8, 9, 2, 0),
                             .event.word = "force", .event.example = "5MN", .read = largest_of_contacts,
                             CONTACT(force_n)},
     [THUD_MEASURE_INDENTATION] = {"indentation_m", "largest indentation", THUD_LENGTH, .unknown = true,
-                                  TOLD(0, 0, 0, 3), .read = largest_of_contacts, CONTACT(indentation_m)},
-    [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS, TOLD(0, 0, 10, 4),
-                            .read = column_shear},
+                                  TOLD(0, 0, 0, 3, 0), .read = largest_of_contacts, CONTACT(indentation_m)},
+    [THUD_MEASURE_SHEAR] = {"shear_n", "largest column shear", THUD_FORCE, .needs = THUD_HAS_COLUMNS,
+                            TOLD(0, 0, 10, 4, 0), .read = column_shear},
     [THUD_MEASURE_ACCELERATION] = {"acceleration_mps2", "largest acceleration", THUD_ACCELERATION, true, true,
-                                   TOLD(2, 2, 1, 0), .event = {"acceleration", "1g", .not_monotone = true},
+                                   TOLD(2, 2, 1, 0, 1), .event = {"acceleration", "1g", .not_monotone = true},
                                    .read = largest_of_floors, FLOOR(acceleration_mps2)},
-    [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2, 0), .event.word = "drift",
+    [THUD_MEASURE_DRIFT] = {"drift_m", "largest drift", THUD_LENGTH, true, TOLD(3, 4, 2, 0, 2), .event.word = "drift",
                             .event.example = "3cm", .read = largest_of_floors, FLOOR(drift_m)},
-    [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0, 0),
+    [THUD_MEASURE_DRIFT_ANGLE] = {"drift_angle", "largest drift over height", THUD_RATIO, true, TOLD(4, 0, 0, 0, 0),
                                   .event.word = "drift", .event.example = "1%", .read = drift_angle, FLOOR(drift_m)},
     [THUD_MEASURE_MEAN_ACCELERATION] = {"mean_acceleration_mps2", "mean acceleration", THUD_ACCELERATION, true, true,
-                                        TOLD(0, 1, 3, 0), .read = mean_of_floors, FLOOR(acceleration_mps2)},
-    [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4, 0),
+                                        TOLD(0, 1, 3, 0, 0), .read = mean_of_floors, FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_MEAN_DRIFT] = {"mean_drift_m", "mean drift", THUD_LENGTH, true, TOLD(0, 3, 4, 0, 0),
                                  .read = mean_of_floors, FLOOR(drift_m)},
     [THUD_MEASURE_ACCELERATION_RATIO] = {"acceleration_ratio", "mean acceleration ratio", THUD_RATIO, true,
                                          .needs = THUD_HAS_REFERENCE, .ratio_of = THUD_MEASURE_MEAN_ACCELERATION,
-                                         TOLD(5, 0, 7, 8), .event = {"worse", NULL, 1 + 1e-9, true},
-                                         .read = ratio_of_means, FLOOR(acceleration_mps2)},
+                                         TOLD(5, 0, 7, 8, 4), .event = {"worse", NULL, 1 + 1e-9, true},
+                                         .read = mean_of_floors, FLOOR(acceleration_mps2)},
     [THUD_MEASURE_DRIFT_RATIO] = {"drift_ratio", "mean drift ratio", THUD_RATIO, true, .needs = THUD_HAS_REFERENCE,
-                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8, 9), .read = ratio_of_means,
+                                  .ratio_of = THUD_MEASURE_MEAN_DRIFT, TOLD(6, 0, 8, 9, 5), .read = mean_of_floors,
                                   FLOOR(drift_m)},
+    [THUD_MEASURE_DISPLACEMENT] = {"displacement_m", "largest displacement", THUD_LENGTH, true, TOLD(0, 0, 0, 0, 3),
+                                   FLOOR(displacement_m)},
+    [THUD_MEASURE_DISPLACEMENT_RATIO] = {"displacement_ratio", "mean displacement ratio", THUD_RATIO, true,
+                                         .ratio_of = THUD_MEASURE_DISPLACEMENT, TOLD(0, 0, 0, 0, 6),
+                                         FLOOR(displacement_m)},
+    [THUD_MEASURE_ACCELERATION_FREE_RATIO] = {"acceleration_free_ratio", "mean acceleration ratio to no pounding",
+                                              THUD_RATIO, true, .ratio_of = THUD_MEASURE_MEAN_ACCELERATION,
+                                              .free = true, TOLD(0, 0, 0, 0, 7), FLOOR(acceleration_mps2)},
+    [THUD_MEASURE_DRIFT_FREE_RATIO] = {"drift_free_ratio", "mean drift ratio to no pounding", THUD_RATIO, true,
+                                       .ratio_of = THUD_MEASURE_MEAN_DRIFT, .free = true, TOLD(0, 0, 0, 0, 8),
+                                       FLOOR(drift_m)},
+    [THUD_MEASURE_DISPLACEMENT_FREE_RATIO] = {"displacement_free_ratio", "mean displacement ratio to no pounding",
+                                              THUD_RATIO, true, .ratio_of = THUD_MEASURE_DISPLACEMENT, .free = true,
+                                              TOLD(0, 0, 0, 0, 9), FLOOR(displacement_m)},
+    [THUD_MEASURE_EXCURSIONS] = {"excursions", "largest number of excursions beyond yield", THUD_NUMBER, true,
+                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 12), FLOOR(excursions)},
+    [THUD_MEASURE_HYSTERETIC] = {"hysteretic_j", "largest energy lost in a storey", THUD_NUMBER, true,
+                                 .needs = THUD_HAS_YIELDING, TOLD(0, 0, 0, 0, 13), FLOOR(hysteretic_j)},
     [THUD_MEASURE_DUCTILITY] = {"ductility", "largest ductility", THUD_NUMBER, true, .needs = THUD_HAS_YIELDING,
-                                TOLD(7, 5, 5, 6), .event.word = "ductility", .event.example = "2",
+                                TOLD(7, 5, 5, 6, 10), .event.word = "ductility", .event.example = "2",
                                 .read = largest_of_floors, FLOOR(ductility)},
     [THUD_MEASURE_PERMANENT] = {"permanent_m", "largest permanent drift", THUD_LENGTH, true, .needs = THUD_HAS_YIELDING,
-                                TOLD(8, 6, 6, 7), .event = {"permanent", "1cm", .not_monotone = true},
+                                TOLD(8, 6, 6, 7, 11), .event = {"permanent", "1cm", .not_monotone = true},
                                 .read = largest_of_floors, FLOOR(permanent_m)},
     [THUD_MEASURE_ISOLATOR] = {"isolator_m", "largest isolator displacement", THUD_LENGTH, true,
-                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0, 0), .event.word = "isolator",
+                               .needs = THUD_HAS_ISOLATORS, TOLD(9, 0, 0, 0, 0), .event.word = "isolator",
                                .event.example = "30cm", .read = isolator, FLOOR(drift_m)},
     [THUD_MEASURE_COLUMNS] = {"shear_over_capacity", "shear over capacity", THUD_NUMBER, true,
-                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0, 5), .event.word = "column",
+                              .needs = THUD_HAS_CAPACITY, TOLD(10, 7, 0, 5, 0), .event.word = "column",
                               .event.example = "1", .read = over_capacity, CONTACT(capacity_ratio)},
     [THUD_MEASURE_STRAIN] = {"bumper_strain", "largest strain of a bumper", THUD_RATIO, .event.word = "strain",
                              .event.example = "80%", .read = bumper_strain},
     [THUD_MEASURE_LINK] = {"link_n", "largest force of a link", THUD_FORCE, .needs = THUD_HAS_LINK_FORCES,
-                           TOLD(11, 0, 0, 0), .event.word = "link", .event.example = "500kN", .read = largest_of_links},
+                           TOLD(11, 0, 0, 0, 0), .event.word = "link", .event.example = "500kN",
+                           .read = largest_of_links},
     [THUD_MEASURE_COLLAPSED] = {"collapsed", "collapse", THUD_NUMBER, .event.word = "collapse", .read = collapsed}};
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure)

@@ -86,15 +86,14 @@ static bool find(const struct grid *g, int record, int which, long other, struct
         low--;
     for (high = best; high + 1 < axis->n && pick(g, record, which, other, high + 1).acceleration <= limit;)
         high++;
-    out->best = axis->value[best];
-    out->flat_least = fmin(axis->value[low], axis->value[high]);
-    out->flat_most = fmax(axis->value[low], axis->value[high]);
+    out->flat_least = axis->value[low] < axis->value[high] ? low : high;
+    out->flat_most = low + high - out->flat_least;
     for (int a = g->table->naxes - 1; a >= 0; a--) {
-        out->other[a] = NAN;
+        out->at[a] = best;
         if (a == g->axis)
             continue;
         assert(g->n[a] > 0);
-        out->other[a] = g->table->axis[a].value[other % g->n[a]];
+        out->at[a] = (int)(other % g->n[a]);
         other /= g->n[a];
     }
     return true;

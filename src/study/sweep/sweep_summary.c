@@ -41,15 +41,17 @@ struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures,
     return d;
 }
 
-static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_row *row)
+static void put_ratios(struct thud_sweep_summary *d, const struct thud_sweep_point *point)
 {
     struct thud_sweep_ratio *to = d->ratio;
-    for (int i = 0; i < d->nruns * d->nrows; i++, row++) {
-        const double *const of[] = {row->of, row->low, row->high};
+    struct thud_sweep_row row;
+    for (int i = 0; i < d->nruns * d->nrows; i++) {
+        const double *const of[] = {row.of, row.low, row.high};
+        thud_sweep_row_at(point, i, &row);
         for (int end = 0; end < (d->spread ? 3 : 1); end++)
-            *to++ = (struct thud_sweep_ratio){of[end][THUD_SWEEP_ACCELERATION_RATIO], of[end][THUD_SWEEP_DRIFT_RATIO],
-                                              of[end][THUD_SWEEP_ACCELERATION_FREE_RATIO],
-                                              of[end][THUD_SWEEP_DRIFT_FREE_RATIO]};
+            *to++ = (struct thud_sweep_ratio){
+                of[end][THUD_MEASURE_ACCELERATION_RATIO], of[end][THUD_MEASURE_DRIFT_RATIO],
+                of[end][THUD_MEASURE_ACCELERATION_FREE_RATIO], of[end][THUD_MEASURE_DRIFT_FREE_RATIO]};
     }
 }
 
@@ -59,42 +61,32 @@ static void put_measures(const struct thud_sweep_plan *plan, const struct thud_s
 {
     enum thud_measure told[THUD_MEASURES];
     const int n = thud_measures_told(THUD_TOLD_BY_SWEEP, ~0u, told);
-    for (int k = 0, own = 0; k < d->nruns && own < point->ncases; own++) {
-        const struct thud_measured_run run = {&plan->scene, point, own};
-        if (point->which[own] != d->which[k])
-            continue;
+    for (int k = 0; k < d->nruns; k++) {
+        const struct thud_measured_run run = {&plan->scene, point, thud_sweep_answered(point, k)};
+        d->which[k] = point->which[run.k];
         for (int i = 0; i < n; i++)
             for (int s = 0; s < (thud_measure_info(told[i])->of_structure ? d->nstructures : 1); s++)
                 *thud_sweep_summary_measure(d, k, told[i], s, THUD_SWEEP_VALUE) = thud_measure_read(&run, told[i], s);
-        k++;
     }
 }
 
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err)
 {
-    int rows = thud_sweep_rows(plan, point, NULL);
+    int nruns = 0;
     *out = NULL;
-    if (rows == 0)
+    if (thud_sweep_row_count(point) == 0)
         return THUD_OK;
-    struct thud_sweep_row *row = malloc((size_t)rows * sizeof *row);
-    if (row) {
-        thud_sweep_rows(plan, point, row);
-        int nruns = 1;
-        for (int i = 1; i < rows; i++)
-            nruns += row[i].which != row[i - 1].which;
-        *out = thud_sweep_summary_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
-    }
-    struct thud_sweep_summary *d = *out;
-    for (int k = 0; d && k < d->nruns; k++)
-        d->which[k] = row[k * d->nrows].which;
-    if (d) {
-        d->record = thud_sweep_place(plan, point->index, d->at);
-        d->gap_m = point->gap_m;
-        d->has_contact = point->ncontacts > 0;
-        put_ratios(d, row);
-        put_measures(plan, point, d);
-    }
-    free(row);
-    return d ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+    while (thud_sweep_answered(point, nruns) < point->ncases)
+        nruns++;
+    struct thud_sweep_summary *d = *out =
+        thud_sweep_summary_create(nruns, point->nstructures, point->floors, point->nvariants > 1);
+    if (!d)
+        return thud_error_set(err, THUD_MEMORY, "out of memory for the rows of the study");
+    d->record = thud_sweep_place(plan, point->index, d->at);
+    d->gap_m = point->gap_m;
+    d->has_contact = point->ncontacts > 0;
+    put_ratios(d, point);
+    put_measures(plan, point, d);
+    return THUD_OK;
 }

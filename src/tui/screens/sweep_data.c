@@ -271,9 +271,8 @@ static enum thud_status export_rows(const struct thud_sweep_data *data, enum thu
     enum thud_status status = THUD_OK;
     thud_sweep_csv_header(&data->plan, which, text);
     for (long i = 0; i < data->next && status == THUD_OK; i++) {
-        status = thud_sweep_csv_rows(&data->plan, which, data->done[i], text, err);
-        if (status == THUD_OK)
-            status = thud_output_drain(file, text, CHUNK, err);
+        thud_sweep_csv_rows(&data->plan, which, data->done[i], text);
+        status = thud_output_drain(file, text, CHUNK, err);
     }
     if (status == THUD_OK)
         status = thud_output_drain(file, text, 0, err);
