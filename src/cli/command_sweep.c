@@ -96,10 +96,24 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
     return thud_error_refuse(err, THUD_USAGE, "--best", "one of the keys of --vary", "\"%.60s\" is not varied", key);
 }
 
+/* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
+ * show that no building bears (after them). */
+static struct thud_remark_scope remarked(const struct sweep *s)
+{
+    return (struct thud_remark_scope){.scene = &s->plan.scene,
+                                      .before = thud_preset_scene(s->session.preset),
+                                      .record = s->plan.record,
+                                      .nrecords = s->plan.nrecords,
+                                      .plan = &s->plan,
+                                      .watch = &s->outcome.watch};
+}
+
 /* Computes the fragility from the suite and writes its files. A failure of gnuplot is reported last: all else is there. */
 static enum thud_status tell_fragility(void *owner, struct thud_error *err)
 {
     struct sweep *s = owner;
+    const struct thud_remark_scope scope = remarked(s);
+    s->events.scope = &scope;
     s->pictured = thud_fragility_deliver(s->args, &s->events, s->study.folder, s->study.pictures, &s->told, err);
     s->picture_error = err ? *err : s->picture_error;
     return s->pictured == THUD_GNUPLOT ? THUD_OK : s->pictured;
@@ -195,18 +209,6 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
     if (status == THUD_OK && s->output.format == THUD_SWEEP_OUTPUT_TABLE)
         status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, false, text, err);
     return status;
-}
-
-/* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
- * show that no building bears (after them). */
-static struct thud_remark_scope remarked(const struct sweep *s)
-{
-    return (struct thud_remark_scope){.scene = &s->plan.scene,
-                                      .before = thud_preset_scene(s->session.preset),
-                                      .record = s->plan.record,
-                                      .nrecords = s->plan.nrecords,
-                                      .plan = &s->plan,
-                                      .watch = &s->outcome.watch};
 }
 
 static void remark(const struct sweep *s, unsigned about)

@@ -45,10 +45,7 @@ enum thud_status thud_sweep_output_end(struct thud_sweep_output *output, const s
             thud_text_append(&output->text, ", \"statistics\": ");
             status = thud_suite_report(output->suite, THUD_AS_JSON, &output->text, err);
         }
-        thud_remarks_json(scope,
-                          THUD_REMARK_SCENE | THUD_REMARK_CHANGE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED |
-                              THUD_REMARK_STUDY,
-                          &output->text);
+        thud_remarks_json(scope, THUD_REMARKS_OF_STUDY, &output->text);
         thud_text_append(&output->text, "}\n");
         if (status != THUD_OK)
             return status;

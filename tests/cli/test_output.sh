@@ -111,6 +111,10 @@ is "run --json has a remark for each warning" [ "$(grep -c '^thud: warning' "$tm
 is "in its words" sh -c "grep '^thud: warning' '$tmp/warned' | grep -qF \"$(said "$tmp/remarks.json" | tail -1)\""
 "$THUD" sweep towers --to 10s --vary gap=6cm,8cm --json >"$tmp/remarks.json" 2>"$tmp/warned"
 is "so has sweep --json" sh -c "grep '^thud: warning' '$tmp/warned' | grep -qF \"$(said "$tmp/remarks.json" | tail -1)\""
+"$THUD" fragility towers --to 10s --vary gap=6cm,8cm --event pounding --json >"$tmp/remarks.json" 2>"$tmp/warned"
+is "and fragility --json" sh -c "grep '^thud: warning' '$tmp/warned' | grep -qF \"$(said "$tmp/remarks.json" | tail -1)\""
+"$THUD" uncertainty towers --to 3s --samples 0 --set bumper.cavity=4cm --json >"$tmp/remarks.json" 2>/dev/null
+is "uncertainty --json tells of motions" sh -c "grep -q '\"weight\": \"motion\"' '$tmp/remarks.json'"
 "$THUD" gap towers --to 3s --set bumper.cavity=4cm --json >"$tmp/remarks.json" 2>/dev/null
 is "gap --json tells of motions" sh -c "grep -q '\"weight\": \"motion\"' '$tmp/remarks.json'"
 

@@ -56,6 +56,11 @@ enum thud_remark_about {
     THUD_REMARK_LEDGER = 128,  /* energy of a run that is not balanced */
     THUD_REMARK_SIMPLER = 256  /* what a scene might do without: the command that tells */
 };
+/* What goes into a study, and with what comes of it: those that its JSON ends with. */
+enum {
+    THUD_REMARKS_OF_INPUT = THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED,
+    THUD_REMARKS_OF_STUDY = THUD_REMARKS_OF_INPUT | THUD_REMARK_CHANGE | THUD_REMARK_STUDY
+};
 /* What weighs most stands first where few are shown. */
 enum thud_remark_weight {
     THUD_WEIGHT_FAILURE, /* from there on the numbers have no meaning */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "io/file/json.h"
+#include "io/result/result_rows.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 
@@ -423,5 +424,7 @@ void thud_fragility_json(const struct thud_fragility_study *study, struct thud_t
         thud_text_append(out, i ? ",\n  " : "\n  ");
         put_json_line(study, &study->line[i], out);
     }
-    thud_text_append(out, "\n]}\n");
+    thud_text_append(out, "\n]");
+    thud_remarks_json(study->scope, THUD_REMARKS_OF_STUDY, out);
+    thud_text_append(out, "}\n");
 }

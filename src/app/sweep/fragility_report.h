@@ -5,6 +5,7 @@
 #include "io/file/schema.h"
 #include "plot/figure/figure.h"
 #include "study/suite/fragility.h"
+#include "study/sweep/remark.h"
 
 struct thud_fragility_line {
     int event, k, axis;
@@ -15,6 +16,7 @@ struct thud_fragility_line {
 
 struct thud_fragility_study {
     const struct thud_suite *suite;
+    const struct thud_remark_scope *scope; /* whose remarks JSON ends with */
     int nevents;
     struct thud_event event[THUD_EVENTS_MAX];
     struct thud_hazard hazard; /* n = 0: none */

@@ -434,7 +434,7 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     thud_remarks_json(&(struct thud_remark_scope){.scene = scene,
                                                   .record = (const struct thud_record *const *)records->record,
                                                   .nrecords = records->n},
-                      THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED, out);
+                      THUD_REMARKS_OF_INPUT, out);
     thud_text_append(out, "}\n");
     return status;
 }

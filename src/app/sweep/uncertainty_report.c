@@ -4,6 +4,7 @@
 
 #include "app/sweep/uncertainty_study.h"
 #include "io/file/json.h"
+#include "io/result/result_rows.h"
 #include "io/result/study_rows.h"
 
 /* Shown units: m/s2, cm, MN, ratios and numbers without factor. */
@@ -364,7 +365,12 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
         }
         thud_text_append(out, "]}");
     }
-    thud_text_append(out, "\n]}\n");
+    thud_text_append(out, "\n]");
+    thud_remarks_json(&(struct thud_remark_scope){.scene = &u->scene,
+                                                  .record = u->nsuite > 0 ? u->suite : &u->record,
+                                                  .nrecords = u->nsuite > 0 ? u->nsuite : u->record != NULL},
+                      THUD_REMARKS_OF_INPUT, out);
+    thud_text_append(out, "}\n");
 }
 
 /* A column for each input; what the runs gave stands in sample-results.csv. */

@@ -201,10 +201,9 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
                                             .record = &report->record,
                                             .nrecords = report->record != NULL,
                                             .sensitivity = report->sensitivity};
-    thud_remarks_json(&scope,
-                      THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED |
-                          (report->failure ? 0u : (unsigned)(THUD_REMARK_RESULT | THUD_REMARK_LEDGER)),
-                      out);
+    thud_remarks_json(
+        &scope, THUD_REMARKS_OF_INPUT | (report->failure ? 0u : (unsigned)(THUD_REMARK_RESULT | THUD_REMARK_LEDGER)),
+        out);
     thud_text_append(out, ",\n");
     thud_scene_members_json(report->scene, report->record ? report->record->file : NULL, out);
     thud_text_append(out, "\n}\n");
