@@ -14,16 +14,13 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
     enum thud_status status = thud_made_by_begin(by, err);
-    if (status == THUD_OK) {
-        thud_gap_csv(study, records, &text);
-        status = thud_text_write_in(&text, folder, "needed-gaps.csv", err);
-    }
-    if (status == THUD_OK) {
-        thud_gap_rules_csv(study, &text);
-        status = thud_text_write_in(&text, folder, "gap-rules.csv", err);
-    }
+    const struct thud_rows levels = thud_gap_level_rows(study), rules = thud_gap_rule_rows(study);
     if (status == THUD_OK)
-        status = thud_gap_json(study, scene, records, &text, err);
+        status = thud_rows_save(&levels, folder, err);
+    if (status == THUD_OK)
+        status = thud_rows_save(&rules, folder, err);
+    if (status == THUD_OK)
+        status = thud_gap_json(study, scene, &text, err);
     if (status == THUD_OK)
         status = thud_text_write_in(&text, folder, "needed-gaps.json", err);
     thud_text_clear(&text);
@@ -64,10 +61,11 @@ static enum thud_status gap(const struct thud_args *args, struct thud_session *s
     if (status == THUD_OK && !(thud_args_has(args, "csv") && !thud_args_has(args, "o")))
         status = thud_gap_study_rules(scene, &records, thud_interrupt_watch(), &study, err);
     if (status == THUD_OK && thud_args_has(args, "json"))
-        status = thud_gap_json(&study, scene, &records, &text, err);
-    else if (status == THUD_OK && thud_args_has(args, "csv"))
-        thud_gap_csv(&study, &records, &text);
-    else if (status == THUD_OK)
+        status = thud_gap_json(&study, scene, &text, err);
+    else if (status == THUD_OK && thud_args_has(args, "csv")) {
+        const struct thud_rows levels = thud_gap_level_rows(&study);
+        thud_rows_csv(&levels, &text);
+    } else if (status == THUD_OK)
         status = thud_gap_report(&study, scene, &text, err);
     if (status == THUD_OK && thud_args_has(args, "o"))
         status = save(args, &study, scene, &records, &picture, &by, err);

@@ -78,10 +78,7 @@ static enum thud_status save(const struct thud_args *args, const struct thud_ses
     const char *folder = thud_args_value(args, "o"),
                *title = session->scene.title[0] ? session->scene.title : session->scene.name;
     const struct thud_rows rows = thud_simplify_table_rows(found);
-    struct thud_text text = {0};
-    thud_rows_csv(&rows, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, "simplifications.csv", err);
-    thud_text_clear(&text);
+    enum thud_status status = thud_rows_save(&rows, folder, err);
     if (status == THUD_OK)
         status = write_preset(session, found, folder, scene, err);
     picture->options.cancel = thud_interrupt_watch();

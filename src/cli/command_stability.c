@@ -7,7 +7,6 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "io/file/file.h"
 #include "io/result/bench_rows.h"
 #include "lab/bench/stability_report.h"
 
@@ -16,10 +15,8 @@ static enum thud_status save(const struct thud_stability *stability, const char 
 {
     enum thud_status status = THUD_OK;
     for (int i = 0; status == THUD_OK && i < THUD_STABILITY_TABLES; i++) {
-        struct thud_text text = {0};
         const struct thud_rows rows = thud_stability_rows(stability, i);
-        thud_rows_csv(&rows, &text);
-        status = thud_text_write_in(&text, folder, rows.schema->name, err);
+        status = thud_rows_save(&rows, folder, err);
     }
     if (status != THUD_OK)
         return status;

@@ -87,7 +87,8 @@ struct thud_schema {
         name, about, field, (int)(sizeof field / sizeof *field)                                                        \
     }
 
-/* "name": value, ... without braces. */
+/* "name": value, ... without braces; with them. */
+void thud_json_object(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 /* A row that is put together: its values of several tables, one behind the other. */
 struct thud_part {
@@ -129,7 +130,9 @@ struct thud_rows {
     void (*make)(const void *of, int i, void *row);
     const void *of;
 };
-void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out);  /* heading and rows */
+void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out); /* heading and rows */
+/* The CSV in `folder`, as a file with the schema's name. Errors: THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err);
 void thud_rows_json(const struct thud_rows *rows, struct thud_text *out); /* [ {...}, ... ], an object a line */
 /* , "name": [ ... ], behind other members. */
 void thud_json_list(const char *name, const struct thud_rows *rows, struct thud_text *out);

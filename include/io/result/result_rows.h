@@ -44,7 +44,7 @@ struct thud_rows thud_column_rows(const struct thud_report *report);
 struct thud_rows thud_link_rows(const struct thud_report *report);
 struct thud_rows thud_impact_rows(const struct thud_report *report);
 struct thud_rows thud_event_rows(const struct thud_report *report);
-/* The method and its work, as members of an object. */
+/* The method and its work, as an object. */
 void thud_method_json(const struct thud_report *report, struct thud_text *out);
 /* The remarks of a set of enum thud_remark_about as the member "remarks", behind others. */
 void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, struct thud_text *out);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/file/schema.h"
+#include "study/suite/gap_suite.h"
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
     thud_curve_schema, thud_first_contact_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema,
@@ -10,12 +11,11 @@ extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_c
     thud_gap_range_schema, thud_gap_row_schema, thud_used_motion_schema;
 
 struct thud_gap_rule_row {
-    int interface;
-    const char *rule, *column, *edition, *clause, *title, *source, *formula, *numbers;
-    int left_floor, right_floor;
-    double gap_m;
-    int pounding, motions;
-    double force_n;
+    int interface, motions;
+    const char *numbers; /* text */
+    struct thud_gap_rule rule;
+    struct thud_gap_ruled found;
+    char text[160];
 };
 
 /* What an interface (from 1) of a row needs over all ground motions; -1: nothing could touch there. */

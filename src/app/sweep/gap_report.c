@@ -292,77 +292,68 @@ enum thud_status thud_gap_report(const struct thud_gap_study *study, const struc
     return status;
 }
 
-void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out)
+/* ---- rows ---- */
+
+static void make_level(const void *of, int i, void *row)
 {
-    struct thud_part part = {&thud_need_schema, THUD_NEED_RECORD | THUD_NEED_CODES, NULL};
-    thud_parts_names(&part, 1, out);
-    for (int r = 0; r < study->suite.nrecords; r++)
-        for (int i = 0; i < study->gap[r]->nlevels; i++) {
-            const struct thud_need_fields row =
-                thud_need_fields_of(&study->gap[r]->level[i], r < records->n ? records->record[r]->file : "");
-            part.row = &row;
-            thud_parts_csv(&part, 1, out);
-        }
+    const struct thud_gap_study *study = of;
+    const int n = study->gap[0]->nlevels, r = i / n;
+    *(struct thud_need_fields *)row =
+        thud_need_fields_of(&study->gap[r]->level[i % n], r < study->records->n ? study->records->record[r]->file : "");
 }
 
-/* As CSV, or as objects of a list. */
-static void put_rules_data(const struct thud_gap_study *study, bool json, struct thud_text *out)
+struct thud_rows thud_gap_level_rows(const struct thud_gap_study *study)
 {
-    struct thud_part part = {&thud_gap_rule_schema, 0, NULL};
-    const char *before = "";
-    if (!json)
-        thud_parts_names(&part, 1, out);
-    for (int i = 0; i < study->interfaces; i++)
-        for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
-            const struct thud_gap_rule *r = thud_gap_rule_at(rule);
-            const struct thud_gap_ruled *x = &study->ruled[(rule + 1) * study->interfaces + i];
-            struct thud_text numbers = {0};
-            if (!(x->gap_m >= 0))
-                continue;
-            thud_gap_numbers(&x->level, rule, &numbers);
-            const struct thud_gap_rule_row row = {i + 1,
-                                                  r->name,
-                                                  r->column,
-                                                  r->edition,
-                                                  r->clause,
-                                                  r->title,
-                                                  r->source,
-                                                  r->formula,
-                                                  numbers.data ? numbers.data : "",
-                                                  x->level.left_floor,
-                                                  x->level.right_floor,
-                                                  x->gap_m,
-                                                  x->pounding,
-                                                  study->suite.nrecords,
-                                                  x->force_n};
-            part.row = &row;
-            if (json) {
-                thud_text_append(out, "%s\n  {", before);
-                thud_parts_json(&part, 1, out);
-                thud_text_append(out, "}");
-            } else {
-                thud_parts_csv(&part, 1, out);
+    return (struct thud_rows){&thud_need_schema, THUD_NEED_RECORD | THUD_NEED_CODES,
+                              study->suite.nrecords * study->gap[0]->nlevels, make_level, study};
+}
+
+/* The i-th rule that has a value at its interface, and how many there are from it on. */
+static int rules_from(const struct thud_gap_study *study, int i, int *interface, int *rule)
+{
+    int n = 0;
+    for (int k = 0; k < study->interfaces; k++)
+        for (int r = THUD_GAP_EXACT; r < THUD_GAP_RULES; r++)
+            if (study->ruled[(r + 1) * study->interfaces + k].gap_m >= 0 && n++ == i) {
+                *interface = k;
+                *rule = r;
             }
-            before = ",";
-            thud_text_clear(&numbers);
-        }
+    return n - i;
 }
 
-void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out)
+static void make_rule(const void *of, int i, void *row)
 {
-    put_rules_data(study, false, out);
+    const struct thud_gap_study *study = of;
+    struct thud_gap_rule_row *to = row;
+    struct thud_text numbers = {0};
+    int k = 0, rule = 0;
+    rules_from(study, i, &k, &rule);
+    *to = (struct thud_gap_rule_row){k + 1,
+                                     study->suite.nrecords,
+                                     to->text,
+                                     *thud_gap_rule_at(rule),
+                                     study->ruled[(rule + 1) * study->interfaces + k],
+                                     ""};
+    thud_gap_numbers(&to->found.level, rule, &numbers);
+    snprintf(to->text, sizeof to->text, "%s", numbers.data ? numbers.data : "");
+    thud_text_clear(&numbers);
+}
+
+struct thud_rows thud_gap_rule_rows(const struct thud_gap_study *study)
+{
+    int k = 0, rule = 0;
+    return (struct thud_rows){&thud_gap_rule_schema, 0, rules_from(study, 0, &k, &rule), make_rule, study};
 }
 
 /* Of the interfaces beside an estimated building. */
-static void put_json_ranges(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
+static void put_json_ranges(const struct thud_gap_study *study, struct thud_text *out)
 {
     const char *before = ",\n \"periods\": [";
-    for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
-        const struct thud_gap_range *x = &study->range[i];
-        if (isnan(x->most_m))
+    for (int i = 0; study->range && i < study->interfaces; i++) {
+        if (isnan(study->range[i].most_m))
             continue;
         thud_text_append(out, "%s\n  {\"interface\": %d, ", before, i + 1);
-        thud_json_members(&thud_gap_range_schema, 0, x, out);
+        thud_json_members(&thud_gap_range_schema, 0, &study->range[i], out);
         thud_text_append(out, "}");
         before = ",";
     }
@@ -375,61 +366,61 @@ static void put_json_row(const struct thud_gap_study *study, struct thud_text *o
     for (int i = 0; study->row && i < study->interfaces; i++) {
         if (study->row[i].all_together_m < 0)
             continue;
-        thud_text_append(out, "%s\n  {", before);
-        thud_json_members(&thud_gap_row_schema, 0, &study->row[i], out);
-        thud_text_append(out, "}");
+        thud_text_append(out, "%s\n  ", before);
+        thud_json_object(&thud_gap_row_schema, 0, &study->row[i], out);
         before = ",";
     }
     if (study->row)
         thud_text_append(out, "], \"row_runs\": %d", study->row_runs);
 }
 
-enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
-                               const struct thud_record_list *records, struct thud_text *out, struct thud_error *err)
+static enum thud_status put_json_suite(const struct thud_gap_study *study, struct thud_text *out,
+                                       struct thud_error *err)
 {
-    const struct thud_gap_suite *suite = &study->suite;
     struct thud_fractiles f[THUD_GAP_RULES + 1];
-    enum thud_status status = THUD_OK;
-    thud_text_append(out, "{");
-    thud_json_head(out, scene->name);
-    thud_text_append(out, ",\n \"records\": [");
-    for (int r = 0; r < suite->nrecords; r++) {
-        thud_text_append(out, "%s\n  {\"record\": ", r ? "," : "");
-        if (r < records->n)
-            thud_record_json(records->record[r], out);
-        else
-            thud_text_append(out, "null");
-        thud_text_append(out, ", \"levels\": [");
-        for (int i = 0; i < suite->gap[r]->nlevels; i++) {
-            const struct thud_need_fields row = thud_need_fields_of(&suite->gap[r]->level[i], NULL);
-            thud_text_append(out, "%s\n    {", i ? "," : "");
-            thud_json_members(&thud_need_schema, THUD_NEED_CODES, &row, out);
-            thud_text_append(out, "}");
-        }
-        thud_text_append(out, "]}");
-    }
-    thud_text_append(out, "],\n \"suite\": [");
-    for (int l = -1; l < suite->gap[0]->nlevels && status == THUD_OK; l++) {
-        status = fractiles(suite, l, f, err);
+    for (int l = -1; l < study->gap[0]->nlevels; l++) {
+        enum thud_status status = fractiles(&study->suite, l, f, err);
         if (status != THUD_OK)
             return status;
         f[0].share = 0;
-        thud_text_append(out, "%s\n  {\"level\": ", l < 0 ? "" : ",");
-        if (l < 0)
-            thud_text_append(out, "null");
-        else
-            thud_text_append(out, "%d", l + 1);
+        thud_text_append(out, l < 0 ? "\n  {\"level\": null" : ",\n  {\"level\": %d", l + 1);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_RULES; rule++) {
-            thud_text_append(out, ",\n   \"%s\": {", thud_gap_rule_at(rule)->column);
-            thud_json_members(&thud_gap_fractile_schema, 0, &f[rule + 1], out);
-            thud_text_append(out, "}");
+            thud_text_append(out, ",\n   \"%s\": ", thud_gap_rule_at(rule)->column);
+            thud_json_object(&thud_gap_fractile_schema, 0, &f[rule + 1], out);
         }
         thud_text_append(out, "}");
     }
-    thud_text_append(out, "],\n \"rules\": [");
-    put_rules_data(study, true, out);
+    return THUD_OK;
+}
+
+enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
+                               struct thud_text *out, struct thud_error *err)
+{
+    const struct thud_record_list *records = study->records;
+    const struct thud_rows levels = thud_gap_level_rows(study), rules = thud_gap_rule_rows(study);
+    thud_text_append(out, "{");
+    thud_json_head(out, scene->name);
+    thud_text_append(out, ",\n \"records\": [");
+    for (int i = 0; i < levels.n; i++) {
+        const int n = study->gap[0]->nlevels, r = i / n;
+        struct thud_row_room row;
+        if (i % n == 0) {
+            thud_text_append(out, "%s\n  {\"record\": ", i > 0 ? "]}," : "");
+            if (r < records->n)
+                thud_record_json(records->record[r], out);
+            else
+                thud_text_append(out, "null");
+            thud_text_append(out, ", \"levels\": [");
+        }
+        levels.make(study, i, row.bytes);
+        thud_text_append(out, i % n ? ",\n    " : "\n    ");
+        thud_json_object(levels.schema, THUD_NEED_CODES, row.bytes, out);
+    }
+    thud_text_append(out, "]}],\n \"suite\": [");
+    enum thud_status status = put_json_suite(study, out, err);
     thud_text_append(out, "]");
-    put_json_ranges(study, scene, out);
+    thud_json_list("rules", &rules, out);
+    put_json_ranges(study, out);
     put_json_row(study, out);
     thud_remarks_json(&(struct thud_remark_scope){.scene = scene,
                                                   .record = (const struct thud_record *const *)records->record,

@@ -9,6 +9,7 @@
 #include "study/suite/gap_suite.h"
 
 struct thud_gap_study {
+    const struct thud_record_list *records; /* the caller's */
     struct thud_gap_suite suite;
     const char **name;            /* (suite.nrecords) last parts of the files' names */
     struct thud_needed_gap **gap; /* (suite.nrecords) */
@@ -36,11 +37,9 @@ void thud_gap_collapse(const struct thud_scene *scene, const struct thud_collaps
 /* 80 columns, after thud_gap_study_rules. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_report(const struct thud_gap_study *study, const struct thud_scene *scene,
                                  struct thud_text *out, struct thud_error *err);
-/* A row per ground motion and level: record,interface,left_floor,right_floor,left_displacement_m,
- * right_displacement_m, what is needed and the rules of narrow tables, correlation,struck_columns, the other rules */
-void thud_gap_csv(const struct thud_gap_study *study, const struct thud_record_list *records, struct thud_text *out);
-/* A row per interface and rule that has a value there. */
-void thud_gap_rules_csv(const struct thud_gap_study *study, struct thud_text *out);
+/* A row per ground motion and level (needed-gaps.csv); per interface and rule that has a value there (gap-rules.csv). */
+struct thud_rows thud_gap_level_rows(const struct thud_gap_study *study);
+struct thud_rows thud_gap_rule_rows(const struct thud_gap_study *study);
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct thud_scene *scene,
-                               const struct thud_record_list *records, struct thud_text *out, struct thud_error *err);
+                               struct thud_text *out, struct thud_error *err);

@@ -33,8 +33,7 @@ enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const stru
                                       const atomic_int *cancel, struct thud_gap_study *study, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    int n = scene->nstructures - 1;
-    study->interfaces = n;
+    const int n = study->interfaces;
     study->ruled = calloc((size_t)(n * (THUD_GAP_RULES + 1)), sizeof *study->ruled);
     if (!study->ruled)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -113,7 +112,7 @@ enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct
 {
     int n = records->n > 0 ? records->n : 1;
     enum thud_status status = THUD_OK;
-    *out = (struct thud_gap_study){0};
+    *out = (struct thud_gap_study){.records = records, .interfaces = scene->nstructures - 1};
     const char *factor = !code           ? NULL
                          : code->q != 1  ? "q multiplies elastic displacements (EN 1998-1, 4.3.4(1))"
                          : code->cd != 1 ? "cd multiplies elastic displacements (ASCE 7-16, 12.8.6)"

@@ -19,27 +19,35 @@ struct measure {
 };
 enum { MEASURES_MAX = SHOWN_MAX * (THUD_CASES + 1), NAMED_MAX = 128 };
 
+/* A response of a structure, or of all of them (-1). */
+struct response {
+    enum thud_measure measure;
+    int structure;
+    char name[NAMED_MAX];
+};
+
 struct compared {
     const struct thud_suite *suite;
     int none, nmeasures, nresponses;
     struct measure measure[MEASURES_MAX];
-    enum thud_measure response[THUD_MEASURES]; /* (nresponses) */
-    double *room;                              /* (nrecords), behind it */
+    struct response response[THUD_MEASURES * THUD_STRUCTURES_MAX];
+    struct thud_fractiles of[THUD_MEASURES * THUD_STRUCTURES_MAX][MEASURES_MAX]; /* over case none */
 };
 
 /* Of a response over that of case none: under how many ground motions it is lower and higher. */
-static struct thud_fractiles ratio_of(const struct compared *c, const struct measure *m, int q, int s)
+static struct thud_fractiles ratio_of(const struct compared *c, const struct measure *m, const struct response *x,
+                                      double *room)
 {
     const struct thud_suite *suite = c->suite;
     size_t n = 0;
     for (int r = 0; r < suite->nrecords; r++) {
-        double with = thud_suite_value(suite, r, m->setting, m->k, c->response[q], s),
-               without = thud_suite_value(suite, r, m->setting, c->none, c->response[q], s);
+        double with = thud_suite_value(suite, r, m->setting, m->k, x->measure, x->structure),
+               without = thud_suite_value(suite, r, m->setting, c->none, x->measure, x->structure);
         if (isnan(with) || isnan(without) || !(with > 0 || without > 0))
             continue;
-        c->room[n++] = without > 0 ? with / without : from_nothing;
+        room[n++] = without > 0 ? with / without : from_nothing;
     }
-    return thud_fractiles_of(c->room, n, suite->ndraws, 1);
+    return thud_fractiles_of(room, n, suite->ndraws, 1);
 }
 
 /* ---- what is compared ---- */
@@ -101,6 +109,19 @@ static long middle_setting(const struct thud_suite *suite)
     return setting > 0 && setting < suite->settings - 1 ? setting : (suite->settings - 1) / 2;
 }
 
+static void add_response(struct compared *c, enum thud_measure measure, int structure, double *room)
+{
+    const struct thud_structure *own = &c->suite->plan->scene.structure[structure < 0 ? 0 : structure];
+    struct response *x = &c->response[c->nresponses];
+    if (structure >= 0 && own->kind == THUD_WALL)
+        return;
+    *x = (struct response){.measure = measure, .structure = structure};
+    snprintf(x->name, sizeof x->name, structure < 0 ? "%s" : "%s of %s", thud_measure_info(measure)->words, own->name);
+    for (int i = 0; i < c->nmeasures; i++)
+        c->of[c->nresponses][i] = ratio_of(c, &c->measure[i], x, room);
+    c->nresponses++;
+}
+
 /* Of every case at up to three settings: the first, the preset's own or the middle, the last. NULL: out of memory. */
 static struct compared *compare(const struct thud_suite *suite)
 {
@@ -108,13 +129,16 @@ static struct compared *compare(const struct thud_suite *suite)
     const int nshown = suite->settings < SHOWN_MAX ? (int)suite->settings : SHOWN_MAX;
     const long shown[SHOWN_MAX] = {0, nshown < SHOWN_MAX ? suite->settings - 1 : middle_setting(suite),
                                    suite->settings - 1};
-    struct compared *c = calloc(1, sizeof *c + (size_t)suite->nrecords * sizeof(double));
-    if (!c)
+    struct compared *c = calloc(1, sizeof *c);
+    double *room = malloc((size_t)suite->nrecords * sizeof *room);
+    enum thud_measure told[THUD_MEASURES];
+    if (!c || !room) {
+        free(c);
+        free(room);
         return NULL;
+    }
     c->suite = suite;
     c->none = -1;
-    c->nresponses = thud_measures_told(THUD_TOLD_BY_LOWERED, suite->features, c->response);
-    c->room = (void *)(c + 1);
     for (int k = 0; k < plan->ncases; k++)
         c->none = plan->cases[k] == THUD_CASE_NONE ? k : c->none;
     for (int k = 0; c->none >= 0 && k < plan->ncases; k++) {
@@ -122,29 +146,15 @@ static struct compared *compare(const struct thud_suite *suite)
         for (int i = 0; k != c->none && i < (once ? 1 : nshown); i++)
             add_measure(c, k, shown[i]);
     }
-    return c;
-}
-
-/* The next response of a structure, or of all of them (s -1), behind (q, s); the first: q 0 and s -2. */
-static bool next_response(const struct compared *c, int *q, int *s)
-{
-    for (; *q < c->nresponses; ++*q, *s = -2) {
-        const bool of_structure = thud_measure_info(c->response[*q])->of_structure;
-        if (!of_structure && *s == -2) {
-            *s = -1;
-            return true;
+    const int n = thud_measures_told(THUD_TOLD_BY_LOWERED, suite->features, told);
+    for (int i = 0; i < n; i++)
+        for (int s = thud_measure_info(told[i])->of_structure ? 0 : -1; s < 0 || s < suite->nstructures; s++) {
+            add_response(c, told[i], s, room);
+            if (s < 0)
+                break;
         }
-        for (*s = *s < 0 ? 0 : *s + 1; of_structure && *s < c->suite->nstructures; ++*s)
-            if (c->suite->plan->scene.structure[*s].kind != THUD_WALL)
-                return true;
-    }
-    return false;
-}
-
-static void name_response(const struct compared *c, int q, int s, char name[NAMED_MAX])
-{
-    snprintf(name, NAMED_MAX, "%s%s%s", thud_measure_info(c->response[q])->words, s < 0 ? "" : " of ",
-             s < 0 ? "" : c->suite->plan->scene.structure[s].name);
+    free(room);
+    return c;
 }
 
 /* ---- words ---- */
@@ -162,29 +172,22 @@ static void put_cell(const struct thud_fractiles *r, int width, struct thud_text
 
 static void put_case(const struct compared *c, int k, struct thud_text *out)
 {
-    char name[NAMED_MAX];
-    int q = 0, width = 28, cell = 16;
+    int width = 28, cell = 16;
     for (int i = 0; i < c->nmeasures; i++)
         cell = c->measure[i].k == k ? thud_text_wider(cell, c->measure[i].column) : cell;
-    for (int s = -2; next_response(c, &q, &s);) {
-        name_response(c, q, s, name);
-        width = thud_text_wider(width, name);
-    }
+    for (int q = 0; q < c->nresponses; q++)
+        width = thud_text_wider(width, c->response[q].name);
     thud_text_append(out, "\n%s over none: geometric median ratio, and motions lower, equal, higher\n%*s",
                      thud_case_name(c->suite->plan->cases[k]), width, "");
     for (int i = 0; i < c->nmeasures; i++)
         if (c->measure[i].k == k)
             thud_text_append(out, " %*s", cell, c->measure[i].column);
     thud_text_append(out, "\n");
-    q = 0;
-    for (int s = -2; next_response(c, &q, &s);) {
-        name_response(c, q, s, name);
-        thud_text_padded(out, name, width);
+    for (int q = 0; q < c->nresponses; q++) {
+        thud_text_padded(out, c->response[q].name, width);
         for (int i = 0; i < c->nmeasures; i++)
-            if (c->measure[i].k == k) {
-                const struct thud_fractiles r = ratio_of(c, &c->measure[i], q, s);
-                put_cell(&r, cell, out);
-            }
+            if (c->measure[i].k == k)
+                put_cell(&c->of[q][i], cell, out);
         thud_text_append(out, "\n");
     }
 }
@@ -198,42 +201,35 @@ static bool is_better(const struct thud_fractiles *a, const struct thud_fractile
 }
 
 /* "mean drift of A: damper (0 MN/m), 0.789 in the median, lower under 8 of 8 motions" */
-static void put_best(const struct compared *c, int q, int s, struct thud_text *out)
+static void put_best(const struct compared *c, int q, struct thud_text *out)
 {
-    struct thud_fractiles best = {.n = 0};
-    char name[NAMED_MAX];
-    int which = -1;
-    for (int i = 0; i < c->nmeasures; i++) {
-        const struct thud_fractiles r = ratio_of(c, &c->measure[i], q, s);
-        if (!is_better(&r, &best))
-            continue;
-        best = r;
-        which = i;
-    }
-    if (which < 0)
+    static const struct thud_fractiles no_motion = {.n = 0};
+    const struct thud_fractiles *best = &no_motion;
+    for (int i = 0; i < c->nmeasures; i++)
+        best = is_better(&c->of[q][i], best) ? &c->of[q][i] : best;
+    if (best->n == 0)
         return;
-    name_response(c, q, s, name);
-    if (best.median < 1 - rounding)
-        thud_text_append(out, "  %s: %s, median ratio %.3f, lower under %zu of %zu motions\n", name,
-                         c->measure[which].name, best.median, best.below, best.n);
+    if (best->median < 1 - rounding)
+        thud_text_append(out, "  %s: %s, median ratio %.3f, lower under %zu of %zu motions\n", c->response[q].name,
+                         c->measure[best - c->of[q]].name, best->median, best->below, best->n);
     else
-        thud_text_append(out, "  %s: none of them lowers the median\n", name);
+        thud_text_append(out, "  %s: none of them lowers the median\n", c->response[q].name);
 }
 
 /* Which of bumper and links lowers what most, and how much each lowers at all. */
 static void put_bests(const struct compared *c, struct thud_text *out)
 {
-    int q = 0, of = 0, lowers[MEASURES_MAX] = {0};
-    for (int s = -2; next_response(c, &q, &s); of++)
-        for (int i = 0; i < c->nmeasures; i++)
-            lowers[i] += ratio_of(c, &c->measure[i], q, s).median < 1 - rounding;
-    thud_text_append(out, "\nIn the geometric median over %d motions, of %d responses\n", c->suite->nrecords, of);
-    for (int i = 0; i < c->nmeasures; i++)
-        thud_text_append(out, "  %s lowers %d\n", c->measure[i].name, lowers[i]);
+    thud_text_append(out, "\nIn the geometric median over %d motions, of %d responses\n", c->suite->nrecords,
+                     c->nresponses);
+    for (int i = 0; i < c->nmeasures; i++) {
+        int lowers = 0;
+        for (int q = 0; q < c->nresponses; q++)
+            lowers += c->of[q][i].median < 1 - rounding;
+        thud_text_append(out, "  %s lowers %d\n", c->measure[i].name, lowers);
+    }
     thud_text_append(out, "What lowers each response most:\n");
-    q = 0;
-    for (int s = -2; next_response(c, &q, &s);)
-        put_best(c, q, s, out);
+    for (int q = 0; q < c->nresponses; q++)
+        put_best(c, q, out);
 }
 
 enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_text *out, struct thud_error *err)
@@ -257,11 +253,11 @@ enum thud_status thud_suite_lowered(const struct thud_suite *suite, struct thud_
 enum { FROM, TO, NOTHING, PIECE }; /* of a level line: its ends, and a break */
 
 /* Shares by response with Wilson's 90 % bands, and medians with what 16 to 84 % of the motions give, of one measure. */
-static void draw_measure(const struct compared *c, int i, size_t rows, struct thud_panel *ratios,
-                         struct thud_panel *shares)
+static void draw_measure(const struct compared *c, int i, struct thud_panel *ratios, struct thud_panel *shares)
 {
     static const double broad = 0.6, most_shown = 1e3;
     const struct measure *m = &c->measure[i];
+    const size_t rows = (size_t)c->nresponses;
     struct thud_style style = {.kind = THUD_LINES, .color = thud_case_color(c->suite->plan->cases[m->k])};
     for (int k = i; k >= 0 && c->measure[k].k == m->k; k--) /* one colour for a case, a size for each setting */
         style.rank++;
@@ -270,10 +266,8 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     style.kind = THUD_POINTS;
     struct thud_series *median = thud_panel_add(ratios, style, m->name, rows, NULL, NULL);
     struct thud_series *share = thud_panel_add(shares, style, m->name, rows, NULL, NULL);
-    size_t row = 0;
-    int q = 0;
-    for (int s = -2; share && next_response(c, &q, &s); row++) {
-        const struct thud_fractiles r = ratio_of(c, m, q, s);
+    for (size_t row = 0; share && row < rows; row++) {
+        const struct thud_fractiles r = c->of[row][i];
         const bool shown = r.n > 0 && r.median < most_shown, ends = shown && r.p84 < most_shown;
         const double level = (double)(rows - row) + broad * (0.5 - (i + 0.5) / c->nmeasures);
         spread->x[PIECE * row + FROM] = ends ? r.p16 : NAN;
@@ -289,16 +283,12 @@ static void draw_measure(const struct compared *c, int i, size_t rows, struct th
     }
 }
 
-static void add_rows(const struct compared *c, int rows, struct thud_panel *panel)
+static void add_rows(const struct compared *c, struct thud_panel *panel)
 {
-    char name[NAMED_MAX];
-    int q = 0, row = 0;
-    for (int s = -2; next_response(c, &q, &s); row++) {
-        name_response(c, q, s, name);
-        thud_panel_tick(panel, THUD_Y, rows - row, name);
-    }
+    for (int q = 0; q < c->nresponses; q++)
+        thud_panel_tick(panel, THUD_Y, c->nresponses - q, c->response[q].name);
     thud_panel_axis(panel, THUD_Y, "", "");
-    thud_panel_limits(panel, THUD_Y, 0.5, rows + 0.5);
+    thud_panel_limits(panel, THUD_Y, 0.5, c->nresponses + 0.5);
     thud_panel_results_on_x(panel);
 }
 
@@ -308,22 +298,19 @@ struct thud_figure *thud_suite_lowered_figure(const struct thud_suite *suite)
     struct thud_figure *figure = NULL;
     char title[96];
     if (c && c->nmeasures > 0) {
-        int q = 0, rows = 0;
-        for (int s = -2; next_response(c, &q, &s);)
-            rows++;
         snprintf(title, sizeof title, "What lowers which response, over %d ground motion%s", suite->nrecords,
                  suite->nrecords == 1 ? "" : "s");
         figure = thud_figure_create("lowered", title, 1, 2);
         struct thud_panel *ratios = thud_figure_panel(figure, 0, 0, "Ratio to neither bumper nor link"),
                           *shares = thud_figure_panel(figure, 0, 1, "Ground motions under which it is lower");
-        add_rows(c, rows, ratios);
-        add_rows(c, rows, shares);
+        add_rows(c, ratios);
+        add_rows(c, shares);
         thud_panel_axis(ratios, THUD_X, "Ratio", "");
         thud_panel_share_axis(shares, THUD_X, "Share");
         thud_panel_mark(ratios, THUD_X, 0, 1, "");
         thud_panel_mark(ratios, THUD_X, 1, 1, "");
         for (int i = 0; i < c->nmeasures; i++)
-            draw_measure(c, i, (size_t)rows, ratios, shares);
+            draw_measure(c, i, ratios, shares);
         thud_figure_note(
             figure, suite->ndraws < THUD_SHARES_LEAST
                         ? "Geometric medians over the ground motions as points; shaded: lower."

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/version.h"
+#include "io/file/file.h"
 #include "io/file/json.h"
 
 static bool has(const struct thud_column *field, unsigned marks)
@@ -99,6 +100,13 @@ void thud_json_members(const struct thud_schema *schema, unsigned marks, const v
     }
 }
 
+void thud_json_object(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out)
+{
+    thud_text_append(out, "{");
+    thud_json_members(schema, marks, row, out);
+    thud_text_append(out, "}");
+}
+
 void thud_column_add(struct thud_made_columns *to, bool text, const char *name, ...)
 {
     const int n = to->schema.n++;
@@ -174,15 +182,23 @@ void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)
     }
 }
 
+enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_rows_csv(rows, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, rows->schema->name, err);
+    thud_text_clear(&text);
+    return status;
+}
+
 void thud_rows_json(const struct thud_rows *rows, struct thud_text *out)
 {
     struct thud_row_room row;
     thud_text_append(out, "[");
     for (int i = 0; i < rows->n; i++) {
         rows->make(rows->of, i, row.bytes);
-        thud_text_append(out, i > 0 ? ",\n    {" : "\n    {");
-        thud_json_members(rows->schema, rows->marks, row.bytes, out);
-        thud_text_append(out, "}");
+        thud_text_append(out, i > 0 ? ",\n    " : "\n    ");
+        thud_json_object(rows->schema, rows->marks, row.bytes, out);
     }
     thud_text_append(out, "]");
 }

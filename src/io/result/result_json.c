@@ -13,9 +13,9 @@ static void add_record(const struct thud_report *report, struct thud_text *out)
         thud_record_json(report->record, out);
     else
         thud_text_append(out, "null");
-    thud_text_append(out, ",\n  \"method\": {");
+    thud_text_append(out, ",\n  \"method\": ");
     thud_method_json(report, out);
-    thud_text_append(out, "},\n");
+    thud_text_append(out, ",\n");
 }
 
 static void add_floors(const struct thud_report *report, int s, struct thud_text *out)
@@ -31,9 +31,8 @@ static void add_floors(const struct thud_report *report, int s, struct thud_text
         thud_text_append(out, "%s\n      {", i > 0 ? "," : "");
         thud_json_members(&thud_floor_schema, 0, &row, out);
         if (row.yields) {
-            thud_text_append(out, ", \"storey\": {");
-            thud_json_members(&thud_storey_schema, 0, &row, out);
-            thud_text_append(out, "}");
+            thud_text_append(out, ", \"storey\": ");
+            thud_json_object(&thud_storey_schema, 0, &row, out);
         }
         thud_text_append(out, "}");
     }
@@ -155,9 +154,8 @@ static void add_peaks(const struct thud_report *report, struct thud_text *out)
     for (int i = 0; i < contacts.n; i++) {
         struct thud_row_room room;
         contacts.make(report, i, room.bytes);
-        thud_text_append(out, "%s\n    {", i > 0 ? "," : "");
-        thud_json_members(contacts.schema, r->contact[i].struck != 0 ? THUD_ROW_COLUMNS : 0, room.bytes, out);
-        thud_text_append(out, "}");
+        thud_text_append(out, "%s\n    ", i > 0 ? "," : "");
+        thud_json_object(contacts.schema, r->contact[i].struck != 0 ? THUD_ROW_COLUMNS : 0, room.bytes, out);
     }
     thud_text_append(out, "],\n");
     if (columns.n > 0) {
@@ -181,16 +179,14 @@ void thud_result_json(const struct thud_report *report, struct thud_text *out)
     add_record(report, out);
     if (!report->failure)
         add_peaks(report, out);
-    thud_text_append(out, "  \"energy\": {");
-    thud_json_members(&thud_energy_schema,
-                      (thud_scene_elements(report->scene).traits & THUD_SLIPS ? THUD_ROW_YIELDS : 0u) |
-                          (report->scene->p_delta ? THUD_ROW_WEIGHS : 0u),
-                      &report->result->energy, out);
-    thud_text_append(out, "}");
+    thud_text_append(out, "  \"energy\": ");
+    thud_json_object(&thud_energy_schema,
+                     (thud_scene_elements(report->scene).traits & THUD_SLIPS ? THUD_ROW_YIELDS : 0u) |
+                         (report->scene->p_delta ? THUD_ROW_WEIGHS : 0u),
+                     &report->result->energy, out);
     if (report->truncation) {
-        thud_text_append(out, ",\n  \"truncation\": {");
-        thud_json_members(&thud_truncation_schema, 0, report->truncation, out);
-        thud_text_append(out, "}");
+        thud_text_append(out, ",\n  \"truncation\": ");
+        thud_json_object(&thud_truncation_schema, 0, report->truncation, out);
     }
     if (report->sensitivity)
         add_sensitivity(report, out);

@@ -523,9 +523,7 @@ void thud_record_json(const struct thud_record *r, struct thud_text *out)
     const struct record_row row = {
         r->file,  r->event, r->station,   r->component, r->sha256[0] ? r->sha256 : NULL, thud_record_peak(r),
         r->scale, r->dt_s,  r->synthetic, r->samples};
-    thud_text_append(out, "{");
-    thud_json_members(&thud_record_schema, 0, &row, out);
-    thud_text_append(out, "}");
+    thud_json_object(&thud_record_schema, 0, &row, out);
 }
 
 struct method_row {
@@ -551,7 +549,7 @@ void thud_method_json(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_result *r = report->result;
     const struct method_row row = {r->method, r->reason, report->scene->analysis.tolerance, r->step_s, r->work};
-    thud_json_members(&thud_method_schema, 0, &row, out);
+    thud_json_object(&thud_method_schema, 0, &row, out);
 }
 
 /* ---- remarks ---- */

@@ -1,25 +1,25 @@
 #include "io/result/study_rows.h"
 
 #include "base/statistics.h"
-#include "study/suite/gap_suite.h"
 
-#define RULE(member, text) THUD_FIELD(struct thud_gap_rule_row, member, #member, text)
+#define RULE(member, key, text) THUD_FIELD(struct thud_gap_rule_row, member, key, text)
 static const struct thud_column rules[] = {
-    RULE(interface, "Interface."),
-    RULE(rule, "Its name."),
-    RULE(column, "Its name in needed-gaps.csv."),
-    RULE(edition, "Of the code; empty: a rule of no code."),
-    RULE(clause, "Of the code, or the reference."),
-    RULE(title, "In a few words."),
-    RULE(source, "Where the rule was written from, if not from the text itself."),
-    RULE(formula, "In letters: uL and uR displacements, h height of the level, H of the lower building."),
-    RULE(numbers, "The same in numbers, cm."),
-    RULE(left_floor, "Floor of the left structure where the rule asks for most."),
-    RULE(right_floor, "Floor of the right structure."),
-    RULE(gap_m, "What it asks for, m."),
-    RULE(pounding, "Ground motions in which the floors collide at that gap without the bumper."),
-    RULE(motions, "Of how many."),
-    RULE(force_n, "Largest force of those runs, N.")};
+    RULE(interface, "interface", "Interface."),
+    RULE(rule.name, "rule", "Its name."),
+    RULE(rule.column, "column", "Its name in needed-gaps.csv."),
+    RULE(rule.edition, "edition", "Of the code; empty: a rule of no code."),
+    RULE(rule.clause, "clause", "Of the code, or the reference."),
+    RULE(rule.title, "title", "In a few words."),
+    RULE(rule.source, "source", "Where the rule was written from, if not from the text itself."),
+    RULE(rule.formula, "formula",
+         "In letters: uL and uR displacements, h height of the level, H of the lower building."),
+    RULE(numbers, "numbers", "The same in numbers, cm."),
+    RULE(found.level.left_floor, "left_floor", "Floor of the left structure where the rule asks for most."),
+    RULE(found.level.right_floor, "right_floor", "Floor of the right structure."),
+    RULE(found.gap_m, "gap_m", "What it asks for, m."),
+    RULE(found.pounding, "pounding", "Ground motions in which the floors collide at that gap without the bumper."),
+    RULE(motions, "motions", "Of how many."),
+    RULE(found.force_n, "force_n", "Largest force of those runs, N.")};
 const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
     "gap-rules.csv",
     "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed first.\n",
