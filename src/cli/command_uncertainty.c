@@ -182,20 +182,18 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
     enum thud_status status = THUD_OK;
-    static const struct {
-        const char *name;
-        void (*put)(const struct thud_uncertainty_study *study, struct thud_text *out);
-    } file[] = {{"uncertainty.csv", thud_uncertainty_csv},
-                {"effects.csv", thud_uncertainty_effects_csv},
-                {"uncertainty.json", thud_uncertainty_json},
-                {"samples.csv", thud_uncertainty_samples_csv},
-                {"sample-results.csv", thud_uncertainty_results_csv},
-                {"indices.csv", thud_uncertainty_indices_csv}};
-    bool indices = study->indices && study->samples > 0;
-    for (size_t i = 0; i < sizeof file / sizeof *file - !indices && status == THUD_OK; i++) {
-        file[i].put(study, &text);
-        status = thud_text_write_in(&text, folder, file[i].name, err);
+    const int tables = THUD_UNCERTAINTY_TABLES - !(study->indices && study->samples > 0);
+    for (int i = 0; i < tables && status == THUD_OK; i++) {
+        const struct thud_rows rows = thud_uncertainty_rows(study, (enum thud_uncertainty_table)i);
+        status = thud_rows_save(&rows, folder, err);
     }
+    thud_uncertainty_samples_csv(study, &text);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "samples.csv", err);
+    thud_text_clear(&text);
+    thud_uncertainty_json(study, &text);
+    if (status == THUD_OK)
+        status = thud_text_write_in(&text, folder, "uncertainty.json", err);
     thud_text_clear(&text);
     picture->options.cancel = study->cancel;
     if (status != THUD_OK)
@@ -262,10 +260,11 @@ static enum thud_status uncertainty(const struct thud_args *args, struct thud_se
     if (status == THUD_OK)
         status = thud_uncertainty_study_run(&study, err);
     thud_progress_end();
-    if (status == THUD_OK)
-        (thud_args_has(args, "json")  ? thud_uncertainty_json
-         : thud_args_has(args, "csv") ? thud_uncertainty_csv
-                                      : thud_uncertainty_table)(&study, &text);
+    if (status == THUD_OK && thud_args_has(args, "csv")) {
+        const struct thud_rows rows = thud_uncertainty_rows(&study, THUD_UNCERTAINTY_QUANTITIES);
+        thud_rows_csv(&rows, &text);
+    } else if (status == THUD_OK)
+        (thud_args_has(args, "json") ? thud_uncertainty_json : thud_uncertainty_table)(&study, &text);
     if (status == THUD_OK && thud_args_has(args, "o")) {
         thud_picture_options_motions(&picture, motions, suite ? records.n : 1);
         status = save(args, &study, &picture, &by, err);

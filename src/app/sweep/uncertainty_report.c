@@ -75,19 +75,6 @@ static double range_of(const struct thud_uncertainty_told *told, int i)
     return fabs(told->of[THUD_INPUT_MOST][i] - told->of[THUD_INPUT_LEAST][i]);
 }
 
-static int name_width(const struct thud_quantity_of_run *quantity)
-{
-    return thud_text_wider(0, quantity->name) + thud_text_wider(0, unit(quantity));
-}
-
-static int names_width(const struct thud_uncertainty *u)
-{
-    int width = 44;
-    for (int q = 0; q < u->nquantities; q++)
-        width = name_width(&u->quantity[q]) > width ? name_width(&u->quantity[q]) : width;
-    return width;
-}
-
 int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const struct thud_uncertainty_told *told)
 {
     int most = 0;
@@ -97,36 +84,73 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
     return most;
 }
 
-/* All quantities stand in one column, in their units. */
-static void put_name(const struct thud_uncertainty *u, int q, struct thud_text *out)
+/* ---- tables ---- */
+
+/* A quantity in its unit, and the input that moves it most. */
+struct shown_row {
+    char text[192];
+    const char *name, *input;
+    double nominal, low, median, high, least, greatest, between, within;
+};
+#define NAME(head, width)                                                                                              \
+    {                                                                                                                  \
+        THUD_COLUMN(struct shown_row, name, "", ""), .shown = { head, NULL, 0, width, 0, THUD_DIGITS_WORD }            \
+    }
+#define NUMBER(member, head, unit, factor, how)                                                                        \
+    {                                                                                                                  \
+        THUD_COLUMN(struct shown_row, member, "", ""), .shown = {                                                      \
+            head,                                                                                                      \
+            unit,                                                                                                      \
+            factor,                                                                                                    \
+            9,                                                                                                         \
+            how == THUD_DIGITS_FREE ? 4 : 0,                                                                           \
+            how                                                                                                        \
+        }                                                                                                              \
+    }
+enum { NAMES = -44 };
+static const struct thud_column fractiles[] = {NAME("", NAMES), NUMBER(nominal, "nominal", NULL, 1, THUD_DIGITS_FREE),
+                                               NUMBER(low, "5 %", NULL, 1, THUD_DIGITS_FREE),
+                                               NUMBER(median, "median", NULL, 1, THUD_DIGITS_FREE),
+                                               NUMBER(high, "95 %", NULL, 1, THUD_DIGITS_FREE)};
+static const struct thud_column tornado[] = {
+    NAME("tornado", NAMES),
+    {THUD_COLUMN(struct shown_row, input, "", ""), .shown = {"governed by", NULL, 0, -17, 0, THUD_DIGITS_WORD}},
+    NUMBER(least, "from", NULL, 1, THUD_DIGITS_FREE),
+    NUMBER(greatest, "to", NULL, 1, THUD_DIGITS_FREE)};
+static const struct thud_column variance[] = {NAME("variance, by ground motion", NAMES),
+                                              NUMBER(between, "between", "%", 100, THUD_DIGITS_FIXED),
+                                              NUMBER(within, "within", "%", 100, THUD_DIGITS_FIXED)};
+
+static void make_shown(const void *of, int q, void *out)
 {
-    thud_text_append(out, "%s%s%*s", u->quantity[q].name, unit(&u->quantity[q]),
-                     1 + names_width(u) - name_width(&u->quantity[q]), "");
+    const struct thud_uncertainty_study *study = of;
+    const struct thud_quantity_of_run *x = &study->uncertainty->quantity[q];
+    const struct thud_uncertainty_told *t = &study->told[q];
+    const int most = thud_uncertainty_strongest(study, t);
+    const double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
+    struct shown_row *row = out;
+    *row = (struct shown_row){"",
+                              row->text,
+                              study->uncertainty->input[most].name,
+                              shown(x, t->nominal),
+                              shown(x, t->low),
+                              shown(x, t->median),
+                              shown(x, t->high),
+                              shown(x, fmin(least, greatest)),
+                              shown(x, fmax(least, greatest)),
+                              t->between,
+                              1 - t->between};
+    snprintf(row->text, sizeof row->text, "%s%s", x->name, unit(x));
 }
 
-static void put_row(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
-                    struct thud_text *out)
+static void put_table(const struct thud_uncertainty_study *study, const struct thud_column *column, int n,
+                      struct thud_text *out)
 {
-    const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    put_name(u, q, out);
-    thud_text_append(out, "%8.4g", shown(quantity, t->nominal));
-    if (!isnan(t->median))
-        thud_text_append(out, " %8.4g %8.4g %8.4g", shown(quantity, t->low), shown(quantity, t->median),
-                         shown(quantity, t->high));
-    thud_text_append(out, "\n");
+    const struct thud_schema schema = {"", "", column, n};
+    thud_rows_table(&(struct thud_rows){&schema, 0, study->uncertainty->nquantities, make_shown, study}, out);
 }
 
-static void put_most(const struct thud_uncertainty_study *study, int q, const struct thud_uncertainty_told *t,
-                     struct thud_text *out)
-{
-    const struct thud_uncertainty *u = study->uncertainty;
-    const struct thud_quantity_of_run *quantity = &u->quantity[q];
-    int most = thud_uncertainty_strongest(study, t);
-    double least = t->of[THUD_INPUT_LEAST][most], greatest = t->of[THUD_INPUT_MOST][most];
-    put_name(u, q, out);
-    thud_text_append(out, "%-17s %.4g to %.4g\n", u->input[most].name, shown(quantity, fmin(least, greatest)),
-                     shown(quantity, fmax(least, greatest)));
-}
+/* ---- sentences ---- */
 
 static void put_sentence(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
                          struct thud_text *out)
@@ -191,15 +215,6 @@ static bool has_indices(const struct thud_uncertainty *u, int q)
            u->quantity[q].measure != THUD_MEASURE_MEAN_DRIFT;
 }
 
-static void put_between(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,
-                        struct thud_text *out)
-{
-    if (isnan(t->between))
-        return;
-    put_name(u, q, out);
-    thud_text_append(out, "%5.0f %% %5.0f %%\n", 100 * t->between, 100 * (1 - t->between));
-}
-
 /* Of a suite the nominal values and those of the tornado are of one of its motions. */
 static void put_nominal(const struct thud_uncertainty *u, struct thud_text *out)
 {
@@ -239,17 +254,13 @@ void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct t
     put_inputs(u, out);
     put_nominal(u, out);
     put_missing(study, out);
-    thud_text_append(out, "%*s %8s%s\n", names_width(u), "", "nominal",
-                     study->samples > 0 ? "      5 %   median     95 %" : "");
-    for (int q = 0; q < u->nquantities; q++)
-        put_row(u, q, &study->told[q], out);
-    thud_text_append(out, "\n%-*s %s\n", names_width(u), "tornado", "governed by");
-    for (int q = 0; q < u->nquantities; q++)
-        put_most(study, q, &study->told[q], out);
-    if (u->nsuite > 1 && study->samples > 0)
-        thud_text_append(out, "\n%-*s between  within\n", names_width(u), "variance, by ground motion");
-    for (int q = 0; q < u->nquantities; q++)
-        put_between(u, q, &study->told[q], out);
+    put_table(study, fractiles, study->samples > 0 ? sizeof fractiles / sizeof *fractiles : 2, out);
+    thud_text_append(out, "\n");
+    put_table(study, tornado, sizeof tornado / sizeof *tornado, out);
+    if (u->nsuite > 1 && study->samples > 0) {
+        thud_text_append(out, "\n");
+        put_table(study, variance, sizeof variance / sizeof *variance, out);
+    }
     if (study->samples > 0)
         thud_text_append(out, "\n");
     for (int q = 0; q < u->nquantities && study->samples > 0; q++)
@@ -316,36 +327,45 @@ static void make_effect(const void *of, int i, void *row)
         effect->of[e] = study->told[q].of[e][i];
 }
 
-static struct thud_rows quantities_of(const struct thud_uncertainty_study *study)
+/* Of every quantity in turn, of each run behind the samples' first one. */
+static void make_sample(const void *of, int i, void *row)
+{
+    const struct thud_uncertainty_study *study = of;
+    const struct thud_uncertainty *u = study->uncertainty;
+    const struct thud_quantity_of_run *quantity = &u->quantity[i % u->nquantities];
+    const size_t run = (size_t)(i / u->nquantities), block = run / study->samples;
+    *(struct thud_sample_row *)row = (struct thud_sample_row){
+        .sample = (int)run + 1,
+        .design = block == 0   ? "A"
+                  : block == 1 ? "B"
+                               : "AB",
+        .from_b = block > 1 ? u->input[block - 2].name : NULL,
+        .row = (int)(run % study->samples) + 1,
+        .which = case_of(quantity),
+        .structure = structure_of(u, quantity),
+        .measure = thud_measure_info(quantity->measure)->column,
+        .value = thud_uncertainty_value(study, thud_uncertainty_first_sample(study) + run, i % u->nquantities)};
+}
+
+struct thud_rows thud_uncertainty_rows(const struct thud_uncertainty_study *study, enum thud_uncertainty_table table)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    return (struct thud_rows){&thud_quantity_schema, u->nsuite > 1 ? THUD_ROW_DRAWN : 0u, u->nquantities, make_quantity,
-                              study};
-}
-
-static unsigned effect_marks(const struct thud_uncertainty_study *study)
-{
-    return study->indices ? THUD_ROW_INDICES : 0u;
-}
-
-void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
-{
-    const struct thud_rows rows = quantities_of(study);
-    thud_rows_csv(&rows, out);
-}
-
-void thud_uncertainty_effects_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
-{
-    const struct thud_uncertainty *u = study->uncertainty;
-    const struct thud_rows rows = {&thud_effect_schema, effect_marks(study), u->nquantities * u->ninputs, make_effect,
-                                   study};
-    thud_rows_csv(&rows, out);
+    const int n = u->nquantities, runs = (int)(study->rows - thud_uncertainty_first_sample(study));
+    const unsigned drawn = u->nsuite > 1 ? THUD_ROW_DRAWN : 0u, indices = study->indices ? THUD_ROW_INDICES : 0u;
+    const struct thud_rows rows[THUD_UNCERTAINTY_TABLES] = {
+        [THUD_UNCERTAINTY_QUANTITIES] = {&thud_quantity_schema, drawn, n, make_quantity, study},
+        [THUD_UNCERTAINTY_EFFECTS] = {&thud_effect_schema, indices, n * u->ninputs, make_effect, study},
+        [THUD_UNCERTAINTY_SAMPLES] = {&thud_sample_schema, 0, n * (int)thud_uncertainty_samples(study), make_sample,
+                                      study},
+        [THUD_UNCERTAINTY_INDICES] = {&thud_index_schema, 0, n * runs, make_sample, study}};
+    return rows[table];
 }
 
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out)
 {
     const struct thud_uncertainty *u = study->uncertainty;
-    const struct thud_rows rows = quantities_of(study);
+    const struct thud_rows quantities = thud_uncertainty_rows(study, THUD_UNCERTAINTY_QUANTITIES),
+                           effects = thud_uncertainty_rows(study, THUD_UNCERTAINTY_EFFECTS);
     thud_text_append(out, "{");
     thud_json_head(out, u->scene.name);
     thud_text_append(
@@ -353,15 +373,14 @@ void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct th
         thud_uncertainty_samples(study), count_collapsed(study), thud_sampling_name(study->sampling), study->seed);
     for (int q = 0; q < u->nquantities; q++) {
         struct thud_row_room row;
-        rows.make(study, q, row.bytes);
+        quantities.make(study, q, row.bytes);
         thud_text_append(out, "%s\n  {", q ? "," : "");
-        thud_json_members(rows.schema, rows.marks, row.bytes, out);
+        thud_json_members(quantities.schema, quantities.marks, row.bytes, out);
         thud_text_append(out, ", \"inputs\": [");
         for (int i = 0; i < u->ninputs; i++) {
-            make_effect(study, q * u->ninputs + i, row.bytes);
-            thud_text_append(out, i ? ",\n    {" : "\n    {");
-            thud_json_members(&thud_effect_schema, effect_marks(study), row.bytes, out);
-            thud_text_append(out, "}");
+            effects.make(study, q * u->ninputs + i, row.bytes);
+            thud_text_append(out, i ? ",\n    " : "\n    ");
+            thud_json_object(effects.schema, effects.marks, row.bytes, out);
         }
         thud_text_append(out, "]}");
     }
@@ -395,41 +414,4 @@ void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, st
         }
     }
     thud_text_append(out, "\n");
-}
-
-/* Of every quantity in turn, of each run behind the samples' first one. */
-static void make_sample(const void *of, int i, void *row)
-{
-    const struct thud_uncertainty_study *study = of;
-    const struct thud_uncertainty *u = study->uncertainty;
-    const struct thud_quantity_of_run *quantity = &u->quantity[i % u->nquantities];
-    const size_t run = (size_t)(i / u->nquantities), block = run / study->samples;
-    *(struct thud_sample_row *)row = (struct thud_sample_row){
-        .sample = (int)run + 1,
-        .design = block == 0   ? "A"
-                  : block == 1 ? "B"
-                               : "AB",
-        .from_b = block > 1 ? u->input[block - 2].name : NULL,
-        .row = (int)(run % study->samples) + 1,
-        .which = case_of(quantity),
-        .structure = structure_of(u, quantity),
-        .measure = thud_measure_info(quantity->measure)->column,
-        .value = thud_uncertainty_value(study, thud_uncertainty_first_sample(study) + run, i % u->nquantities)};
-}
-
-static void put_runs(const struct thud_uncertainty_study *study, const struct thud_schema *schema, size_t runs,
-                     struct thud_text *out)
-{
-    const struct thud_rows rows = {schema, 0, (int)runs * study->uncertainty->nquantities, make_sample, study};
-    thud_rows_csv(&rows, out);
-}
-
-void thud_uncertainty_results_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
-{
-    put_runs(study, &thud_sample_schema, thud_uncertainty_samples(study), out);
-}
-
-void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out)
-{
-    put_runs(study, &thud_index_schema, study->rows - thud_uncertainty_first_sample(study), out);
 }

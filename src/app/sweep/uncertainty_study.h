@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "io/file/file.h"
 #include "io/file/made_by.h"
+#include "io/file/schema.h"
 #include "io/result/sweep_journal.h"
 #include "study/uncertainty/uncertainty.h"
 
@@ -70,13 +71,16 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
 void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
 
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* A row for each quantity; and for each of them and every input. */
-void thud_uncertainty_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
-void thud_uncertainty_effects_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
+/* A row for each quantity; for each of them and every input; for each sample and quantity; the same of the runs that the
+ * indices rest on (design A, B, AB, the input that AB takes from B, row). */
+enum thud_uncertainty_table {
+    THUD_UNCERTAINTY_QUANTITIES,
+    THUD_UNCERTAINTY_EFFECTS,
+    THUD_UNCERTAINTY_SAMPLES,
+    THUD_UNCERTAINTY_INDICES,
+    THUD_UNCERTAINTY_TABLES
+};
+struct thud_rows thud_uncertainty_rows(const struct thud_uncertainty_study *study, enum thud_uncertainty_table table);
 void thud_uncertainty_json(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* A row for each sample: place of every input (0 to 1; the ground motion by name); and for each of them and every
- * quantity its value. */
+/* A row for each sample: place of every input (0 to 1; the ground motion by name). */
 void thud_uncertainty_samples_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
-void thud_uncertainty_results_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* The same of the runs that the indices rest on: design (A, B, AB), the input that AB takes from B, row. */
-void thud_uncertainty_indices_csv(const struct thud_uncertainty_study *study, struct thud_text *out);
