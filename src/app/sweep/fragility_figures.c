@@ -13,14 +13,13 @@ static void middle(const struct thud_sweep_plan *plan, int *at)
         at[a] = plan->axis[a].n / 2;
 }
 
+/* Where the line stands at the middle of the other keys. */
 static bool is_middle(const struct thud_sweep_plan *plan, const struct thud_fragility_line *line)
 {
     int at[THUD_VARY_MAX];
     middle(plan, at);
-    for (int a = 0; a < plan->naxes; a++)
-        if (a != line->axis && line->at[a] != at[a])
-            return false;
-    return true;
+    at[line->axis] = line->at[line->axis];
+    return memcmp(at, line->at, (size_t)plan->naxes * sizeof *at) == 0;
 }
 
 /* "24 ground motions. Points: shares, with 90 % bands (Wilson). Where not varied: gap = 15 cm" */
@@ -37,7 +36,8 @@ static void note(const struct thud_fragility_study *study, const char *what, cha
         snprintf(text + n, size - (size_t)n, ".");
 }
 
-static struct thud_figure *of_event(const struct thud_fragility_study *study, int event)
+/* False: the event has no counts, as one that compares with case `none` has none of that case alone. */
+static bool of_event(const struct thud_fragility_study *study, int event, struct thud_figure **out)
 {
     struct thud_fragility_curve curve[THUD_VARY_MAX * (THUD_SWEEP_CASES_MAX + 1)];
     int n = 0;
@@ -47,17 +47,11 @@ static struct thud_figure *of_event(const struct thud_fragility_study *study, in
         if (line->event == event && is_middle(study->suite->plan, line))
             curve[n++] = (struct thud_fragility_curve){line->axis, line->k, &line->fragility};
     }
+    if (n == 0 || !out)
+        return n > 0;
     note(study, thud_fragility_note(study->suite->ndraws), text, sizeof text);
-    return thud_figure_of_fragility(study->suite->plan, study->event[event].text, curve, n, text);
-}
-
-/* Whether an event has counts: one that compares with case `none` has none of that case alone. */
-static bool has_curve(const struct thud_fragility_study *study, int event)
-{
-    for (size_t i = 0; i < study->n; i++)
-        if (study->line[i].event == event && is_middle(study->suite->plan, &study->line[i]))
-            return true;
-    return false;
+    *out = thud_figure_of_fragility(study->suite->plan, study->event[event].text, curve, n, text);
+    return true;
 }
 
 /* Makes figure `index` where `out` is not NULL; returns how many there are. */
@@ -67,8 +61,7 @@ static int figures(const struct thud_fragility_study *study, int index, struct t
     int n = 0, at[THUD_VARY_MAX];
     char text[384];
     for (int e = 0; e < study->nevents; e++)
-        if (has_curve(study, e) && n++ == index && out)
-            *out = of_event(study, e);
+        n += of_event(study, e, n == index ? out : NULL);
     middle(plan, at);
     note(study, "", text, sizeof text);
     for (int a = 0; a < plan->naxes; a++)

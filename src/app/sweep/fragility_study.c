@@ -153,19 +153,6 @@ enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis
 
 /* ---- all curves ---- */
 
-/* Goes on to the next setting of all axes but one; false after the last. */
-static bool next_setting(const struct thud_sweep_plan *plan, int axis, int *at)
-{
-    for (int a = plan->naxes - 1; a >= 0; a--) {
-        if (a == axis)
-            continue;
-        if (++at[a] < plan->axis[a].n)
-            return true;
-        at[a] = 0;
-    }
-    return false;
-}
-
 /* The event `worse` compares a case with the scene without bumpers and links: it must have some. */
 static bool is_asked(const struct thud_fragility_study *study, int event, int k)
 {
@@ -174,14 +161,11 @@ static bool is_asked(const struct thud_fragility_study *study, int event, int k)
            (plan->cases[k] != THUD_CASE_NONE && thud_scene_has_measure(&plan->scene));
 }
 
-static size_t count_lines(const struct thud_fragility_study *study)
+/* Settings of the other axes. */
+static long others(const struct thud_fragility_study *study, int axis)
 {
-    const struct thud_sweep_plan *plan = study->suite->plan;
-    size_t n = 0;
-    for (int a = 0; a < plan->naxes; a++)
-        if (thud_axis_is_drawn(&plan->axis[a]))
-            n += (size_t)(study->suite->settings / plan->axis[a].n);
-    return n * (size_t)plan->ncases * (size_t)study->nevents;
+    const struct thud_sweep_axis *own = &study->suite->plan->axis[axis];
+    return thud_axis_is_drawn(own) ? study->suite->settings / own->n : 0;
 }
 
 /* An event of a case along an axis, at every setting of the others. */
@@ -189,8 +173,10 @@ static enum thud_status add_lines(struct thud_fragility_study *study, int event,
                                   struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
-    int at[THUD_VARY_MAX] = {0};
-    do {
+    const bool rates = study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]) &&
+                       study->suite->ndraws >= THUD_SHARES_LEAST; /* of fewer motions the counts are all there is */
+    enum thud_status status = THUD_OK;
+    for (long setting = 0; setting < study->suite->settings && status == THUD_OK; setting++) {
         struct thud_fragility_line *line = &study->line[study->n];
         struct thud_fragility_ask ask = {.event = &study->event[event],
                                          .k = k,
@@ -199,18 +185,17 @@ static enum thud_status add_lines(struct thud_fragility_study *study, int event,
                                          .seed = study->seed,
                                          .hazard = study->hazard.n > 0 ? &study->hazard : NULL,
                                          .first_contact = true};
-        memcpy(ask.at, at, sizeof at);
+        thud_sweep_place(plan, setting, ask.at);
+        if (ask.at[axis] > 0)
+            continue;
         *line = (struct thud_fragility_line){.event = event, .k = k, .axis = axis, .rate = {NAN, NAN, NAN, NAN, NAN}};
-        memcpy(line->at, at, sizeof at);
-        enum thud_status status = thud_fragility_make(study->suite, &ask, &line->fragility, err);
-        if (status != THUD_OK)
-            return status;
-        study->n++;
-        if (study->hazard.n > 0 && thud_axis_is_intensity(&plan->axis[axis]) &&
-            study->suite->ndraws >= THUD_SHARES_LEAST) /* of fewer motions the counts are all there is */
+        memcpy(line->at, ask.at, sizeof line->at);
+        status = thud_fragility_make(study->suite, &ask, &line->fragility, err);
+        study->n += status == THUD_OK;
+        if (status == THUD_OK && rates)
             line->rate = thud_hazard_rate(&study->hazard, &line->fragility);
-    } while (next_setting(plan, axis, at));
-    return THUD_OK;
+    }
+    return status;
 }
 
 static bool has_result(const struct thud_suite *suite)
@@ -242,25 +227,26 @@ static enum thud_status check_events(const struct thud_fragility_study *study, s
 enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, struct thud_error *err)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
-    size_t most = count_lines(study);
+    long most = 0;
+    for (int a = 0; a < plan->naxes; a++)
+        most += others(study, a) * plan->ncases * study->nevents;
     if (most == 0)
         return thud_error_refuse(err, THUD_USAGE, NULL,
                                  "--vary record.sa=0.1g:2g:0.1g, --vary gap=5cm:25cm:0.5cm, or both",
                                  "no number is varied that a fragility could be against");
-    study->line = calloc(most, sizeof *study->line);
+    study->line = calloc((size_t)most, sizeof *study->line);
     if (!study->line)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    enum thud_status status = THUD_OK;
     for (int e = 0; e < study->nevents; e++)
         for (int a = 0; a < plan->naxes; a++)
-            for (int k = 0; k < plan->ncases && thud_axis_is_drawn(&plan->axis[a]); k++) {
-                enum thud_status status = is_asked(study, e, k) ? add_lines(study, e, a, k, err) : THUD_OK;
-                if (status != THUD_OK)
-                    return status;
-            }
-    if (study->n == 0)
+            for (int k = 0; k < plan->ncases && others(study, a) > 0 && status == THUD_OK; k++)
+                if (is_asked(study, e, k))
+                    status = add_lines(study, e, a, k, err);
+    if (status == THUD_OK && study->n == 0)
         return thud_error_refuse(err, THUD_USAGE, "--event", "a case with a bumper or a link",
                                  "\"worse\" compares with the scene without bumpers and links: no case here has any");
-    return has_result(study->suite) ? check_events(study, err) : THUD_OK;
+    return status == THUD_OK && has_result(study->suite) ? check_events(study, err) : status;
 }
 
 void thud_fragility_study_clear(struct thud_fragility_study *study)
