@@ -373,8 +373,6 @@ bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
 enum { THUD_NESTED_GROUPS = 4 };
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
-/* Whether any key of a structure's columns is given. */
-bool thud_structure_has_columns(const struct thud_structure *structure);
 
 /* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
  * cm" (THUD_VARY_TEXT is room for each). */

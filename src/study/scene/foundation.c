@@ -6,34 +6,14 @@
 #include "study/scene/building.h"
 #include "study/scene/scene_slot.h"
 
-static double *value_of(struct thud_structure *s, int i)
-{
-    return (double *)(void *)((char *)s + thud_group_place(THUD_GROUP_FOUNDATION, i)->offset);
-}
-
 static double value_in(const struct thud_structure *s, int i)
 {
     return *(const double *)(const void *)((const char *)s + thud_group_place(THUD_GROUP_FOUNDATION, i)->offset);
 }
 
-void thud_foundation_clear(struct thud_structure *structure)
-{
-    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i); i++)
-        *value_of(structure, i) = NAN;
-}
-
-void thud_foundation_copy(const struct thud_structure *from, struct thud_structure *to)
-{
-    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i); i++)
-        *value_of(to, i) = value_in(from, i);
-}
-
 bool thud_structure_on_soil(const struct thud_structure *structure)
 {
-    bool any = false;
-    for (int i = 0; thud_group_place(THUD_GROUP_FOUNDATION, i) && thud_kind_is_building(structure->kind); i++)
-        any = any || value_in(structure, i) > 0;
-    return any;
+    return thud_structure_has_group(structure, THUD_GROUP_FOUNDATION);
 }
 
 static double given(double value, double otherwise)

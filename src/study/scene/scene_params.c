@@ -60,7 +60,7 @@ static const struct row scene_rows[] = {
 };
 #undef AT
 
-#define AT(member) offsetof(struct thud_scene, record.member)
+#define AT(member) offsetof(struct thud_record_choice, member)
 static const struct row record_rows[] = {
     {WORD("file", "file", "The ground motion: looked for from the working folder, beside the preset, and in the records folder."),
      TEXT(file, THUD_TEXT_MAX)},
@@ -278,9 +278,9 @@ static const struct row link_rows[] = {
 };
 #undef AT
 
-#define AT(member) offsetof(struct thud_scene, analysis.member)
+#define AT(member) offsetof(struct thud_analysis, member)
 static const struct row analysis_rows[] = {
-    {WORD("method", "method", "One of `thud methods`, or auto: the exact one."), TEXT(method, 32)},
+    {WORD("method", "method", "One of `thud methods`, or auto: the exact one."), TEXT(method, 32, .usual = "auto")},
     {{NUMBER("tolerance", "tolerance", "1e-6: every peak within 1e-5 of the converged value.", THUD_NUMBER, "", 1e-6), FROM(1e-13), UP_TO(0.1), USUAL(1e-12, 1e-3)},
      {PLACE(NUMBER, tolerance)}},
     {{NUMBER("step", "step", "Step of fixed-step methods; default: a twentieth of the shortest period of a mode or contact, and at most that of the record.",
@@ -294,7 +294,7 @@ static const struct row analysis_rows[] = {
 };
 #undef AT
 
-#define AT(member) offsetof(struct thud_scene, study.member)
+#define AT(member) offsetof(struct thud_study_choice, member)
 static const struct row study_rows[] = {
     {WORD("vary", "varied key", "What `thud sweep` varies; a list of up to 4 keys makes a grid."), {.store = THUD_STORE_STUDY}},
     {WORD("from", "first value", "First value of the varied key; a list if several are varied."), {.store = THUD_STORE_STUDY}},
@@ -312,7 +312,7 @@ static const struct row study_rows[] = {
 };
 #undef AT
 
-#define AT(member) offsetof(struct thud_scene, document.member)
+#define AT(member) offsetof(struct thud_title_block, member)
 static const struct row document_rows[] = {
     {WORD("project", "project", "Project of the report."), TEXT(project, 128)},
     {WORD("author", "author", "Author of the report."), TEXT(author, 64)},
@@ -329,29 +329,30 @@ static const struct row document_rows[] = {
 #undef AT
 /* clang-format on */
 
-#define GROUP(word, key)                                                                                               \
+#define GROUP(word, key, ...)                                                                                          \
     {                                                                                                                  \
-        key, word##_rows, sizeof word##_rows / sizeof *word##_rows                                                     \
+        key, word##_rows, sizeof word##_rows / sizeof *word##_rows, __VA_ARGS__                                        \
     }
 static const struct {
     const char *key;
     const struct row *rows;
     int count;
+    size_t base; /* in the scene, of what it has one of */
 } groups[THUD_GROUPS] = {
-    [THUD_GROUP_SCENE] = GROUP(scene, ""),
-    [THUD_GROUP_RECORD] = GROUP(record, "record"),
-    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures"),
-    [THUD_GROUP_COLUMN] = GROUP(column, "column"),
-    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator"),
-    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation"),
-    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill"),
-    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces"),
-    [THUD_GROUP_CONTACT] = GROUP(contact, "contact"),
-    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper"),
-    [THUD_GROUP_LINK] = GROUP(link, "links"),
-    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis"),
-    [THUD_GROUP_STUDY] = GROUP(study, "study"),
-    [THUD_GROUP_DOCUMENT] = GROUP(document, "document"),
+    [THUD_GROUP_SCENE] = GROUP(scene, "", 0),
+    [THUD_GROUP_RECORD] = GROUP(record, "record", offsetof(struct thud_scene, record)),
+    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures", 0),
+    [THUD_GROUP_COLUMN] = GROUP(column, "column", 0),
+    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator", 0),
+    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation", 0),
+    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill", 0),
+    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces", 0),
+    [THUD_GROUP_CONTACT] = GROUP(contact, "contact", 0),
+    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper", 0),
+    [THUD_GROUP_LINK] = GROUP(link, "links", 0),
+    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis", offsetof(struct thud_scene, analysis)),
+    [THUD_GROUP_STUDY] = GROUP(study, "study", offsetof(struct thud_scene, study)),
+    [THUD_GROUP_DOCUMENT] = GROUP(document, "document", offsetof(struct thud_scene, document)),
 };
 
 const struct thud_param *thud_group_param(enum thud_group group, int i)
@@ -362,6 +363,11 @@ const struct thud_param *thud_group_param(enum thud_group group, int i)
 const struct thud_place *thud_group_place(enum thud_group group, int i)
 {
     return i < groups[group].count ? &groups[group].rows[i].place : NULL;
+}
+
+size_t thud_group_base(enum thud_group group)
+{
+    return groups[group].base;
 }
 
 const char *thud_group_key(enum thud_group group)

@@ -277,7 +277,7 @@ static enum thud_status find(const struct thud_scene *scene, struct path *path, 
         int i = find_in_group(flat[g], part[1], 0);
         if (i < 0)
             return unknown(scene, flat[g], NULL, 0, part[1], err);
-        fill(out, flat[g], i, 0);
+        fill(out, flat[g], i, thud_group_base(flat[g]));
         return THUD_OK;
     }
     int i = path->n == 1 ? find_in_group(THUD_GROUP_SCENE, part[0], 0) : -1;

@@ -27,6 +27,7 @@ struct thud_place {
     size_t offset, size; /* size: of a text */
     int none;            /* THUD_STORE_COUNT */
     double absent;       /* THUD_STORE_NUMBER: what stands for not given where that is allowed; 0: must be given */
+    const char *usual;   /* THUD_STORE_TEXT: what stands there where none is given; NULL: nothing */
     unsigned kinds;      /* bit set of structure kinds, of links that of their laws */
     unsigned laws;       /* THUD_GROUP_ISOLATOR: bit set of the isolators' laws that have it */
     unsigned needed;     /* and of those that cannot do without it */
@@ -50,15 +51,17 @@ enum thud_status thud_link_law_set(struct thud_scene *scene, const struct thud_s
 /* Errors: THUD_INPUT with key. */
 enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_error *err);
 
-/* No foundation is given; that of another building. */
-void thud_foundation_clear(struct thud_structure *structure);
-void thud_foundation_copy(const struct thud_structure *from, struct thud_structure *to);
-
 /* What must be given. */
 #define THUD_REQUIRED 0.0
 
 /* Of the i-th parameter of a group; NULL behind the last. */
 const struct thud_place *thud_group_place(enum thud_group group, int i);
+/* Where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
+size_t thud_group_base(enum thud_group group);
+/* The value of a parameter that is not given: its default, NaN where there is none; of a list that of the lowest floor. */
+void thud_place_clear(const struct thud_param *param, const struct thud_place *place, void *at);
+/* The same for all values of a group in `of`: a part of the scene, a structure of one of these kinds (bit set). */
+void thud_group_clear(void *of, enum thud_group group, unsigned kinds);
 
 /* Errors: THUD_INPUT with key, and the nearest known one. */
 enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path, struct thud_slot *out,

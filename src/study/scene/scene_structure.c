@@ -42,48 +42,14 @@ double thud_structure_weight(const struct thud_structure *structure, int i)
     return weight;
 }
 
-static double fallback(const char *name, enum thud_group group)
-{
-    const struct thud_param *param;
-    for (int i = 0; (param = thud_group_param(group, i)); i++)
-        if (strcmp(param->name, name) == 0)
-            return param->fallback;
-    return NAN;
-}
-
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind)
 {
     memset(structure, 0, sizeof *structure);
     structure->kind = kind;
     structure->storeys = kind == THUD_WALL ? 0 : 1;
-    if (kind == THUD_WALL) {
-        structure->height_m[0] = INFINITY;
-        structure->wall_mass_kg = structure->wall_stiffness_npm = structure->wall_damping = NAN;
-        structure->backfill_stiffness_npm = structure->backfill_strength_n = structure->backfill_ratio =
-            structure->backfill_gap_m = NAN;
-        return;
-    }
-    structure->mass_kg[0] = NAN;
-    if (kind == THUD_RIGID) {
-        structure->height_m[0] = NAN;
-        return;
-    }
-    structure->stiffness_npm[0] = thud_kind_is_read(kind) ? 0 : NAN;
-    structure->period_factor = thud_kind_is_read(kind) || kind == THUD_ESTIMATED ? 1 : 0;
-    structure->area_m2 = kind == THUD_ESTIMATED ? NAN : 0;
-    structure->period_s = kind == THUD_SHEAR ? (double)NAN : 0;
-    structure->height_m[0] = fallback("height", THUD_GROUP_STRUCTURE);
-    structure->slab_depth_m[0] = fallback("slab-depth", THUD_GROUP_STRUCTURE);
-    structure->damping = fallback("damping", THUD_GROUP_STRUCTURE);
-    thud_foundation_clear(structure);
-    if (kind == THUD_ISOLATED) {
-        structure->base_mass_kg = NAN;
-        structure->isolation_stiffness_npm = NAN;
-        structure->isolation_damping = NAN; /* by the law of the isolators */
-        structure->width_m = NAN;
-        structure->isolator_strength_n = structure->isolator_post_yield_npm = structure->isolator_yield_m = NAN;
-        structure->isolator_radius_m = structure->isolator_friction = NAN;
-    }
+    thud_group_clear(structure, THUD_GROUP_STRUCTURE, 1u << kind);
+    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
+        thud_group_clear(structure, thud_nested_group(i), 1u << kind);
 }
 
 /* Storeys are added and taken away below the top floor, which keeps its values; new ones are like the one below it. */
@@ -113,8 +79,15 @@ static void change_springs(struct thud_structure *structure, int i)
         structure->stiffness_npm[i] = 600e6;
 }
 
-/* What the new kind has and the old one had not gets the values of the paper's buildings, so that a change of kind
- * alone leaves a structure that can be computed. */
+/* Numbers of a group that both have. */
+static void copy_group(const struct thud_structure *from, struct thud_structure *to, enum thud_group group)
+{
+    const struct thud_place *place;
+    for (int i = 0; (place = thud_group_place(group, i)); i++)
+        if (place->store == THUD_STORE_NUMBER)
+            memcpy((char *)to + place->offset, (const char *)from + place->offset, sizeof(double));
+}
+
 int thud_scene_names_width(const struct thud_scene *scene, int least)
 {
     for (int s = 0; s < scene->nstructures; s++)
@@ -122,6 +95,8 @@ int thud_scene_names_width(const struct thud_scene *scene, int least)
     return least;
 }
 
+/* What the new kind has and the old one had not gets the values of the paper's buildings, so that a change of kind
+ * alone leaves a structure that can be computed. */
 enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_structure_kind kind)
 {
     struct thud_structure before = *structure;
@@ -143,10 +118,10 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                        sizeof before.mass_kg);
             structure->damping = before.damping;
             structure->base_m = before.base_m;
-            thud_foundation_copy(&before, structure);
+            copy_group(&before, structure, THUD_GROUP_FOUNDATION);
+            copy_group(&before, structure, THUD_GROUP_COLUMN);
             for (int i = 0; i < structure->storeys; i++)
                 change_springs(structure, i);
-            structure->column_shape = before.column_shape;
         }
     }
     if (kind == THUD_ESTIMATED) /* it keeps its mass */
@@ -173,7 +148,8 @@ bool thud_wall_gives(const struct thud_structure *structure)
 
 double thud_wall_damping(const struct thud_structure *structure)
 {
-    return isnan(structure->wall_damping) ? fallback("damping", THUD_GROUP_STRUCTURE) : structure->wall_damping;
+    static const double usual = 0.05;
+    return isnan(structure->wall_damping) ? usual : structure->wall_damping;
 }
 
 bool thud_wall_has_backfill(const struct thud_structure *structure)
@@ -190,26 +166,15 @@ enum thud_group thud_nested_group(int i)
 
 bool thud_structure_has_group(const struct thud_structure *s, enum thud_group group)
 {
-    if (group == THUD_GROUP_COLUMN)
-        return thud_structure_has_columns(s);
-    if (group == THUD_GROUP_FOUNDATION)
-        return thud_structure_on_soil(s);
-    if (group == THUD_GROUP_BACKFILL)
-        return s->kind == THUD_WALL && (isfinite(s->backfill_stiffness_npm) || isfinite(s->backfill_strength_n) ||
-                                        isfinite(s->backfill_ratio) || isfinite(s->backfill_gap_m));
-    return s->kind == THUD_ISOLATED &&
-           (thud_isolator_slides(s) || isfinite(s->isolator_strength_n) || isfinite(s->isolator_post_yield_npm) ||
-            isfinite(s->isolator_yield_m) || isfinite(s->isolator_radius_m) || isfinite(s->isolator_friction));
-}
-
-bool thud_structure_has_columns(const struct thud_structure *structure)
-{
-    bool storeys = thud_kind_is_building(structure->kind);
-    for (int i = 0; i < structure->storeys && storeys; i++)
-        if (structure->column_ei_nm2[i] > 0 || structure->column_stiffness_npm[i] > 0 ||
-            structure->column_capacity_n[i] > 0)
-            return true;
-    return storeys && structure->column_shape != THUD_COLUMN_CLAMPED;
+    const struct thud_place *place;
+    for (int i = 0; (place = thud_group_place(group, i)); i++) {
+        const double *value = (const double *)(const void *)((const char *)s + place->offset);
+        const double usual = place->store == THUD_STORE_NUMBER ? place->absent : 0;
+        for (int k = 0; k < (place->store == THUD_STORE_FLOORS ? s->storeys : 1); k++)
+            if (place->kinds & 1u << s->kind && isfinite(value[k]) && value[k] != usual)
+                return true;
+    }
+    return false;
 }
 
 double thud_clear_height(const struct thud_structure *structure, int storey)
@@ -344,12 +309,8 @@ enum thud_status thud_law_set(struct thud_scene *scene, const struct thud_slot *
 void thud_record_choice_init(struct thud_record_choice *choice)
 {
     memset(choice, 0, sizeof *choice);
-    choice->peak_mps2 = choice->sa_mps2 = choice->period_s = choice->target_from_s = choice->target_to_s = NAN;
-    choice->factor = 1;
-    choice->sign = 1;
-    choice->from_s = choice->to_s = NAN;
-    choice->dt_s = choice->resample_s = NAN;
-    choice->skip = -1;
+    thud_group_clear(choice, THUD_GROUP_RECORD, 0);
+    choice->target_from_s = choice->target_to_s = choice->resample_s = NAN; /* no keys of presets */
 }
 
 void thud_record_choice_replace(struct thud_record_choice *choice, const char *file)
@@ -364,9 +325,6 @@ void thud_scene_init(struct thud_scene *scene)
 {
     memset(scene, 0, sizeof *scene);
     thud_record_choice_init(&scene->record);
-    strcpy(scene->analysis.method, "auto");
-    scene->analysis.tolerance = fallback("tolerance", THUD_GROUP_ANALYSIS);
-    scene->analysis.step_s = NAN;
-    scene->analysis.tail_s = fallback("tail", THUD_GROUP_ANALYSIS);
-    scene->analysis.locate = true;
+    for (int group = THUD_GROUP_ANALYSIS; group <= THUD_GROUP_DOCUMENT; group++)
+        thud_group_clear((char *)scene + thud_group_base(group), group, 0);
 }

@@ -79,7 +79,45 @@ static enum thud_status check_method(const char *name, struct thud_error *err)
     return thud_words_unknown(&words, "method", name, err);
 }
 
-/* The same for a list of floors. */
+void thud_place_clear(const struct thud_param *param, const struct thud_place *place, void *at)
+{
+    switch (place->store) {
+    case THUD_STORE_NUMBER:
+        *(double *)at = place->absent == THUD_REQUIRED ? param->fallback : place->absent;
+        break;
+    case THUD_STORE_COUNT:
+        *(int *)at = place->none;
+        break;
+    case THUD_STORE_SIGN:
+        *(int *)at = 1;
+        break;
+    case THUD_STORE_SWITCH:
+        *(bool *)at = param->fallback == 1;
+        break;
+    case THUD_STORE_TEXT:
+        memset(at, 0, place->size);
+        snprintf(at, place->size, "%s", place->usual ? place->usual : "");
+        break;
+    case THUD_STORE_FLOORS:
+        *(double *)at = place->optional ? 0 : param->fallback;
+        break;
+    case THUD_STORE_LEVELS:
+        *(struct thud_by_level *)at = (struct thud_by_level){0};
+        break;
+    default: /* what it belongs to is made with it */
+        break;
+    }
+}
+
+void thud_group_clear(void *of, enum thud_group group, unsigned kinds)
+{
+    const struct thud_place *place;
+    for (int i = 0; (place = thud_group_place(group, i)); i++)
+        if (!place->kinds || place->kinds & kinds)
+            thud_place_clear(thud_group_param(group, i), place, (char *)of + place->offset);
+}
+
+/* Takes back a list of floors. */
 static bool unset_floors(struct thud_scene *scene, const struct thud_slot *slot)
 {
     double *list = thud_slot_at(scene, slot);
@@ -92,35 +130,25 @@ static bool unset_floors(struct thud_scene *scene, const struct thud_slot *slot)
 /* Takes a value back; false when it must be given. */
 static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
 {
-    double *number = thud_slot_at(scene, slot);
-    double fallback = slot->param->fallback;
     switch (slot->place.store) {
     case THUD_STORE_NUMBER:
-        if (slot->place.absent == THUD_REQUIRED && isnan(fallback) && !slot->choice)
+        if (slot->place.absent == THUD_REQUIRED && isnan(slot->param->fallback) && !slot->choice)
             return false;
-        *number = slot->place.absent == THUD_REQUIRED ? fallback : slot->place.absent;
-        return true;
+        break;
     case THUD_STORE_COUNT:
-        *(int *)thud_slot_at(scene, slot) = slot->place.none;
-        return true;
     case THUD_STORE_SIGN:
-        *(int *)thud_slot_at(scene, slot) = 1;
-        return true;
     case THUD_STORE_TEXT:
-        memset(number, 0, slot->place.size);
-        if (slot->place.offset == offsetof(struct thud_scene, analysis.method))
-            strcpy(thud_slot_at(scene, slot), "auto");
-        return true;
+    case THUD_STORE_LEVELS:
+        break;
     case THUD_STORE_FLOORS:
         return unset_floors(scene, slot);
-    case THUD_STORE_LEVELS:
-        *(struct thud_by_level *)thud_slot_at(scene, slot) = (struct thud_by_level){0};
-        return true;
     case THUD_STORE_LINK:
         return thud_link_law_set(scene, slot, "", NULL) == THUD_OK;
     default:
         return false;
     }
+    thud_place_clear(slot->param, &slot->place, thud_slot_at(scene, slot));
+    return true;
 }
 
 /* The stiffness keeps its number in the shown unit when its exponent changes: 0.36 kN/mm^2.65 becomes 0.36 kN/mm^2.7.

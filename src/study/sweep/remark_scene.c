@@ -66,8 +66,8 @@ void thud_remark_structure_values(const struct thud_remark_scope *scope, int i, 
 void thud_remark_setup(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     (void)i;
-    look_group(out, THUD_GROUP_RECORD, scope->scene, 0, 0, "record");
-    look_group(out, THUD_GROUP_ANALYSIS, scope->scene, 0, 0, "analysis");
+    look_group(out, THUD_GROUP_RECORD, &scope->scene->record, 0, 0, "record");
+    look_group(out, THUD_GROUP_ANALYSIS, &scope->scene->analysis, 0, 0, "analysis");
 }
 
 /* The law that acts first at an interface, and its key. */
@@ -116,7 +116,7 @@ void thud_remark_whole_law(const struct thud_remark_scope *scope, int i, struct 
 void thud_remark_columns(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     const struct thud_structure *s = &scope->scene->structure[i];
-    for (int k = 0; k < s->storeys && thud_structure_has_columns(s); k++) {
+    for (int k = 0; k < s->storeys && thud_structure_has_group(s, THUD_GROUP_COLUMN); k++) {
         double length = thud_clear_height(s, k), own = 12 * thud_column_ei(s, k) / (length * length * length);
         if (!(s->stiffness_npm[k] > 0) || !(own > s->stiffness_npm[k] * (1 + 1e-9)))
             continue;
