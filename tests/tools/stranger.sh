@@ -5,7 +5,7 @@
 set -u
 build=${1:-build/release}
 [ $# -gt 0 ] && shift
-all="law method element observer quantity measure rule remark record-format figure option preset screen"
+all="law method element observer quantity measure rule remark record-format figure key option preset screen"
 kinds=${*:-$all}
 here=$PWD
 variant=$(basename "$build")
@@ -249,6 +249,24 @@ END
 shown_remark() {
     ./thud run towers 2>&1 >/dev/null | grep -q 'warning: a stranger counts 2 structures' &&
         ./thud report towers --samples 0 --no-pdf --quiet -o "$copy/report" >/dev/null && grep -q 'a stranger counts 2' "$copy/report/report.md"
+}
+
+add_key() { # of the analysis: in presets, --set, forms, searches, saved files, JSON and manual; not given where nothing says so
+    FILES=2 TESTS='scene preset preset_save tui_schema help manual'
+    after src/study/scene/scene_params.c '{PLACE(COUNT, modes), .none = 0}},' <<'END'
+    {{NUMBER("stranger", "of a stranger", "Of a stranger.", THUD_TIME, "ms", NAN), POSITIVE, UP_TO(1), ANY_USUAL}, {PLACE(NUMBER, stranger_s), .absent = NAN}},
+END
+    after include/study/scene/scene.h '    int modes;     /* each building' <<'END'
+    double stranger_s; /* NaN: not given */
+END
+}
+shown_key() {
+    sed 's/^analysis:$/&\n  stranger: 2 ms/' presets/towers.yaml >"$copy/key.yaml" &&
+        ./thud run "$copy/key.yaml" --to 3s --json --quiet | grep -q '"stranger": "2 ms"' &&
+        ./thud run towers --set analysis.stranger=3ms --to 3s --json --quiet | grep -q '"stranger": "3 ms"' &&
+        ./thud run towers --to 3s --json --quiet >"$copy/json" && ! grep -q stranger "$copy/json" &&
+        ./thud run towers --set analysis.stranger=2s 2>&1 | grep -q 'analysis.stranger: .*1000 ms' &&
+        ./thud help --words keys | grep -qx analysis.stranger && grep -q '^Of a stranger' man/thud-preset.5
 }
 
 add_preset() {
