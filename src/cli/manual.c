@@ -1,14 +1,17 @@
 #include "cli/help.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "base/param.h"
 #include "core/laws/law.h"
+#include "io/record/record_file.h"
 #include "io/result/schemas.h"
+#include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
-#include "study/sweep/measure.h"
+#include "study/suite/fragility.h"
 
 enum { COLUMNS = 76 };
 
@@ -36,6 +39,16 @@ static void fill(struct thud_text *out, const char *text)
     }
     if (column > 0)
         thud_text_append(out, "\n");
+}
+
+/* Takes `text` (cleared then). */
+static void fill_made(struct thud_text *out, struct thud_text *text)
+{
+    if (text->failed)
+        out->failed = 1;
+    else
+        fill(out, text->data);
+    thud_text_clear(text);
 }
 
 static void put_value(struct thud_text *out, const struct thud_param *param, double value)
@@ -105,11 +118,7 @@ static void put_param(struct thud_text *out, const struct thud_param *param, int
     if (of_structures >= 0)
         put_kinds(out, of_structures);
     thud_text_append(out, "\n");
-    if (item.failed)
-        out->failed = 1;
-    else
-        fill(out, item.data);
-    thud_text_clear(&item);
+    fill_made(out, &item);
 }
 
 static void units(struct thud_text *out)
@@ -144,16 +153,61 @@ static void laws(struct thud_text *out)
         thud_text_append(out, ".Ss Law %s\n", law->name);
         struct thud_text about = {0};
         thud_text_append(&about, "%s: %s", law->title, law->summary);
-        if (about.failed)
-            out->failed = 1;
-        else
-            fill(out, about.data);
-        thud_text_clear(&about);
+        fill_made(out, &about);
         thud_text_append(out, "%s", law->nparams ? ".Bl -tag -width Ds\n" : "");
         for (int k = 0; k < law->nparams; k++)
             put_param(out, &law->params[k], -1);
         thud_text_append(out, "%s", law->nparams ? ".El\n" : "");
     }
+}
+
+static void events(struct thud_text *out)
+{
+    struct thud_text text = {0};
+    thud_text_append(&text, "One of ");
+    thud_events_list(THUD_FORM_EVENT, &text);
+    thud_text_append(&text, ": there is contact, or a measure is above its limit.");
+    fill_made(out, &text);
+}
+
+static void criteria(struct thud_text *out)
+{
+    struct thud_text text = {0};
+    thud_text_append(&text, "The criterion: one of ");
+    thud_events_list(THUD_FORM_CRITERION, &text);
+    thud_text_append(&text, ", with a limit of your own.");
+    fill_made(out, &text);
+}
+
+static void formats(struct thud_text *out)
+{
+    struct thud_text text = {0};
+    const char *name;
+    thud_text_append(&text, "Formats are recognized by content: ");
+    for (int i = 0; (name = thud_record_format_name(i)) != NULL; i++)
+        thud_text_append(&text, "%s%s", i ? ", " : "", name);
+    thud_text_append(&text, ".");
+    fill_made(out, &text);
+}
+
+static void gap_rules(struct thud_text *out)
+{
+    thud_text_append(out, ".Bl -tag -width Ds\n");
+    for (int i = 0; i < THUD_GAP_RULES; i++) {
+        const struct thud_gap_rule *rule = thud_gap_rule_at(i);
+        struct thud_text text = {0};
+        thud_text_append(&text, "%s%s%s%s%s: %s.", rule->edition, *rule->edition ? ", " : "", rule->clause,
+                         *rule->clause ? ", " : "", rule->title, rule->formula);
+        if (text.data)
+            text.data[0] = (char)toupper((unsigned char)text.data[0]);
+        if (*rule->lacks)
+            thud_text_append(&text, " It has no value if %s.", rule->lacks);
+        if (*rule->source)
+            thud_text_append(&text, " Implemented %s.", rule->source);
+        thud_text_append(out, ".It %s\n", rule->name);
+        fill_made(out, &text);
+    }
+    thud_text_append(out, ".El\n");
 }
 
 /* The table of measures: what each is, of what, and where it appears. */
@@ -214,7 +268,8 @@ static void put_schema(struct thud_text *out, const struct thud_schema *schema)
 static const struct {
     const char *name;
     void (*write)(struct thud_text *out);
-} parts[] = {{"units", units}, {"keys", keys}, {"laws", laws}, {"measures", measures}};
+} parts[] = {{"units", units},   {"keys", keys},         {"laws", laws},       {"measures", measures},
+             {"events", events}, {"criteria", criteria}, {"formats", formats}, {"gap rules", gap_rules}};
 enum { PARTS = sizeof parts / sizeof *parts };
 
 bool thud_manual_part(struct thud_text *out, const char *name)

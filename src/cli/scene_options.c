@@ -275,14 +275,10 @@ enum thud_status thud_scene_options_case(const struct thud_args *args, enum thud
 {
     const char *word = thud_args_value(args, "case");
     *out = THUD_CASE_AS_WRITTEN;
-    if (!word)
+    struct thud_error why = {0};
+    if (!word || thud_case_find(word, out, &why) == THUD_OK)
         return THUD_OK;
-    for (int i = 0; i < THUD_CASES; i++)
-        if (strcmp(word, thud_case_name((enum thud_case)i)) == 0) {
-            *out = (enum thud_case)i;
-            return THUD_OK;
-        }
-    return thud_error_refuse(err, THUD_USAGE, "--case", "none, bumper, cavity, link", "\"%.40s\" is not a case", word);
+    return thud_error_refuse(err, THUD_USAGE, "--case", why.allowed, "%s", why.what);
 }
 
 enum thud_status thud_scene_options_of_case(const struct thud_args *args, const struct thud_session *session,

@@ -140,6 +140,7 @@ START_TEST(pages_say_what_the_tables_say)
 {
     read_file("man/thud-preset.5");
     add_file("man/thud-output.5");
+    add_file("man/thud.1");
     const char *name;
     for (int i = 0; (name = thud_manual_part_name(i)) != NULL; i++) {
         struct thud_text part = {0};
@@ -148,7 +149,7 @@ START_TEST(pages_say_what_the_tables_say)
         thud_text_append(&part, ".\\\" end %s\n", name);
         ck_assert_msg(
             strstr(page, part.data) != NULL,
-            "thud-preset(5), thud-output(5): the part `%s` is out of date (tests/tools/manual.sh makes it anew)", name);
+            "thud(1), thud-preset(5), thud-output(5): the part `%s` is out of date (tests/tools/manual.sh makes it anew)", name);
         thud_text_clear(&part);
     }
     struct thud_text none = {0};

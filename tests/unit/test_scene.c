@@ -113,6 +113,7 @@ START_TEST(values_read_back_as_set)
         {"study.to", "25 cm"},
         {"study.step", "0.5 cm"},
         {"study.cases", "[none, cavity]"},
+        {"study.cases", "[link, cavity, bumper, as-written, none]"},
         {"study.vary", "[gap, bumper.stiffness]"},
         {"study.from", "[5 cm, 0.3 kN/mm^2.65]"},
         {"study.vary", "contact.damping"},

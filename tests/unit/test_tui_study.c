@@ -564,6 +564,23 @@ START_TEST(tables_of_others_stay)
 }
 END_TEST
 
+/* Cases alone are not a whole study: the screen proposes the range of gaps with them, but for a suite of motions. */
+START_TEST(cases_keep_the_proposed_range)
+{
+    struct thud_scene scene = f.tui->doc.scene;
+    struct thud_study_words words;
+    memset(&scene.study, 0, sizeof scene.study);
+    ck_assert_int_eq(thud_scene_set(&scene, "study.cases", "none", NULL), THUD_OK);
+    thud_study_words_of(&scene, &words);
+    ck_assert_str_eq(words.vary[0], "gap=5 cm:25 cm:1 cm");
+    ck_assert_str_eq(words.cases, "none");
+    ck_assert_int_eq(thud_scene_set(&scene, "study.records", "motions.list", NULL), THUD_OK);
+    thud_study_words_of(&scene, &words);
+    ck_assert_str_eq(words.vary[0], "");
+    ck_assert_str_eq(words.cases, "none");
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -593,6 +610,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, unreadable_motions_are_skipped);
     tcase_add_test(words, a_value_is_solved_for);
     tcase_add_test(words, tables_of_others_stay);
+    tcase_add_test(words, cases_keep_the_proposed_range);
     suite_add_tcase(suite, words);
     return suite;
 }

@@ -16,6 +16,9 @@ enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err);
 
+/* Name of the i-th format that is recognized, in the order in which they are tried; NULL behind the last. */
+const char *thud_record_format_name(int i);
+
 /* The text of a record file (free with free()), unpacked where gzip has compressed it. Errors: THUD_INPUT (also a pipe,
  * whose end may never come, and more than THUD_RECORD_BYTES_MAX of text), THUD_MEMORY. */
 enum thud_status thud_record_text_read(const char *path, char **text, size_t *size, struct thud_error *err);

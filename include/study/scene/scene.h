@@ -202,6 +202,7 @@ enum thud_case {
     THUD_CASES,
     THUD_CASE_WHOLE = THUD_CASES /* with all that the scene has; for words alone */
 };
+enum { THUD_CASES_MAX = THUD_CASES + 1 }; /* of a study: each of them, and as written */
 /* Whether the scene's links stay in a case. */
 static inline bool thud_case_has_links(enum thud_case which)
 {
@@ -219,7 +220,7 @@ struct thud_study_choice {
     int nvary;
     struct thud_vary vary[THUD_VARY_MAX];
     int ncases;
-    enum thud_case cases[THUD_CASES];
+    enum thud_case cases[THUD_CASES_MAX];
     double sensitivity;           /* relative change of the inputs; 0: no spread is asked for */
     char records[THUD_VARY_TEXT]; /* as --records takes them, or in brackets; empty: the scene's own one */
     bool both_signs;              /* every ground motion in both polarities */
@@ -423,6 +424,9 @@ static inline enum thud_case thud_case_compared(int i)
 }
 /* Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
+/* Several with commas between, also in brackets, each once. Errors: THUD_INPUT. */
+enum thud_status thud_cases_parse(const char *text, enum thud_case cases[THUD_CASES_MAX], int *n,
+                                  struct thud_error *err);
 
 /* What holds at a level of an interface (from 0), or for those that have nothing of their own (-1). The cavity
  * is that of the interface at all of them. */

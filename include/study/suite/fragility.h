@@ -60,6 +60,10 @@ struct thud_event {
     double limit;
     char text[48]; /* as asked for: "drift:1 %" */
 };
+/* How one is written: "force:5MN", of limits "force=5MN", of criteria "force < 5MN" and "no pounding". */
+enum thud_event_form { THUD_FORM_EVENT, THUD_FORM_LIMIT, THUD_FORM_CRITERION };
+/* Appends an example of each, with commas between. */
+void thud_events_list(enum thud_event_form form, struct thud_text *out);
 /* "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
 /* "drift=1 %", "force: 5 MN": the limit of a measure by the word of its event. Errors: THUD_USAGE. */

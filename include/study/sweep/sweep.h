@@ -25,7 +25,7 @@ enum thud_sweep_shortcut {
     THUD_SWEEP_ALL = 15
 };
 
-enum { THUD_SWEEP_CASES_MAX = THUD_CASES + 1 };
+enum { THUD_SWEEP_CASES_MAX = THUD_CASES_MAX };
 
 /* Runs of a case at a point where its spread is asked for: nominal (variant 0), then each change less and more. */
 enum { THUD_SWEEP_VARIANTS = 1 + 2 * THUD_CHANGES };

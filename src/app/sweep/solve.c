@@ -32,10 +32,12 @@ enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *o
     if (strlen(text) < sizeof out->text && strchr(event, ':') == strrchr(event, ':') &&
         thud_event_parse(event, &out->event, NULL) == THUD_OK && out->event.measure != THUD_MEASURE_ACCELERATION_RATIO)
         return THUD_OK;
-    return thud_error_refuse(err, THUD_USAGE, NULL,
-                             "force < 10 MN, acceleration < 1 g, drift < 1 %, drift < 3 cm, ductility < 2, permanent < "
-                             "1 cm, column < 1, no pounding, no collapse; or > in place of <",
-                             "\"%.60s\" is not understood", text);
+    struct thud_text allowed = {0};
+    thud_events_list(THUD_FORM_CRITERION, &allowed);
+    thud_text_append(&allowed, "; or > in place of <");
+    thud_error_refuse(err, THUD_USAGE, NULL, allowed.data, "\"%.60s\" is not understood", text);
+    thud_text_clear(&allowed);
+    return THUD_USAGE;
 }
 
 static bool holds(const struct thud_solve *solve, const struct thud_solve_try *tried)

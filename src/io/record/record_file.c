@@ -19,6 +19,11 @@
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
 
+const char *thud_record_format_name(int i)
+{
+    return i < (int)(sizeof formats / sizeof *formats) ? formats[i]->name : NULL;
+}
+
 static bool begins_with(const struct record_source *source, const char *bytes, size_t size)
 {
     return source->size >= size && memcmp(source->text, bytes, size) == 0;

@@ -1,12 +1,14 @@
 /* Cases: the same scene without the bumper, with it flush on the wall, or set in a cavity. */
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "study/scene/scene.h"
 #include "study/scene/scene_words.h"
 
-/* Words of a case by what the scene has: a bumper, links alone, both, or nothing that a case would omit. */
+/* Words of a case by what the scene has: a bumper, links alone, both, or nothing that a case would omit; where not
+ * given, those of a bumper. */
 struct words {
     const char *title, *phrase;
 };
@@ -14,41 +16,24 @@ enum { OF_BUMPER, OF_LINKS, OF_BOTH, OF_NOTHING, MEASURES };
 static const struct {
     const char *name;
     struct words words[MEASURES];
-} cases[THUD_CASES + 3] = {{"no-pounding",
-                            {{"no pounding", "without pounding"},
-                             {"no pounding", "without pounding"},
-                             {"no pounding", "without pounding"},
-                             {"no pounding", "without pounding"}}},
-                           {"as-written",
-                            {{"as written", "as written"},
-                             {"as written", "as written"},
-                             {"as written", "as written"},
-                             {"as written", "as written"}}},
-                           {"none",
-                            {{"no bumper", "without the bumper"},
-                             {"no links", "without the links"},
-                             {"neither bumper nor links", "without the bumper and links"},
-                             {"pounding", "at the gap given"}}},
-                           {"bumper",
-                            {{"bumper", "with the bumper"},
-                             {"bumper", "with the bumper"},
-                             {"bumper, no links", "with the bumper and without links"},
-                             {"bumper", "with the bumper"}}},
-                           {"cavity",
-                            {{"bumper in a cavity", "with the bumper in a cavity"},
-                             {"bumper in a cavity", "with the bumper in a cavity"},
-                             {"bumper in a cavity, no links", "with the bumper in a cavity and without links"},
-                             {"bumper in a cavity", "with the bumper in a cavity"}}},
-                           {"link",
-                            {{"links", "with the links"},
-                             {"links", "with the links"},
-                             {"links, no bumper", "with the links and without the bumper"},
-                             {"links", "with the links"}}},
-                           {"",
-                            {{"bumper", "with the bumper"},
-                             {"links", "with the links"},
-                             {"bumper and links", "with the bumper and links"},
-                             {"pounding", "at the gap given"}}}};
+} known[THUD_CASES + 3] = {
+    {"no-pounding", {{"no pounding", "without pounding"}}},
+    {"as-written", {{"as written", "as written"}}},
+    {"none",
+     {{"no bumper", "without the bumper"},
+      {"no links", "without the links"},
+      {"neither bumper nor links", "without the bumper and links"},
+      {"pounding", "at the gap given"}}},
+    {"bumper", {{"bumper", "with the bumper"}, [OF_BOTH] = {"bumper, no links", "with the bumper and without links"}}},
+    {"cavity",
+     {{"bumper in a cavity", "with the bumper in a cavity"},
+      [OF_BOTH] = {"bumper in a cavity, no links", "with the bumper in a cavity and without links"}}},
+    {"link", {{"links", "with the links"}, [OF_BOTH] = {"links, no bumper", "with the links and without the bumper"}}},
+    {"",
+     {{"bumper", "with the bumper"},
+      {"links", "with the links"},
+      {"bumper and links", "with the bumper and links"},
+      {"pounding", "at the gap given"}}}};
 
 int thud_scene_measures(const struct thud_scene *scene)
 {
@@ -61,7 +46,8 @@ static const struct words *words_of(int measures, enum thud_case which)
                              [THUD_HAS_LINKS] = OF_LINKS,
                              [THUD_HAS_BUMPER | THUD_HAS_LINKS] = OF_BOTH,
                              [0] = OF_NOTHING};
-    return &cases[which - THUD_CASE_FREE].words[of[measures]];
+    const struct words *words = known[which - THUD_CASE_FREE].words;
+    return words[of[measures]].title ? &words[of[measures]] : words;
 }
 
 const char *thud_case_title(int measures, enum thud_case which)
@@ -76,19 +62,44 @@ const char *thud_case_phrase(int measures, enum thud_case which)
 
 const char *thud_case_name(enum thud_case which)
 {
-    return cases[which - THUD_CASE_FREE].name;
+    return known[which - THUD_CASE_FREE].name;
 }
 
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err)
 {
-    static const struct thud_words words = {{"none", "bumper", "cavity", "link"}, 4};
+    struct thud_words words = {0};
     for (int i = THUD_CASE_AS_WRITTEN; i < THUD_CASES; i++) {
         if (strcmp(thud_case_name((enum thud_case)i), name) == 0) {
             *out = (enum thud_case)i;
             return THUD_OK;
         }
+        thud_words_add(&words, thud_case_name((enum thud_case)i));
     }
     return thud_words_unknown(&words, "case", name, err);
+}
+
+enum thud_status thud_cases_parse(const char *text, enum thud_case cases[THUD_CASES_MAX], int *n,
+                                  struct thud_error *err)
+{
+    enum { ROOM = 256 };
+    char list[ROOM], *item[THUD_CASES_MAX];
+    snprintf(list, sizeof list, *text == '[' ? "%s" : "[%s]", text);
+    const int count = thud_list_split(list, item, THUD_CASES_MAX);
+    if (count < 0 || count > THUD_CASES_MAX) {
+        thud_error_set(err, THUD_INPUT, "too many cases, or an unterminated list");
+        thud_error_allow(err, "up to %d", THUD_CASES_MAX);
+        return THUD_INPUT;
+    }
+    for (int i = 0; i < count; i++) {
+        enum thud_status status = thud_case_find(item[i], &cases[i], err);
+        if (status != THUD_OK)
+            return status;
+        for (int j = 0; j < i; j++)
+            if (cases[i] == cases[j])
+                return thud_error_set(err, THUD_INPUT, "the case \"%.40s\" is named twice", item[i]);
+    }
+    *n = count;
+    return THUD_OK;
 }
 
 double thud_interface_max_strain(const struct thud_interface *interface)

@@ -76,6 +76,15 @@ static inline const void *thud_slot_in(const struct thud_scene *scene, const str
     return (const char *)scene + slot->place.offset;
 }
 
+/* The law that a value is part of; NULL: none. */
+static inline const struct thud_law_choice *thud_slot_law(const struct thud_scene *scene, const struct thud_slot *slot)
+{
+    return slot->choice ? (const struct thud_law_choice *)(const void *)((const char *)scene + slot->choice) : NULL;
+}
+/* The unit in which a value is shown (NULL), or this one, with the exponent of the law. */
+void thud_slot_unit(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
+                    size_t size);
+
 /* A floor of an optional list that has no value, where 0 is none. */
 #define THUD_FLOOR_NONE "none"
 static inline bool thud_floor_may_lack(const struct thud_param *param, const struct thud_place *place)

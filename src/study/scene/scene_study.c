@@ -14,15 +14,19 @@ static bool is_number(const struct thud_param *param)
     return param->kind == THUD_PARAM_QUANTITY || param->kind == THUD_PARAM_INTEGER;
 }
 
-/* Items of a list or the one value; the count, -1 when there are too many. */
-static int items(char *text, char **item, int most)
+/* Items of a list or the one value; the count, -1 when there are too many. Errors: THUD_INPUT. */
+static int items(char *text, char **item, int most, struct thud_error *err)
 {
     if (text[0] != '[') {
         item[0] = text;
         return 1;
     }
     int n = thud_list_split(text, item, most);
-    return n > most ? -1 : n;
+    if (n >= 0 && n <= most)
+        return n;
+    thud_error_set(err, THUD_INPUT, "too many values, or an unterminated list");
+    thud_error_allow(err, "up to %d", most);
+    return -1;
 }
 
 static enum thud_status set_vary(struct thud_scene *scene, char **item, int n, struct thud_error *err)
@@ -68,10 +72,8 @@ static enum thud_status read_bound(const struct thud_scene *scene, const char *k
         thud_error_allow(err, "values: [%s]", slot.param->kind == THUD_PARAM_CHOICE ? slot.param->choices[0] : "...");
         return THUD_INPUT;
     }
-    const struct thud_law_choice *choice =
-        slot.choice ? (const struct thud_law_choice *)(const void *)((const char *)scene + slot.choice) : NULL;
     if (!step)
-        return thud_quantity_read(slot.param, choice, text, out, err);
+        return thud_quantity_read(slot.param, thud_slot_law(scene, &slot), text, out, err);
     status = thud_quantity_parse(text, slot.param->dimension, NULL, &q, err);
     if (status != THUD_OK)
         return status;
@@ -119,13 +121,10 @@ static enum thud_status set_list(const struct thud_scene *scene, struct thud_var
 {
     char *value[VALUES_MAX];
     struct thud_slot slot;
-    int n = items(text, value, VALUES_MAX);
+    int n = items(text, value, VALUES_MAX, err);
     enum thud_status status = THUD_OK;
-    if (n < 0) {
-        thud_error_set(err, THUD_INPUT, "too many values, or an unterminated list");
-        thud_error_allow(err, "up to %d", VALUES_MAX);
+    if (n < 0)
         return THUD_INPUT;
-    }
     if (!isnan(vary->from) || !isnan(vary->to) || !isnan(vary->step))
         return refuse_both(err);
     vary->values[0] = '\0';
@@ -148,7 +147,7 @@ static enum thud_status set_values(struct thud_scene *scene, char *text, struct 
 {
     struct thud_study_choice study = scene->study;
     char *list[THUD_VARY_MAX] = {text};
-    int n = study.nvary > 1 ? items(text, list, THUD_VARY_MAX) : 1;
+    int n = study.nvary > 1 ? items(text, list, THUD_VARY_MAX, NULL) : 1;
     if (n < 0)
         n = THUD_VARY_MAX + 1;
     enum thud_status status = check_count(&study, n, "list", err);
@@ -186,21 +185,15 @@ static enum thud_status set_bounds(struct thud_scene *scene, const char *name, c
     return THUD_OK;
 }
 
-static enum thud_status set_cases(struct thud_scene *scene, char **item, int n, struct thud_error *err)
+static enum thud_status set_cases(struct thud_study_choice *study, const char *text, struct thud_error *err)
 {
-    struct thud_study_choice study = scene->study;
-    study.ncases = n;
-    memset(study.cases, 0, sizeof study.cases);
-    for (int i = 0; i < n; i++) {
-        enum thud_status status = thud_case_find(item[i], &study.cases[i], err);
-        if (status != THUD_OK)
-            return status;
-        for (int j = 0; j < i; j++)
-            if (study.cases[i] == study.cases[j])
-                return thud_error_set(err, THUD_INPUT, "the case \"%.40s\" is named twice", item[i]);
-    }
-    scene->study = study;
-    return THUD_OK;
+    enum thud_case cases[THUD_CASES_MAX] = {0};
+    enum thud_status status = *text ? thud_cases_parse(text, cases, &study->ncases, err) : THUD_OK;
+    if (status == THUD_OK)
+        memcpy(study->cases, cases, sizeof cases);
+    if (!*text)
+        study->ncases = 0;
+    return status;
 }
 
 enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
@@ -208,13 +201,11 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
 {
     const char *name = slot->param->name;
     char copy[COPY_MAX], *item[THUD_VARY_MAX];
-    bool cases = strcmp(name, "cases") == 0;
-    int most = cases ? THUD_CASES : THUD_VARY_MAX;
+    if (strcmp(name, "cases") == 0)
+        return set_cases(&scene->study, text, err);
     snprintf(copy, sizeof copy, *text != '[' && strchr(text, ',') ? "[%s]" : "%s", text);
     if (!*text) { /* nothing is varied */
-        if (cases)
-            scene->study.ncases = 0;
-        else if (strcmp(name, "vary") == 0)
+        if (strcmp(name, "vary") == 0)
             memset(&scene->study.vary, 0, sizeof scene->study.vary), scene->study.nvary = 0;
         else if (strcmp(name, "values") == 0)
             for (int i = 0; i < THUD_VARY_MAX; i++)
@@ -223,15 +214,10 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
     }
     if (strcmp(name, "values") == 0)
         return set_values(scene, copy, err);
-    int n = items(copy, item, most);
-    if (n < 0) {
-        thud_error_set(err, THUD_INPUT, "too many values, or an unterminated list");
-        thud_error_allow(err, "up to %d", most);
+    int n = items(copy, item, THUD_VARY_MAX, err);
+    if (n < 0)
         return THUD_INPUT;
-    }
-    if (strcmp(name, "vary") == 0)
-        return set_vary(scene, item, n, err);
-    return cases ? set_cases(scene, item, n, err) : set_bounds(scene, name, item, n, err);
+    return strcmp(name, "vary") == 0 ? set_vary(scene, item, n, err) : set_bounds(scene, name, item, n, err);
 }
 
 static void get_item(const struct thud_scene *scene, const char *name, int i, char *text, size_t size)
@@ -246,14 +232,7 @@ static void get_item(const struct thud_scene *scene, const char *name, int i, ch
         snprintf(text, size, "[%s]", vary.values);
     else if (thud_slot_find(scene, vary.key, &slot, NULL) == THUD_OK) {
         char unit[64];
-        const struct thud_law_choice *choice =
-            slot.choice ? (const struct thud_law_choice *)(const void *)((const char *)scene + slot.choice) : NULL;
-        double exponent = thud_law_exponent(choice, slot.param);
-        thud_number_format(exponent, text, size);
-        if (isnan(exponent))
-            snprintf(unit, sizeof unit, "%s", slot.param->unit);
-        else
-            snprintf(unit, sizeof unit, "%.*s^%.32s", (int)strcspn(slot.param->unit, "^"), slot.param->unit, text);
+        thud_slot_unit(scene, &slot, NULL, unit, sizeof unit);
         thud_quantity_format(*bound(&vary, name), unit, text, size);
     }
 }

@@ -296,12 +296,10 @@ enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot
 
 /* ---- to text ---- */
 
-static void shown_unit(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
-                       size_t size)
+void thud_slot_unit(const struct thud_scene *scene, const struct thud_slot *slot, const char *unit, char *text,
+                    size_t size)
 {
-    const struct thud_law_choice *choice =
-        slot->choice ? (const struct thud_law_choice *)(const void *)((const char *)scene + slot->choice) : NULL;
-    double exponent = thud_law_exponent(choice, slot->param);
+    double exponent = thud_law_exponent(thud_slot_law(scene, slot), slot->param);
     unit = unit ? unit : slot->param->unit;
     if (!isnan(exponent))
         thud_unit_with_exponent(unit, exponent, text, size);
@@ -342,7 +340,7 @@ void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot
                     size_t size)
 {
     char shown[64];
-    shown_unit(scene, slot, unit, shown, sizeof shown);
+    thud_slot_unit(scene, slot, unit, shown, sizeof shown);
     unit = shown;
     const void *at = thud_slot_in(scene, slot);
     const struct thud_param *param = slot->param;

@@ -246,19 +246,28 @@ static void median_bounds(const struct thud_stripe *stripe, size_t n, bool falli
 
 /* ---- events ---- */
 
+void thud_events_list(enum thud_event_form form, struct thud_text *out)
+{
+    static const char *const between[] = {":", "=", " < "};
+    const size_t start = out->size;
+    for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
+        const struct thud_measure_info *info = thud_measure_info(m);
+        const char *word = info->event.word, *example = info->event.example;
+        /* a ratio to another case is an event of a study of cases, and no criterion */
+        if (!word || (!example && form == THUD_FORM_LIMIT) || (info->ratio_of && form == THUD_FORM_CRITERION))
+            continue;
+        thud_text_append(out, "%s%s%s%s%s", out->size > start ? ", " : "",
+                         !example && form == THUD_FORM_CRITERION ? "no " : "", word, example ? between[form] : "",
+                         example ? example : "");
+    }
+}
+
 /* `between` a word and its limit; of limits alone `=`. */
 static enum thud_status refuse_event(const char *text, char between, struct thud_error *err)
 {
     const bool limits = between == '=';
     struct thud_text allowed = {0};
-    for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
-        const struct thud_measure_info *info = thud_measure_info(m);
-        if (info->event.word && info->event.example)
-            thud_text_append(&allowed, "%s%s%c%s", allowed.size ? ", " : "", info->event.word, between,
-                             info->event.example);
-        else if (info->event.word && !limits)
-            thud_text_append(&allowed, "%s%s", allowed.size ? ", " : "", info->event.word);
-    }
+    thud_events_list(limits ? THUD_FORM_LIMIT : THUD_FORM_EVENT, &allowed);
     enum thud_status status =
         thud_error_refuse(err, THUD_USAGE, limits ? "--limit" : "--event", allowed.failed ? "" : allowed.data,
                           limits ? "\"%.60s\" is not a limit" : "\"%.60s\" is not an event", text);

@@ -350,28 +350,13 @@ enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text,
     return status;
 }
 
-static enum thud_status add_case(struct thud_sweep_plan *plan, enum thud_case which, struct thud_error *err)
-{
-    for (int i = 0; i < plan->ncases; i++)
-        if (plan->cases[i] == which)
-            return refuse(err, "cases", "names a case twice", "none, bumper, cavity");
-    plan->cases[plan->ncases++] = which;
-    return THUD_OK;
-}
-
 enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text, struct thud_error *err)
 {
+    struct thud_error why = {0};
     plan->ncases = 0;
-    while (text) {
-        char part[TEXT];
-        enum thud_case which;
-        if (!next_part(&text, ',', part) || thud_case_find(part, &which, NULL) != THUD_OK)
-            return refuse(err, "cases", "names an unknown case", "none, bumper, cavity, link");
-        enum thud_status status = add_case(plan, which, err);
-        if (status != THUD_OK)
-            return status;
-    }
-    return THUD_OK;
+    if (!text || thud_cases_parse(text, plan->cases, &plan->ncases, &why) == THUD_OK)
+        return THUD_OK;
+    return refuse(err, "cases", why.what, why.allowed);
 }
 
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err)

@@ -30,11 +30,13 @@ void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words
         size_t n = strlen(words->cases);
         snprintf(words->cases + n, sizeof words->cases - n, "%s%s", i ? "," : "", thud_case_name(study->cases[i]));
     }
-    if (study->nvary > 0 || study->ncases > 0)
+    if (study->nvary > 0)
         return;
-    snprintf(words->vary[0], sizeof words->vary[0], "%s=5 cm:25 cm:1 cm",
-             scene->nstructures > 2 ? "interfaces.1.gap" : "gap");
-    snprintf(words->cases, sizeof words->cases, "%s", thud_scene_has_bumper(scene) ? "none,bumper" : "none");
+    if (study->ncases == 0 || !*study->records) /* cases over ground motions are a study without a range */
+        snprintf(words->vary[0], sizeof words->vary[0], "%s=5 cm:25 cm:1 cm",
+                 scene->nstructures > 2 ? "interfaces.1.gap" : "gap");
+    if (study->ncases == 0)
+        snprintf(words->cases, sizeof words->cases, "%s", thud_scene_has_bumper(scene) ? "none,bumper" : "none");
 }
 
 /* Appends an item to a list in brackets. */
