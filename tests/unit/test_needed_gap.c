@@ -123,6 +123,7 @@ START_TEST(bodies_that_move_alike_need_none)
     ck_assert_int_eq(gap->nlevels, 1);
     ck_assert_double_gt(gap->level[0].left_m, 0.01);
     ck_assert(gap->level[0].relative_displacement_m == 0);
+    ck_assert(gap->level[0].correlation == 1 && thud_gap_value(&gap->level[0], THUD_GAP_DDC) < 1e-9);
     ck_assert_int_eq(thud_first_contact_find(scene, motion, gap, &begins, NULL), THUD_OK);
     ck_assert_double_infinite(begins.first);
     free(gap);
@@ -130,6 +131,7 @@ START_TEST(bodies_that_move_alike_need_none)
     gap = gap_of(motion);
     const double s = (double)(motion->samples - 1) * motion->dt_s + scene->analysis.tail_s;
     ck_assert_double_eq_tol(gap->level[0].relative_displacement_m, 1e-9 * s, 1e-6 * 1e-9 * s);
+    ck_assert(gap->level[0].correlation == 0);
     free(gap);
 }
 END_TEST

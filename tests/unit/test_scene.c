@@ -370,6 +370,14 @@ START_TEST(cases_are_the_scene_with_another_bumper)
     ck_assert_double_eq_tol(thud_interface_clearance(&out.interface[0]), 0.06, 1e-15);
     ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_CAVITY, &scene, &err), THUD_OK); /* in place */
     ck_assert_int_eq(memcmp(&out, &scene, sizeof out), 0);
+    set("bumper.thickness-by-level", "[5 cm, 5 cm, 5 cm, 1 cm]"); /* as thin as the cavity is deep */
+    ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_CAVITY, &out, &err), THUD_INPUT);
+    ck_assert_str_eq(err.key, "case");
+    ck_assert_ptr_nonnull(strstr(err.what, "1 cm thick at level 4"));
+    ck_assert_ptr_nonnull(strstr(err.allowed, "0 cm: no bumper there"));
+    set("bumper.thickness-by-level", "[5 cm, 5 cm, 5 cm, 0 cm]");
+    ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_CAVITY, &out, &err), THUD_OK);
+    set("bumper.thickness-by-level", "");
     set("bumper.law", "linear");
     ck_assert_int_eq(thud_scene_case(&scene, THUD_CASE_CAVITY, &out, &err), THUD_INPUT);
     scene.interface[0].has_bumper = false;

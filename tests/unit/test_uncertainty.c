@@ -279,13 +279,22 @@ START_TEST(inputs_of_each_building)
     ck_assert_double_eq_tol(size_of(u, "mass.A"), 0.03, 1e-15);
     ck_assert(size_of(u, "mass.B") == 0 && size_of(u, "damping.A") == 0 && size_of(u, "gap") == 0.05);
     thud_uncertainty_free(u);
-    const char *const absent[] = {"stiffness.C=5 %", "yield.A=5 %", "gap.2=5 %"};
+    const char *const absent[] = {"stiffness.C=5 %", "yield.A=5 %", "gap.2=5 %",         "yield=20 %",
+                                  "hardening=0.1",   "link=5 %",    "yield.common=10 %", "soil-stiffness=1.2"};
     for (size_t i = 0; i < sizeof absent / sizeof *absent; i++) {
         thud_inputs_init(&inputs);
         ck_assert_int_eq(thud_inputs_set(&inputs, absent[i], &error), THUD_OK);
         ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
                          THUD_INPUT);
     }
+    ck_assert_str_eq(error.what, "this scene has no soil-stiffness that could be uncertain");
+    ck_assert(strstr(error.allowed, "gap, stiffness, damping, mass, contact-stiffness") == error.allowed);
+    ck_assert_ptr_null(strstr(error.allowed, "yield"));
+    thud_inputs_init(&inputs); /* none of what is not there is what there is */
+    ck_assert_int_eq(thud_inputs_set(&inputs, "yield=0", &error), THUD_OK);
+    ck_assert_int_eq(thud_uncertainty_create(scene, motion, NULL, 0, THUD_CASE_AS_WRITTEN, &inputs, &u, &error),
+                     THUD_OK);
+    thud_uncertainty_free(u);
 }
 END_TEST
 

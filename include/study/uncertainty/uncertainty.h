@@ -51,6 +51,7 @@ enum { THUD_INPUTS_OWN_MAX = 64 };
 struct thud_inputs {
     double size[THUD_INPUTS];   /* of each building, or interface, on its own */
     double common[THUD_INPUTS]; /* of what all of them share besides */
+    bool asked[THUD_INPUTS];    /* with another size than none: the scene must have such a thing */
     int nown;
     struct thud_input_own {
         enum thud_input input;

@@ -102,8 +102,11 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
                                                           first_period(result, right), thud_gap_damping(model, right)),
             .height_m = NAN,
             .lower_m = NAN};
-        if (apart_m <= rounding * (level[c].left_m + level[c].right_m))
+        if (apart_m <= rounding * (level[c].left_m + level[c].right_m)) {
             level[c].relative_displacement_m = 0;
+            if (level[c].correlation == 0 && apart_m < level[c].left_m) /* free bodies, which have no periods */
+                level[c].correlation = 1;
+        }
         thud_gap_code_init(&level[c].code);
     }
 }

@@ -146,19 +146,44 @@ void thud_interface_case(struct thud_interface *at, enum thud_case which)
         at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
 }
 
+/* The one depth of all levels suits the bumper of each. */
+static enum thud_status check_cavity(const struct thud_interface *at, int interface, struct thud_error *err)
+{
+    static const double rounding_m = 1e-9;
+    struct thud_interface cased = *at;
+    thud_interface_case(&cased, THUD_CASE_CAVITY);
+    if (at->has_bumper && isnan(thud_interface_max_strain(at)))
+        return thud_error_refuse(
+            err, THUD_INPUT, "case", NULL,
+            "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
+            at->bumper.law ? at->bumper.law->name : "");
+    for (int l = 0; l < at->thickness.n && at->has_bumper; l++) {
+        const struct thud_level_values of = thud_interface_level(&cased, l);
+        if (!of.has_bumper || of.thickness_m > of.cavity_m + rounding_m)
+            continue;
+        return thud_error_refuse(
+            err, THUD_INPUT, "case",
+            "thickness-by-level above that depth, or 0 cm: no bumper there; or bumper.cavity by hand",
+            "the cavity is %.4g cm deep at every level, thickness (1 - max-strain), and the bumper of "
+            "interface %d is %.4g cm thick at level %d",
+            100 * of.cavity_m, interface + 1, 100 * of.thickness_m, l + 1);
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err)
 {
     int bumpers = 0;
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
+    enum thud_status status = THUD_OK;
+    for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++) {
         const struct thud_interface *at = &scene->interface[i];
         bumpers += at->has_bumper;
-        if (which == THUD_CASE_CAVITY && at->has_bumper && isnan(thud_interface_max_strain(at)))
-            return thud_error_refuse(
-                err, THUD_INPUT, "case", NULL,
-                "the cavity's depth is thickness (1 - max-strain), and the bumper's law %s has no max-strain",
-                at->bumper.law ? at->bumper.law->name : "");
+        if (which == THUD_CASE_CAVITY)
+            status = check_cavity(at, i, err);
     }
+    if (status != THUD_OK)
+        return status;
     if (bumpers == 0 && (which == THUD_CASE_BUMPER || which == THUD_CASE_CAVITY))
         return thud_error_refuse(err, THUD_INPUT, "case", "none, or add one, e.g. bumper.law=rubber",
                                  "the scene has no bumper for the case \"%s\"", thud_case_name(which));

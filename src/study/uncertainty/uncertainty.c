@@ -52,6 +52,7 @@ void thud_inputs_init(struct thud_inputs *inputs)
 static enum thud_status put_size(struct thud_inputs *inputs, enum thud_input input, const char *of, size_t n,
                                  double size, struct thud_error *err)
 {
+    inputs->asked[input] = size != (infos[input].way == THUD_INPUT_FACTOR ? 1 : 0);
     if (n == 0) {
         inputs->size[input] = size;
         for (int i = 0; i < inputs->nown; i++) /* later ones hold */
@@ -389,6 +390,15 @@ static void add_input(struct thud_uncertainty *u, enum thud_input input, int of,
     u->ninputs++;
 }
 
+/* Whether there is any such input, in the scene or by its suite. */
+static bool has_input(const struct thud_uncertainty *u, enum thud_input input)
+{
+    bool any = input == THUD_INPUT_MOTION && u->nsuite > 0;
+    for (int of = infos[input].each == THUD_INPUT_ALL ? -1 : 0; of < u->scene.nstructures && !any; of++)
+        any = is_there(&u->scene, input, of);
+    return any;
+}
+
 static void add_each(struct thud_uncertainty *u, const struct thud_inputs *inputs, enum thud_input input, bool *used)
 {
     bool structures = infos[input].each == THUD_INPUT_EACH_STRUCTURE;
@@ -401,11 +411,18 @@ static void add_each(struct thud_uncertainty *u, const struct thud_inputs *input
             add_input(u, input, of, size_of(inputs, &u->scene, input, of, used),
                       structures ? u->scene.structure[of].name : number);
     }
-    bool any = false;
-    for (int of = 0; of < n && !any; of++)
-        any = is_there(&u->scene, input, of);
-    if (any)
+    if (has_input(u, input))
         add_input(u, input, -1, inputs->common[input], "common");
+}
+
+static void allow_inputs(const struct thud_uncertainty *u, struct thud_error *err)
+{
+    struct thud_text names = {0};
+    for (int i = 0; i < THUD_INPUT_RECORD; i++)
+        if (has_input(u, (enum thud_input)i))
+            thud_text_append(&names, "%s%s", names.size ? ", " : "", infos[i].name);
+    thud_error_allow(err, "%s", names.data ? names.data : "none");
+    thud_text_clear(&names);
 }
 
 static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thud_inputs *inputs,
@@ -415,7 +432,7 @@ static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thu
     for (int i = 0; i < THUD_INPUT_RECORD; i++) {
         if (infos[i].each != THUD_INPUT_ALL)
             add_each(u, inputs, (enum thud_input)i, used);
-        else if (is_there(&u->scene, (enum thud_input)i, -1) || (i == THUD_INPUT_MOTION && u->nsuite > 0))
+        else if (has_input(u, (enum thud_input)i))
             add_input(u, (enum thud_input)i, -1, inputs->size[i], "");
     }
     if (u->nsuite > 1)
@@ -426,6 +443,13 @@ static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thu
                 err, THUD_INPUT, "--uncertain",
                 "the name or number of a building that has such a thing, the number of an interface",
                 "\"%s.%s\" is nothing that this scene has", infos[inputs->own[i].input].name, inputs->own[i].of);
+    for (int i = 0; i < THUD_INPUT_RECORD; i++)
+        if (inputs->asked[i] && !has_input(u, (enum thud_input)i)) {
+            thud_error_refuse(err, THUD_INPUT, "--uncertain", NULL, "this scene has no %s that could be uncertain",
+                              infos[i].name);
+            allow_inputs(u, err);
+            return THUD_INPUT;
+        }
     return u->ninputs > 0 ? THUD_OK : thud_error_set(err, THUD_INPUT, "no input is uncertain");
 }
 
