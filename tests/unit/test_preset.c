@@ -131,7 +131,7 @@ static const struct {
     {"gap: 100 mm", "gap: 100 mm\n    gap: 2 m",
      "p:25:5: gap: the key is given twice (once; it is on line 24 already)"},
     {"gap: 100 mm", "gpa: 100 mm",
-     "p:24:5: interfaces.1.gpa: unknown key; did you mean \"gap\"? (gap, gap-by-level, levels, contact-levels, "
+     "p:24:5: interfaces.1.gpa: unknown key \"gpa\"; did you mean \"gap\"? (gap, gap-by-level, levels, contact-levels, "
      "contact, bumper)"},
     {"gap: 100 mm", "gap: -1 mm", "p:24:10: interfaces.1.gap: -1 mm is too small (0 cm to 500 cm)"},
     {"  - gap: 100 mm   # wide\n    contact", "  - contact",
@@ -170,8 +170,8 @@ static const struct {
      "exponent is 2.7"},
     {"  - gap: 3 in\n    contact: {law: linear, stiffness: 1 MN/mm} # flow\n", "",
      "p:24:3: interfaces: 3 structures stand in a row, so 2 interfaces are wanted, not 1"},
-    {"interfaces:\n", "interface:\n", "p:23:1: interface: unknown key; did you mean \"interfaces\"?"},
-    {"record:\n", "record: kobe.csv\nrecords:\n", "p:4:1: records: unknown key; did you mean \"record\"?"},
+    {"interfaces:\n", "interface:\n", "p:23:1: interface: unknown key \"interface\"; did you mean \"interfaces\"?"},
+    {"record:\n", "record: kobe.csv\nrecords:\n", "p:4:1: records: unknown key \"records\"; did you mean \"record\"?"},
     {"record:\n", "record: &a\n", "p:3:9: anchors (&name) are not taken"},
     {"file: kobe.csv", "file: *a", "p:4:9: aliases (*name) are not taken"},
     {"file: kobe.csv", "file: !!str kobe.csv", "p:4:9: tags (!name) are not taken"},

@@ -344,6 +344,11 @@ enum thud_group {
 const struct thud_param *thud_group_param(enum thud_group group, int i);
 /* "structures", "record", ...: the key of the group in presets; empty for THUD_GROUP_SCENE. */
 const char *thud_group_key(enum thud_group group);
+/* The group that its key stands in, and the one with this key in a group; THUD_GROUPS: there is none. */
+enum thud_group thud_group_in(enum thud_group group);
+enum thud_group thud_group_find(enum thud_group in, const char *key);
+/* Where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
+size_t thud_group_base(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
 /* Returns the table columns of the widest structure name, at least `least`. */

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/nearest.h"
 #include "base/scan.h"
 #include "io/building/building_file.h"
 #include "io/preset/preset_private.h"
@@ -183,87 +182,49 @@ static enum thud_status want(const struct thud_preset *preset, int node, const c
                   NULL, err);
 }
 
-/* Every key has to be one of `known`. */
-static enum thud_status check_keys(const struct thud_preset *preset, int node, const char *path,
-                                   const char *const *known, int count, struct thud_error *err)
+/* What else a key's value depends on is set before it: 0 the law or kind of what it belongs to, or the varied key; 1 the
+ * number of storeys; 3 a stiffness, whose unit has the exponent of its law; 2 all else. */
+enum { FIRST_RANK, STOREYS_RANK, USUAL_RANK, LAST_RANK };
+static int rank_of(const struct thud_param *param)
 {
-    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
-    const struct thud_yaml *tree = &preset->tree;
-    for (int i = status == THUD_OK ? tree->node[node].first : -1; i >= 0; i = tree->node[tree->node[i].next].next) {
-        const char *key = thud_yaml_text(tree, i);
-        bool found = false;
-        char list[200] = "", what[256], full[PATH_BYTES + 80];
-        size_t n = 0;
-        for (int k = 0; k < count; k++) {
-            found = found || strcmp(known[k], key) == 0;
-            if (n < sizeof list)
-                n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", k ? ", " : "", known[k]);
-        }
-        if (found)
-            continue;
-        const char *near = thud_nearest(key, known, count);
-        snprintf(full, sizeof full, "%s%s%.60s", path, *path ? "." : "", key);
-        snprintf(what, sizeof what, near ? "unknown key; did you mean \"%s\"?" : "unknown key", near);
-        return refuse(preset, i, full, what, list, err);
-    }
-    return status;
+    static const char *const first[] = {"kind", "law", "vary"};
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        if (strcmp(param->name, first[i]) == 0)
+            return FIRST_RANK;
+    return strcmp(param->name, "storeys") == 0                                              ? STOREYS_RANK
+           : param->kind == THUD_PARAM_QUANTITY && param->dimension == THUD_POWER_STIFFNESS ? LAST_RANK
+                                                                                            : USUAL_RANK;
 }
 
-/* Whether a key of a structure has keys of its own. */
-static bool is_nested(const char *path, const char *key)
-{
-    if (strncmp(path, "structures.", 11) != 0 || strchr(path + 11, '.'))
-        return false;
-    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
-        if (strcmp(key, thud_group_key(thud_nested_group(i))) == 0)
-            return true;
-    return false;
-}
-
-/* Sets the keys of a node for which `wanted` holds, in the order of the file. Unknown keys are found by their setting.
- */
-static enum thud_status set_keys(struct thud_preset *preset, int node, const char *path,
-                                 bool (*wanted)(const struct thud_preset *, const char *path, const char *key),
-                                 struct thud_error *err)
+/* Sets the keys of a node from a rank on, in the order of the file where the rank is the same; those with keys of their
+ * own are left. Unknown keys are found by their setting. */
+static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud_group group, const char *path,
+                                 int from, struct thud_error *err)
 {
     const struct thud_yaml *tree = &preset->tree;
     enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
-    for (int i = status == THUD_OK ? tree->node[node].first : -1; i >= 0 && status == THUD_OK;
-         i = tree->node[tree->node[i].next].next) {
-        const char *key = thud_yaml_text(tree, i);
-        char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
-        int floor;
-        if (strlen(key) > KEY_BYTES || strchr(key, '.'))
-            return refuse(preset, i, path, "the key is no word of presets", NULL, err);
-        snprintf(full, sizeof full, "%s.%.*s", path, KEY_BYTES, key);
-        if (is_nested(path, key))
-            continue;
-        if (!thud_scene_param(&preset->scene, full, &floor)) {
-            thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
-            return at(preset, i, THUD_INPUT, err);
+    for (int rank = from; rank <= LAST_RANK && status == THUD_OK; rank++)
+        for (int i = tree->node[node].first; i >= 0 && status == THUD_OK; i = tree->node[tree->node[i].next].next) {
+            const char *key = thud_yaml_text(tree, i);
+            char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
+            int floor;
+            if (strlen(key) > KEY_BYTES || strchr(key, '.'))
+                return refuse(preset, i, path, "the key is no word of presets", NULL, err);
+            if (thud_group_find(group, key) != THUD_GROUPS)
+                continue;
+            snprintf(full, sizeof full, "%s%s%.*s", path, *path ? "." : "", KEY_BYTES, key);
+            const struct thud_param *param = thud_scene_param(&preset->scene, full, &floor);
+            if (!param) {
+                thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
+                return at(preset, i, THUD_INPUT, err);
+            }
+            if (rank_of(param) == rank)
+                status = set_value(preset, full, tree->node[i].next, err);
         }
-        if (wanted(preset, full, key))
-            status = set_value(preset, full, tree->node[i].next, err);
-    }
     return status;
-}
-
-static bool any(const struct thud_preset *preset, const char *path, const char *key)
-{
-    (void)preset;
-    (void)path;
-    (void)key;
-    return true;
 }
 
 /* ---- structures ---- */
-
-static bool not_yet_set(const struct thud_preset *preset, const char *path, const char *key)
-{
-    (void)preset;
-    (void)path;
-    return strcmp(key, "kind") != 0 && strcmp(key, "storeys") != 0;
-}
 
 /* `storeys`, or as many as the first list has values. */
 static enum thud_status set_storeys(struct thud_preset *preset, int node, const char *path, struct thud_error *err)
@@ -303,14 +264,14 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     if (thud_kind_is_building(structure->kind))
         status = set_storeys(preset, node, path, err);
     if (status == THUD_OK)
-        status = set_keys(preset, node, path, not_yet_set, err);
+        status = set_keys(preset, node, THUD_GROUP_STRUCTURE, path, USUAL_RANK, err);
     for (int i = 0; i < THUD_NESTED_GROUPS && status == THUD_OK; i++) {
         const char *group = thud_group_key(thud_nested_group(i));
         int nested = thud_yaml_find(&preset->tree, node, group, NULL);
         snprintf(path, sizeof path, "structures.%d.%s", s + 1, group);
         if (nested >= 0 && kind_of(preset, nested) == THUD_YAML_KEYS && preset->tree.node[nested].first < 0)
             return refuse(preset, nested, path, "there is nothing in it", "a key with its value; or leave it out", err);
-        status = nested >= 0 ? set_keys(preset, nested, path, any, err) : status;
+        status = nested >= 0 ? set_keys(preset, nested, thud_nested_group(i), path, 0, err) : status;
     }
     return status;
 }
@@ -350,23 +311,6 @@ static enum thud_status walk_structures(struct thud_preset *preset, int root, st
 
 /* ---- interfaces ---- */
 
-static bool is_power(const struct thud_preset *preset, const char *path)
-{
-    int floor;
-    const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
-    return param && param->dimension == THUD_POWER_STIFFNESS;
-}
-
-static bool before_power(const struct thud_preset *preset, const char *path, const char *key)
-{
-    return strcmp(key, "law") != 0 && !is_power(preset, path);
-}
-
-static bool power(const struct thud_preset *preset, const char *path, const char *key)
-{
-    return strcmp(key, "law") != 0 && is_power(preset, path);
-}
-
 /* The law gets its own defaults, whatever stood there before. A contact without one keeps that of thud_interface_init,
  * the paper's. */
 static enum thud_status walk_law(struct thud_preset *preset, struct thud_interface *interface, bool bumper,
@@ -397,42 +341,26 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
         interface->bumper_thickness_m = NAN;
         interface->bumper_cavity_m = 0;
     }
-    status = set_keys(preset, node, path, before_power, err);
-    return status == THUD_OK ? set_keys(preset, node, path, power, err) : status;
+    return set_keys(preset, node, bumper ? THUD_GROUP_BUMPER : THUD_GROUP_CONTACT, path, USUAL_RANK, err);
 }
 
 static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
 {
-    const char *known[16]; /* its values, then its laws */
-    int values = 0;
-    for (const struct thud_param *of; (of = thud_group_param(THUD_GROUP_INTERFACE, values)) != NULL;)
-        known[values++] = of->name;
-    known[values] = "contact";
-    known[values + 1] = "bumper";
     struct thud_interface *interface = &preset->scene.interface[i];
-    char path[PATH_BYTES], full[PATH_BYTES + 16];
+    char path[32], full[PATH_BYTES];
     snprintf(path, sizeof path, "interfaces.%d", i + 1);
     thud_interface_init(interface);
     interface->gap_m = NAN;
-    enum thud_status status = check_keys(preset, node, path, known, values + 2, err);
-    for (int k = 0; k < values && status == THUD_OK; k++) {
-        const int value = thud_yaml_find(&preset->tree, node, known[k], NULL);
-        snprintf(full, sizeof full, "%s.%s", path, known[k]);
-        if (value >= 0)
-            status = set_value(preset, full, value, err);
-    }
-    if (status != THUD_OK)
-        return status;
-    const int contact = thud_yaml_find(&preset->tree, node, "contact", NULL),
-              bumper = thud_yaml_find(&preset->tree, node, "bumper", NULL);
-    snprintf(full, sizeof full, "%s.contact", path);
     interface->contact.assumed = true;
-    if (contact >= 0)
-        status = walk_law(preset, interface, false, full, contact, err);
-    if (status != THUD_OK || bumper < 0)
-        return status;
-    snprintf(full, sizeof full, "%s.bumper", path);
-    return walk_law(preset, interface, true, full, bumper, err);
+    enum thud_status status = set_keys(preset, node, THUD_GROUP_INTERFACE, path, 0, err);
+    for (int bumper = 0; bumper < 2 && status == THUD_OK; bumper++) {
+        const char *key = thud_group_key(bumper ? THUD_GROUP_BUMPER : THUD_GROUP_CONTACT);
+        const int law = thud_yaml_find(&preset->tree, node, key, NULL);
+        snprintf(full, sizeof full, "%s.%s", path, key);
+        if (law >= 0)
+            status = walk_law(preset, interface, bumper, full, law, err);
+    }
+    return status;
 }
 
 static enum thud_status walk_interfaces(struct thud_preset *preset, int root, struct thud_error *err)
@@ -452,13 +380,6 @@ static enum thud_status walk_interfaces(struct thud_preset *preset, int root, st
 }
 
 /* ---- links ---- */
-
-static bool not_law(const struct thud_preset *preset, const char *path, const char *key)
-{
-    (void)preset;
-    (void)path;
-    return strcmp(key, "law") != 0;
-}
 
 /* The law first: what else may be said depends on it. */
 static enum thud_status walk_links(struct thud_preset *preset, int root, struct thud_error *err)
@@ -481,35 +402,12 @@ static enum thud_status walk_links(struct thud_preset *preset, int root, struct 
         if (status == THUD_OK)
             status = set_value(preset, full, law, err);
         if (status == THUD_OK)
-            status = set_keys(preset, node, path, not_law, err);
+            status = set_keys(preset, node, THUD_GROUP_LINK, path, USUAL_RANK, err);
     }
     return status;
 }
 
 /* ---- the rest ---- */
-
-static bool is_vary(const struct thud_preset *preset, const char *path, const char *key)
-{
-    (void)preset;
-    (void)path;
-    return strcmp(key, "vary") == 0;
-}
-
-static bool not_vary(const struct thud_preset *preset, const char *path, const char *key)
-{
-    return !is_vary(preset, path, key);
-}
-
-static enum thud_status walk_group(struct thud_preset *preset, int root, const char *name, struct thud_error *err)
-{
-    int node = thud_yaml_find(&preset->tree, root, name, NULL);
-    if (node < 0)
-        return THUD_OK;
-    if (strcmp(name, "study") != 0)
-        return set_keys(preset, node, name, any, err);
-    enum thud_status status = set_keys(preset, node, name, is_vary, err);
-    return status == THUD_OK ? set_keys(preset, node, name, not_vary, err) : status;
-}
 
 /* What only a bumper lacks is kept for who asks for none. */
 static enum thud_status check_scene(struct thud_preset *preset, struct thud_error *err)
@@ -536,27 +434,18 @@ static enum thud_status check_scene(struct thud_preset *preset, struct thud_erro
 
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err)
 {
-    static const char *const known[] = {"title", "p-delta",  "record", "structures", "interfaces",
-                                        "links", "analysis", "study",  "document"};
-    enum thud_status status = check_keys(preset, 0, "", known, sizeof known / sizeof *known, err);
-    for (int i = 0; i < 2 && status == THUD_OK; i++) { /* those of the scene itself */
-        int value = thud_yaml_find(&preset->tree, 0, known[i], NULL);
-        status = value >= 0 ? set_value(preset, known[i], value, err) : THUD_OK;
+    enum thud_status status = set_keys(preset, 0, THUD_GROUP_SCENE, "", 0, err);
+    for (enum thud_group group = 0; group < THUD_GROUPS && status == THUD_OK; group++) {
+        const int node = thud_yaml_find(&preset->tree, 0, thud_group_key(group), NULL);
+        if (group == THUD_GROUP_STRUCTURE)
+            status = walk_structures(preset, 0, err);
+        else if (group == THUD_GROUP_INTERFACE)
+            status = walk_interfaces(preset, 0, err);
+        else if (group == THUD_GROUP_LINK)
+            status = walk_links(preset, 0, err);
+        else if (thud_group_base(group) > 0 && node >= 0)
+            status = set_keys(preset, node, group, thud_group_key(group), 0, err);
     }
-    if (status == THUD_OK)
-        status = walk_group(preset, 0, "record", err);
-    if (status == THUD_OK)
-        status = walk_structures(preset, 0, err);
-    if (status == THUD_OK)
-        status = walk_interfaces(preset, 0, err);
-    if (status == THUD_OK)
-        status = walk_links(preset, 0, err);
-    if (status == THUD_OK)
-        status = walk_group(preset, 0, "analysis", err);
-    if (status == THUD_OK)
-        status = walk_group(preset, 0, "study", err);
-    if (status == THUD_OK)
-        status = walk_group(preset, 0, "document", err);
     if (status == THUD_OK) {
         status = thud_building_files_read(&preset->scene, preset->name, err);
         if (status != THUD_OK && err && !err->file[0])

@@ -1,5 +1,6 @@
 /* The tables of everything a preset may say, but for the laws' own parameters. */
 #include <math.h>
+#include <string.h>
 
 #include "ground/target.h"
 #include "study/scene/scene_slot.h"
@@ -329,30 +330,31 @@ static const struct row document_rows[] = {
 #undef AT
 /* clang-format on */
 
-#define GROUP(word, key, ...)                                                                                          \
+#define GROUP(word, key, in, ...)                                                                                      \
     {                                                                                                                  \
-        key, word##_rows, sizeof word##_rows / sizeof *word##_rows, __VA_ARGS__                                        \
+        key, word##_rows, sizeof word##_rows / sizeof *word##_rows, THUD_GROUP_##in, __VA_ARGS__                       \
     }
 static const struct {
     const char *key;
     const struct row *rows;
     int count;
-    size_t base; /* in the scene, of what it has one of */
+    enum thud_group in; /* what its key stands in */
+    size_t base;        /* in the scene, of what it has one of */
 } groups[THUD_GROUPS] = {
-    [THUD_GROUP_SCENE] = GROUP(scene, "", 0),
-    [THUD_GROUP_RECORD] = GROUP(record, "record", offsetof(struct thud_scene, record)),
-    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures", 0),
-    [THUD_GROUP_COLUMN] = GROUP(column, "column", 0),
-    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator", 0),
-    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation", 0),
-    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill", 0),
-    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces", 0),
-    [THUD_GROUP_CONTACT] = GROUP(contact, "contact", 0),
-    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper", 0),
-    [THUD_GROUP_LINK] = GROUP(link, "links", 0),
-    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis", offsetof(struct thud_scene, analysis)),
-    [THUD_GROUP_STUDY] = GROUP(study, "study", offsetof(struct thud_scene, study)),
-    [THUD_GROUP_DOCUMENT] = GROUP(document, "document", offsetof(struct thud_scene, document)),
+    [THUD_GROUP_SCENE] = GROUP(scene, "", SCENE, 0),
+    [THUD_GROUP_RECORD] = GROUP(record, "record", SCENE, offsetof(struct thud_scene, record)),
+    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures", SCENE, 0),
+    [THUD_GROUP_COLUMN] = GROUP(column, "column", STRUCTURE, 0),
+    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator", STRUCTURE, 0),
+    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation", STRUCTURE, 0),
+    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill", STRUCTURE, 0),
+    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces", SCENE, 0),
+    [THUD_GROUP_CONTACT] = GROUP(contact, "contact", INTERFACE, 0),
+    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper", INTERFACE, 0),
+    [THUD_GROUP_LINK] = GROUP(link, "links", SCENE, 0),
+    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis", SCENE, offsetof(struct thud_scene, analysis)),
+    [THUD_GROUP_STUDY] = GROUP(study, "study", SCENE, offsetof(struct thud_scene, study)),
+    [THUD_GROUP_DOCUMENT] = GROUP(document, "document", SCENE, offsetof(struct thud_scene, document)),
 };
 
 const struct thud_param *thud_group_param(enum thud_group group, int i)
@@ -363,6 +365,19 @@ const struct thud_param *thud_group_param(enum thud_group group, int i)
 const struct thud_place *thud_group_place(enum thud_group group, int i)
 {
     return i < groups[group].count ? &groups[group].rows[i].place : NULL;
+}
+
+enum thud_group thud_group_in(enum thud_group group)
+{
+    return groups[group].in;
+}
+
+enum thud_group thud_group_find(enum thud_group in, const char *key)
+{
+    for (enum thud_group group = THUD_GROUP_SCENE + 1; group < THUD_GROUPS; group++)
+        if (groups[group].in == in && strcmp(groups[group].key, key) == 0)
+            return group;
+    return THUD_GROUPS;
 }
 
 size_t thud_group_base(enum thud_group group)

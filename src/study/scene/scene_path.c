@@ -57,11 +57,10 @@ static enum thud_status unknown(const struct thud_scene *scene, enum thud_group 
         if ((group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[item].kind, i)) &&
             (group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[item].law, i)))
             thud_words_add(&words, param->name);
-    for (int i = 0; i < 2 && group == THUD_GROUP_INTERFACE; i++)
-        thud_words_add(&words, thud_group_key(i == 0 ? THUD_GROUP_CONTACT : THUD_GROUP_BUMPER));
-    for (int i = 0; i < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; i++)
-        if (thud_group_place(thud_nested_group(i), 0)->kinds & 1u << scene->structure[item].kind)
-            thud_words_add(&words, thud_group_key(thud_nested_group(i)));
+    for (enum thud_group g = THUD_GROUP_SCENE + 1; g < THUD_GROUPS; g++)
+        if (thud_group_in(g) == group &&
+            (group != THUD_GROUP_STRUCTURE || thud_group_place(g, 0)->kinds & 1u << scene->structure[item].kind))
+            thud_words_add(&words, thud_group_key(g));
     for (int i = 0; law && i < law->nparams; i++)
         thud_words_add(&words, law->params[i].name);
     return thud_words_unknown(&words, "key", key, err);
@@ -102,10 +101,9 @@ static enum thud_status no_such(const char *what, const char *part, int most, st
 static enum thud_status find_structure(const struct thud_scene *scene, char **part, int n, struct thud_slot *out,
                                        struct thud_error *err)
 {
-    enum thud_group group = THUD_GROUP_STRUCTURE;
-    for (int i = 0; i < THUD_NESTED_GROUPS && n > 1; i++)
-        if (strcmp(part[1], thud_group_key(thud_nested_group(i))) == 0)
-            group = thud_nested_group(i);
+    enum thud_group group = n > 1 ? thud_group_find(THUD_GROUP_STRUCTURE, part[1]) : THUD_GROUPS;
+    if (group == THUD_GROUPS)
+        group = THUD_GROUP_STRUCTURE;
     if (n == 2 && group != THUD_GROUP_STRUCTURE)
         return refuse_group(group, err);
     const bool column = group == THUD_GROUP_COLUMN, isolator = group == THUD_GROUP_ISOLATOR,
@@ -245,45 +243,44 @@ static enum thud_status find_link(const struct thud_scene *scene, char **part, i
     return THUD_OK;
 }
 
+/* Of the scene, or short for those of its only interface. */
 static enum thud_status unknown_top(const char *key, struct thud_error *err)
 {
-    static const struct thud_words words = {{"title", "p-delta", "record", "structures", "interfaces", "links",
-                                             "analysis", "study", "document", "gap", "gap-by-level", "levels",
-                                             "contact-levels", "contact", "bumper"},
-                                            15};
+    static const enum thud_group top[] = {THUD_GROUP_SCENE, THUD_GROUP_INTERFACE};
+    struct thud_words words = {0};
+    const struct thud_param *param;
+    for (size_t t = 0; t < sizeof top / sizeof *top; t++) {
+        for (int i = 0; (param = thud_group_param(top[t], i)); i++)
+            thud_words_add(&words, param->name);
+        for (enum thud_group g = THUD_GROUP_SCENE + 1; g < THUD_GROUPS; g++)
+            if (thud_group_in(g) == top[t])
+                thud_words_add(&words, thud_group_key(g));
+    }
     return thud_words_unknown(&words, "key", key, err);
 }
 
 static enum thud_status find(const struct thud_scene *scene, struct path *path, struct thud_slot *out,
                              struct thud_error *err)
 {
-    static const enum thud_group flat[] = {THUD_GROUP_RECORD, THUD_GROUP_ANALYSIS, THUD_GROUP_STUDY,
-                                           THUD_GROUP_DOCUMENT};
     char **part = path->part;
-    if (strcmp(part[0], "structures") == 0)
+    enum thud_group group = thud_group_find(THUD_GROUP_SCENE, part[0]);
+    if (group == THUD_GROUP_STRUCTURE)
         return find_structure(scene, part + 1, path->n - 1, out, err);
-    if (strcmp(part[0], "interfaces") == 0)
+    if (group == THUD_GROUP_INTERFACE)
         return find_numbered_interface(scene, part + 1, path->n - 1, out, err);
-    if (strcmp(part[0], "links") == 0)
+    if (group == THUD_GROUP_LINK)
         return find_link(scene, part + 1, path->n - 1, out, err);
-    if (find_in_group(THUD_GROUP_INTERFACE, part[0], 0) >= 0 || strcmp(part[0], "contact") == 0 ||
-        strcmp(part[0], "bumper") == 0)
+    if (find_in_group(THUD_GROUP_INTERFACE, part[0], 0) >= 0 ||
+        thud_group_find(THUD_GROUP_INTERFACE, part[0]) != THUD_GROUPS)
         return find_short(scene, path, out, err);
-    for (size_t g = 0; g < sizeof flat / sizeof *flat; g++) {
-        if (strcmp(part[0], thud_group_key(flat[g])) != 0)
-            continue;
-        if (path->n != 2)
-            return wrong_depth(err);
-        int i = find_in_group(flat[g], part[1], 0);
-        if (i < 0)
-            return unknown(scene, flat[g], NULL, 0, part[1], err);
-        fill(out, flat[g], i, thud_group_base(flat[g]));
-        return THUD_OK;
-    }
-    int i = path->n == 1 ? find_in_group(THUD_GROUP_SCENE, part[0], 0) : -1;
+    const bool own = group == THUD_GROUPS; /* of the scene itself */
+    if (path->n != 2 - own)
+        return own ? unknown_top(part[0], err) : wrong_depth(err);
+    group = own ? THUD_GROUP_SCENE : group;
+    int i = find_in_group(group, part[path->n - 1], 0);
     if (i < 0)
-        return unknown_top(part[0], err);
-    fill(out, THUD_GROUP_SCENE, i, 0);
+        return own ? unknown_top(part[0], err) : unknown(scene, group, NULL, 0, part[1], err);
+    fill(out, group, i, thud_group_base(group));
     return THUD_OK;
 }
 

@@ -56,8 +56,6 @@ enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_er
 
 /* Of the i-th parameter of a group; NULL behind the last. */
 const struct thud_place *thud_group_place(enum thud_group group, int i);
-/* Where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
-size_t thud_group_base(enum thud_group group);
 /* The value of a parameter that is not given: its default, NaN where there is none; of a list that of the lowest floor. */
 void thud_place_clear(const struct thud_param *param, const struct thud_place *place, void *at);
 /* The same for all values of a group in `of`: a part of the scene, a structure of one of these kinds (bit set). */

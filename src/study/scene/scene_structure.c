@@ -159,9 +159,7 @@ bool thud_wall_has_backfill(const struct thud_structure *structure)
 
 enum thud_group thud_nested_group(int i)
 {
-    static const enum thud_group group[THUD_NESTED_GROUPS] = {THUD_GROUP_COLUMN, THUD_GROUP_ISOLATOR,
-                                                              THUD_GROUP_FOUNDATION, THUD_GROUP_BACKFILL};
-    return group[i];
+    return THUD_GROUP_COLUMN + i;
 }
 
 bool thud_structure_has_group(const struct thud_structure *s, enum thud_group group)
