@@ -347,6 +347,11 @@ const char *thud_group_key(enum thud_group group);
 /* The group that its key stands in, and the one with this key in a group; THUD_GROUPS: there is none. */
 enum thud_group thud_group_in(enum thud_group group);
 enum thud_group thud_group_find(enum thud_group in, const char *key);
+/* Of which the scene has a list: structures, interfaces, links. */
+static inline bool thud_group_is_list(enum thud_group group)
+{
+    return group == THUD_GROUP_STRUCTURE || group == THUD_GROUP_INTERFACE || group == THUD_GROUP_LINK;
+}
 /* Where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
 size_t thud_group_base(enum thud_group group);
 /* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */

@@ -224,21 +224,6 @@ static bool said_by_list(const struct saving *s, int node, const char *key)
     return false;
 }
 
-static bool is_nested(const char *key)
-{
-    for (int i = 0; i < THUD_NESTED_GROUPS; i++)
-        if (strcmp(key, thud_group_key(thud_nested_group(i))) == 0)
-            return true;
-    return false;
-}
-
-static void path_of(struct thud_section section, const char *key, char *path, size_t size)
-{
-    char prefix[THUD_SECTION_PATH];
-    thud_section_path(section, prefix, sizeof prefix);
-    snprintf(path, size, "%s%s%.60s", prefix, *prefix ? "." : "", key);
-}
-
 /* Keys that the file has: replaced or taken out. Returns how many stay. */
 static int save_present(struct saving *s, struct thud_section section, int node, bool dry, bool *out)
 {
@@ -247,12 +232,8 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         const char *name = thud_yaml_text(&s->preset->tree, key);
         int value = node_at(s, key)->next;
         char path[PATH_BYTES];
-        path_of(section, name, path, sizeof path);
-        bool nested =
-            (section.group == THUD_GROUP_INTERFACE && (strcmp(name, "contact") == 0 || strcmp(name, "bumper") == 0)) ||
-            (section.group == THUD_GROUP_STRUCTURE && is_nested(name)) ||
-            (section.group == THUD_GROUP_SCENE && strcmp(name, "title") != 0 && strcmp(name, "p-delta") != 0);
-        if (nested) {
+        thud_section_path(section, name, path, sizeof path);
+        if (thud_group_find(section.group, name) != THUD_GROUPS) { /* it has keys of its own */
             stay++;
         } else if (!texts(s, path) || !*s->after ||
                    (section.group == THUD_GROUP_BUMPER && s->now->interface[section.index].has_bumper &&
@@ -286,17 +267,15 @@ static bool other_defaults(const struct saving *s, struct thud_section section)
 /* Keys that the file has not and the scene needs; lines of them. */
 static int save_absent(struct saving *s, struct thud_section section, int node, int indent, struct thud_text *lines)
 {
-    const char *key[THUD_SECTION_KEYS_MAX];
-    int n = thud_section_keys(s->now, section, key), added = 0;
-    for (int i = 0; i < n; i++) {
-        char path[PATH_BYTES];
-        path_of(section, key[i], path, sizeof path);
-        if ((node >= 0 && thud_yaml_find(&s->preset->tree, node, key[i], NULL) >= 0) || !texts(s, path) ||
-            (strcmp(s->before, s->after) == 0 && !other_defaults(s, section)) || !*s->after ||
-            (node >= 0 && said_by_list(s, node, key[i])))
+    int added = 0;
+    struct thud_keys keys = thud_keys_of(s->now, section, s->after);
+    while (thud_keys_next(&keys)) {
+        if ((node >= 0 && thud_yaml_find(&s->preset->tree, node, keys.key, NULL) >= 0) || !texts(s, keys.path) ||
+            (strcmp(s->before, s->after) == 0 && !other_defaults(s, section)) ||
+            (node >= 0 && said_by_list(s, node, keys.key)))
             continue;
-        thud_text_append(lines, "%*s%s: ", indent, "", key[i]);
-        thud_emit_value(lines, path, s->after, false);
+        thud_text_append(lines, "%*s%s: ", indent, "", keys.key);
+        thud_emit_value(lines, keys.path, s->after, false);
         thud_text_append(lines, "%s", s->newline);
         added++;
     }
@@ -308,8 +287,7 @@ static void rewrite_flow(struct saving *s, struct thud_section section, int node
 {
     struct thud_text text = {0};
     struct thud_emit emit = {&text, s->newline, true};
-    if (section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_INTERFACE ||
-        section.group == THUD_GROUP_LINK)
+    if (thud_group_is_list(section.group))
         thud_emit_item(&emit, s->now, section, 0);
     else {
         thud_text_append(&text, "{");
@@ -378,58 +356,38 @@ static void append_nested(struct saving *s, enum thud_group group, int i, int no
     append_lines(s, node, &lines);
 }
 
-static void save_structure(struct saving *s, int i, int node)
+/* An item of a list with what has keys of its own in it; a contact is said where it was, or has another law. */
+static void save_item(struct saving *s, struct thud_section section, int node)
 {
-    struct thud_section section = {THUD_GROUP_STRUCTURE, i};
-    for (int k = 0; k < THUD_NESTED_GROUPS; k++) {
-        enum thud_group group = thud_nested_group(k);
-        bool had = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), NULL) >= 0;
-        if (node_at(s, node)->flow && had != thud_structure_has_group(&s->now->structure[i], group)) {
-            rewrite_flow(s, section, node);
-            return;
-        }
-    }
-    if (!save_section(s, section, node))
-        return;
-    for (int k = 0; k < THUD_NESTED_GROUPS; k++) {
-        enum thud_group group = thud_nested_group(k);
-        int key = -1, value = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), &key);
-        bool now = thud_structure_has_group(&s->now->structure[i], group);
-        if (value >= 0 && now)
-            save_section(s, (struct thud_section){group, i}, value);
-        else if (value >= 0)
-            delete_key(s, key);
-        else if (now)
-            append_nested(s, group, i, node);
-    }
-}
-
-static void save_interface(struct saving *s, int i, int node)
-{
-    struct thud_section section = {THUD_GROUP_INTERFACE, i};
-    int key = -1, contact = thud_yaml_find(&s->preset->tree, node, "contact", NULL);
-    int bumper = thud_yaml_find(&s->preset->tree, node, "bumper", &key);
-    bool now = thud_interface_says_bumper(&s->now->interface[i]);
-    const struct thud_law_choice *is = &s->now->interface[i].contact;
-    struct thud_law_choice was = s->preset->scene.interface[i].contact;
+    const struct thud_law_choice *is = &s->now->interface[section.index].contact;
+    struct thud_law_choice was = s->preset->scene.interface[section.index].contact;
     was.assumed = is->assumed;
-    bool changed = contact < 0 && memcmp(&was, is, sizeof was) != 0; /* no law was given */
-    if (node_at(s, node)->flow && ((bumper >= 0) != now || changed)) {
+    int key[THUD_GROUPS], value[THUD_GROUPS];
+    bool now[THUD_GROUPS] = {false}, changed = false;
+    for (enum thud_group group = 0; group < THUD_GROUPS; group++) {
+        key[group] = value[group] = -1;
+        if (thud_group_in(group) != section.group)
+            continue;
+        value[group] = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), &key[group]);
+        now[group] = group == THUD_GROUP_CONTACT
+                         ? value[group] >= 0 || memcmp(&was, is, sizeof was) != 0
+                         : thud_section_given(s->now, (struct thud_section){group, section.index});
+        changed = changed || (value[group] >= 0) != now[group];
+    }
+    if (node_at(s, node)->flow && changed) {
         rewrite_flow(s, section, node);
         return;
     }
     if (!save_section(s, section, node))
         return;
-    if (contact >= 0)
-        save_section(s, (struct thud_section){THUD_GROUP_CONTACT, i}, contact);
-    else if (changed)
-        append_nested(s, THUD_GROUP_CONTACT, i, node);
-    if (bumper >= 0 && now)
-        save_section(s, (struct thud_section){THUD_GROUP_BUMPER, i}, bumper);
-    else if (bumper >= 0)
-        delete_key(s, key);
-    else if (now)
-        append_nested(s, THUD_GROUP_BUMPER, i, node);
+    for (enum thud_group group = 0; group < THUD_GROUPS; group++) {
+        if (value[group] >= 0 && now[group])
+            save_section(s, (struct thud_section){group, section.index}, value[group]);
+        else if (value[group] >= 0)
+            delete_key(s, key[group]);
+        else if (now[group])
+            append_nested(s, group, section.index, node);
+    }
 }
 
 /* ---- structures added, removed ---- */
@@ -510,28 +468,21 @@ static void save_list(struct saving *s, enum thud_group group, int n)
 
 static void save_all(struct saving *s)
 {
-    const struct thud_scene *was = &s->preset->scene;
-    int structures = thud_yaml_find(&s->preset->tree, 0, "structures", NULL);
-    int interfaces = thud_yaml_find(&s->preset->tree, 0, "interfaces", NULL);
-    save_section(s, (struct thud_section){THUD_GROUP_SCENE, 0}, 0);
-    save_group(s, THUD_GROUP_RECORD);
-    if (was->nstructures != s->now->nstructures) {
-        save_list(s, THUD_GROUP_STRUCTURE, s->now->nstructures);
-        save_list(s, THUD_GROUP_INTERFACE, s->now->nstructures - 1);
-    } else {
-        for (int i = 0; i < was->nstructures; i++)
-            save_structure(s, i, thud_yaml_child(&s->preset->tree, structures, i));
-        for (int i = 0; i + 1 < was->nstructures; i++)
-            save_interface(s, i, thud_yaml_child(&s->preset->tree, interfaces, i));
+    for (enum thud_group group = 0; group < THUD_GROUPS; group++) {
+        const int n = thud_section_count(s->now, group),
+                  list = thud_yaml_find(&s->preset->tree, 0, thud_group_key(group), NULL);
+        if (thud_group_in(group) != THUD_GROUP_SCENE)
+            continue;
+        if (group == THUD_GROUP_SCENE)
+            save_section(s, (struct thud_section){group, 0}, 0);
+        else if (!thud_group_is_list(group))
+            save_group(s, group);
+        else if (thud_section_count(&s->preset->scene, group) != n)
+            save_list(s, group, n);
+        else
+            for (int i = 0; i < n; i++)
+                save_item(s, (struct thud_section){group, i}, thud_yaml_child(&s->preset->tree, list, i));
     }
-    if (was->nlinks != s->now->nlinks)
-        save_list(s, THUD_GROUP_LINK, s->now->nlinks);
-    for (int i = 0; i < was->nlinks && was->nlinks == s->now->nlinks; i++)
-        save_section(s, (struct thud_section){THUD_GROUP_LINK, i},
-                     thud_yaml_child(&s->preset->tree, thud_yaml_find(&s->preset->tree, 0, "links", NULL), i));
-    save_group(s, THUD_GROUP_ANALYSIS);
-    save_group(s, THUD_GROUP_STUDY);
-    save_group(s, THUD_GROUP_DOCUMENT);
 }
 
 bool thud_preset_diff(const struct thud_preset *preset, const struct thud_scene *scene, const char *newline,

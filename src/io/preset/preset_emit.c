@@ -7,46 +7,62 @@
 #include "base/utf8.h"
 #include "io/preset/preset.h"
 
-void thud_section_path(struct thud_section section, char *path, size_t size)
+int thud_section_count(const struct thud_scene *scene, enum thud_group group)
 {
-    const char *key = thud_group_key(section.group);
-    switch (section.group) {
-    case THUD_GROUP_STRUCTURE:
-    case THUD_GROUP_INTERFACE:
-    case THUD_GROUP_LINK:
-        snprintf(path, size, "%s.%d", key, section.index + 1);
-        break;
-    case THUD_GROUP_COLUMN:
-    case THUD_GROUP_ISOLATOR:
-    case THUD_GROUP_FOUNDATION:
-    case THUD_GROUP_BACKFILL:
-        snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_STRUCTURE), section.index + 1, key);
-        break;
-    case THUD_GROUP_CONTACT:
-    case THUD_GROUP_BUMPER:
-        snprintf(path, size, "%s.%d.%s", thud_group_key(THUD_GROUP_INTERFACE), section.index + 1, key);
-        break;
-    default:
-        snprintf(path, size, "%s", key);
-    }
+    return group == THUD_GROUP_STRUCTURE   ? scene->nstructures
+           : group == THUD_GROUP_INTERFACE ? scene->nstructures - 1
+           : group == THUD_GROUP_LINK      ? scene->nlinks
+                                           : 1;
 }
 
-int thud_section_keys(const struct thud_scene *scene, struct thud_section section, const char **key)
+bool thud_section_given(const struct thud_scene *scene, struct thud_section section)
 {
-    int n = 0;
-    const struct thud_param *param;
-    const struct thud_law *law = section.group == THUD_GROUP_CONTACT  ? scene->interface[section.index].contact.law
-                                 : section.group == THUD_GROUP_BUMPER ? scene->interface[section.index].bumper.law
+    if (section.group == THUD_GROUP_BUMPER)
+        return thud_interface_says_bumper(&scene->interface[section.index]);
+    return section.group == THUD_GROUP_CONTACT ||
+           thud_structure_has_group(&scene->structure[section.index], section.group);
+}
+
+void thud_section_path(struct thud_section section, const char *key, char *path, size_t size)
+{
+    const enum thud_group in = thud_group_in(section.group);
+    const char *own = thud_group_key(section.group);
+    if (in != THUD_GROUP_SCENE)
+        snprintf(path, size, "%s.%d.%s.%.60s", thud_group_key(in), section.index + 1, own, key);
+    else if (thud_group_is_list(section.group))
+        snprintf(path, size, "%s.%d.%.60s", own, section.index + 1, key);
+    else
+        snprintf(path, size, "%s%s%.60s", own, *own ? "." : "", key);
+}
+
+struct thud_keys thud_keys_of(const struct thud_scene *scene, struct thud_section section, char *text)
+{
+    struct thud_keys keys = {.scene = scene, .section = section, .text = text};
+    const struct thud_interface *interface = &scene->interface[section.index];
+    const struct thud_law *law = section.group == THUD_GROUP_CONTACT  ? interface->contact.law
+                                 : section.group == THUD_GROUP_BUMPER ? interface->bumper.law
                                                                       : NULL;
+    const struct thud_param *param;
     for (int i = 0; (param = thud_group_param(section.group, i)); i++)
-        if ((section.group != THUD_GROUP_BUMPER || !scene->interface[section.index].has_bumper ||
+        if ((section.group != THUD_GROUP_BUMPER || !interface->has_bumper ||
              strcmp(param->name, "fitted") != 0) && /* written for a bumper that is out */
             (section.group != THUD_GROUP_STRUCTURE || thud_structure_has(scene->structure[section.index].kind, i)) &&
             (section.group != THUD_GROUP_LINK || thud_link_has((enum thud_link_law)scene->link[section.index].law, i)))
-            key[n++] = param->name;
+            keys.all[keys.n++] = param->name;
     for (int i = 0; law && i < law->nparams; i++)
-        key[n++] = law->params[i].name;
-    return n;
+        keys.all[keys.n++] = law->params[i].name;
+    return keys;
+}
+
+bool thud_keys_next(struct thud_keys *keys)
+{
+    while (keys->next < keys->n) {
+        keys->key = keys->all[keys->next++];
+        thud_section_path(keys->section, keys->key, keys->path, sizeof keys->path);
+        if (thud_scene_get(keys->scene, keys->path, keys->text, THUD_VALUE_MAX, NULL) == THUD_OK && *keys->text)
+            return true;
+    }
+    return false;
 }
 
 /* ---- scalars ---- */
@@ -140,22 +156,18 @@ static bool as_anyway(struct thud_emit *emit, struct thud_section section, const
 void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, struct thud_section section, int indent,
                        bool inline_first)
 {
-    const char *key[THUD_SECTION_KEYS_MAX];
-    char prefix[THUD_SECTION_PATH], path[128], *text = malloc(THUD_VALUE_MAX);
-    int n = thud_section_keys(scene, section, key);
-    thud_section_path(section, prefix, sizeof prefix);
+    char *text = malloc(THUD_VALUE_MAX);
+    struct thud_keys keys = thud_keys_of(scene, section, text);
     bool first = true;
-    for (int i = 0; text && i < n; i++) {
-        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
-        if (thud_scene_get(scene, path, text, THUD_VALUE_MAX, NULL) != THUD_OK || !*text ||
-            as_anyway(emit, section, path, text))
+    while (text && thud_keys_next(&keys)) {
+        if (as_anyway(emit, section, keys.path, text))
             continue;
         if (emit->flow)
             thud_text_append(emit->out, "%s", first ? "" : ", ");
         else if (!first || !inline_first)
             indent_by(emit, indent);
-        thud_text_append(emit->out, "%s: ", key[i]);
-        thud_emit_value(emit->out, path, text, emit->flow);
+        thud_text_append(emit->out, "%s: ", keys.key);
+        thud_emit_value(emit->out, keys.path, text, emit->flow);
         thud_text_append(emit->out, "%s", emit->flow ? "" : emit->newline);
         first = false;
     }
@@ -164,16 +176,15 @@ void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, s
     free(text);
 }
 
-static void emit_nested(struct thud_emit *emit, const struct thud_scene *scene, enum thud_group group, int index,
-                        int indent)
+static void emit_nested(struct thud_emit *emit, const struct thud_scene *scene, struct thud_section section, int indent)
 {
     if (emit->flow)
-        thud_text_append(emit->out, ", %s: {", thud_group_key(group));
+        thud_text_append(emit->out, ", %s: {", thud_group_key(section.group));
     else {
         indent_by(emit, indent);
-        thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
+        thud_text_append(emit->out, "%s:%s", thud_group_key(section.group), emit->newline);
     }
-    thud_emit_section(emit, scene, (struct thud_section){group, index}, indent + 2, false);
+    thud_emit_section(emit, scene, section, indent + 2, false);
     thud_text_append(emit->out, "%s", emit->flow ? "}" : "");
 }
 
@@ -182,14 +193,11 @@ void thud_emit_item(struct thud_emit *emit, const struct thud_scene *scene, stru
     if (emit->flow)
         thud_text_append(emit->out, "{");
     thud_emit_section(emit, scene, section, indent, true);
-    if (section.group == THUD_GROUP_INTERFACE) {
-        emit_nested(emit, scene, THUD_GROUP_CONTACT, section.index, indent);
-        if (thud_interface_says_bumper(&scene->interface[section.index]))
-            emit_nested(emit, scene, THUD_GROUP_BUMPER, section.index, indent);
+    for (enum thud_group group = 0; group < THUD_GROUPS; group++) {
+        const struct thud_section nested = {group, section.index};
+        if (thud_group_in(group) == section.group && thud_section_given(scene, nested))
+            emit_nested(emit, scene, nested, indent);
     }
-    for (int i = 0; i < THUD_NESTED_GROUPS && section.group == THUD_GROUP_STRUCTURE; i++)
-        if (thud_structure_has_group(&scene->structure[section.index], thud_nested_group(i)))
-            emit_nested(emit, scene, thud_nested_group(i), section.index, indent);
     if (emit->flow)
         thud_text_append(emit->out, "}");
 }
@@ -208,12 +216,14 @@ static void emit_group(struct thud_emit *emit, const struct thud_scene *scene, e
 
 void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
 {
-    emit_group(emit, scene, THUD_GROUP_SCENE);
-    emit_group(emit, scene, THUD_GROUP_RECORD);
-    static const enum thud_group lists[] = {THUD_GROUP_STRUCTURE, THUD_GROUP_INTERFACE, THUD_GROUP_LINK};
-    for (int g = 0; g < 3; g++) {
-        enum thud_group group = lists[g];
-        int n = g == 0 ? scene->nstructures : g == 1 ? scene->nstructures - 1 : scene->nlinks;
+    for (enum thud_group group = 0; group < THUD_GROUPS; group++) {
+        if (thud_group_in(group) != THUD_GROUP_SCENE)
+            continue;
+        if (!thud_group_is_list(group)) {
+            emit_group(emit, scene, group);
+            continue;
+        }
+        const int n = thud_section_count(scene, group);
         if (n > 0)
             thud_text_append(emit->out, "%s:%s", thud_group_key(group), emit->newline);
         for (int i = 0; i < n; i++) {
@@ -221,24 +231,26 @@ void thud_emit_scene(struct thud_emit *emit, const struct thud_scene *scene)
             thud_emit_item(emit, scene, (struct thud_section){group, i}, 4);
         }
     }
-    emit_group(emit, scene, THUD_GROUP_ANALYSIS);
-    emit_group(emit, scene, THUD_GROUP_STUDY);
-    emit_group(emit, scene, THUD_GROUP_DOCUMENT);
 }
 
 /* ---- every key ---- */
 
+/* A section, then those nested in it; of a bumper only one that is fitted. */
 static void each_key(const struct thud_scene *scene, struct thud_section section, char *value, void *context,
                      void (*each)(void *context, const char *section, const char *key, const char *value))
 {
-    const char *key[THUD_SECTION_KEYS_MAX];
-    char prefix[THUD_SECTION_PATH], path[128];
-    int n = thud_section_keys(scene, section, key);
-    thud_section_path(section, prefix, sizeof prefix);
-    for (int i = 0; i < n; i++) {
-        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
-        if (thud_scene_get(scene, path, value, THUD_VALUE_MAX, NULL) == THUD_OK && *value)
-            each(context, prefix, key[i], value);
+    char prefix[THUD_SECTION_PATH];
+    struct thud_keys keys = thud_keys_of(scene, section, value);
+    thud_section_path(section, "", prefix, sizeof prefix);
+    if (*prefix)
+        prefix[strlen(prefix) - 1] = '\0'; /* the point before the key */
+    while (thud_keys_next(&keys))
+        each(context, prefix, keys.key, value);
+    for (enum thud_group group = 0; group < THUD_GROUPS && section.group != THUD_GROUP_SCENE; group++) {
+        const struct thud_section nested = {group, section.index};
+        if (thud_group_in(group) == section.group && thud_section_given(scene, nested) &&
+            (group != THUD_GROUP_BUMPER || scene->interface[section.index].has_bumper))
+            each_key(scene, nested, value, context, each);
     }
 }
 
@@ -248,23 +260,9 @@ enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
     char *value = malloc(THUD_VALUE_MAX);
     if (!value)
         return THUD_MEMORY;
-    each_key(scene, (struct thud_section){THUD_GROUP_SCENE, 0}, value, context, each);
-    each_key(scene, (struct thud_section){THUD_GROUP_RECORD, 0}, value, context, each);
-    for (int s = 0; s < scene->nstructures; s++) {
-        each_key(scene, (struct thud_section){THUD_GROUP_STRUCTURE, s}, value, context, each);
-        for (int i = 0; i < THUD_NESTED_GROUPS; i++)
-            if (thud_structure_has_group(&scene->structure[s], thud_nested_group(i)))
-                each_key(scene, (struct thud_section){thud_nested_group(i), s}, value, context, each);
-    }
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
-        each_key(scene, (struct thud_section){THUD_GROUP_INTERFACE, i}, value, context, each);
-        each_key(scene, (struct thud_section){THUD_GROUP_CONTACT, i}, value, context, each);
-        if (scene->interface[i].has_bumper)
-            each_key(scene, (struct thud_section){THUD_GROUP_BUMPER, i}, value, context, each);
-    }
-    for (int i = 0; i < scene->nlinks; i++)
-        each_key(scene, (struct thud_section){THUD_GROUP_LINK, i}, value, context, each);
-    each_key(scene, (struct thud_section){THUD_GROUP_ANALYSIS, 0}, value, context, each);
+    for (enum thud_group group = 0; group < THUD_GROUP_STUDY; group++)
+        for (int i = 0; thud_group_in(group) == THUD_GROUP_SCENE && i < thud_section_count(scene, group); i++)
+            each_key(scene, (struct thud_section){group, i}, value, context, each);
     free(value);
     return THUD_OK;
 }

@@ -28,7 +28,7 @@ int thud_preset_node(const struct thud_preset *preset, const char *path);
 
 /* ---- Parts of a scene as YAML ---- */
 
-enum { THUD_SECTION_KEYS_MAX = 40, THUD_SECTION_PATH = 64, THUD_VALUE_MAX = 16384 };
+enum { THUD_SECTION_KEYS_MAX = 40, THUD_SECTION_PATH = 160, THUD_VALUE_MAX = 16384 };
 
 /* The keys that stand together in a preset. */
 struct thud_section {
@@ -41,11 +41,25 @@ static inline bool thud_interface_says_bumper(const struct thud_interface *inter
 {
     return interface->has_bumper || interface->bumper.law;
 }
+/* How many there are of a group that stands in the scene itself. */
+int thud_section_count(const struct thud_scene *scene, enum thud_group group);
+/* Whether a scene has a section that is nested in a structure or an interface. */
+bool thud_section_given(const struct thud_scene *scene, struct thud_section section);
 
-/* "structures.1", "structures.1.column", "interfaces.1.bumper", "record"; empty for the scene's own. */
-void thud_section_path(struct thud_section section, char *path, size_t size);
-/* Names of the keys that the scene has in a section, in the order of presets; count. */
-int thud_section_keys(const struct thud_scene *scene, struct thud_section section, const char **key);
+/* "structures.1.", "structures.1.column.", "interfaces.1.bumper.", "record."; empty for the scene's own. With a key: its
+ * path. */
+void thud_section_path(struct thud_section section, const char *key, char *path, size_t size);
+/* The keys of a section that are given, in the order of presets, each with its path and its text. */
+struct thud_keys {
+    const struct thud_scene *scene;
+    char *text; /* (THUD_VALUE_MAX) the caller's */
+    const char *key, *all[THUD_SECTION_KEYS_MAX];
+    char path[THUD_SECTION_PATH];
+    int n, next;
+    struct thud_section section;
+};
+struct thud_keys thud_keys_of(const struct thud_scene *scene, struct thud_section section, char *text);
+bool thud_keys_next(struct thud_keys *keys);
 
 /* How it is written: lines with an indent, or {key: value, ...}. */
 struct thud_emit {

@@ -67,43 +67,33 @@ static void put_value(struct writer *w, struct thud_section section, const char 
 /* The keys of a section, separated by commas; their count. */
 static int put_keys(struct writer *w, struct thud_section section)
 {
-    const char *key[THUD_SECTION_KEYS_MAX];
-    char prefix[THUD_SECTION_PATH], path[128];
-    int n = thud_section_keys(w->scene, section, key), count = 0;
-    thud_section_path(section, prefix, sizeof prefix);
-    for (int i = 0; i < n; i++) {
-        snprintf(path, sizeof path, "%s%s%s", prefix, *prefix ? "." : "", key[i]);
-        if (thud_scene_get(w->scene, path, w->value, THUD_VALUE_MAX, NULL) != THUD_OK || !*w->value)
-            continue;
+    int count = 0;
+    struct thud_keys keys = thud_keys_of(w->scene, section, w->value);
+    while (thud_keys_next(&keys)) {
         thud_text_append(w->out, "%s", count++ ? ", " : "");
-        put_value(w, section, path, key[i]);
+        put_value(w, section, keys.path, keys.key);
     }
     return count;
 }
 
-static void put_nested(struct writer *w, enum thud_group group, int index)
+static void put_items(struct writer *w, enum thud_group group)
 {
-    thud_text_append(w->out, ",\n%*s\"%s\": {", w->indent + 4, "", thud_group_key(group));
-    put_keys(w, (struct thud_section){group, index});
-    thud_text_append(w->out, "}");
-}
-
-static void put_items(struct writer *w, enum thud_group group, int n)
-{
+    const int n = thud_section_count(w->scene, group);
     thud_text_append(w->out, ",\n%*s\"%s\": [", w->indent, "", thud_group_key(group));
     for (int i = 0; i < n; i++) {
         thud_text_append(w->out, "%s\n%*s{", i ? "," : "", w->indent + 2, "");
         put_keys(w, (struct thud_section){group, i});
         if (group == THUD_GROUP_STRUCTURE && w->si && w->scene->structure[i].file_sha256[0])
             thud_text_append(w->out, ", \"sha256\": \"%s\"", w->scene->structure[i].file_sha256);
-        if (group == THUD_GROUP_INTERFACE) {
-            put_nested(w, THUD_GROUP_CONTACT, i);
-            if (w->scene->interface[i].has_bumper)
-                put_nested(w, THUD_GROUP_BUMPER, i);
+        for (enum thud_group k = 0; k < THUD_GROUPS; k++) {
+            const struct thud_section nested = {k, i};
+            if (thud_group_in(k) != group || !thud_section_given(w->scene, nested) ||
+                (k == THUD_GROUP_BUMPER && !w->scene->interface[i].has_bumper))
+                continue;
+            thud_text_append(w->out, ",\n%*s\"%s\": {", w->indent + 4, "", thud_group_key(k));
+            put_keys(w, nested);
+            thud_text_append(w->out, "}");
         }
-        for (int k = 0; k < THUD_NESTED_GROUPS && group == THUD_GROUP_STRUCTURE; k++)
-            if (thud_structure_has_group(&w->scene->structure[i], thud_nested_group(k)))
-                put_nested(w, thud_nested_group(k), i);
         thud_text_append(w->out, "}");
     }
     thud_text_append(w->out, "]");
@@ -132,20 +122,15 @@ static void put_scene(const struct thud_scene *scene, const char *file, int inde
     put_group(&w, THUD_GROUP_ANALYSIS, keys > 0);
     if (scene->record.file[0])
         put_group(&w, THUD_GROUP_RECORD, true);
-    put_items(&w, THUD_GROUP_STRUCTURE, scene->nstructures);
+    put_items(&w, THUD_GROUP_STRUCTURE);
     if (scene->nstructures > 1)
-        put_items(&w, THUD_GROUP_INTERFACE, scene->nstructures - 1);
+        put_items(&w, THUD_GROUP_INTERFACE);
     if (scene->nlinks > 0)
-        put_items(&w, THUD_GROUP_LINK, scene->nlinks);
+        put_items(&w, THUD_GROUP_LINK);
     if (scene->study.nvary > 0 || scene->study.ncases > 0 || scene->study.sensitivity > 0)
         put_group(&w, THUD_GROUP_STUDY, true);
-    const struct thud_title_block *block = &scene->document;
-    const char *const given[] = {block->project, block->number,   block->revision, block->date,  block->author,
-                                 block->checker, block->approver, block->code,     block->limits};
-    bool any = false;
-    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
-        any = any || *given[i];
-    if (any)
+    struct thud_keys block = thud_keys_of(scene, (struct thud_section){THUD_GROUP_DOCUMENT, 0}, w.value);
+    if (thud_keys_next(&block))
         put_group(&w, THUD_GROUP_DOCUMENT, true);
     thud_text_append(out, "}");
     free(w.value);
