@@ -257,6 +257,34 @@ START_TEST(remarks)
     ck_assert(remark(one, 1) && strstr(error.what, "2 files, 1 recording: fewer"));
     ck_assert(remark(one, 2) && strstr(error.what, "two components of one station"));
     ck_assert(!remark(one, 3));
+    /* each code's own numbers: of 8 recordings EN 1998-1 takes the mean, ASCE 7 asks for 11, NZS 1170.5 for the largest */
+    struct thud_record *many[8];
+    for (int i = 0; i < 8; i++) {
+        char name[2][8];
+        snprintf(name[0], sizeof name[0], "E%d", i);
+        snprintf(name[1], sizeof name[1], "S%d", i);
+        many[i] = motion(3 + (unsigned)i, 5, name[0], name[1]);
+    }
+    static const struct {
+        const char *target, *what, *allowed;
+    } code[] = {{"", NULL, NULL},
+                {"en1998:0.3g,B", NULL, NULL},
+                {"gb50011:AMAX=0.9,TG=0.45s", NULL, NULL},
+                {"asce7:SDS=1.0g,SD1=0.6g,TL=8s", "8 recordings: fewer than", "11 or more (ASCE 7-16 16.2.2)"},
+                {"nzs1170:Z=0.4,C", "the code requires the largest", "3 or more (NZS 1170.5 5.5.1)"}};
+    for (size_t c = 0; c < sizeof code / sizeof *code; c++) {
+        const struct thud_remark_scope scope = {.record = (const struct thud_record *const *)many,
+                                                .target = *code[c].target ? &target : NULL,
+                                                .nrecords = 8};
+        ck_assert(!*code[c].target || thud_target_parse(code[c].target, &target, &error) == THUD_OK);
+        ck_assert(nth_remark(&scope, THUD_REMARK_MOTIONS, 0, &error) == (code[c].what != NULL));
+        ck_assert(!code[c].what || (strstr(error.what, code[c].what) && strcmp(error.allowed, code[c].allowed) == 0));
+        ck_assert(nth_remark(&scope, THUD_REMARK_MOTIONS, 1, &error) ==
+                  (scope.target && strstr(code[c].target, "asce")));
+        ck_assert(c != 3 || strstr(error.what, "MCE_R"));
+    }
+    for (int i = 0; i < 8; i++)
+        thud_record_free(many[i]);
     b->scale = 2700;
     ck_assert(remark(one, 2) && strstr(error.what, "scaled by 2.7e+03"));
     b->scale = 1;

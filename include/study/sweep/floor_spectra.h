@@ -29,6 +29,8 @@ struct thud_floor_spectra {
 
 /* As a part of a name: "no_pounding", "none", "bumper". */
 const char *thud_floor_case_column(int which);
+/* In words: "no pounding, links act", "no bumper", "bumper and links". */
+const char *thud_floor_case_title(const struct thud_scene *scene, int which);
 
 /* `scene` as written. Its runs end no sooner than the longest period after the motion. Errors: THUD_INPUT (another
  * method than the exact one), THUD_MEMORY, those of thud_scene_solve. */

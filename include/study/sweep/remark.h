@@ -4,6 +4,7 @@
 
 #include "core/model/result.h"
 #include "ground/record.h"
+#include "ground/target.h"
 #include "study/scene/scene.h"
 #include "study/sweep/sensitivity.h"
 #include "study/sweep/sweep.h"
@@ -88,6 +89,7 @@ struct thud_remark_scope {
     int nimpacts, nrecords;
     const struct thud_record *const *record; /* (nrecords) */
     const double *factor;                    /* (nrecords) NULL: those that the records were read with */
+    const struct thud_target *target;        /* design spectrum that the motions are scaled to; NULL: none */
     const struct thud_sensitivity *sensitivity;
     const struct thud_sweep_plan *plan;
     const struct thud_sweep_watch *watch;

@@ -201,7 +201,7 @@ static void say_measure(struct site *site, int k, int s, bool drift)
     if (f.n > 0)
         thud_document_item(&site->document,
                            "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "
-                           "ratio to %s has a median of %.2f%s.",
+                           "ratio to %s has a geometric median of %.2f%s.",
                            one->measure, thud_site_verb(one, "lowers").text, drift ? "drift" : "acceleration",
                            thud_site_name(site, s), helps, f.n, thud_site_verb(one, "raises").text,
                            f.share * (double)f.n, site->cases[SITE_NONE].name, f.median, spread);
@@ -461,9 +461,11 @@ void thud_site_suite_section(struct site *site)
                             "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
                             "The motions are taken as independent and as equally likely%s.",
                             runs->ndraws < runs->nrecords ? ", but those of one recording are one draw" : "");
-    thud_site_tell(
-        site, &(struct thud_remark_scope){.record = site->suite.plan.record, .nrecords = site->suite.plan.nrecords},
-        THUD_REMARK_MOTIONS);
+    thud_site_tell(site,
+                   &(struct thud_remark_scope){.record = site->suite.plan.record,
+                                               .target = site->options->target,
+                                               .nrecords = site->suite.plan.nrecords},
+                   THUD_REMARK_MOTIONS);
     if (runs->ndraws < THUD_DRAWS_LEAST)
         thud_document_paragraph(d, "There is no band of %s from so few.",
                                 runs->ndraws < THUD_SHARES_LEAST ? "anything" : "a curve");

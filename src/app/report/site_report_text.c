@@ -389,7 +389,7 @@ static void floors(struct site *site)
                            "pseudo-acceleration (g) at 5 % damping, and its period");
     thud_document_cell(d, "floor");
     for (int i = 0; i < s->ncases; i++)
-        thud_document_cell(d, "%s", i > SITE_NONE ? site->own->name : site->cases[i].name);
+        thud_document_cell(d, "%s", i > SITE_NONE ? site->own->name : thud_floor_case_title(site->scene, i));
     thud_document_row(d);
     for (int f = 0; f < s->nfloors; f++) {
         thud_document_cell(d, "%s",

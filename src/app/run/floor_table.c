@@ -14,7 +14,7 @@ void thud_floor_table(const struct thud_scene *scene, const struct thud_floor_sp
         "largest pseudo-acceleration of an oscillator on it, g, and its period, s\n\n%-16s",
         100 * s->damping, s->nperiods, s->period_s[0], s->period_s[s->nperiods - 1], "");
     for (int i = 0; i < s->ncases; i++)
-        thud_text_append(out, "  %-22s", thud_case_title(thud_scene_measures(scene), thud_case_compared(i)));
+        thud_text_append(out, "  %-22s", thud_floor_case_title(scene, i));
     thud_text_append(out, "\n");
     for (int f = 0; f < s->nfloors; f++) {
         char name[THUD_NAME_MAX + 16];

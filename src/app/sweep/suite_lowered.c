@@ -210,8 +210,8 @@ static void put_best(const struct compared *c, int q, struct thud_text *out)
     if (best->n == 0)
         return;
     if (best->median < 1 - rounding)
-        thud_text_append(out, "  %s: %s, median ratio %.3f, lower under %zu of %zu motions\n", c->response[q].name,
-                         c->measure[best - c->of[q]].name, best->median, best->below, best->n);
+        thud_text_append(out, "  %s: %s, geometric median ratio %.3f, lower under %zu of %zu motions\n",
+                         c->response[q].name, c->measure[best - c->of[q]].name, best->median, best->below, best->n);
     else
         thud_text_append(out, "  %s: none of them lowers the median\n", c->response[q].name);
 }

@@ -78,7 +78,8 @@ static void put_remarks(const struct thud_suite_study *study, struct thud_text *
             chosen[n] = study->records->record[i];
             factor[n++] = fabs(study->factor[i]);
         }
-    const struct thud_remark_scope scope = {.record = chosen, .factor = factor, .nrecords = n};
+    const struct thud_remark_scope scope = {
+        .record = chosen, .factor = factor, .target = study->has_target ? &study->target : NULL, .nrecords = n};
     struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_MOTIONS);
     for (int i = 0; i < found.n; i++)
         thud_text_append(out, "%s  ! %s (%s)\n", i == 0 ? "\n" : "", found.item[i].said.what,

@@ -9,7 +9,7 @@ static const struct thud_column spectra[] = {
     THUD_STANDS_FOR("period_s", "Period of the oscillator, s."),
     THUD_STANDS_FOR("no_pounding_mps2",
                     "Its largest pseudo-acceleration, omega^2 times its largest displacement relative "
-                    "to the floor, without pounding, m/s2."),
+                    "to the floor, without pounding (links act), m/s2."),
     THUD_STANDS_FOR("none_mps2", "Likewise without the bumper."),
     THUD_STANDS_FOR("bumper_mps2", "Likewise with the bumper of the scene; where there is one.")};
 const struct thud_schema thud_floor_spectrum_schema = THUD_SCHEMA(

@@ -47,13 +47,6 @@ static int rows_of(const struct thud_floor_spectra *s, int row[THUD_STRUCTURES_M
     return rows;
 }
 
-/* The last is of all that the scene has. */
-static const char *case_title(const struct thud_scene *scene, int i)
-{
-    return thud_case_title(thud_scene_measures(scene),
-                           i == THUD_FLOOR_CASES - 1 ? THUD_CASE_WHOLE : thud_case_compared(i));
-}
-
 struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const struct thud_floor_spectra *s)
 {
     char title[THUD_NAME_MAX + 80];
@@ -68,14 +61,15 @@ struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const 
                  thud_structure_level_name(&scene->structure[at.structure], at.floor, false, name));
         struct thud_panel *panel = panel_of(figure, f, 0, title, s);
         for (int i = 0; i < s->ncases; i++)
-            curve(panel, s, i, f, thud_case_color(thud_case_compared(i)), case_title(scene, i));
+            curve(panel, s, i, f, thud_case_color(thud_case_compared(i)), thud_floor_case_title(scene, i));
     }
     for (int i = 0; !apart && i < s->ncases; i++) {
         struct thud_panel *panel = NULL;
         for (int f = 0; f < s->nfloors; f++) {
             const struct thud_floor_place at = s->floor[f];
             if (f == 0 || at.structure != s->floor[f - 1].structure) {
-                snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name, case_title(scene, i));
+                snprintf(title, sizeof title, "%s, %s", scene->structure[at.structure].name,
+                         thud_floor_case_title(scene, i));
                 panel = panel_of(figure, row[at.structure], i, title, s);
             }
             char name[24];

@@ -12,6 +12,15 @@ const char *thud_floor_case_column(int which)
     return which == 0 ? "no_pounding" : thud_case_name(thud_case_compared(which));
 }
 
+/* The last is of all that the scene has. */
+const char *thud_floor_case_title(const struct thud_scene *scene, int which)
+{
+    return which == 0 && scene->nlinks > 0
+               ? "no pounding, links act"
+               : thud_case_title(thud_scene_measures(scene),
+                                 which == THUD_FLOOR_CASES - 1 ? THUD_CASE_WHOLE : thud_case_compared(which));
+}
+
 static void set_case(struct thud_scene *scene, int which)
 {
     if (which == 0)

@@ -47,7 +47,8 @@ static int of_unknown_station(const struct thud_remark_scope *scope)
     return n;
 }
 
-/* How many recordings there are, where that is few or uncertain. A motion and its reverse are of one file. */
+/* The number of recordings, where it is below what the code of the target (without one, EN 1998-1) requires, or uncertain.
+ * A motion and its reverse are of one file. */
 void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     char unknown[48] = "";
@@ -57,20 +58,36 @@ void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct
         files -= is_turned(scope, k);
     if (files < 2)
         return;
+    const struct thud_target_code *code = thud_target_code(scope->target);
     const int recordings = thud_motions_recordings(scope->record, scope->nrecords, NULL);
     const int without = of_unknown_station(scope);
-    if (recordings >= 7 && without == 0)
+    const bool enough = code->mean > 0 && recordings >= code->mean;
+    if (enough && without == 0)
         return;
     if (without > 0)
         snprintf(unknown, sizeof unknown, ", %d of unknown station", without);
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK, "%d files, %d recording%s%s%s", files, recordings, recordings == 1 ? "" : "s",
                    unknown,
-                   recordings < 3   ? ": fewer than codes accept"
-                   : recordings < 7 ? ": few; codes then require the largest result, not the mean"
-                                    : "");
-    thud_error_allow(said, recordings < 7 ? "7 or more (EN 1998-1 4.3.3.4.3(3)); at least 3"
-                                          : "each counts as independent, also where two are components of one station");
+                   enough                     ? ""
+                   : recordings < code->least ? ": fewer than codes accept"
+                   : code->mean == 0          ? ": the code requires the largest result, not the mean"
+                                              : ": few; codes then require the largest result, not the mean");
+    if (enough)
+        thud_error_allow(said, "each counts as independent, also where two are components of one station");
+    else if (code->mean > code->least)
+        thud_error_allow(said, "%d or more (%s); at least %d", code->mean, code->clause, code->least);
+    else
+        thud_error_allow(said, "%d or more (%s)", code->least, code->clause);
+}
+
+/* What else the code of the target spectrum asks of motions scaled to it. */
+void thud_remark_target(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
+{
+    const struct thud_target_code *code = thud_target_code(scope->target);
+    (void)i;
+    if (code->remark)
+        thud_error_set(thud_remark_add(out), THUD_OK, "%s: %s", code->name, code->remark);
 }
 
 void thud_remark_factor(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)

@@ -13,9 +13,10 @@ thud_remark_row thud_remark_structure_values, thud_remark_modes, thud_remark_est
     thud_remark_assumed_law, thud_remark_interface_values, thud_remark_cavity, thud_remark_light_wall,
     thud_remark_whole_law, thud_remark_faces, thud_remark_setup, thud_remark_levels, thud_remark_step,
     thud_remark_simpler; /* remark_scene.c */
-thud_remark_row thud_remark_one_event, thud_remark_recordings, thud_remark_factor, thud_remark_vertical,
-    thud_remark_twice, thud_remark_synthetic; /* remark_motion.c */
+thud_remark_row thud_remark_one_event, thud_remark_recordings, thud_remark_target, thud_remark_factor,
+    thud_remark_vertical, thud_remark_twice, thud_remark_synthetic; /* remark_motion.c */
 thud_remark_row thud_remark_bumper, thud_remark_drift, thud_remark_struck, thud_remark_overturning,
     thud_remark_collapse, thud_remark_yielding, thud_remark_theta, thud_remark_collapses, thud_remark_presses,
-    thud_remark_drifts, thud_remark_thetas, thud_remark_energy, thud_remark_digits;   /* remark_run.c */
-thud_remark_row thud_remark_effort, thud_remark_kept_stiffness, thud_remark_kept_key; /* remark_plan.c */
+    thud_remark_drifts, thud_remark_thetas, thud_remark_energy, thud_remark_digits; /* remark_run.c */
+thud_remark_row thud_remark_effort, thud_remark_kept_stiffness, thud_remark_kept_key,
+    thud_remark_scaled_key; /* remark_plan.c */

@@ -141,9 +141,9 @@ static void compared_quantity(struct thud_tui *tui, const struct thud_live *comp
     }
     double change =
         thud_live_floor(&tui->run.live, last, s, floor, kind) / thud_live_floor(compared, last, s, floor, kind);
+    char text[32];
     if (isfinite(change))
-        thud_pane_print(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), "%+.0f %%",
-                        thud_shown(100.0 * (change - 1.0), 0));
+        thud_pane_put(pane, x + 21, y, thud_look(THUD_ROLE_MUTED, 0), thud_change_text(change, text));
 }
 
 struct place {
