@@ -555,7 +555,7 @@ void thud_method_json(const struct thud_report *report, struct thud_text *out)
 /* ---- remarks ---- */
 
 struct remark_row {
-    const char *place, *sentence, *allowed, *weight;
+    const char *place, *sentence, *allowed, *weight, *keys;
 };
 #define REMARK(member, key, text) THUD_FIELD(struct remark_row, member, key, text)
 static const struct thud_column remark_columns[] = {
@@ -565,7 +565,10 @@ static const struct thud_column remark_columns[] = {
     REMARK(
         weight, "weight",
         "failure (the numbers have no meaning from there on), motion, model (beyond the range of the model), digits, "
-        "or unusual.")};
+        "or unusual."),
+    REMARK(keys, "keys",
+           "Keys whose values the numbers of the sentence are; a/b, a*b and a||b (ab/(a + b)) of two. Empty: the value "
+           "at its place, or numbers that no key has.")};
 const struct thud_schema thud_remark_schema =
     THUD_SCHEMA("remarks", "The warnings of standard error as a list, for programs.\n", remark_columns);
 
@@ -573,8 +576,8 @@ static void make_remark(const void *of, int i, void *out)
 {
     static const char *const weight[THUD_WEIGHTS] = {"failure", "motion", "model", "digits", "unusual"};
     const struct thud_remark *remark = &((const struct thud_remarks *)of)->item[i];
-    *(struct remark_row *)out =
-        (struct remark_row){remark->said.key, remark->said.what, remark->said.allowed, weight[remark->weight]};
+    *(struct remark_row *)out = (struct remark_row){remark->said.key, remark->said.what, remark->said.allowed,
+                                                    weight[remark->weight], remark->keys};
 }
 
 void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, struct thud_text *out)
