@@ -1,5 +1,5 @@
-/* Pieces of one block. Built with the address sanitizer, the space behind each piece is poisoned: an index past the end
- * of an array is then seen though it stays inside the block. */
+/* Allocates pieces of one block. Under the address sanitizer the space behind each piece is poisoned, so that an index
+ * past the end of an array is seen inside the block too. */
 #pragma once
 
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-/* The larger and the smaller of two numbers; NaN where one of them is, so that it is not lost on the way. */
+/* Return the larger and the smaller of two numbers; NaN where either is NaN, so that it is not lost on the way. */
 #pragma once
 
 #include <math.h>
@@ -13,7 +13,7 @@ static inline double thud_smaller(double a, double b)
     return b < a || b != b ? b : a;
 }
 
-/* The largest of n > 0 numbers, by four at a time: alone, each would wait for the one before it. */
+/* Returns the largest of n > 0 numbers; four partial maxima break the dependency chain. */
 static inline double thud_largest(const double *x, int n)
 {
     double most[4] = {x[0], x[0], x[0], x[0]};
@@ -27,7 +27,7 @@ static inline double thud_largest(const double *x, int n)
     return a > b ? a : b;
 }
 
-/* The largest absolute value of n numbers. */
+/* Returns the largest absolute value of n numbers. */
 static inline double thud_largest_size(const double *x, int n)
 {
     double most[4] = {0};

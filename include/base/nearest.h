@@ -1,6 +1,6 @@
-/* What somebody may have meant. */
+/* Finds the word that a mistyped one may stand for. */
 #pragma once
 
-/* The one of `count` words that takes the fewest changes of a letter (put in, left out, replaced, two swapped) to
- * become `word`; NULL where even that takes more than a third of its letters. */
+/* Returns the one of `count` words with the fewest changes of a letter (inserted, omitted, replaced, two swapped) from
+ * `word`; NULL if these exceed a third of its letters. */
 const char *thud_nearest(const char *word, const char *const *words, int count);

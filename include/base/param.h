@@ -1,4 +1,4 @@
-/* Described parameters: one table feeds presets, command line, forms, help and manual pages. */
+/* Parameters described once: one table feeds presets, command line, forms, help and manual pages. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,7 +7,7 @@
 
 enum thud_param_kind { THUD_PARAM_QUANTITY, THUD_PARAM_INTEGER, THUD_PARAM_CHOICE, THUD_PARAM_TEXT };
 
-/* Bounds are in SI. A hard bound refuses, a soft bound warns; NaN is no bound. Choices are stored as an index. */
+/* Bounds in SI units: a hard bound refuses, a soft bound warns, NaN is no bound. Choices are stored as an index. */
 struct thud_param {
     const char *name;  /* the word in presets, on the command line and on screens */
     const char *title; /* a few words */
@@ -23,12 +23,12 @@ struct thud_param {
         choices; /* NULL-terminated; of whole numbers (NULL: none): words allowed in place of one, the i-th stored as -1 - i */
 };
 
-/* Writes what is allowed, in words: "> 0, up to 1e6 t", "paper, exact"; empty where anything is. */
+/* Writes the allowed values in words: "> 0, up to 1e6 t", "paper, exact"; empty if anything is allowed. */
 void thud_param_allowed(const struct thud_param *param, char *text, unsigned long size);
 /* Checks a value against the hard bounds; `text` is the value as typed. Errors: THUD_INPUT. */
 enum thud_status thud_param_check(const struct thud_param *param, double value, const char *text,
                                   struct thud_error *err);
-/* Whether a value lies outside the soft bounds; if so `text` gets the usual range. */
+/* Returns whether a value lies outside the soft bounds; if so, `text` gets the usual range. */
 bool thud_param_unusual(const struct thud_param *param, double value, char *text, unsigned long size);
-/* Index of a choice by its word, -1 when there is none. */
+/* Returns the index of a choice by its word; -1: none. */
 int thud_param_choice(const struct thud_param *param, const char *word);

@@ -1,4 +1,4 @@
-/* Numbers with units, as people type them, to and from SI. */
+/* Parses and writes numbers with units, as people type them, to and from SI. */
 #pragma once
 
 #include <stddef.h>
@@ -27,7 +27,7 @@ enum thud_dimension {
     THUD_DIMENSIONS
 };
 
-/* Value in SI and, for THUD_POWER_STIFFNESS, the exponent its unit was typed with (else 0). */
+/* Value in SI units and, for THUD_POWER_STIFFNESS, the exponent of the unit as typed (else 0). */
 struct thud_quantity {
     double value;
     double exponent;
@@ -39,28 +39,27 @@ struct thud_quantity {
 enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimension, const char *bare_unit,
                                      struct thud_quantity *out, struct thud_error *err);
 
-/* Writes the SI value in `unit` (which may carry an exponent) with all its digits (shortest text that reads back the
- * same). */
+/* Writes the SI value in `unit` (which may carry an exponent) as the shortest text that reads back the same. */
 void thud_quantity_format(double value_si, const char *unit, char *text, size_t size);
 
-/* Factor from `unit` to SI; 0 when the unit is unknown. `exponent` (may be NULL) gets the unit's exponent for N/m^n
+/* Returns the factor from `unit` to SI; 0: unknown unit. `exponent` (may be NULL) gets the unit's exponent for N/m^n
  * units. */
 double thud_unit_factor(const char *unit, enum thud_dimension *dimension, double *exponent);
 
-/* "m, cm, mm, in, ft": the units of a dimension, for messages and help. */
+/* Writes the units of a dimension for messages and help: "m, cm, mm, in, ft". */
 const char *thud_dimension_units(enum thud_dimension dimension);
 const char *thud_dimension_name(enum thud_dimension dimension); /* "a length" */
 
-/* Locale-free numbers (the program keeps LC_NUMERIC at "C"). `end` gets the first character not read; returns 0 on
- * success, -1 on no number, -2 when out of range. Hexadecimal, `inf` and `nan` are no numbers. */
+/* Reads a number independently of the locale (LC_NUMERIC stays "C"). `end` gets the first character not read; returns 0
+ * on success, -1 for no number, -2 when out of range. Hexadecimal, `inf` and `nan` are refused. */
 int thud_number_parse(const char *text, const char **end, double *out);
-/* Shortest decimal text that reads back as the same double; of -0 it is 0. */
+/* Writes the shortest decimal text that reads back as the same double; of -0 it is 0. */
 void thud_number_format(double value, char *text, size_t size);
-/* Rounded to twelve digits, as printf's %.12g writes it, but in a tenth of its time; returns the length. */
+/* Writes a number rounded to twelve digits as printf's %.12g does, in a tenth of its time; returns the length. */
 size_t thud_number_twelve(double value, char text[32]);
-/* Writes `digits` significant digits without an exponent, more if it is that large. Returns text. */
+/* Writes `digits` significant digits without an exponent, and more for larger numbers. Returns `text`. */
 const char *thud_digits(double value, int digits, char text[32]);
-/* "+12 %" of a ratio of 1.12, "-0.2 %" of 0.998; "0 %" where not even that shows. Returns text. */
+/* Writes the change of a ratio: "+12 %" of 1.12, "-0.2 %" of 0.998, "0 %" below the shown digits. Returns `text`. */
 const char *thud_change_text(double ratio, char text[32]);
 /* Returns the value, or 0 if it rounds to 0 at this number of decimals, where printf would write -0. */
 double thud_shown(double value, int places);

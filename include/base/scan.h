@@ -1,10 +1,10 @@
-/* Taking a text apart from left to right. Each moves `*text` past what it read, and leaves it where it was when what
- * was wanted is not there. */
+/* Scans a text from left to right. Each function moves `*text` past what it read, and leaves it in place if the wanted
+ * item is absent. */
 #pragma once
 
 #include <stdbool.h>
 
-/* Exactly `word`. */
+/* Reads exactly `word`. */
 bool thud_scan_word(const char **text, const char *word);
-/* A count: one to nine decimal digits, no sign, no blank. */
+/* Reads a count: one to nine decimal digits, no sign, no blank. */
 bool thud_scan_count(const char **text, int *out);

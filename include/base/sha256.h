@@ -1,4 +1,4 @@
-/* SHA-256 (FIPS 180-4), by which a file is told from any other. */
+/* SHA-256 (FIPS 180-4), which identifies a file. */
 #pragma once
 
 #include <stddef.h>

@@ -7,12 +7,12 @@
 /* Sorts n values in place, smallest first, NaN last; returns how many are numbers. */
 size_t thud_sort_numbers(double *value, size_t n);
 
-/* Quantile p (0 to 1) of n sorted values, linear between order statistics: h = (n - 1) p (definition 7 of Hyndman and
- * Fan, The American Statistician 50 (1996) 361). `logarithms`: linear between the logarithms of the values, which must
- * be positive. NaN for n = 0. */
+/* Returns the quantile p (0 to 1) of n sorted values, linear between order statistics: h = (n - 1) p (definition 7 of
+ * Hyndman and Fan, The American Statistician 50 (1996) 361). `logarithms`: linear in the logarithms of the values,
+ * which must be positive. NaN for n = 0. */
 double thud_quantile(const double *sorted, size_t n, double p, bool logarithms);
 
-/* Fewer independent motions have no fractiles but the median, and no band of a share. */
+/* Fewest independent motions that have fractiles other than the median, and a band of a share. */
 enum { THUD_SHARES_LEAST = 3 };
 
 /* Statistics of a quantity over a suite of ground motions. */
@@ -23,14 +23,14 @@ struct thud_fractiles {
     size_t below, above;       /* how many values are, by more than rounding; the others equal `limit` */
     size_t half, most84;       /* of gaps: for how many motions the median and p84 are enough */
 };
-/* Sorts the values in place (NaN last). `draws`: how many of them are of independent motions. */
+/* Computes them; sorts the values in place (NaN last). `draws`: number of values from independent motions. */
 struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit);
 
-/* The 90 % confidence interval of a share, from `count` of n trials: the score interval of Wilson, Journal of
- * the American Statistical Association 22 (1927) 209. `independent`: how much of a trial each one is (1; 1/2 where they
- * come in pairs). NaN for n = 0. */
+/* Computes the 90 % confidence interval of a share, `count` of n trials: the score interval of Wilson, Journal of the
+ * American Statistical Association 22 (1927) 209. `independent`: independent trials per trial (1; 1/2 for pairs). NaN
+ * for n = 0. */
 void thud_share_band(size_t count, size_t n, double independent, double *low, double *high);
 
-/* Order statistics of n sorted values: the smallest that is enough for at least a share p of them, and for how many it
- * is, equal ones among them. NaN and 0 for n = 0. */
+/* Returns the smallest of n sorted values that suffices for at least a share p of them, and for how many it does, equal
+ * ones included. NaN and 0 for n = 0. */
 double thud_enough(const double *sorted, size_t n, double p, size_t *count);

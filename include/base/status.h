@@ -1,4 +1,4 @@
-/* What every fallible function returns, and the message that goes with it. */
+/* Status that every fallible function returns, and its message. */
 #pragma once
 
 #ifdef __FAST_MATH__
@@ -13,9 +13,9 @@
 #define THUD_PRINTF(fmt, args)
 #endif
 
-/* thud_error_set(err, status, fmt, ...) writes the message and gives `status`, so that a caller can write `return
- * thud_error_set(...)`; `err` may be NULL. A macro, so that whoever compiles or checks the caller sees that what is
- * given is `status` and no other. `status` is evaluated twice. */
+/* thud_error_set(err, status, fmt, ...) writes the message and evaluates to `status`, for `return thud_error_set(...)`;
+ * `err` may be NULL. It is a macro so that compilers and analysers see which status a caller returns. `status` is
+ * evaluated twice. */
 #define thud_error_set(err, status, ...) thud_error_given(thud_error_write((err), (status), __VA_ARGS__), (status))
 int thud_error_write(struct thud_error *err, enum thud_status status, const char *fmt, ...) THUD_PRINTF(3, 4);
 static inline enum thud_status thud_error_given(int written, enum thud_status status)
@@ -24,13 +24,13 @@ static inline enum thud_status thud_error_given(int written, enum thud_status st
     return status;
 }
 
-/* The same with a key and with what is allowed; either may be NULL. */
+/* Does the same with a key and the allowed values; either may be NULL. */
 #define thud_error_refuse(err, status, key, allowed, ...)                                                              \
     thud_error_given(thud_error_write_whole((err), (status), (key), (allowed), __VA_ARGS__), (status))
 int thud_error_write_whole(struct thud_error *err, enum thud_status status, const char *key, const char *allowed,
                            const char *fmt, ...) THUD_PRINTF(5, 6);
 
-/* The same with the file it is about and a line of it; line 0: all of it. */
+/* Does the same with a file and its line; line 0: the whole file. */
 #define thud_error_in(err, status, file, line, ...)                                                                    \
     thud_error_given(thud_error_write_in((err), (status), (file), (line), __VA_ARGS__), (status))
 int thud_error_write_in(struct thud_error *err, enum thud_status status, const char *file, int line, const char *fmt,
