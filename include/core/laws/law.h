@@ -54,7 +54,7 @@ struct thud_branch {
 
 enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
 
-/* What is fixed for one contact. */
+/* Constants of one contact. */
 struct thud_law_setup {
     const struct thud_law *law; /* set by thud_law_prepare: a table that is part of something larger finds that */
     double mass_kg;             /* effective mass m1 m2/(m1 + m2) */
@@ -85,55 +85,54 @@ struct thud_law {
     const struct thud_param *params;
     int nparams;
 
-    /* Of the functions only branch and elastic_energy are needed, and no function by a law without force. */
+    /* Functions of a law: only branch and elastic_energy are required, and none of a law without force. */
 
     /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
-    /* At contact onset with approach velocity v (>= 0), and at velocity reversals at indentation d, of the law alone, to
-     * the phase that begins: change the memory. */
+    /* Update the memory at contact onset, with approach velocity v (>= 0), and at velocity reversals, at indentation d
+     * of the law only, to the phase that begins. */
     void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
     void (*reversal)(const struct thud_law_setup *setup, enum thud_phase phase, double d_m,
                      struct thud_law_memory *memory);
-    /* The branch that holds in a phase on one side of the ultimate compression. */
+    /* Returns the branch of a phase on one side of the ultimate compression. */
     struct thud_branch (*branch)(const struct thud_law_setup *setup, const struct thud_law_memory *memory,
                                  enum thud_phase phase, bool past_ultimate);
-    /* Indentation > 0 at which the branch of a phase changes (the bumper's delta_u); INFINITY where it does not. */
+    /* Returns the indentation at which the branch of a phase changes (> 0, the bumper's delta_u); INFINITY: never. */
     double (*ultimate)(const struct thud_law_setup *setup, const struct thud_law_memory *memory, enum thud_phase phase);
-    /* Energy that the law would give back from indentation d if nothing were lost on the way, J. */
+    /* Returns the energy that the law would return from indentation d without losses, J. */
     double (*elastic_energy)(const struct thud_law_setup *setup, const struct thud_law_memory *memory, double d_m);
-    /* Restitution as asked for (NULL: the parameter of this name, where there is one), and the one that two free bodies
-     * really part with at their first contact with approach velocity v. NaN: not known. */
+    /* Return the nominal restitution (NULL: the parameter of this name, if any), and the actual one of two free bodies
+     * at their first contact with approach velocity v. NaN: not known. */
     double (*nominal)(const struct thud_law_setup *setup);
     double (*restitution)(const struct thud_law_setup *setup, double v_mps);
-    /* true where the indentation left at release stays as residual (the paper's concrete with residual = keep). */
+    /* Returns whether the indentation left at release stays as residual (the paper's concrete with residual = keep). */
     bool (*keeps_residual)(const struct thud_law_setup *setup);
-    /* The n-th (from 0) thing that is unusual about the values together, as a message with the parameter as key; false
-     * when there are no more. */
+    /* Gives the n-th (from 0) remark on unusual combinations of values, with the parameter as key; false: no more. */
     bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
 
-/* Contact is propagated exactly; where one held by impulses is, too. */
+/* Returns whether a contact is propagated exactly, also one held by impulses. */
 static inline bool thud_law_is_linear(const struct thud_law *law)
 {
     return law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE | THUD_LAW_LINEAR);
 }
 
-/* Soil behind a wall (stiffness, strength, ratio): not of the list, as bodies that strike each other have none. */
+/* Soil behind a wall (stiffness, strength, ratio); not listed, since it is not a law for bodies that collide. */
 extern const struct thud_law thud_law_backfill;
-/* The list, NULL at its end: a program that links the library may define one of its own instead. */
+/* List of laws, ended by NULL; a program that links the library may define its own. */
 extern const struct thud_law *const thud_laws[];
 int thud_law_count(void);
 const struct thud_law *thud_law_at(int index);
 const struct thud_law *thud_law_find(const char *name);           /* NULL when unknown */
 int thud_law_param(const struct thud_law *law, const char *name); /* index, or -1 */
 
-/* Fills value[] with the defaults of the table (NaN where a value must be given). */
+/* Fills value[] with the table's defaults (NaN: a value is required). */
 void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup);
 
-/* Force of a branch, and its partial derivatives (each may be NULL); d <= 0 gives the linear part only. Not cut at 0.
- * At d = 0 the derivatives are those from the right: df_dd is infinite there for a power below 1 (jankowski at v != 0).
- */
-/* Tables of d^p for one p, and that power to 1e-14 of itself. */
+/* Computes the force of a branch and its partial derivatives (each may be NULL); d <= 0 gives only the linear part. Not
+ * cut at 0. At d = 0 the derivatives are right-sided: df_dd is infinite there for a power below 1 (jankowski at v !=
+ * 0). */
+/* Tables of d^p for one p, and that power, to a relative 1e-14. */
 enum { THUD_POWER_CELLS = 128, THUD_POWER_LEAST = -64, THUD_POWER_OCTAVES = 72, THUD_POWER_TERMS = 7 };
 struct thud_powers {
     double p, binomial[THUD_POWER_TERMS], inverse[THUD_POWER_CELLS], cell[THUD_POWER_CELLS], octave[THUD_POWER_OCTAVES];

@@ -25,13 +25,13 @@ struct thud_method {
     double stability;   /* largest stable omega dt of an undamped oscillator; INFINITY: no limit */
     const char *limits; /* one line in words */
 
-    /* The method's own memory (may stay NULL). Errors: THUD_MEMORY. */
+    /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY. */
     enum thud_status (*create)(const struct thud_state *state, void **own, struct thud_error *err);
-    /* Proposes the next piece of motion from the state as a segment (see src/core/segment.h); the run locates events in
-     * it and commits. Errors: THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
+    /* Proposes the next segment (src/core/segment.h) from the state; the run locates events in it and commits. Errors:
+     * THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
     enum thud_status (*step)(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err);
-    /* Told after the run committed up to tau into the segment; `switched`: a contact changed its state. May be NULL. */
+    /* Called after a commit up to tau into the segment; `switched`: a contact changed its state. May be NULL. */
     void (*committed)(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                       bool switched);
     void (*free)(void *own);

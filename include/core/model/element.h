@@ -3,7 +3,7 @@
  * for each kind, and a kind that does not say all of it does not compile. */
 #pragma once
 
-/* What a kind of element breaks; 0: linear and of degree one, on both sides, without memory. */
+/* Properties that a kind of element breaks; 0: linear, of degree one, two-sided, without memory. */
 enum thud_trait {
     THUD_NONLINEAR = 1,      /* two motions do not add up */
     THUD_NOT_DEGREE_ONE = 2, /* twice the ground motion is not twice the response */
@@ -15,7 +15,7 @@ enum thud_trait {
     THUD_UNKNOWN = 127
 };
 
-/* X(NAME, word, traits, degrees of freedom, states). Contacts of floors say what they are by the flags of their law. */
+/* X(NAME, word, traits, degrees of freedom, states). Floor contacts give theirs by the flags of their law. */
 #define THUD_HYSTERETIC     (THUD_NONLINEAR | THUD_NOT_DEGREE_ONE | THUD_SLIPS | THUD_REMEMBERS)
 #define THUD_BEYOND_A_SLACK (THUD_NONLINEAR | THUD_NOT_DEGREE_ONE | THUD_ONE_SIDED)
 #define THUD_ELEMENT_LIST(X)                                                                                           \
@@ -53,7 +53,7 @@ struct thud_element_kind {
 /* (THUD_ELEMENTS). It stands alone in its file: a test may define its own. */
 extern const struct thud_element_kind thud_elements[];
 
-/* Of several together: traits of any, numbers of all. */
+/* Sum of several elements: traits of any, numbers of all. */
 struct thud_element_sum {
     unsigned traits;
     int dofs, states;

@@ -1,5 +1,5 @@
-/* Floor spectra: what oscillators (equipment, ceilings, pipes) on a building's floors feel, driven by the floors' total
- * acceleration as the run computes it, impacts and impulses included. */
+/* Floor response spectra: response of oscillators (equipment, ceilings, pipes) on a building's floors, driven by the
+ * computed total floor accelerations, impacts and impulses included. */
 #pragma once
 
 struct thud_floor_spectra_choice {

@@ -12,23 +12,24 @@
 
 #include "base/status.h"
 
-/* Largest difference between two elements that ought to be equal, over the root of their diagonal elements, and where
- * (row, column from 0). */
+/* Returns the largest difference between two elements that should be equal, over the root of their diagonal elements,
+ * and its place (row, column from 0). */
 double thud_lateral_asymmetry(int n, const double *k, int *row, int *column);
 /* Computes the smallest eigenvalue; NaN where LAPACK finds none. Errors: THUD_MEMORY. */
 enum thud_status thud_lateral_least(int n, const double *k, double *least, struct thud_error *err);
 /* Inverts a positive definite matrix in place. Errors: THUD_INPUT (not definite), THUD_MEMORY. */
 enum thud_status thud_lateral_invert(int n, double *k, struct thud_error *err);
-/* Whether floors are listed from the roof down: the first one then sways furthest under equal loads on all. Errors: THUD_MEMORY. */
+/* Finds whether floors are listed from the roof down: the first one then sways furthest under equal loads on all.
+ * Errors: THUD_MEMORY. */
 enum thud_status thud_lateral_hangs(int n, const double *k, bool *hangs, struct thud_error *err);
 
 /* `row` (modes x (1 + n)): a period and the shape's values. */
-/* Largest phi_a^T M phi_b of two scaled shapes, and of which (from 0). */
+/* Returns the largest phi_a^T M phi_b of two scaled shapes, and their indices (from 0). */
 double thud_lateral_overlap(int n, int modes, const double *mass_kg, const double *row, int *a, int *b);
-/* Errors: THUD_INPUT (shapes that are nearly the same), THUD_MEMORY. */
+/* Computes K. Errors: THUD_INPUT (nearly equal shapes), THUD_MEMORY. */
 enum thud_status thud_lateral_from_modes(int n, int modes, const double *mass_kg, const double *row, double *k,
                                          struct thud_error *err);
-/* Periods, longest first, and the mass that takes part in each mode, (sum m phi)^2, kg: (n) each. Errors: THUD_INPUT,
+/* Computes the periods, longest first, and the modal masses (sum m phi)^2, kg: (n) each. Errors: THUD_INPUT,
  * THUD_MEMORY. */
 enum thud_status thud_lateral_modes(int n, const double *mass_kg, const double *k, double *period_s,
                                     double *participating_kg, struct thud_error *err);

@@ -84,8 +84,8 @@ struct thud_model_structure {
     double rigid_period_s, soil_damping; /* on soil: first period on rigid ground, first mode's damping ratio; else 0 */
 };
 
-/* A link, d = u_left - u_right (> 0: its ends have come closer): it always acts with k d + c d', or with k (d - d_p)
- * where it slips, or is a contact. */
+/* Link with d = u_left - u_right (> 0: its ends approach): it acts always, with k d + c d' or, slipping, k (d - d_p),
+ * or it is a contact. */
 struct thud_model_link {
     int left_dof, right_dof;            /* -1: the ground */
     int contact;                        /* index of the contact that it is; -1: it always acts */
@@ -96,8 +96,8 @@ struct thud_model_link {
     int structure, first_mode, modes;   /* one of the structures that it ties */
 };
 
-/* One side of a contact: a floor, a wall, or the place at which a slab strikes the columns between two floors,
- * u = (1 - h) u_below + h u_above. */
+/* Side of a contact: a floor, a wall, or the place where a slab strikes the columns between two floors, u = (1 - h)
+ * u_below + h u_above. */
 struct thud_model_side {
     const double *row;                /* (modes) its value by its structure's modal values */
     int structure, first_mode, modes; /* modes: 0 for a wall */
@@ -120,7 +120,7 @@ struct thud_model_contact {
     struct thud_law_setup setup;
 };
 
-/* A storey that yields: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= d_y. */
+/* Yielding storey: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= d_y. */
 struct thud_model_storey {
     int structure, floor; /* from 0: it stands below that floor; of a link one of those that it ties, and -1 */
     int link;             /* index of the link that it is; -1: a storey */
@@ -130,7 +130,7 @@ struct thud_model_storey {
     double geometric_npm; /* W/h; 0 without P-Delta */
 };
 
-/* The columns of one storey that slabs of one neighbour strike. */
+/* Columns of one storey that slabs of one neighbour strike. */
 struct thud_model_column {
     int interface, structure, storey; /* interface and storey from 1, structure from 0 */
     int dof, below;                   /* floors above and below; below -1: the ground */
@@ -172,13 +172,13 @@ struct thud_model {
     double fastest_radps;     /* free motion changes no faster: largest omega, or the rate of coupled damping */
 };
 
-/* Of a building on soil: springs and dashpots against sway and against rocking. */
+/* Springs and dashpots of a building on soil, against sway and rocking. */
 struct thud_foundation_input {
     double mass_kg, inertia_kgm2;
     double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
 };
 
-/* What assemble hands over; arrays are copied. A wall has n = 0. */
+/* Input of a structure; arrays are copied. A wall has n = 0. */
 struct thud_model_input {
     int nstructures;
     const struct thud_structure_input {
@@ -230,20 +230,19 @@ struct thud_model_input {
     } * link;
 };
 
-/* Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
+/* Creates a model. Errors: THUD_INPUT (a law's parameters), THUD_MEMORY. */
 enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
 
-/* Whose row it is, and its events: that storey's, or NULL for a contact's. Rows are those of the contacts, and those of
- * the storeys that yield behind them. */
+/* Returns the yielding storey of a row, NULL for a contact. Rows of yielding storeys follow those of the contacts. */
 static inline const struct thud_model_storey *thud_model_row_storey(const struct thud_model *model, int row)
 {
     return row < model->ncontacts ? NULL : &model->storey[row - model->ncontacts];
 }
 
-/* Structures whose modes a row of the Jacobian moves, one of each system, from the left: one for a storey, beside a wall
- * or where both are tied, else two. Returns how many. */
+/* Finds the structures whose modes a row of the Jacobian moves, one of each system, from the left: one for a storey,
+ * beside a wall or where both are tied, else two. Returns their number. */
 static inline int thud_model_row_structures(const struct thud_model *model, int row, int structure[2])
 {
     const int dof[] = {model->contact[row].left_dof, model->contact[row].right_dof};
@@ -255,14 +254,15 @@ static inline int thud_model_row_structures(const struct thud_model *model, int 
     return n;
 }
 
-/* A bound of the rates of free motion of one structure, rad/s: its largest omega, or the rate of coupled damping. */
+/* Returns a bound of a structure's rates of free motion, rad/s: largest omega, or rate of coupled damping. */
 double thud_model_fastest(const struct thud_model *model, int structure);
 
 /* Returns the index, among the storeys that yield, of the one below a floor; -1: elastic, or none. */
 int thud_model_yielding(const struct thud_model *model, int dof);
 
-/* What a storey feels of values by floor, `apart` doubles each from the structure's first dof on: the value of the floor
- * above (index from 0) less that below and, on soil, less what the foundation's rotation makes; 0 for its own dofs. */
+/* Returns a storey's part of values by floor, `apart` doubles each from the structure's first dof: the value of the
+ * floor above (index from 0) less that below and, on soil, less that of the foundation's rotation; 0 for its own dofs.
+ */
 static inline double thud_model_drift(const struct thud_model_structure *p, const double *value, int apart, int floor)
 {
     const double *at = value + floor * apart, *base = value + p->n * apart;
@@ -271,14 +271,14 @@ static inline double thud_model_drift(const struct thud_model_structure *p, cons
     return floor >= p->n ? 0 : at[0] - (floor > 0 ? at[-apart] : base[0]) - p->rise[floor] * base[apart];
 }
 
-/* The drift on which the weight acts: the same with the rotation. */
+/* Returns the drift on which the weight acts: the same with the rotation. */
 static inline double thud_model_lean(const struct thud_model_structure *p, const double *value, int apart, int floor)
 {
     const double *at = value + floor * apart;
     return at[0] - (floor > 0 ? at[-apart] : p->rise ? value[p->n * apart] : 0);
 }
 
-/* The most that a mode has of it: what the rotation adds to a drift is less than what it moves the top. */
+/* Returns a bound of that drift in a mode: the rotation adds less to a drift than it moves the top. */
 static inline double thud_model_most_lean(const struct thud_model *model, const struct thud_model_structure *p,
                                           int mode)
 {
@@ -287,7 +287,7 @@ static inline double thud_model_most_lean(const struct thud_model *model, const 
 
 /* Returns a floor's value from modal values (nmodes). */
 double thud_model_floor(const struct thud_model *model, int dof, const double *modal);
-/* Values of row c's two sides from modal values; 0 for a wall and the ground. */
+/* Return the values of row c's two sides from modal values; 0 for a wall and the ground. */
 void thud_model_sides(const struct thud_model *model, int c, const double *modal, double *left, double *right);
 /* Returns the left side's value minus the right side's, from modal values. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal);
@@ -295,6 +295,6 @@ double thud_model_gap_sum(const struct thud_model *model, int c, const double *m
 /* Returns d of a link, or its rate, from modal values. */
 double thud_model_link(const struct thud_model *model, int link, const double *modal);
 
-/* Four times what it takes from touch at 1 m/s to the largest indentation of a spring with the law's elastic energy
- * there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
+/* Returns four times the duration from contact onset at 1 m/s to the largest indentation of a spring with the law's
+ * elastic energy there, s: 2 pi sqrt(m/k) of a linear one. INFINITY for laws without a force. */
 double thud_model_contact_period(const struct thud_model_contact *contact);

@@ -1,5 +1,5 @@
-/* The result of a run. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI
- * units. */
+/* Result of a run. Every peak is that of the continuous history (both sides of jumps, maxima inside steps). SI units.
+ */
 #pragma once
 
 #include <stdbool.h>
@@ -39,7 +39,7 @@ struct thud_contact_result {
     bool impulsive;                        /* its law passes impulses */
 };
 
-/* A link between two floors, of neighbours or of one and the ground. */
+/* Link between two floors, of neighbours or of one and the ground. */
 struct thud_link_result {
     struct thud_peak force;  /* N */
     struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
@@ -51,10 +51,9 @@ struct thud_link_result {
     int contact;       /* row of its events; -1: it has none */
 };
 
-/* What a slab does to the columns of a storey that it strikes, positive to the right: shears just above their lower
- * and just below their upper end, and the bending moments there. A shear is the force by which what is above pushes
- * what is below; a moment at the lower end is positive, one at the upper end negative, where the storey drifts to the
- * right. */
+/* Peaks in the columns of a storey struck by a slab, positive to the right: shears just above their lower and just
+ * below their upper end, and the bending moments there. A shear is the force by which the part above pushes the part
+ * below; where the storey drifts to the right, the moment is positive at the lower end and negative at the upper. */
 enum thud_column_quantity {
     THUD_COLUMN_SHEAR_LOWER,
     THUD_COLUMN_SHEAR_UPPER,
@@ -63,7 +62,7 @@ enum thud_column_quantity {
     THUD_COLUMN_QUANTITIES
 };
 
-/* The columns of a storey that slabs of one neighbour strike: the drift of the storey and the forces on them. */
+/* Columns of a storey that slabs of one neighbour strike: the storey's drift and the forces on them. */
 struct thud_column_result {
     int interface, structure, storey;              /* interface and storey from 1, structure from 0 */
     struct thud_peak peak[THUD_COLUMN_QUANTITIES]; /* N, N m */
@@ -71,14 +70,13 @@ struct thud_column_result {
     bool drifts; /* their stiffness is given, so that the drift of the storey counts; else the forces alone */
 };
 
-/* Struck by impulses: no finite force, whatever it bears while it is pushed afterwards, and no finite acceleration of the
- * floors. */
+/* Returns whether impulses struck: no finite force, also while pushed afterwards, and no finite floor acceleration. */
 static inline bool thud_contact_struck(const struct thud_contact_result *contact)
 {
     return contact->impulsive && contact->impacts > 0;
 }
 
-/* An event: a guard of a contact or of a storey passed 0, and its state was switched. */
+/* Event: a guard of a contact or of a storey passed 0, and its state was switched. */
 struct thud_event_entry {
     double time_s;
     int row; /* contact; from the number of contacts on, a storey that yields; from that of rows on, a floor above a
@@ -88,7 +86,7 @@ struct thud_event_entry {
     double force_n; /* just behind it, of a storey beside that of its elastic stiffness */
 };
 
-/* One impact, from contact onset to release. */
+/* Impact, from contact onset to release. */
 struct thud_impact {
     int contact; /* index into contacts, from 0 */
     double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
@@ -105,7 +103,7 @@ struct thud_energy {
     double error_ratio;  /* |initial + input - all the others| over the largest energy seen */
 };
 
-/* A storey that yields, the one below its floor. */
+/* Yielding storey, the one below its floor. */
 struct thud_storey_result {
     bool yields;
     double yield_m, hardening; /* d_y and r */
@@ -120,7 +118,7 @@ struct thud_storey_result {
 struct thud_structure_result {
     int floors;
     struct thud_floor_result *floor; /* (floors), lowest first; an isolated building's floor 1 is its base slab */
-    /* On soil, behind the floors: the foundation's sway, and its rotation as the displacement at `arm_m`; else NULL. */
+    /* On soil, after the floors: the foundation's sway, and its rotation as the displacement at `arm_m`; else NULL. */
     struct thud_floor_result *foundation;
     double arm_m;
     struct thud_storey_result *storey; /* (floors); NULL where none of them yields */
@@ -133,7 +131,7 @@ struct thud_structure_result {
     double *period_s;             /* (floors), longest first; INFINITY for a free rigid body */
 };
 
-/* P-Delta: a storey's drift has reached a tenth of its height, which ends the run. */
+/* Collapse with P-Delta: a storey's drift has reached a tenth of its height, which ends the run. */
 struct thud_collapse {
     bool happened;
     int structure, floor; /* from 0: the storey below that floor */
@@ -177,7 +175,7 @@ struct thud_history {
     double *value;  /* (rows x columns), row-major */
 };
 enum { THUD_HISTORY_ENERGIES = 5 };
-/* Column of a quantity. */
+/* Return the columns of quantities. */
 int thud_history_ground(void);
 int thud_history_displacement(const struct thud_history *h, int dof);
 int thud_history_velocity(const struct thud_history *h, int dof);

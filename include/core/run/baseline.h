@@ -1,5 +1,5 @@
-/* The motion without contact of a model, made once and kept: the result for every clearance wide enough, and the
- * beginning of every run that comes to a contact only later. Read-only once made, so any number of runs may start from
+/* Contact-free response of a model, computed once and cached. It is the result for every sufficiently wide clearance,
+ * and the start of every run whose first contact comes later. Read-only once made, so any number of runs may start from
  * it at once. */
 #pragma once
 
@@ -9,13 +9,13 @@
 
 struct thud_baseline_motion;
 
-/* The motion of `model` without its contacts, whose laws and clearances do not matter; with `open` above 0 without those
- * of that interface alone, so that it serves its relative displacements and no run. Model and record must outlive it.
+/* Creates the baseline of `model` without its contacts, whose laws and clearances do not matter; with `open` above 0,
+ * without those of that interface only, for its relative displacements, not for runs. Model and record must outlive it.
  * Errors: as thud_run_create. */
 enum thud_status thud_baseline_create(const struct thud_model *model, int open, const struct thud_record *record,
                                       const struct thud_run_options *options, struct thud_baseline_motion **out,
                                       struct thud_error *err);
-/* As thud_run_advance; what follows holds once it is done. */
+/* Advances as thud_run_advance; the functions below are valid once it is done. */
 enum thud_status thud_baseline_advance(struct thud_baseline_motion *baseline, long budget, bool *done,
                                        struct thud_error *err);
 void thud_baseline_free(struct thud_baseline_motion *baseline);
@@ -28,15 +28,15 @@ double thud_baseline_relative_displacement(const struct thud_baseline_motion *ba
 /* Returns the largest |displacement| (m) of the point of contact c that is struck between two floors; 0 where floors meet. */
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c);
 
-/* Whether runs can share its beginning: the exact method, whose contact-free response is the same whatever the
+/* Returns whether runs can share its beginning: the exact method, whose contact-free response does not depend on the
  * clearances. */
 bool thud_baseline_shares(const struct thud_baseline_motion *baseline);
 
-/* A run of `model` (same structures and pairs of floors as the baseline's), begun at the last kept moment before which no
- * contact can close, and ended where nothing more can come of it. Its motion and peaks are those of a run from t = 0,
- * bit for bit; its energies and counts of work are those from where it begins to where it ends. *shared_s: that moment,
- * 0 where nothing could be shared (histories are kept, or the method steps through contact-free response). Errors: as
- * thud_run_create. */
+/* Creates a run of `model` (same structures and floor pairs as the baseline's) from the last checkpoint before which no
+ * contact can close; it ends when no contact or new peak can follow. Its motion and peaks equal those of a run from t =
+ * 0, bit for bit; energies and counts of work are those from its start to its end. *shared_s: that time, 0 if nothing
+ * could be shared (histories are kept, or the method steps through contact-free response). Errors: as thud_run_create.
+ */
 enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, const struct thud_model *model,
                                    const struct thud_record *record, const struct thud_run_options *options,
                                    struct thud_run **out, double *shared_s, struct thud_error *err);

@@ -23,17 +23,17 @@ struct thud_run_options {
     bool keep_events;      /* list events one by one */
     bool keep_history;     /* record histories */
     double history_step_s; /* between rows outside contacts; 0: the record's step */
-    /* > 0: rows in contact only so far apart beside those of peaks, and energies NaN: a third of the time, for a look. 0:
-     * as close as the impulse of the forces asks for. */
+    /* > 0: spacing of contact rows next to the peaks, with energies NaN: a third of the time, for a preview. 0: as fine
+     * as the impulse of the forces requires. */
     double history_look_s;
-    /* Oscillators on floors; NULL: none. Read by thud_run_create alone. Only for the exact method. */
+    /* Oscillators on floors; NULL: none. Read only by thud_run_create. Exact method only. */
     const struct thud_floor_spectra_choice *floor_spectra;
     const struct thud_step_watch *watch; /* has to outlive the run; NULL: nobody */
     bool unjudged; /* energy unaccounted for does not end the run: for studies of how methods fail */
 };
 void thud_run_options_init(struct thud_run_options *options);
 
-/* `model` and `record` (NULL: no ground motion) must outlive the run. Errors: THUD_INPUT, THUD_MEMORY. */
+/* Creates a run. `model` and `record` (NULL: no ground motion) must outlive it. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_run_create(const struct thud_model *model, const struct thud_record *record,
                                  const struct thud_run_options *options, struct thud_run **out, struct thud_error *err);
 
@@ -46,12 +46,12 @@ double thud_run_balance(const struct thud_run *run);
 
 double thud_run_time(const struct thud_run *run);
 double thud_run_end(const struct thud_run *run);
-/* Valid until the run is freed or advanced. Before the end, a peak of contact-free response may still be that at the
- * end of an interval of the ground motion. */
+/* Returns the result, valid until the run is freed or advanced. Before the end, a peak of contact-free response may
+ * still be that at the end of a ground motion interval. */
 const struct thud_result *thud_run_result(const struct thud_run *run);
 const struct thud_impact *thud_run_impacts(const struct thud_run *run, int *count);
 const struct thud_event_entry *thud_run_events(const struct thud_run *run, int *count);
 const struct thud_history *thud_run_history(const struct thud_run *run);
-/* Pseudo-acceleration so far, m/s2, by index of the floor and of the period in options.floor_spectra, which there was. */
+/* Returns the pseudo-acceleration so far, m/s2, by index of floor and period in options.floor_spectra. */
 double thud_run_floor_spectrum(const struct thud_run *run, int floor, int period);
 void thud_run_free(struct thud_run *run);
