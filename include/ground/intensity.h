@@ -1,4 +1,4 @@
-/* What engineers measure a ground motion by. */
+/* Intensity measures of a ground motion. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,9 +6,9 @@
 
 #include "ground/record.h"
 
-/* Integrals are exact for an acceleration that is linear between the samples. Velocity and displacement are those of
- * the acceleration less its mean, from rest, and their peaks are those of these continuous motions, between the samples
- * too. NaN: not defined (a record of zeros has no significant duration). */
+/* Intensity measures. Integrals are exact for an acceleration linear between the samples. Velocity and displacement are
+ * those of the acceleration less its mean, from rest; their peaks are those of the continuous motions. NaN: not defined
+ * (a record of zeros has no significant duration). */
 struct thud_intensity {
     double pga_mps2, pga_time_s;
     double pgv_mps, pgv_time_s;
@@ -29,10 +29,10 @@ enum { THUD_BRACKET_PER_MILLE = 50 }; /* threshold of the bracketed duration in 
 
 struct thud_intensity thud_intensity_of(const struct thud_record *record);
 
-/* Period (s, 0.02 to 10) of the largest total acceleration at 5 % damping, to 1 %; NaN of a record of zeros. It takes
- * ten times as long as all the rest. */
+/* Returns the period (s, 0.02 to 10) of the largest total acceleration at 5 % damping, to 1 %; NaN for a record of
+ * zeros. It takes ten times as long as all the rest. */
 double thud_record_predominant_period(const struct thud_record *record);
 
-/* Velocity and displacement at the samples (each `samples` long, either may be NULL), of the acceleration less its
- * mean, from rest. */
+/* Computes velocity and displacement at the samples (each `samples` long, either may be NULL) of the acceleration less
+ * its mean, from rest. */
 void thud_record_integrate(const struct thud_record *record, double *velocity_mps, double *displacement_m);

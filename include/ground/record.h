@@ -1,5 +1,4 @@
-/* A ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last.
- */
+/* Ground motion: acceleration at equal steps, linear between the samples, zero before the first and after the last. */
 #pragma once
 
 #include <stdbool.h>
@@ -33,7 +32,7 @@ enum thud_status thud_record_create(const double *a_mps2, size_t samples, double
 void thud_record_free(struct thud_record *record);
 
 double thud_record_peak(const struct thud_record *record); /* largest |a|, m/s2 */
-/* Largest speed of the ground, which starts at rest, m/s: of the integral of its acceleration, also where that changes
- * sign between two samples. 0 for NULL. */
+/* Returns the peak ground velocity from rest, m/s: that of the integrated acceleration, also between two samples. 0 for
+ * NULL. */
 double thud_record_speed(const struct thud_record *record);
 void thud_record_scale(struct thud_record *record, double factor);

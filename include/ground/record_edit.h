@@ -1,4 +1,4 @@
-/* What may be done to a ground motion on request; nothing of it ever happens unasked. */
+/* Edits of a ground motion, made only on request. */
 #pragma once
 
 #include "ground/record.h"
@@ -7,22 +7,22 @@
  * THUD_INPUT when fewer than two remain. */
 enum thud_status thud_record_trim(struct thud_record *record, double from_s, double to_s, struct thud_error *err);
 
-/* Takes off the polynomial of this degree that fits the accelerations best (least squares): 0 is their mean, 1 a
- * straight line; THUD_BASELINE_NONE nothing. */
+/* Removes the best-fit polynomial of this degree (least squares) from the accelerations: 0 the mean, 1 a linear trend;
+ * THUD_BASELINE_NONE nothing. */
 enum { THUD_BASELINE_NONE = -1, THUD_BASELINE_MEAN = 0, THUD_BASELINE_LINEAR = 1, THUD_BASELINE_MAX = 8 };
 void thud_record_baseline(struct thud_record *record, int degree);
 
-/* Lets the motion rise from zero and fall to it over `taper_s` at each end, by half a period of a cosine. Errors:
- * THUD_INPUT (less than 0, or more than half of the motion). */
+/* Applies a cosine taper over `taper_s` at both ends. Errors: THUD_INPUT (less than 0, or more than half of the
+ * motion). */
 enum thud_status thud_record_taper(struct thud_record *record, double taper_s, struct thud_error *err);
 
 /* Creates a record with other samples and the same names. Errors: as thud_record_create. */
 enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
                                   struct thud_record **out, struct thud_error *err);
 
-/* Keeps one sample in `every` (1: all), from the first on, after a low pass at half the rate of samples that are `spacing`
- * (1 or more) of its own apart: a sinc in a Blackman window, which shifts no phase and falls within a sixth of its corner.
- * Beyond its ends the motion is 0. Errors: THUD_INPUT (fewer than two remain), THUD_MEMORY. */
+/* Keeps one sample in `every` (1: all), starting with the first, after a low pass at half the rate of samples `spacing`
+ * (1 or more) steps apart: a sinc in a Blackman window, without phase shift, which falls within a sixth of its corner.
+ * The motion is 0 beyond its ends. Errors: THUD_INPUT (fewer than two remain), THUD_MEMORY. */
 enum thud_status thud_record_low_pass(struct thud_record *record, double spacing, int every, struct thud_error *err);
 
 /* Returns a new record at another step, by linear interpolation between the samples, as every run does: at a whole

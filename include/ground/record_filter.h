@@ -1,13 +1,13 @@
-/* Frequencies taken out of a ground motion on request: Butterworth filters in two passes, forwards and backwards, which
- * shift no phase. */
+/* Removes frequencies from a ground motion on request: Butterworth filters in two passes, forwards and backwards,
+ * without phase shift. */
 #pragma once
 
 #include "ground/record.h"
 
 enum { THUD_FILTER_ORDER_MAX = 10 };
 
-/* Corner frequencies at which two passes leave half of the amplitude. `high_hz` NaN: a high pass from `low_hz` on;
- * both: a band pass; `low_hz` NaN: none. `order` is that of one pass. */
+/* Corner frequencies at which two passes leave half of the amplitude. `high_hz` NaN: a high pass above `low_hz`; both:
+ * a band pass; `low_hz` NaN: none. `order` is that of one pass. */
 struct thud_record_filter {
     double low_hz, high_hz;
     int order;

@@ -18,7 +18,7 @@ struct thud_synthesis {
     double seed; /* a whole number below 2^53 */
 };
 
-/* One line per parameter, in the order of the struct: options, comment lines and checks are fed from it. */
+/* Table of parameters, in the order of the struct: it feeds options, comment lines and checks. */
 struct thud_synthesis_param {
     const char *name, *help;
     enum thud_dimension dimension; /* THUD_NUMBER with unit "Hz", "deg", "1/s" for what quantities do not know */
@@ -34,8 +34,9 @@ extern const size_t thud_synthesis_param_count;
 void thud_synthesis_init(struct thud_synthesis *synthesis);
 double *thud_synthesis_field(struct thud_synthesis *synthesis, const struct thud_synthesis_param *param);
 
-/* Samples are whole multiples of 1e-8 m/s2, so that a text of them is short and the same everywhere. Errors: THUD_INPUT
- * with the key (a value out of range, the pulse outside the duration or already above the peak), THUD_MEMORY. */
+/* Computes a surrogate, with samples that are whole multiples of 1e-8 m/s2, so a text of them is short and the same
+ * everywhere. Errors: THUD_INPUT with the key (out of range, pulse outside the duration or above the peak),
+ * THUD_MEMORY. */
 enum thud_status thud_synthesis_run(const struct thud_synthesis *synthesis, struct thud_record **out,
                                     struct thud_error *err);
 

@@ -1,4 +1,4 @@
-/* Design spectra that ground motions are compared with and scaled to: pseudo spectral acceleration against period. */
+/* Design spectra for comparing and scaling ground motions: pseudo spectral acceleration against period. */
 #pragma once
 
 #include <stdbool.h>
@@ -36,38 +36,38 @@ struct thud_target {
     double period_s[THUD_TARGET_POINTS_MAX], sa_mps2[THUD_TARGET_POINTS_MAX];
 };
 
-/* What the code of a spectrum says of the motions scaled to it (from secondary sources): the least number, and the
- * number from which the mean of their results may be taken in place of the largest (0: never). */
+/* Requirements of a spectrum's code on the motions scaled to it (from secondary sources): the least number, and the
+ * number from which the mean of the results may replace the largest (0: never). */
 struct thud_target_code {
     const char *name, *allowed;
     int least, mean;
     const char *clause, *remark; /* of the numbers; what else to check, or NULL */
 };
-/* Of a target; NULL, or points of no code: EN 1998-1's numbers. */
+/* Returns those of a target; of NULL, or of points without a code, EN 1998-1's numbers. */
 const struct thud_target_code *thud_target_code(const struct thud_target *target);
 
-/* As typed, and with the values that EN 1998-1 gives to its ground: "en1998:0.3g,B (S = 1.2, T_B = 0.15 s, ...)". */
+/* Writes the target as typed with EN 1998-1's values of its ground: "en1998:0.3g,B (S = 1.2, T_B = 0.15 s, ...)". */
 void thud_target_words(const struct thud_target *target, char *text, size_t size);
 
-/* "en1998:0.3g,B" and the like, each as its code's `allowed` says. The points of ASCE 7-22 are not read here
- * (thud_target_read). Errors: THUD_INPUT with what is allowed. */
+/* Reads a code's spectrum such as "en1998:0.3g,B", as its code's `allowed` states; points of ASCE 7-22 are read by
+ * thud_target_read. Errors: THUD_INPUT with what is allowed. */
 enum thud_status thud_target_parse(const char *text, struct thud_target *out, struct thud_error *err);
-/* Whether a text names a code's spectrum, and not a file. */
+/* Returns whether a text names a code's spectrum instead of a file. */
 bool thud_target_is_code(const char *text);
 
 /* Gives the range of periods in which it is defined. */
 void thud_target_range(const struct thud_target *target, double *from_s, double *to_s);
-/* Sa at a period (0: the peak ground acceleration); between points straight on logarithmic axes (ASCE 7-22: on linear
- * ones), NaN outside its range. */
+/* Returns Sa at a period (0: the peak ground acceleration), between points linear on logarithmic axes (ASCE 7-22: on
+ * linear ones); NaN outside its range. */
 double thud_target_sa(const struct thud_target *target, double period_s);
 
-/* Number of periods of its range at which a motion is compared with a target. */
+/* Number of periods at which a motion is compared with a target. */
 enum { THUD_TARGET_PERIODS = 40 };
-/* Periods from `from_s` to `to_s` in geometric steps (count > 1). */
+/* Fills in periods from `from_s` to `to_s` in geometric steps (count > 1). */
 void thud_target_periods(double from_s, double to_s, size_t count, double *period_s);
-/* Pseudo spectral acceleration of a motion at each period (a period of 0: its peak). */
+/* Computes the pseudo spectral acceleration of a motion at each period (0: its peak). */
 void thud_target_motion(const struct thud_record *record, double damping, const double *period_s, size_t count,
                         double *sa_mps2);
-/* The factor that brings a motion's Sa nearest to the target's, by least squares of the logarithms over the periods; and
- * what then remains of them, root mean square, in *misfit. */
+/* Returns the factor that fits a motion's Sa best to the target's (least squares of the logarithms over the periods),
+ * and the root mean square residual in *misfit. */
 double thud_target_factor(const double *target_mps2, const double *sa_mps2, size_t count, double *misfit);
