@@ -1,4 +1,5 @@
-/* Lateral stiffness, flexibility, or periods and shapes of a building, as ETABS and SAP2000 export tables: CSV with one row per floor or mode, the unit in the header or given with it. */
+/* Reads lateral stiffness, flexibility, or periods and shapes of a building from tables of ETABS and SAP2000: CSV, one
+ * row per floor or mode, the unit in the header or given with it. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,7 +8,7 @@
 
 enum thud_building_content { THUD_CONTENT_STIFFNESS, THUD_CONTENT_FLEXIBILITY, THUD_CONTENT_PERIODS };
 
-/* What is expected of a file. */
+/* Expected contents of a file. */
 struct thud_building_ask {
     enum thud_building_content content;
     bool any;         /* the content is what the file's header and unit say */
@@ -16,7 +17,7 @@ struct thud_building_ask {
     enum thud_floor_order order;
 };
 
-/* What was read: SI units, lowest floor first. A flexibility has become a stiffness. */
+/* Contents read: SI units, lowest floor first. A flexibility has become a stiffness. */
 struct thud_building_table {
     enum thud_building_content content; /* of the file */
     int floors, rows;
@@ -28,14 +29,14 @@ struct thud_building_table {
     char sha256[THUD_SHA256_TEXT]; /* of the file */
 };
 
-/* Errors: THUD_INPUT with file, line and column; THUD_MEMORY. */
+/* Reads a file. Errors: THUD_INPUT with file, line and column; THUD_MEMORY. */
 enum thud_status thud_building_file_read(const char *path, const struct thud_building_ask *ask,
                                          struct thud_building_table *out, struct thud_error *err);
 void thud_building_table_clear(struct thud_building_table *table);
 
-/* A scene that moves from one preset to another (paths): files that the new one would not find, or would find others in
- * place of, get their whole path, where there is room for it. */
+/* Moves a scene from one preset to another (paths): files that the new one would not find, or would find others in
+ * place of, get their whole path if there is room. */
 void thud_building_files_move(struct thud_scene *scene, const char *from, const char *to);
-/* Reads what the structures of a scene name and have not yet: looked for from the working folder and beside the preset
- * (path; NULL: none). Errors: also the key. */
+/* Reads the files named by a scene's structures and not read yet, from the working folder and beside the preset (path;
+ * NULL: none). Errors: also the key. */
 enum thud_status thud_building_files_read(struct thud_scene *scene, const char *preset, struct thud_error *err);

@@ -1,4 +1,4 @@
-/* Fields of CSV that the program itself has written. */
+/* Reads fields of CSV that the program itself has written. */
 #pragma once
 
 /* Ends the field at *at by a NUL, quotes taken off in place, and goes on to what comes after it. Returns what ended it:

@@ -1,15 +1,15 @@
-/* Pieces of JSON text. */
+/* Writes pieces of JSON text. */
 #pragma once
 
 #include "base/text.h"
 
-/* A quoted string; control characters escaped, bytes that are no UTF-8 replaced. */
+/* Appends a quoted string; control characters are escaped, bytes that are not UTF-8 replaced. */
 void thud_json_string(struct thud_text *out, const char *text);
-/* A number that reads back the same; null where it is not finite. */
+/* Appends a number that reads back the same; null if not finite. */
 void thud_json_number(struct thud_text *out, double value);
-/* "key": value */
+/* Appends "key": value. */
 void thud_json_field(struct thud_text *out, const char *key, double value);
-/* Several of them, parted by commas: THUD_JSON_FIELDS(out, {"key", value}, {"key", value}). */
+/* Appends several, separated by commas: THUD_JSON_FIELDS(out, {"key", value}, {"key", value}). */
 struct thud_json_pair {
     const char *key;
     double value;

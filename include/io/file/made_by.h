@@ -1,5 +1,5 @@
-/* made-by.txt: what wrote the results in a folder, and which files they are, so that results of another scene do not
- * take their place, or stay beside its own, without a word. */
+/* Keeps made-by.txt: the program and scene that wrote the results in a folder, and the list of their files, so that
+ * results of another scene neither replace them nor stay beside its own unnoticed. */
 #pragma once
 
 #include <stdbool.h>
@@ -20,18 +20,19 @@ struct thud_made_by {
     const struct thud_schema *(*schema)(int); /* kinds of rows, for datapackage.json; NULL: none is written */
 };
 
-/* Makes the folder. Results that lie there may be continued or written again by what made them; those of another
- * scene, or of the same group asked for something else, are refused or, with `replace`, removed: the files that are
- * listed, no others. From then on every result that comes into the folder or one below it is remembered. One folder at a
- * time. Errors: THUD_INPUT (refused, both named), THUD_OUTPUT, THUD_MEMORY. */
+/* Creates the folder. Its results may be continued or rewritten by the same program and scene; those of another scene,
+ * or of the same group with other options, are refused or, with `replace`, removed (listed files only). Every later
+ * result in the folder or below is recorded. One folder at a time. Errors: THUD_INPUT (refused, both named),
+ * THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_error *err);
-/* Likewise in a folder that is there, and locked where others may write too. */
+/* Does the same in an existing folder, locked if others may write too. */
 enum thud_status thud_made_by_enter(const struct thud_made_by *by, struct thud_error *err);
-/* As thud_made_by_begin, but nothing is made, removed or remembered: before long work. */
+/* Checks as thud_made_by_begin without creating, removing or recording anything: before long work. */
 enum thud_status thud_made_by_check(const struct thud_made_by *by, struct thud_error *err);
-/* Writes the list, and what the tables among the files are made of (datapackage.json), as often as there is more. Errors: THUD_OUTPUT, THUD_MEMORY. */
+/* Writes the list and the description of its tables (datapackage.json) if there is more. Errors: THUD_OUTPUT,
+ * THUD_MEMORY. */
 enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_error *err);
 
-/* thud_made_by_keep where the results are there: `before` is THUD_OK, or THUD_GNUPLOT, whose message stands. What else it
- * is comes back. */
+/* Calls thud_made_by_keep if the results are complete: `before` is THUD_OK, or THUD_GNUPLOT, whose message stays.
+ * Returns any other `before`. */
 enum thud_status thud_made_by_end(const struct thud_made_by *by, enum thud_status before, struct thud_error *err);

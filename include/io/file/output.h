@@ -1,4 +1,4 @@
-/* A file written in pieces, whole or not at all. */
+/* Writes a file in pieces, whole or not at all. */
 #pragma once
 
 #include "base/text.h"

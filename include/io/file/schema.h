@@ -1,6 +1,6 @@
-/* What a kind of row is made of: a table of its fields, from which CSV, JSON, the tables of a terminal, thud-output(5)
- * and the description of a set of tables (datapackage.json) are written. A new quantity of a result is the place that
- * computes it and one line of such a table. */
+/* Schema of a kind of row: a table of its fields, from which CSV, JSON, tables of a terminal, thud-output(5) and the
+ * description of tables (datapackage.json) are written. A new quantity of a result needs the code that computes it and
+ * one line of such a table. */
 #pragma once
 
 #include <limits.h>
@@ -9,7 +9,7 @@
 #include "base/param.h"
 #include "base/text.h"
 
-/* By the type of the member. */
+/* Type of the member. */
 enum thud_column_kind {
     THUD_COLUMN_NUMBER, /* double; no value where it is not finite */
     THUD_COLUMN_COUNT,  /* int; no value at THUD_NO_COUNT */
@@ -20,7 +20,7 @@ enum thud_column_kind {
 };
 #define THUD_NO_COUNT INT_MIN
 
-/* How a number is printed in a table of a terminal. */
+/* Format of a number in a table of a terminal. */
 enum thud_digits {
     THUD_DIGITS_NONE,   /* the field is in none */
     THUD_DIGITS_PLACES, /* places after the point alike in a column, so that its largest has `digits` */
@@ -48,7 +48,7 @@ struct thud_column {
 };
 /* Marks set by the writers themselves. */
 enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 28, THUD_ONLY_MANUAL = 1 << 27 };
-/* What stands for columns that are named by what is asked for: KEY, INPUT. */
+/* Placeholder of columns named by what is requested: KEY, INPUT. */
 #define THUD_STANDS_FOR(key, text)                                                                                     \
     {                                                                                                                  \
         .name = key, .help = text, .only = THUD_ONLY_MANUAL                                                            \
@@ -62,11 +62,11 @@ enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 
         size_t: THUD_COLUMN_SIZE,                                                                                       \
         bool: THUD_COLUMN_YES,                                                                                          \
         const char *: THUD_COLUMN_TEXT)
-/* The first members of a field, in braces with what else there is: {THUD_COLUMN(...), .only = ...}. */
+/* First members of a field, in braces with the others: {THUD_COLUMN(...), .only = ...}. */
 #define THUD_COLUMN(type, member, key, text)                                                                           \
     .name = key, .help = text, .kind = THUD_COLUMN_KIND(type, member), .at = offsetof(type, member)
 
-/* A field of it alone; with more members behind. */
+/* A field of these only; with more members after them. */
 #define THUD_FIELD(type, member, key, text)                                                                            \
     {                                                                                                                  \
         THUD_COLUMN(type, member, key, text)                                                                           \
@@ -87,16 +87,16 @@ struct thud_schema {
         name, about, field, (int)(sizeof field / sizeof *field)                                                        \
     }
 
-/* "name": value, ... without braces; with them. */
+/* Appends "name": value, ... without braces; with them. */
 void thud_json_object(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
 void thud_json_members(const struct thud_schema *schema, unsigned marks, const void *row, struct thud_text *out);
-/* A row that is put together: its values of several tables, one behind the other. */
+/* Row joined from several tables, one after the other. */
 struct thud_part {
     const struct thud_schema *schema;
     unsigned marks;
     const void *row;
 };
-/* Columns whose names depend on what is asked for, with a row of them: {0}, then one after the other. */
+/* Columns whose names depend on what is requested, with a row of them: starts as {0}, filled one by one. */
 union thud_column_value {
     double number;
     const char *text;
@@ -109,16 +109,16 @@ struct thud_made_columns {
     union thud_column_value cell[THUD_MADE_MAX];
 };
 void thud_column_add(struct thud_made_columns *to, bool text, const char *name, ...) THUD_PRINTF(3, 4);
-/* Lines of CSV, with their ends; members of an object. Parts without columns are passed over. */
+/* Append lines of CSV, with their ends, or members of an object. Parts without columns are skipped. */
 void thud_parts_names(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_csv(const struct thud_part *part, int n, struct thud_text *out);
 void thud_parts_json(const struct thud_part *part, int n, struct thud_text *out);
-/* "format": 1, "preset": ..., "version": ...; the first members of every result in JSON. `preset` NULL: of none. */
+/* Appends "format": 1, "preset": ..., "version": ...: the first members of every JSON result. `preset` NULL: none. */
 void thud_json_head(struct thud_text *out, const char *preset);
-/* The same of a result whose keys have changed their meaning: its format. */
+/* Does the same for a result whose keys have changed their meaning, with its format. */
 void thud_json_head_of(struct thud_text *out, int format, const char *preset);
 
-/* Rows of one kind, made one at a time: `make` fills the i-th of them into `row`, of at most THUD_ROW_MAX bytes. */
+/* Rows of one kind, made one at a time: `make` fills the i-th into `row`, of at most THUD_ROW_MAX bytes. */
 enum { THUD_ROW_MAX = 2048 };
 struct thud_row_room {
     _Alignas(max_align_t) char bytes[THUD_ROW_MAX];
@@ -134,15 +134,15 @@ void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out); /* head
 /* The CSV in `folder`, as a file with the schema's name. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err);
 void thud_rows_json(const struct thud_rows *rows, struct thud_text *out); /* [ {...}, ... ], an object a line */
-/* , "name": [ ... ], behind other members. */
+/* Appends , "name": [ ... ] after other members. */
 void thud_json_list(const char *name, const struct thud_rows *rows, struct thud_text *out);
 void thud_rows_table(const struct thud_rows *rows, struct thud_text *out); /* as a table of a terminal */
 
-/* What is asked for. */
+/* Requested format. */
 enum thud_written { THUD_AS_TEXT, THUD_AS_CSV, THUD_AS_JSON };
 
-/* A list written row by row, each with rows of its own (laws with their parameters): as JSON an object with the list, as
- * CSV a line for each of the inner rows behind what they belong to. */
+/* Writes a list row by row, each with inner rows (laws with their parameters): as JSON an object containing the list,
+ * as CSV a line for each inner row after its outer fields. */
 struct thud_nested {
     const char *name;
     struct thud_rows rows;
@@ -153,11 +153,11 @@ struct thud_list {
     bool json;                                /* else CSV */
     int n;
 };
-/* Format and version, then `name`: [. */
+/* Begins it with format and version, then `name`: [. */
 void thud_list_begin(struct thud_list *list, const char *name);
-/* CSV has the first of the nested alone. */
+/* CSV has only the first of the nested lists. */
 void thud_list_add(struct thud_list *list, const void *row, const struct thud_nested *nested, int n);
 void thud_list_end(struct thud_list *list);
 
-/* The end of a name by its unit: "_m", "_mps2", ""; of what is varied or sampled. */
+/* Returns the suffix of a name for its unit: "_m", "_mps2", ""; of varied or sampled keys. */
 const char *thud_si_suffix(const struct thud_param *param);

@@ -1,30 +1,30 @@
-/* Presets: YAML read with libyaml, strict; saving replaces only the spans of values that changed. */
+/* Reads presets strictly (YAML, libyaml); saving replaces only the spans of values that changed. */
 #pragma once
 
 #include "base/status.h"
 #include "study/scene/scene.h"
 
-/* A preset as read: the file's bytes, where each value stands, and the scene. */
+/* Preset as read: the file's bytes, the place of each value, and the scene. */
 struct thud_preset;
 
-/* Reads a preset from a file; from memory, with `name` as its path. Errors: THUD_INPUT with file, line, column, key and what is
- * allowed; THUD_MEMORY. */
+/* Read a preset from a file, or from memory with `name` as its path. Errors: THUD_INPUT with file, line, column, key
+ * and what is allowed; THUD_MEMORY. */
 enum thud_status thud_preset_read(const char *path, struct thud_preset **out, struct thud_error *err);
 enum thud_status thud_preset_parse(const char *text, unsigned long size, const char *name, struct thud_preset **out,
                                    struct thud_error *err);
-/* Does the same for callers that use no bumper: accepts a preset of which only bumpers are unfinished; what they lack is in
- * thud_preset_unfinished (NULL: nothing). */
+/* Does the same for callers that use no bumper: accepts a preset in which only bumpers are incomplete;
+ * thud_preset_unfinished gives what they lack (NULL: nothing). */
 enum thud_status thud_preset_read_unfinished(const char *path, struct thud_preset **out, struct thud_error *err);
 const struct thud_error *thud_preset_unfinished(const struct thud_preset *preset);
 const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
 
-/* The file's bytes with the values of `scene` in place of those that differ (comments and layout kept; free with
- * free()). What cannot be done by replacing spans (a structure added) rewrites the smallest enclosing block.
- * Errors: THUD_INPUT (text that YAML cannot hold), THUD_MEMORY. */
+/* Returns the file's bytes with changed values of `scene` replaced (comments and layout kept; free with free()). Other
+ * changes (an added structure) rewrite the smallest enclosing block. Errors: THUD_INPUT (text that YAML cannot hold),
+ * THUD_MEMORY. */
 enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,
                                   unsigned long *size, struct thud_error *err);
-/* Every key that a scene has but those of its study, in the order of presets, with its value as they write it: section
- * "structures.1.column" (the first letters of a path, empty for the scene's own), key "capacity". Errors: THUD_MEMORY. */
+/* Lists every key of a scene except those of its study, in preset order, with its value as written there: section
+ * "structures.1.column" (the start of a path, empty for the scene's own), key "capacity". Errors: THUD_MEMORY. */
 enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
                                   void (*each)(void *context, const char *section, const char *key, const char *value));
 /* Writes a temporary beside `path`, syncs and renames. Errors: THUD_OUTPUT, those of thud_preset_text. */

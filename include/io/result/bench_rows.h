@@ -1,4 +1,4 @@
-/* What the studies of methods give, as rows: the bench, its costs, and where methods fail. */
+/* Results of the studies of methods as rows: the bench, its costs, and where methods fail. */
 #pragma once
 
 #include "io/file/schema.h"

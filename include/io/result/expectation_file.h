@@ -5,16 +5,16 @@
 #include "base/text.h"
 #include "study/methods/verify.h"
 
-/* Errors: THUD_INPUT (the path is too long). */
+/* Gives the path of a preset's expectations. Errors: THUD_INPUT (the path is too long). */
 enum thud_status thud_expectation_path(const char *preset_path, char *path, size_t size, struct thud_error *err);
 
-/* Errors: THUD_INPUT with file, line and column (no file, no row, a number that is none, ...), THUD_MEMORY. */
+/* Reads a file. Errors: THUD_INPUT with file, line and column (no file or row, an invalid number, ...), THUD_MEMORY. */
 enum thud_status thud_expectation_read(const char *path, struct thud_expectations *out, struct thud_error *err);
-/* The same from memory; `name` stands for the path. Errors: the same. */
+/* Does the same from memory; `name` stands for the path. Errors: the same. */
 enum thud_status thud_expectation_parse(const char *text, size_t size, const char *name, struct thud_expectations *out,
                                         struct thud_error *err);
 
-/* How a file came to be, for its comment lines. */
+/* Origin of a file, for its comment lines. */
 struct thud_expectation_origin {
     const char *preset, *own, *independent; /* names of the preset and of the methods */
     const char *own_setting;                /* "tolerance 1e-6" */

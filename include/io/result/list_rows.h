@@ -1,4 +1,4 @@
-/* What lists have as rows: ground motions, spectra, expectations, published values, laws and methods. */
+/* Rows of lists: ground motions, spectra, expectations, published values, laws and methods. */
 #pragma once
 
 #include "core/laws/law.h"
@@ -22,7 +22,7 @@ struct thud_motion_info_row {
 };
 void thud_motion_info_fill(const struct thud_record *record, struct thud_motion_info_row *row);
 
-/* `needs`: an option without which it is not read; `error`: why it cannot be. */
+/* Record of a list; `needs`: an option required to read it; `error`: why it cannot be read. */
 struct thud_motion_list_row {
     const char *file, *format, *needs, *error, *pair;
     size_t samples;
@@ -55,6 +55,6 @@ struct thud_published_head {
     const char *motion;
 };
 
-/* The laws with their parameters, and the methods. */
+/* List the laws with their parameters, and the methods. */
 void thud_laws_put(bool json, struct thud_text *out);
 void thud_methods_put(bool json, struct thud_text *out);

@@ -1,6 +1,6 @@
-/* A scene as a script for OpenSeesPy, where its laws exist there: springs between floors, modal damping, a zero-length
- * element for each contact, Newmark's average acceleration. The script holds everything it needs, runs on its own and
- * compares its peaks with those of the run given. */
+/* Writes a scene as a script for OpenSeesPy, if OpenSees has its laws: springs between floors, modal damping, a
+ * zero-length element for each contact, Newmark's average acceleration. The script is self-contained and compares its
+ * peaks with those of the given run. */
 #pragma once
 
 #include "base/text.h"
@@ -9,19 +9,20 @@
 #include "ground/record.h"
 #include "study/scene/scene.h"
 
-/* Whether OpenSees has what the scene is made of. Errors: THUD_INPUT with the key of what it has not, and why. */
+/* Checks that OpenSees has every part of the scene. Errors: THUD_INPUT with the key of an unsupported part, and why. */
 enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
                                      struct thud_error *err);
 
-/* The nearest scene whose contacts OpenSees has, by a run of the full one; a line to `what` for each that is replaced.
- * Contacts of other laws, soil and struck columns stay, and thud_opensees_check refuses them. Errors: those of thud_scene_set. */
+/* Makes the nearest scene whose contacts OpenSees has, by a run of the full one; `what` lists each replacement.
+ * Contacts of other laws, soil and struck columns stay, and thud_opensees_check refuses them. Errors: those of
+ * thud_scene_set. */
 enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const struct thud_model *model,
                                        const struct thud_result *result, struct thud_scene *out, struct thud_text *what,
                                        struct thud_error *err);
-/* Largest force, impacts and each building's largest acceleration in both runs, line by line. */
+/* Writes the largest force, impacts and each building's largest acceleration in both runs, line by line. */
 void thud_opensees_compare(const struct thud_scene *scene, const struct thud_result *full,
                            const struct thud_result *replaced, struct thud_text *what);
 
-/* The script of a scene that passed the check. `record` NULL: no ground motion; `result`: of the exact method. */
+/* Writes the script of a checked scene. `record` NULL: no ground motion; `result`: of the exact method. */
 void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
                           const struct thud_record *record, const struct thud_result *result, struct thud_text *out);

@@ -1,4 +1,4 @@
-/* Results as JSON and CSV, base SI units, numbers that read back the same. */
+/* Writes results as JSON and CSV in base SI units; numbers read back the same. */
 #pragma once
 
 #include "base/text.h"
@@ -9,7 +9,7 @@
 #include "study/scene/scene.h"
 #include "study/sweep/sensitivity.h"
 
-/* What a finished run is shown with. */
+/* Finished run and all that its output needs. */
 struct thud_report {
     const struct thud_scene *scene;   /* of the case that was run */
     const char *which;                /* "none", "bumper", "cavity", "as-written" */
@@ -26,8 +26,8 @@ struct thud_report {
     const struct thud_error *failure;           /* why there is no result (THUD_DIVERGED); NULL: there is one */
 };
 
-/* The result of `thud run --json`. Its "scene" is a preset that gives the run again. A run that failed has its status,
- * when and why, and neither peaks nor impacts. */
+/* Writes the result of `thud run --json`. Its "scene" is a preset that reproduces the run. A failed run has its status,
+ * time and reason, and neither peaks nor impacts. */
 enum {
     THUD_RESULT_FORMAT = 2
 }; /* of that file and of a list of such: dissipated_j and lost_j are without what
@@ -35,9 +35,9 @@ enum {
 void thud_result_json(const struct thud_report *report, struct thud_text *out);
 /* Writes the identity of a ground motion as an object on one line. */
 void thud_record_json(const struct thud_record *record, struct thud_text *out);
-/* One row per structure and floor; of several reports, behind the name of its case. */
+/* Writes one row per structure and floor; of several reports, after the name of its case. */
 void thud_result_csv(const struct thud_report *report, int n, struct thud_text *out);
-/* histories.csv: time, ground acceleration, every floor, every contact; at jumps the time stands twice. */
+/* Writes histories.csv: time, ground acceleration, every floor, every contact; at jumps the time appears twice. */
 void thud_history_csv(const struct thud_report *report, struct thud_text *out);
-/* impacts.csv: one row per impact. */
+/* Writes impacts.csv: one row per impact. */
 void thud_impacts_csv(const struct thud_report *report, struct thud_text *out);

@@ -1,4 +1,4 @@
-/* What a run gives, as rows: the tables of their fields, and what fills them from a report. */
+/* Results of a run as rows: the tables of their fields, and the functions that fill them from a report. */
 #pragma once
 
 #include "io/file/schema.h"
@@ -9,7 +9,7 @@ extern const struct thud_schema thud_record_schema, thud_method_schema, thud_flo
     thud_contact_schema, thud_column_schema, thud_link_schema, thud_impact_schema, thud_event_schema,
     thud_energy_schema, thud_truncation_schema, thud_history_schema, thud_floor_spectrum_schema, thud_remark_schema;
 
-/* Marks of rows that have more fields. */
+/* Flags of rows with more fields. */
 enum {
     THUD_ROW_YIELDS = 1,  /* storeys of the scene yield */
     THUD_ROW_COLUMNS = 2, /* a slab strikes columns */
@@ -32,7 +32,7 @@ struct thud_floor_row {
     const char *label; /* of its storey in a table: "base", or its number as presets and remarks count them */
     char label_text[8];
 };
-/* `of`: the report; the floors of all structures, or of one from the top down. */
+/* Rows of the floors of all structures of a report (`of`), or of one from the top down. */
 struct thud_floors {
     const struct thud_report *report;
     int structure; /* -1: all of them, upwards */
@@ -44,9 +44,9 @@ struct thud_rows thud_column_rows(const struct thud_report *report);
 struct thud_rows thud_link_rows(const struct thud_report *report);
 struct thud_rows thud_impact_rows(const struct thud_report *report);
 struct thud_rows thud_event_rows(const struct thud_report *report);
-/* The method and its work, as an object. */
+/* Writes the method and its work as an object. */
 void thud_method_json(const struct thud_report *report, struct thud_text *out);
-/* The remarks of a set of enum thud_remark_about as the member "remarks", behind others. */
+/* Writes the remarks of a set of enum thud_remark_about as the member "remarks", after others. */
 void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, struct thud_text *out);
-/* Marks of the i-th event. */
+/* Returns the flags of the i-th event. */
 unsigned thud_event_marks(const struct thud_report *report, int i);

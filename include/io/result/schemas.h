@@ -1,4 +1,4 @@
-/* Every kind of row there is: for thud-output(5) and the description of tables. */
+/* List of every kind of row, for thud-output(5) and the description of tables. */
 #pragma once
 
 #include "io/file/schema.h"

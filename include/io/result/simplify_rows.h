@@ -1,4 +1,4 @@
-/* What a scene needs, as rows. */
+/* Results of `thud simplify` as rows. */
 #pragma once
 
 #include "io/file/schema.h"

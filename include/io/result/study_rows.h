@@ -1,4 +1,4 @@
-/* What studies give, as rows: gap rules, ground motions of a suite, fragilities. */
+/* Results of studies as rows: gap rules, ground motions of a suite, fragilities. */
 #pragma once
 
 #include "io/file/schema.h"
@@ -18,7 +18,7 @@ struct thud_gap_rule_row {
     char text[160];
 };
 
-/* What an interface (from 1) of a row needs over all ground motions; -1: nothing could touch there. */
+/* Required gap of an interface (from 1) of a row over all ground motions; -1: nothing could touch there. */
 struct thud_gap_row_fields {
     int interface;
     double others_as_given_m; /* by a run with it open; NaN: a storey collapses in one */
@@ -33,7 +33,7 @@ struct thud_motion_row {
 };
 enum { THUD_MOTION_LAST = 2 }; /* columns behind those of the marked periods */
 
-/* Which fragility a row is of. */
+/* Fragility that a row belongs to. */
 struct thud_curve_key {
     const char *event, *which, *against;
 };
@@ -48,27 +48,27 @@ struct thud_curve_row {
     double deviance_p, rate[THUD_CURVE_RATES], probability[THUD_CURVE_RATES];
 };
 
-/* At which factor on a ground motion contact begins. */
+/* Factor on a ground motion at which contact begins. */
 struct thud_first_contact_row {
     const char *record;
     double first, clear_again;
 };
 
-/* The best value of a key; the other keys stand behind the case, its own as texts or numbers. */
+/* Best value of a key; the other keys follow the case, its own as texts or numbers. */
 struct thud_best_row {
     const char *record, *which;
     double ratio, drift_ratio, worst_ratio;
     const char *remark;
 };
 
-/* A value that was tried, as text and in SI units. */
+/* Value tried, as text and in SI units. */
 struct thud_tried_row {
     const char *value;
     double x;
     int motions, held;
 };
 
-/* What a run with another stiffness gives, for each structure; and where a stiffness comes from. */
+/* Results of a run with another stiffness, for each structure; and the sources of stiffnesses. */
 struct thud_stiffness_fields {
     const char *varied;
     double factor;
@@ -82,7 +82,7 @@ struct thud_spring_row {
     double alpha, exponent, stiffness;
 };
 
-/* A ground motion as the paper's study uses it. */
+/* Ground motion as the paper's study uses it. */
 struct thud_used_motion_row {
     const char *name, *file;
     double file_peak_mps2, scale, peak_mps2, dt_s;
@@ -90,13 +90,13 @@ struct thud_used_motion_row {
     bool synthetic;
 };
 
-/* A mode of a building that was read. */
+/* Mode of a building read from a file. */
 struct thud_mode_row {
     int mode;
     double period_s, frequency_hz, mass_kg, mass_ratio, mass_ratio_sum;
 };
 
-/* What the samples of uncertain inputs make of a quantity, and an input alone. */
+/* Effect of the sampled inputs on a quantity, and of one input alone. */
 struct thud_quantity_row {
     const char *quantity, *which, *structure, *measure;
     double nominal, p5, median, p95, below_1_share, between_motions_share;
@@ -106,7 +106,7 @@ struct thud_effect_row {
     const char *quantity, *input;
     double size, of[THUD_EFFECTS];
 };
-/* A quantity of one run: a sample's, or one that the indices rest on. */
+/* Quantity of one run: of a sample, or of a run for the indices. */
 struct thud_sample_row {
     int sample;
     const char *design, *from_b;

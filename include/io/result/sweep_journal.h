@@ -1,34 +1,33 @@
-/* The journal of a study in its folder: what is done, point by point in their order, so that an interrupted study goes
- * on and the parts of several machines can be joined. A point is added in one write; a torn last line is dropped when
- * the journal is opened again. The head carries preset, varied keys, cases and records' names: enough to make every
- * file of the study. */
+/* Journal of a study in its folder: finished points in their order, so that an interrupted study resumes and parts of
+ * several machines can be joined. A point is added in one write; a torn last line is dropped on reopening. The head
+ * carries preset, varied keys, cases and records' names, enough to write every file of the study. */
 #pragma once
 
 #include "study/sweep/sweep.h"
 
 struct thud_sweep_journal;
 
-/* Every `count`-th point from `index` (from 1) on; 1 of 1 is the whole study. */
+/* Shard: every `count`-th point from `index` (from 1); 1 of 1 is the whole study. */
 struct thud_sweep_shard {
     int index, count;
 };
-/* "2/3". Errors: THUD_USAGE. */
+/* Reads "2/3". Errors: THUD_USAGE. */
 enum thud_status thud_sweep_shard_parse(const char *text, struct thud_sweep_shard *out, struct thud_error *err);
-/* Points of a shard, and its i-th one. */
+/* Return the number of points of a shard, and its i-th one. */
 long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_sweep_shard shard);
 static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
 {
     return shard.index - 1 + i * shard.count;
 }
 
-/* Begins the journal of a study in `folder` (which exists), or goes on with it: *done points are there already.
- * `preset` is the YAML of plan->scene. With `replace` the beginning of another study goes. Errors: THUD_INPUT (the
- * folder holds another study), THUD_OUTPUT, THUD_MEMORY. Of several programs only the one that holds thud_folder_lock may. */
+/* Begins or resumes the journal of a study in `folder` (which exists): *done points are there already. `preset` is the
+ * YAML of plan->scene. `replace` removes the beginning of another study. Only the program that holds thud_folder_lock
+ * may call this. Errors: THUD_INPUT (the folder holds another study), THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
                                          struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
                                          long *done, struct thud_error *err);
-/* Likewise the journal of samples, whose lines are rows of numbers: those that are done are read into `row` (rows x
- * numbers), which has to stay there. It has a name of its own: the folder may hold the beginning of a sweep too. */
+/* Does the same for the journal of samples, whose lines are rows of numbers: finished ones are read into `row` (rows x
+ * numbers), which must outlive it. Its name differs, since the folder may hold the beginning of a sweep too. */
 enum thud_status thud_sample_journal_open(const char *folder, unsigned long long fingerprint, double *row, long rows,
                                           size_t numbers, bool replace, struct thud_sweep_journal **out, long *done,
                                           struct thud_error *err);
@@ -40,13 +39,13 @@ enum thud_status thud_sweep_journal_add(struct thud_sweep_journal *journal, cons
 long thud_sweep_journal_done(const struct thud_sweep_journal *journal);
 /* Rewinds to the first point. */
 void thud_sweep_journal_rewind(struct thud_sweep_journal *journal);
-/* The next point (free with free()); NULL at the end of what is done. Errors: THUD_INPUT, THUD_MEMORY. */
+/* Reads the next point (free with free()); NULL after the last finished one. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_sweep_journal_next(struct thud_sweep_journal *journal, struct thud_sweep_point **out,
                                          struct thud_error *err);
 /* Closes a journal (NULL: nothing); `remove`: deletes the file too. */
 void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 
-/* What a journal's head says, as text. */
+/* Head of a journal, as text. */
 struct thud_sweep_head_record {
     const char *name;            /* empty: no ground motion */
     const char *event, *station; /* NULL: none */
