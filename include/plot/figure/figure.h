@@ -38,7 +38,7 @@ struct thud_style {
     bool dashed; /* of another state, to compare with */
 };
 
-/* Data in the axis' shown unit. NaN breaks a line. `y_high` is NULL unless the kind is THUD_FILL. */
+/* Series of data in the axis' shown unit. NaN breaks a line. `y_high` is NULL unless the kind is THUD_FILL. */
 struct thud_series {
     const char *name; /* in the key; empty: not there. The same name in two panels is one entry */
     struct thud_style style;
@@ -46,7 +46,7 @@ struct thud_series {
     double *x, *y, *y_high;
 };
 
-/* Drawn faintly behind its curve, and not in the key. */
+/* Returns whether a series is drawn faintly behind its curve, and not in the key. */
 static inline bool thud_series_is_shade(const struct thud_series *series)
 {
     return series->style.kind == THUD_FILL && series->style.thin;
@@ -66,21 +66,21 @@ struct thud_axis {
     struct thud_tick *tick;
 };
 
-/* A reference line (from == to) or band across the panel at values of one axis, behind the series. */
+/* Reference line (from == to) or band across the panel at values of one axis, behind the series. */
 struct thud_mark {
     enum thud_side side; /* the axis that `from` and `to` are values of */
     double from, to;
     const char *text; /* may be empty */
 };
 
-/* Words at a place, in front of the series: -1 left of it, 0 on it, 1 right of it. */
+/* Label at a place, in front of the series: -1 left of it, 0 on it, 1 right of it. */
 struct thud_label {
     double x, y;
     int side;
     const char *text;
 };
 
-/* A quantity over two parameters: z is (ny x nx), row-major, NaN where there is nothing. Contours at `level`. */
+/* Map of a quantity over two parameters: z is (ny x nx), row-major, NaN where there is none. Contours at `level`. */
 struct thud_map {
     size_t nx, ny;
     double *x, *y, *z;
@@ -118,33 +118,33 @@ struct thud_figure {
     struct thud_figure_block *blocks; /* private */
 };
 
-/* NULL when out of memory. */
+/* Returns a figure; NULL when out of memory. */
 struct thud_figure *thud_figure_create(const char *name, const char *title, int rows, int columns);
 void thud_figure_free(struct thud_figure *figure);
 /* Returns a copy; NULL when out of memory. */
 struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
-/* As bytes for another process of the same program, and the next one from such bytes; NULL: they are cut off, or there
- * is no memory. */
+/* Write a figure as bytes for another process of the same program, and read the next one from them; NULL: cut off, or
+ * out of memory. */
 void thud_figure_write(const struct thud_figure *figure, struct thud_text *out);
 struct thud_figure *thud_figure_read(const char **bytes, const char *end);
 /* Renames the files of the figure. */
 void thud_figure_rename(struct thud_figure *figure, const char *name);
-/* THUD_MEMORY when anything could not be kept, else THUD_OK. */
+/* Returns THUD_MEMORY if anything could not be kept, else THUD_OK. */
 enum thud_status thud_figure_check(const struct thud_figure *figure, struct thud_error *err);
 /* Adds to the footer. */
 void thud_figure_note(struct thud_figure *figure, const char *text);
 
-/* Words in brackets behind the title; "": none. NULL for the figure: nothing is done. */
+/* Sets words in brackets after the title; "": none. A NULL figure is ignored. */
 void thud_figure_title_add(struct thud_figure *figure, const char *text);
 
-/* Row and column from 0, from the top left. */
+/* Returns a new panel; row and column from 0, from the top left. */
 struct thud_panel *thud_figure_panel(struct thud_figure *figure, int row, int column, const char *title);
 void thud_panel_note(struct thud_panel *panel, const char *text);
 void thud_panel_axis(struct thud_panel *panel, enum thud_side side, const char *label, const char *unit);
 void thud_panel_limits(struct thud_panel *panel, enum thud_side side, double least, double most);
-/* Shares in %: none and all stand off the frame. */
+/* Marks an axis of shares in %, with 0 and 100 % inside the frame. */
 void thud_panel_share_axis(struct thud_panel *panel, enum thud_side side, const char *label);
-/* Along x stand results, not what they were asked for. */
+/* Marks x as an axis of results instead of inputs. */
 void thud_panel_results_on_x(struct thud_panel *panel);
 void thud_panel_log(struct thud_panel *panel, enum thud_side side);
 void thud_panel_tick(struct thud_panel *panel, enum thud_side side, double at, const char *text);
@@ -152,16 +152,16 @@ void thud_panel_mark(struct thud_panel *panel, enum thud_side side, double from,
 
 void thud_panel_label(struct thud_panel *panel, double x, double y, int side, const char *text);
 
-/* Copies n values each; x or y NULL: zeros, to be filled by the caller. NULL when out of memory. */
+/* Adds a series of n copied values; x or y NULL: zeros, to be filled by the caller. NULL when out of memory. */
 struct thud_series *thud_panel_add(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                    const double *x, const double *y);
-/* The same with `low` in y. */
+/* Does the same with `low` in y. */
 struct thud_series *thud_panel_fill(struct thud_panel *panel, struct thud_style style, const char *name, size_t n,
                                     const double *x, const double *low, const double *high);
-/* What each of n values may be, from low to high, as upright lines without a name; nothing where all are NaN. */
+/* Adds ranges of n values, from low to high, as upright lines without a name; nothing if all are NaN. */
 void thud_panel_bars(struct thud_panel *panel, int color, size_t n, const double *x, const double *low,
                      const double *high);
-/* z NULL: NaN everywhere, to be filled. NULL when out of memory. */
+/* Adds a map; z NULL: NaN everywhere, to be filled. NULL when out of memory. */
 struct thud_map *thud_panel_map(struct thud_panel *panel, size_t nx, const double *x, size_t ny, const double *y,
                                 const double *z, const char *label, const char *unit);
 
@@ -172,35 +172,34 @@ void thud_figure_strips(struct thud_figure *figure);
  * `from`. */
 void thud_panel_zoom(struct thud_panel *panel, struct thud_panel *from, double least, double most);
 
-/* What an axis shows: round limits that hold all data, marks at their place, and the distance of its ticks (0 on a log
- * axis). */
+/* Range of an axis: round limits that hold all data, marks at their place, and the tick spacing (0 on a log axis). */
 struct thud_range {
     double least, most, step;
 };
 struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side);
 
-/* One scale for n panels, `step` apart in the list: what is larger is seen to be. Those of `other`, a figure of the same
- * shape, count too; it may be NULL. A panel with both limits set keeps them, and closer looks follow the others. */
+/* Gives n panels, `step` apart in the list, one scale, so that their sizes compare. Those of `other` (or NULL), a
+ * figure of the same shape, count too. A panel with both limits set keeps them, and closer looks follow the others. */
 void thud_figure_share_scale(struct thud_figure *figure, enum thud_side side, int first, int step, int n,
                              const struct thud_figure *other);
 
-/* The key: every name once, in the order of the colours and of first appearance. Returns how many there are, and fills
+/* Lists the key: every name once, in the order of the colours and of first appearance. Returns their number, and fills
  * at most `most`. */
 int thud_figure_key(const struct thud_figure *figure, const struct thud_series **entry, int most);
 
-/* "Gap (cm)". Returns `text`. */
+/* Writes "Gap (cm)". Returns `text`. */
 char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
 
-/* All data of a figure as CSV: panel, series, then a column for each variable (an axis, a map's quantity, the upper end
- * of a band), headed by its name and unit; a row has numbers in those of its panel. */
+/* Writes all data of a figure as CSV: panel, series, then a column for each variable (an axis, a map's quantity, the
+ * upper end of a band), headed by its name and unit; a row has numbers in those of its panel. */
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
 
-/* What a figure shows, in a sentence for each panel: what over what, and how far each curve reaches. */
+/* Writes a sentence for each panel of a figure: its quantities, and the range of each curve. */
 void thud_figure_words(const struct thud_figure *figure, struct thud_text *out);
 
-/* Least and largest of z that are numbers; false when there are none. */
+/* Finds the least and largest number of z; false: none. */
 bool thud_map_range(const struct thud_map *map, double *least, double *most);
 
-/* Pieces of the contour at map->level as pairs of points; returns their number, writes at most `most` (x0 y0 x1 y1
- * each). */
+/* Computes pieces of the contour at map->level as pairs of points; returns their number, writes at most `most` (x0 y0
+ * x1 y1 each). */
 size_t thud_map_contour(const struct thud_map *map, double (*piece)[4], size_t most);

@@ -1,4 +1,4 @@
-/* One colour for each case in all figures of a document; dashes and marks go with the colour. Its name is
+/* Assigns one colour to each case in all figures of a document; dashes and marks go with the colour. Its name is
  * thud_case_title. */
 #pragma once
 

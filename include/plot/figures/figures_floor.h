@@ -1,9 +1,9 @@
-/* Floor spectra. */
+/* Figure of floor spectra. */
 #pragma once
 
 #include "plot/figure/figure.h"
 #include "study/sweep/floor_spectra.h"
 
-/* Of up to four floors a panel each, with a curve for each case; of more a panel for each structure and case, with a
- * curve for each floor. Ask thud_figure_check. */
+/* Makes a panel for each of up to four floors, with a curve for each case; for more floors a panel for each structure
+ * and case, with a curve for each floor. Ask thud_figure_check. */
 struct thud_figure *thud_figure_of_floors(const struct thud_scene *scene, const struct thud_floor_spectra *spectra);

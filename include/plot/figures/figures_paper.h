@@ -1,4 +1,4 @@
-/* The figures of Polycarpou and Komodromos (COMPDYN 2011) that need no ground motion. Each is NULL on failure. Errors:
+/* Figures of Polycarpou and Komodromos (COMPDYN 2011) that need no ground motion. Each is NULL on failure. Errors:
  * THUD_MEMORY, and those of a run. */
 #pragma once
 
@@ -6,22 +6,22 @@
 
 /* Figures and table of the paper. Errors of all: THUD_MEMORY, and those of the runs behind them. */
 
-/* Fig. 2: the bumper's force against indentation, with its parameters. */
+/* Draws Fig. 2: the bumper's force against indentation, with its parameters. */
 enum thud_status thud_figure_paper2(struct thud_figure **out, struct thud_error *err);
-/* Fig. 6: the two buildings with theirs. Fig. 9: the bumper on the wall and in a cavity. */
+/* Draw Fig. 6: the two buildings with theirs; Fig. 9: the bumper on the wall and in a cavity. */
 enum thud_status thud_figure_paper6(struct thud_figure **out, struct thud_error *err);
 enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error *err);
 /* The paper names neither the three restitutions of Fig. 3 nor its speed; these go well past the ultimate strain. */
 static const double thud_paper_fig3_restitution[] = {0.3, 0.5, 0.7}, thud_paper_fig3_mps = 1.2;
-/* Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and against indentation, for three
+/* Draws Fig. 3: the rubber bumper pushed past its ultimate strain, force against time and indentation, for three
  * restitutions. */
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err);
-/* Fig. 4: force against indentation of two bodies of 320 t approaching at 0.5 and 1.0 m/s, without and with a bumper. */
+/* Draws Fig. 4: force against indentation of two bodies of 320 t at 0.5 and 1.0 m/s, without and with a bumper. */
 enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error *err);
-/* Fig. 5: the same four: force, relative velocity and acceleration against time. */
+/* Draws Fig. 5 of the same four: force, relative velocity and acceleration against time. */
 enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error *err);
 
-/* What the four cases of Figs. 4 and 5 give, for a table. */
+/* Results of the four cases of Figs. 4 and 5, for a table. */
 struct thud_paper_pair {
     const char *name;
     double approach_mps, force_n, indentation_m, duration_s, nominal, restitution, residual_m;

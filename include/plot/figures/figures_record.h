@@ -5,18 +5,18 @@
 #include "ground/spectrum.h"
 #include "plot/figure/figure.h"
 
-/* Acceleration, velocity and displacement over time, one above the other. `name` is that of the files. Ask
+/* Draws acceleration, velocity and displacement over time, one above the other. `name` is that of the files. Ask
  * thud_figure_check. */
 struct thud_figure *thud_figure_of_motion(const struct thud_record *record, const char *name, const char *title);
 
-/* A period to be marked. */
+/* Period to be marked. */
 struct thud_period_mark {
     double period_s;
     char text[80];
 };
 
-/* Sa, Sv and Sd over the period on a log axis; marks outside of the periods shown are left out. Ask thud_figure_check.
- */
+/* Draws Sa, Sv and Sd over the period on a log axis; marks outside the shown periods are omitted. Ask
+ * thud_figure_check. */
 struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *point, size_t count, double damping,
                                             const struct thud_period_mark *mark, int nmarks, const char *name,
                                             const char *title);

@@ -7,7 +7,7 @@
 #include "plot/figure/figure.h"
 #include "study/scene/scene.h"
 
-/* A finished run with histories. Several sources of one figure have the same structures and contacts. */
+/* Finished run with histories. Several sources of one figure have the same structures and contacts. */
 struct thud_figure_source {
     const char *name;     /* where there is more than one source: "no bumper" */
     enum thud_case which; /* its colour there */
@@ -39,21 +39,22 @@ enum thud_run_figure {
 #undef THUD_RUN_FIGURE
 };
 
-/* What the figures say of ductility and permanent drift. */
+/* Words of the figures for ductility and permanent drift. */
 extern const char thud_ductility_note[];
-/* "force", "velocity", ...: also the name of its files. */
+/* Returns "force", "velocity", ...: also the name of its files. */
 const char *thud_run_figure_name(enum thud_run_figure which);
-/* Whether there is anything to show: no forces without contacts, no drift of rigid bodies, no columns where floors meet. */
+/* Returns whether it shows anything: no forces without contacts, no drift of rigid bodies, no columns where floors
+ * meet. */
 bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);
-/* A place of a run: a contact, or a floor of a structure, all from 0. */
+/* Place in a run: a contact, or a floor of a structure, all from 0. */
 struct thud_figure_sight {
     int contact, structure, floor;
 };
-/* The same quantity at one place, a curve per source over each other; sources may have other structures and contacts than
- * the first one, which has the place. FORCE, LOOP and VELOCITY (that of approach) are of the contact, ACCELERATION,
+/* Draws one quantity at one place, with overlaid curves of the sources; these may have other structures and contacts
+ * than the first, which has the place. FORCE, LOOP and VELOCITY (of approach) are of the contact, ACCELERATION,
  * DISPLACEMENT and DRIFT of the floor. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure_at(enum thud_run_figure which, const struct thud_figure_source *source,
                                        int nsources, const struct thud_figure_sight *sight);
-/* One source: a curve per floor or contact (the seven with the largest peaks where there are more). Several: a curve
+/* Draws a figure. One source: a curve per floor or contact (the seven with the largest peaks of more). Several: a curve
  * per source, of the floor or contact with the largest peak. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure(enum thud_run_figure which, const struct thud_figure_source *source, int nsources);

@@ -1,4 +1,4 @@
-/* The scene as a drawing: the buildings in elevation, heights to scale, and the model that is computed beside them. */
+/* Draws the scene: the buildings in elevation, heights to scale, and the analysis model beside them. */
 #pragma once
 
 #include "plot/figure/figure.h"

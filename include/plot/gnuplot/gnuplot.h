@@ -1,5 +1,5 @@
-/* Figures through gnuplot 5.4: the script as pure text, and the child process that draws it. No file is touched here:
- * the picture comes back as bytes, so that whoever writes it sees every error of the disk himself. */
+/* Draws figures with gnuplot 5.4: the script as pure text, and the child process. No file is touched here: the picture
+ * is returned as bytes, so that its writer sees every error of the disk. */
 #pragma once
 
 #include <stdatomic.h>
@@ -17,7 +17,7 @@ enum thud_picture_format {
     THUD_SIXEL = THUD_PICTURE_FORMATS
 };
 
-/* Zeros mean: chosen for the figure. */
+/* Options of a picture; 0: chosen for the figure. */
 struct thud_picture_options {
     enum thud_picture_format format;
     int width_px, height_px;  /* PDF: 200 to the inch */
@@ -35,21 +35,21 @@ struct thud_picture_options {
 };
 
 const char *thud_picture_suffix(enum thud_picture_format format); /* "png" */
-/* Errors: THUD_USAGE naming what is allowed. */
+/* Reads a format. Errors: THUD_USAGE naming what is allowed. */
 enum thud_status thud_picture_format_parse(const char *text, enum thud_picture_format *out, struct thud_error *err);
-/* "1800x1200". Errors: THUD_USAGE. */
+/* Reads "1800x1200". Errors: THUD_USAGE. */
 enum thud_status thud_picture_size_parse(const char *text, int *width_px, int *height_px, struct thud_error *err);
-/* "90mm". Errors: THUD_USAGE. */
+/* Reads "90mm". Errors: THUD_USAGE. */
 enum thud_status thud_picture_width_parse(const char *text, double *width_mm, struct thud_error *err);
-/* "DejaVu Serif" or "DejaVu Serif,28": the name is copied to `name`, *font_px stays where no size is given. Errors:
+/* Reads "DejaVu Serif" or "DejaVu Serif,28": copies the name to `name`; *font_px stays if no size is given. Errors:
  * THUD_USAGE. */
 enum thud_status thud_picture_font_parse(const char *text, char *name, size_t size, double *font_px,
                                          struct thud_error *err);
 
-/* Leaves out the closer looks beside strips where the picture has no room for the titles of both, and says so. */
+/* Omits the closer looks beside strips if the picture has no room for the titles of both, and reports it. */
 void thud_figure_fit(struct thud_figure *figure, const struct thud_picture_options *options);
 
-/* The script with all data inside. `output` is the file it writes when run by hand (a plain name; NULL: standard
+/* Writes the script with all data inside. `output` is the file it writes when run by hand (a plain name; NULL: standard
  * output). Traces are reduced to what the picture can show. Errors: THUD_MEMORY. */
 enum thud_status thud_gnuplot_script(const struct thud_figure *figure, const struct thud_picture_options *options,
                                      const char *output, struct thud_text *script, struct thud_error *err);
