@@ -401,6 +401,7 @@ structures:
     yield: 15 mm
     hardening: 7 %
     damping: 5 %
+    source: drawing S-12 of 2024
     column:
       EI: 160 MN m2
       capacity: 1600 kN
@@ -411,6 +412,7 @@ structures:
     height: 3.2 m
     foundation:
       mass: 401 t
+      source: "soil report: [3], 4.1"
       vs: 201 m/s
       density: 1.9 t/m3
       poisson: 0.41
@@ -445,6 +447,7 @@ PRESET
 is "every kind of input stands in a table" [ "$(given "$tmp/every.yaml" "$tmp/every/report.md" | wc -l)" -eq 0 ]
 is "of at least 45" [ "$(grep -c '^| .* | .*[0-9].* | [A-Za-z.-]* |$' "$tmp/every/report.md")" -ge 45 ]
 every() { tr '\n' ' ' <"$tmp/every/report.md" | sed 's/[\]//g' | grep -q -e "$1"; }
+is "the source of each group of keys, and where there is none" every '| source | drawing S-12 of 2024 | source |.*| source | no source given | column.source |.*| source | no source given | source |.*| source | soil report: .3., 4.1 | foundation.source |'
 is "a wall has its mass and damping" every '| moat | flexible wall | - | - | 27 | 6 | '
 is "and its equation" every 'A flexible wall is one mass .* F = x/(1/K_max + R_f x/F_ult)'
 is "isolators that yield have theirs" every 'Q_d/u_y + K_d'

@@ -132,6 +132,7 @@ static const struct {
      "p:25:5: gap: the key is given twice (once; it is on line 24 already)"},
     {"gap: 100 mm", "gpa: 100 mm",
      "p:24:5: interfaces.1.gpa: unknown key \"gpa\"; did you mean \"gap\"? (gap, gap-by-level, levels, contact-levels, "
+     "source, "
      "contact, bumper)"},
     {"gap: 100 mm", "gap: -1 mm", "p:24:10: interfaces.1.gap: -1 mm is too small (0 cm to 500 cm)"},
     {"  - gap: 100 mm   # wide\n    contact", "  - contact",

@@ -515,6 +515,78 @@ START_TEST(carriage_returns_and_a_missing_newline_stay)
 }
 END_TEST
 
+/* Where values are from stands beside each group of keys: it is read back whatever letters it has, a line comes and goes
+ * and nothing else changes, and no run sees it. */
+START_TEST(sources_beside_every_group)
+{
+    static const char text[] =
+        "record:\r\n  file: kobe.csv  # of a file\r\n  source: NGA-West2\r\nstructures:\r\n"
+        "  - {kind: shear, storeys: 1, mass: 300 t, stiffness: 600 MN/m, column: {capacity: 1 MN, source: '[1] p. "
+        "4'}}\r\n"
+        "  - kind: isolated\r\n    storeys: 1\r\n    mass: 300 t\r\n    stiffness: 600 MN/m\r\n    base-mass: 300 t\r\n"
+        "    isolator:  # by its maker\r\n      law: pendulum\r\n      radius: 2 m\r\n      friction: 5 %\r\n"
+        "      source: \"a \\\"b\\\": c # d\"\r\n  - {kind: wall, mass: 27 t, stiffness: 40 MN/m}\r\n"
+        "interfaces:\r\n  - gap: 9 cm\r\n    source: >-\r\n      survey\r\n      of May\r\n"
+        "  - gap: 9 cm\r\n    bumper: {law: rubber, thickness: 5 cm, stiffness: 0.36 kN/mm^2.65, exponent: 2.65}\r\n"
+        "links:\r\n  - {law: dashpot, from: A.1, to: B.1, damping: 1 MN s/m}\r\n";
+    static const char *const path[] = {"record.source",
+                                       "structures.1.source",
+                                       "structures.1.column.source",
+                                       "structures.2.isolator.source",
+                                       "structures.2.foundation.source",
+                                       "structures.3.backfill.source",
+                                       "interfaces.1.source",
+                                       "interfaces.1.contact.source",
+                                       "interfaces.2.bumper.source",
+                                       "links.1.source",
+                                       "analysis.source"},
+                             *const first[] = {"NGA-West2", "", "[1] p. 4", "a \"b\": c # d", "", "", "survey of May"};
+    enum { PATHS = sizeof path / sizeof *path, LONG = 400 };
+    char words[4][LONG + 1] = {"drawing S-12: \"plan\", 'b' # {c} [d]", "[1] EN 1992-1-1, table 3.1",
+                               "\xc3\x96-Norm B 1998, \xd0\xbf. 4"},
+                         value[THUD_SOURCE_MAX];
+    struct thud_preset *preset = parse(text, sizeof text - 1);
+    size_t size;
+    memset(words[3], 'x', LONG);
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++) {
+        ck_assert_int_eq(thud_scene_get(thud_preset_scene(preset), path[i], value, sizeof value, NULL), THUD_OK);
+        ck_assert_str_eq(value, first[i]);
+    }
+    for (int i = 0; i < PATHS; i++) {
+        ck_assert(thud_scene_is_words(thud_preset_scene(preset), path[i]));
+        for (int w = 0; w < 4; w++) {
+            scene = *thud_preset_scene(preset);
+            if (i == 5) /* soil without its strength is none */
+                set(&scene, "structures.3.backfill.stiffness", "300 MN/m"),
+                    set(&scene, "structures.3.backfill.strength", "4 MN");
+            set(&scene, path[i], words[w]);
+            scene.interface[0].contact.assumed = i != 7; /* the contact that is written has a law */
+            char *saved = text_of(preset, &scene, &size);
+            struct thud_preset *read = parse(saved, size);
+            ck_assert_msg(memcmp(thud_preset_scene(read), &scene, sizeof scene) == 0, "%s: %.*s", path[i], (int)size,
+                          saved);
+            ck_assert(strstr(saved, "kobe.csv  # of a file\r\n") && strstr(saved, "isolator:  # by its maker\r\n"));
+            free(saved);
+            if (i == 0 || i == 4 || i == 10) { /* as it was before, and so is the file */
+                set(&scene, path[i], i == 0 ? first[0] : "");
+                saved = text_of(read, &scene, &size);
+                ck_assert_msg(size == sizeof text - 1 && memcmp(saved, text, size) == 0, "%s: %.*s", path[i], (int)size,
+                              saved);
+                free(saved);
+            }
+            thud_preset_free(read);
+        }
+    }
+    char longer[THUD_SOURCE_MAX + 1] = "";
+    memset(longer, 'x', THUD_SOURCE_MAX - 1);
+    ck_assert_int_eq(thud_scene_set(&scene, "links.1.source", longer, NULL), THUD_OK);
+    longer[THUD_SOURCE_MAX - 1] = 'x';
+    ck_assert_int_eq(thud_scene_set(&scene, "links.1.source", longer, NULL), THUD_INPUT);
+    ck_assert_int_eq(thud_scene_set(&scene, "study.source", "x", NULL), THUD_INPUT);
+    thud_preset_free(preset);
+}
+END_TEST
+
 START_TEST(a_file_is_replaced_whole)
 {
     char folder[] = "/tmp/thud-save-XXXXXX", path[64];
@@ -554,6 +626,7 @@ Suite *thud_suite(void)
     tcase_add_test(tests, random_edits_read_back);
     tcase_add_test(tests, an_interface_without_a_law_keeps_the_file);
     tcase_add_test(tests, carriage_returns_and_a_missing_newline_stay);
+    tcase_add_test(tests, sources_beside_every_group);
     tcase_add_test(tests, a_file_is_replaced_whole);
     suite_add_tcase(suite, tests);
     return suite;

@@ -288,7 +288,7 @@ START_TEST(the_whole_screen_of_two_bodies)
                                    "│ mass             320 t               ││ mass             320 t               │\n"
                                    "│ height           -                   ││ height           -                   │\n"
                                    "│ velocity at 0    0.5 m/s             ││ velocity at 0    0 m/s               │\n"
-                                   "│                                      ││                                      │\n"
+                                   "│ source             -                 ││ source             -                 │\n"
                                    "│                                      ││                                      │\n"
                                    "│                                      ││                                      │\n"
                                    "│                                      ││                                      │\n"

@@ -10,6 +10,7 @@
 #include "core/laws/law.h"
 
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_LINKS_MAX = 32, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
+enum { THUD_NESTED_GROUPS = 4, THUD_SOURCE_MAX = 512 }; /* of a structure; bytes that tell where values are from */
 
 enum thud_structure_kind {
     THUD_SHEAR,
@@ -103,6 +104,7 @@ struct thud_structure {
     char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. What stands behind it changes
                                            the fingerprint of a scene only where it is given. */
     int modes;                          /* its lowest ones alone; 0: analysis.modes */
+    char source[1 + THUD_NESTED_GROUPS][THUD_SOURCE_MAX]; /* of its values, and of those of its nested groups */
 };
 /* Returns the file of matrix or modes that a structure names; "": none. */
 const char *thud_structure_file(const struct thud_structure *structure);
@@ -139,7 +141,8 @@ struct thud_interface {
     bool has_bumper;
     struct thud_law_choice bumper;
     double bumper_thickness_m, bumper_cavity_m;
-    struct thud_by_level thickness; /* 0: no bumper there */
+    struct thud_by_level thickness;  /* 0: no bumper there */
+    char source[3][THUD_SOURCE_MAX]; /* of its values, of those of the contact and of the bumper */
 };
 
 /* What ties a floor of one structure to one of its neighbour, in place of a bumper. */
@@ -156,8 +159,9 @@ struct thud_link {
     char from[THUD_NAME_MAX + 8], to[THUD_NAME_MAX + 8]; /* A.4: floor 4 of A; A: a body, or a wall */
     double law;                                          /* enum thud_link_law */
     double stiffness_npm, damping_nspm;
-    double slip_n;  /* friction: its largest force */
-    double slack_m; /* restrainer and strut: they act beyond it */
+    double slip_n;                /* friction: its largest force */
+    double slack_m;               /* restrainer and strut: they act beyond it */
+    char source[THUD_SOURCE_MAX]; /* changes no fingerprint: what acts stands before it */
 };
 
 struct thud_record_choice {
@@ -181,6 +185,7 @@ struct thud_record_choice {
     int column; /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
     int skip;   /* lines; -1: not given */
     int every;  /* of the scaled samples one in so many, after a low pass; 0: all */
+    char source[THUD_SOURCE_MAX];
 };
 
 struct thud_analysis {
@@ -190,6 +195,7 @@ struct thud_analysis {
     double tail_s; /* free vibration after the record; without a record: the duration */
     bool locate;   /* fixed-step methods: locate events */
     int modes;     /* each building's lowest ones alone; 0: all */
+    char source[THUD_SOURCE_MAX];
 };
 
 enum thud_case {
@@ -376,12 +382,11 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
-/* Whether a key changes no run: the title, a structure's name, the study and the title block. */
+/* Whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
 /* Whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
 /* The groups nested in a structure, columns, isolators, foundation and backfill, and whether any key of one is given. */
-enum { THUD_NESTED_GROUPS = 4 };
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
 

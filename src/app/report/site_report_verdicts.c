@@ -284,7 +284,8 @@ void thud_site_verdicts(struct site *site)
 struct inputs {
     struct site *site;
     bool begun;
-    char owner[64]; /* "structures.1": the table that is open */
+    char owner[64];   /* "structures.1": the table that is open */
+    char section[64]; /* "structures.1.column": whose source has been told */
 };
 
 /* Of "structures.1.column" the part with its number, its length. */
@@ -328,16 +329,13 @@ static void add_value(struct inputs *inputs, const char *key, const struct thud_
         thud_document_cell(d, "%.*s", words ? n : (int)strlen(value), words ? words : value);
 }
 
-static void put_input(void *context, const char *section, const char *key, const char *value)
+/* Begins a table for each structure, interface, ..., and in it each group of keys with its source. */
+static void begin_section(struct inputs *inputs, const char *section, const char *in_owner)
 {
-    struct inputs *inputs = context;
     struct thud_document *d = &inputs->site->document;
     const size_t n = owner_of(section);
-    const char *rest = section[n] ? section + n + 1 : "";
-    char name[160], caption[200], path[640];
-    int floor;
+    char name[160], caption[200], path[80], source[THUD_SOURCE_MAX];
     if (!inputs->begun || strlen(inputs->owner) != n || strncmp(section, inputs->owner, n) != 0) {
-        inputs->begun = true;
         snprintf(inputs->owner, sizeof inputs->owner, "%.*s", (int)n, section);
         if (strcmp(inputs->owner, "structures.1") == 0) /* after tables that fill the first page */
             thud_site_figure(inputs->site, thud_figure_of_scene(inputs->site->scene, "scene", ""), 0.5,
@@ -347,11 +345,31 @@ static void put_input(void *context, const char *section, const char *key, const
         thud_document_table(d, caption);
         thud_document_head(d, "input|value|key in the preset");
     }
+    inputs->begun = true;
+    snprintf(inputs->section, sizeof inputs->section, "%s", section);
+    snprintf(path, sizeof path, "%s.source", section);
+    if (thud_scene_get(inputs->site->scene, path, source, sizeof source, NULL) == THUD_OK)
+        thud_document_line(d, "source\t%s\t%s%ssource", *source ? source : "no source given", in_owner,
+                           *in_owner ? "." : "");
+}
+
+static void put_input(void *context, const char *section, const char *key, const char *value)
+{
+    struct inputs *inputs = context;
+    struct thud_document *d = &inputs->site->document;
+    const size_t n = owner_of(section);
+    const char *in_owner = section[n] ? section + n + 1 : "";
+    char path[640];
+    int floor;
+    if (!inputs->begun || strcmp(inputs->section, section) != 0)
+        begin_section(inputs, section, in_owner);
+    if (strcmp(key, "source") == 0)
+        return;
     snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", key);
     const struct thud_param *param = thud_scene_param(inputs->site->scene, path, &floor);
     thud_document_cell(d, "%s", param ? param->title : key);
     add_value(inputs, key, param, value);
-    thud_document_cell(d, "%s%s%s", rest, *rest ? "." : "", key);
+    thud_document_cell(d, "%s%s%s", in_owner, *in_owner ? "." : "", key);
     thud_document_row(d);
 }
 

@@ -155,7 +155,7 @@ static void replace_value(struct saving *s, int value, const char *path, const c
 {
     struct thud_text text = {0};
     thud_scene_get_in(s->now, path, unit, s->after, THUD_VALUE_MAX, NULL);
-    thud_emit_value(&text, path, s->after, true);
+    thud_emit_value(&text, s->now, path, s->after, true);
     replace(s, value, &text);
 }
 
@@ -275,7 +275,7 @@ static int save_absent(struct saving *s, struct thud_section section, int node, 
             (node >= 0 && said_by_list(s, node, keys.key)))
             continue;
         thud_text_append(lines, "%*s%s: ", indent, "", keys.key);
-        thud_emit_value(lines, keys.path, s->after, false);
+        thud_emit_value(lines, s->now, keys.path, s->after, false);
         thud_text_append(lines, "%s", s->newline);
         added++;
     }
@@ -369,9 +369,10 @@ static void save_item(struct saving *s, struct thud_section section, int node)
         if (thud_group_in(group) != section.group)
             continue;
         value[group] = thud_yaml_find(&s->preset->tree, node, thud_group_key(group), &key[group]);
-        now[group] = group == THUD_GROUP_CONTACT
-                         ? value[group] >= 0 || memcmp(&was, is, sizeof was) != 0
-                         : thud_section_given(s->now, (struct thud_section){group, section.index});
+        now[group] =
+            group == THUD_GROUP_CONTACT
+                ? value[group] >= 0 || memcmp(&was, is, sizeof was) != 0 || *s->now->interface[section.index].source[1]
+                : thud_section_given(s->now, (struct thud_section){group, section.index});
         changed = changed || (value[group] >= 0) != now[group];
     }
     if (node_at(s, node)->flow && changed) {

@@ -19,8 +19,9 @@ bool thud_section_given(const struct thud_scene *scene, struct thud_section sect
 {
     if (section.group == THUD_GROUP_BUMPER)
         return thud_interface_says_bumper(&scene->interface[section.index]);
-    return section.group == THUD_GROUP_CONTACT ||
-           thud_structure_has_group(&scene->structure[section.index], section.group);
+    const struct thud_structure *s = &scene->structure[section.index];
+    return section.group == THUD_GROUP_CONTACT || thud_structure_has_group(s, section.group) ||
+           *s->source[1 + (int)section.group - THUD_GROUP_COLUMN];
 }
 
 void thud_section_path(struct thud_section section, const char *key, char *path, size_t size)
@@ -109,12 +110,17 @@ static void emit_scalar(struct thud_text *out, const char *text, bool flow)
     thud_text_append(out, "\"");
 }
 
-void thud_emit_value(struct thud_text *out, const char *path, const char *text, bool flow)
+bool thud_value_is_list(const struct thud_scene *scene, const char *path, const char *text)
 {
-    bool list = text[0] == '[' &&
-                (strncmp(path, "structures.", 11) == 0 || strncmp(path, "study.", 6) == 0 || strstr(path, "-level")) &&
-                strcmp(path + strlen(path) - 5, ".name") != 0;
-    if (list)
+    int floor;
+    const struct thud_param *param = text[0] == '[' ? thud_scene_param(scene, path, &floor) : NULL;
+    return param && (param->kind != THUD_PARAM_TEXT || strncmp(path, "study.", 6) == 0);
+}
+
+void thud_emit_value(struct thud_text *out, const struct thud_scene *scene, const char *path, const char *text,
+                     bool flow)
+{
+    if (thud_value_is_list(scene, path, text))
         thud_text_append(out, "%s", text);
     else
         emit_scalar(out, text, flow);
@@ -167,7 +173,7 @@ void thud_emit_section(struct thud_emit *emit, const struct thud_scene *scene, s
         else if (!first || !inline_first)
             indent_by(emit, indent);
         thud_text_append(emit->out, "%s: ", keys.key);
-        thud_emit_value(emit->out, keys.path, text, emit->flow);
+        thud_emit_value(emit->out, scene, keys.path, text, emit->flow);
         thud_text_append(emit->out, "%s", emit->flow ? "" : emit->newline);
         first = false;
     }

@@ -68,8 +68,11 @@ struct thud_emit {
     bool flow;
 };
 
+/* Whether a value, as thud_scene_get gives it, is a list, and no text that begins with a bracket. */
+bool thud_value_is_list(const struct thud_scene *scene, const char *path, const char *text);
 /* `text` as thud_scene_get gives it: a list stays one. */
-void thud_emit_value(struct thud_text *out, const char *path, const char *text, bool flow);
+void thud_emit_value(struct thud_text *out, const struct thud_scene *scene, const char *path, const char *text,
+                     bool flow);
 
 /* All keys of a section that are given (record, analysis, study and columns: that are not as they are anyway). Lines: each with
  * its indent; the first one without it where `inline_first`. */

@@ -143,7 +143,11 @@ static enum thud_status take_scalar(struct reading *r, const yaml_event_t *event
     int node = add(r, THUD_YAML_SCALAR, event->start_mark, event->end_mark);
     if (node < 0 || !keep_text(r->tree, node, text, length))
         return no_memory(r);
-    r->tree->node[node].quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
+    struct thud_yaml_node *n = &r->tree->node[node];
+    n->quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
+    while (n->end > n->start &&
+           strchr(" \r\n", r->text[n->end - r->skipped - 1])) /* a block of lines goes on to the next key */
+        n->end--;
     return key ? check_duplicate(r, node, event->start_mark) : THUD_OK;
 }
 

@@ -48,17 +48,15 @@ static void put_list(struct writer *w, const struct thud_param *param, char *lis
     }
 }
 
-static void put_value(struct writer *w, struct thud_section section, const char *path, const char *key)
+static void put_value(struct writer *w, const char *path, const char *key)
 {
-    bool lists = section.group == THUD_GROUP_STRUCTURE || section.group == THUD_GROUP_COLUMN ||
-                 section.group == THUD_GROUP_STUDY || strstr(key, "-level");
     int floor;
     const struct thud_param *param = w->si ? thud_scene_param(w->scene, path, &floor) : NULL;
     char name[THUD_NAME_MAX];
     snprintf(name, sizeof name, "%s%s", key, param ? thud_si_suffix(param) : "");
     thud_json_string(w->out, name);
     thud_text_append(w->out, ": ");
-    if (lists && w->value[0] == '[' && strcmp(key, "name") != 0)
+    if (thud_value_is_list(w->scene, path, w->value))
         put_list(w, param, w->value);
     else
         put_item(w, param, strcmp(path, "record.file") == 0 && w->file ? w->file : w->value);
@@ -71,7 +69,7 @@ static int put_keys(struct writer *w, struct thud_section section)
     struct thud_keys keys = thud_keys_of(w->scene, section, w->value);
     while (thud_keys_next(&keys)) {
         thud_text_append(w->out, "%s", count++ ? ", " : "");
-        put_value(w, section, keys.path, keys.key);
+        put_value(w, keys.path, keys.key);
     }
     return count;
 }

@@ -23,11 +23,10 @@ void thud_isolator_keep_own(struct thud_structure *s)
     const unsigned law = 1u << (int)s->isolator_law;
     if (s->isolator_law != THUD_ISOLATOR_LINEAR)
         s->isolation_stiffness_npm = NAN;
-    for (int i = 1; thud_group_param(THUD_GROUP_ISOLATOR, i); i++) {
-        const struct thud_place *place = thud_group_place(THUD_GROUP_ISOLATOR, i);
-        if (!(place->laws & law))
+    const struct thud_place *place;
+    for (int i = 1; (place = thud_group_place(THUD_GROUP_ISOLATOR, i)); i++)
+        if (place->store == THUD_STORE_NUMBER && !(place->laws & law))
             *(double *)(void *)((char *)s + place->offset) = NAN;
-    }
 }
 
 struct thud_isolator thud_structure_isolator(const struct thud_structure *s)

@@ -172,6 +172,8 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
     for (int i = 1; (param = thud_group_param(THUD_GROUP_ISOLATOR, i)); i++) {
         const struct thud_place *place = thud_group_place(THUD_GROUP_ISOLATOR, i);
         const double value = *(const double *)(const void *)((const char *)structure + place->offset);
+        if (place->store != THUD_STORE_NUMBER)
+            continue;
         snprintf(key, sizeof key, "structures.%d.isolator.%s", s + 1, param->name);
         if (!isnan(value) && !(place->laws & 1u << law)) {
             thud_error_set(err, THUD_INPUT, "%s isolators have no %s", thud_isolator_name(law), param->title);

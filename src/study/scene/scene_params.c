@@ -330,40 +330,54 @@ static const struct row document_rows[] = {
 #undef AT
 /* clang-format on */
 
-#define GROUP(word, key, in, ...)                                                                                      \
-    {                                                                                                                  \
-        key, word##_rows, sizeof word##_rows / sizeof *word##_rows, THUD_GROUP_##in, __VA_ARGS__                       \
+/* Beside any group of keys that describe what is built or computed: where their values are from. */
+static const struct thud_param source_param =
+    WORD("source", "source", "Source of these values, for reports: a drawing, a standard.");
+#define GROUP(word_, key_, in_)                                                                                        \
+    .key = (key_), .rows = word_##_rows, .count = sizeof word_##_rows / sizeof *word_##_rows, .in = THUD_GROUP_##in_
+#define PART(member_) .base = offsetof(struct thud_scene, member_)
+#define SOURCE(of_, member_, kinds_)                                                                                   \
+    .source = {                                                                                                        \
+        .store = THUD_STORE_TEXT,                                                                                      \
+        .offset = offsetof(struct of_, member_),                                                                       \
+        .size = THUD_SOURCE_MAX,                                                                                       \
+        .kinds = (kinds_),                                                                                             \
     }
 static const struct {
     const char *key;
     const struct row *rows;
     int count;
-    enum thud_group in; /* what its key stands in */
-    size_t base;        /* in the scene, of what it has one of */
+    enum thud_group in;       /* what its key stands in */
+    size_t base;              /* in the scene, of what it has one of */
+    struct thud_place source; /* size 0: the group has none */
 } groups[THUD_GROUPS] = {
-    [THUD_GROUP_SCENE] = GROUP(scene, "", SCENE, 0),
-    [THUD_GROUP_RECORD] = GROUP(record, "record", SCENE, offsetof(struct thud_scene, record)),
-    [THUD_GROUP_STRUCTURE] = GROUP(structure, "structures", SCENE, 0),
-    [THUD_GROUP_COLUMN] = GROUP(column, "column", STRUCTURE, 0),
-    [THUD_GROUP_ISOLATOR] = GROUP(isolator, "isolator", STRUCTURE, 0),
-    [THUD_GROUP_FOUNDATION] = GROUP(foundation, "foundation", STRUCTURE, 0),
-    [THUD_GROUP_BACKFILL] = GROUP(backfill, "backfill", STRUCTURE, 0),
-    [THUD_GROUP_INTERFACE] = GROUP(interface, "interfaces", SCENE, 0),
-    [THUD_GROUP_CONTACT] = GROUP(contact, "contact", INTERFACE, 0),
-    [THUD_GROUP_BUMPER] = GROUP(bumper, "bumper", INTERFACE, 0),
-    [THUD_GROUP_LINK] = GROUP(link, "links", SCENE, 0),
-    [THUD_GROUP_ANALYSIS] = GROUP(analysis, "analysis", SCENE, offsetof(struct thud_scene, analysis)),
-    [THUD_GROUP_STUDY] = GROUP(study, "study", SCENE, offsetof(struct thud_scene, study)),
-    [THUD_GROUP_DOCUMENT] = GROUP(document, "document", SCENE, offsetof(struct thud_scene, document)),
+    [THUD_GROUP_SCENE] = {GROUP(scene, "", SCENE)},
+    [THUD_GROUP_RECORD] = {GROUP(record, "record", SCENE), PART(record), SOURCE(thud_record_choice, source, 0)},
+    [THUD_GROUP_STRUCTURE] = {GROUP(structure, "structures", SCENE), SOURCE(thud_structure, source[0], ALL)},
+    [THUD_GROUP_COLUMN] = {GROUP(column, "column", STRUCTURE), SOURCE(thud_structure, source[1], STOREYS)},
+    [THUD_GROUP_ISOLATOR] = {GROUP(isolator, "isolator", STRUCTURE), SOURCE(thud_structure, source[2], ISOLATED)},
+    [THUD_GROUP_FOUNDATION] = {GROUP(foundation, "foundation", STRUCTURE), SOURCE(thud_structure, source[3], STOREYS)},
+    [THUD_GROUP_BACKFILL] = {GROUP(backfill, "backfill", STRUCTURE), SOURCE(thud_structure, source[4], WALL)},
+    [THUD_GROUP_INTERFACE] = {GROUP(interface, "interfaces", SCENE), SOURCE(thud_interface, source[0], 0)},
+    [THUD_GROUP_CONTACT] = {GROUP(contact, "contact", INTERFACE), SOURCE(thud_interface, source[1], 0)},
+    [THUD_GROUP_BUMPER] = {GROUP(bumper, "bumper", INTERFACE), SOURCE(thud_interface, source[2], 0)},
+    [THUD_GROUP_LINK] = {GROUP(link, "links", SCENE), SOURCE(thud_link, source, LINKS)},
+    [THUD_GROUP_ANALYSIS] = {GROUP(analysis, "analysis", SCENE), PART(analysis), SOURCE(thud_analysis, source, 0)},
+    [THUD_GROUP_STUDY] = {GROUP(study, "study", SCENE), PART(study)},
+    [THUD_GROUP_DOCUMENT] = {GROUP(document, "document", SCENE), PART(document)},
 };
 
 const struct thud_param *thud_group_param(enum thud_group group, int i)
 {
+    if (i == groups[group].count && groups[group].source.size > 0)
+        return &source_param;
     return i < groups[group].count ? &groups[group].rows[i].param : NULL;
 }
 
 const struct thud_place *thud_group_place(enum thud_group group, int i)
 {
+    if (i == groups[group].count && groups[group].source.size > 0)
+        return &groups[group].source;
     return i < groups[group].count ? &groups[group].rows[i].place : NULL;
 }
 
@@ -397,10 +411,10 @@ const char *thud_kind_name(enum thud_structure_kind kind)
 
 bool thud_structure_has(enum thud_structure_kind kind, int param)
 {
-    return (structure_rows[param].place.kinds & 1u << kind) != 0;
+    return (thud_group_place(THUD_GROUP_STRUCTURE, param)->kinds & 1u << kind) != 0;
 }
 
 bool thud_link_has(enum thud_link_law law, int param)
 {
-    return (link_rows[param].place.kinds & 1u << law) != 0;
+    return (thud_group_place(THUD_GROUP_LINK, param)->kinds & 1u << law) != 0;
 }

@@ -311,7 +311,7 @@ bool thud_scene_is_words(const struct thud_scene *scene, const char *path)
         return false;
     const size_t at = slot.place.offset;
     const bool name = slot.structure >= 0 && thud_slot_in(scene, &slot) == scene->structure[slot.structure].name;
-    return name || at == offsetof(struct thud_scene, title) ||
+    return name || strcmp(slot.param->name, "source") == 0 || at == offsetof(struct thud_scene, title) ||
            (at >= offsetof(struct thud_scene, study) && at < offsetof(struct thud_scene, nlinks));
 }
 

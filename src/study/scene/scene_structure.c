@@ -105,6 +105,7 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
         return THUD_OK;
     thud_structure_init(structure, kind);
     memcpy(structure->name, before.name, sizeof structure->name);
+    memcpy(structure->source[0], before.source[0], sizeof structure->source[0]);
     if (kind == THUD_WALL)
         return THUD_OK;
     structure->mass_kg[0] = before.storeys > 0 ? before.mass_kg[0] : 320e3;
@@ -169,7 +170,8 @@ bool thud_structure_has_group(const struct thud_structure *s, enum thud_group gr
         const double *value = (const double *)(const void *)((const char *)s + place->offset);
         const double usual = place->store == THUD_STORE_NUMBER ? place->absent : 0;
         for (int k = 0; k < (place->store == THUD_STORE_FLOORS ? s->storeys : 1); k++)
-            if (place->kinds & 1u << s->kind && isfinite(value[k]) && value[k] != usual)
+            if (place->store != THUD_STORE_TEXT && place->kinds & 1u << s->kind && isfinite(value[k]) &&
+                value[k] != usual)
                 return true;
     }
     return false;

@@ -390,7 +390,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
     }
     for (int i = 0; i + 1 < scene->nstructures; i++)
         h = hash_interface(h, &scene->interface[i]);
-    h = thud_hash(h, scene->link, (size_t)scene->nlinks * sizeof *scene->link);
+    for (int i = 0; i < scene->nlinks; i++)
+        h = thud_hash(h, &scene->link[i], offsetof(struct thud_link, source));
     for (int i = 0; i < plan->naxes; i++) {
         h = thud_hash_text(h, plan->axis[i].key);
         for (int v = 0; v < plan->axis[i].n; v++)

@@ -117,7 +117,10 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
                                       bumper[] = {{"thickness", "bumper.thickness"},
                                                   {"by level", "bumper.thickness-by-level"},
                                                   {"cavity", "bumper.cavity"}},
-                                      rest = {"levels that meet", "contact-levels"};
+                                      rest[] = {{"levels that meet", "contact-levels"},
+                                                {"source", "source"},
+                                                {"contact source", "contact.source"},
+                                                {"bumper source", "bumper.source"}};
     const struct thud_interface *at = &tui->doc.scene.interface[tui->interface];
     char clearance[256], key[THUD_PATH_MAX];
     int y = thud_field_rows(tui, FORM, pane, 0, gap, 3);
@@ -133,7 +136,7 @@ static int draw_form(struct thud_tui *tui, const struct thud_pane *pane)
     y++;
     if (at->has_bumper)
         y = law_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, bumper, 3), "bumper", at->bumper.law);
-    return link_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, &rest, 1));
+    return link_rows(tui, pane, thud_field_rows(tui, FORM, pane, y, rest, 4));
 }
 
 /* The loops, recomputed where the scene or the pair changed. */

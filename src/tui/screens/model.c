@@ -526,6 +526,21 @@ static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, 
     return y;
 }
 
+/* Where its values are from, and those of the groups of keys that it has. */
+static int sources(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
+{
+    for (int i = -1; i < THUD_NESTED_GROUPS; i++) {
+        char key[THUD_PATH_MAX], label[THUD_NAME_MAX];
+        const char *of = i < 0 ? "" : thud_group_key(thud_nested_group(i)), *dot = i < 0 ? "" : ".";
+        if (i >= 0 && !thud_structure_has_group(&tui->doc.scene.structure[s], thud_nested_group(i)))
+            continue;
+        snprintf(key, sizeof key, "structures.%d.%s%ssource", s + 1, of, dot);
+        snprintf(label, sizeof label, "%s%ssource", of, *dot ? " " : "");
+        thud_field_row(tui, index, pane, y++, label, key);
+    }
+    return y;
+}
+
 static int draw_structure(struct thud_tui *tui, int index, const struct thud_pane *pane, int s)
 {
     enum thud_structure_kind kind = tui->doc.scene.structure[s].kind;
@@ -534,6 +549,7 @@ static int draw_structure(struct thud_tui *tui, int index, const struct thud_pan
         y = modes(tui, pane, floors(tui, index, pane, y, s), s);
         y = below(tui, index, pane, y, s);
     }
+    y = sources(tui, index, pane, y, s);
     draw_shapes(tui, pane, s);
     return y;
 }
