@@ -4,6 +4,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "app/run/timing.h"
+
 int thud_threads_count(int wanted, long jobs, int most)
 {
     long n = wanted > 0 ? wanted : sysconf(_SC_NPROCESSORS_ONLN);
@@ -47,4 +49,83 @@ void thud_threads_numbers_back(locale_t before)
     locale_t own = uselocale(before);
     if (own != before)
         freelocale(own);
+}
+
+/* ---- jobs ---- */
+
+struct work {
+    const struct thud_threads_jobs *jobs;
+    pthread_mutex_t lock; /* of what follows */
+    pthread_cond_t changed;
+    long next, done;
+    int running; /* threads */
+    enum thud_status status;
+    struct thud_error error;
+};
+
+static void *do_jobs(void *context)
+{
+    struct work *w = context;
+    const struct thud_threads_jobs *jobs = w->jobs;
+    const locale_t before = thud_threads_numbers();
+    pthread_mutex_lock(&w->lock);
+    while (w->status == THUD_OK && w->next < jobs->n && !(jobs->cancel && *jobs->cancel)) {
+        const long i = w->next++;
+        struct thud_error error = {0};
+        pthread_mutex_unlock(&w->lock);
+        enum thud_status status = jobs->job(jobs->context, i, &error);
+        pthread_mutex_lock(&w->lock);
+        w->done++;
+        if (status == THUD_OK && w->status == THUD_OK && jobs->take)
+            status = jobs->take(jobs->context, i, &error);
+        if (status != THUD_OK && w->status == THUD_OK) {
+            w->status = status;
+            w->error = error;
+        }
+    }
+    w->running--;
+    pthread_cond_signal(&w->changed);
+    pthread_mutex_unlock(&w->lock);
+    thud_threads_numbers_back(before);
+    return NULL;
+}
+
+enum thud_status thud_threads_run(const struct thud_threads_jobs *jobs, long *done, struct thud_error *err)
+{
+    enum { THREADS_MAX = 256 };
+    static const double show_s = 0.1;
+    struct work w = {.jobs = jobs, .next = jobs->first, .done = jobs->first};
+    pthread_t thread[THREADS_MAX];
+    const double start = thud_timing_now_s();
+    pthread_mutex_init(&w.lock, NULL);
+    pthread_cond_init(&w.changed, NULL);
+    const int wanted = thud_threads_count(jobs->threads, jobs->n - jobs->first, THREADS_MAX);
+    w.running = wanted;
+    const int started = thud_threads_start(thread, wanted, do_jobs, &w);
+    pthread_mutex_lock(&w.lock);
+    w.running -= wanted - started;
+    while (w.running > 0) {
+        const long now = w.done;
+        pthread_mutex_unlock(&w.lock);
+        if (jobs->progress)
+            jobs->progress(jobs->context, now, jobs->n, thud_timing_now_s() - start);
+        pthread_mutex_lock(&w.lock);
+        if (w.running > 0)
+            thud_threads_wait(&w.changed, &w.lock, show_s);
+    }
+    w.running = 1;
+    pthread_mutex_unlock(&w.lock);
+    for (int i = 0; i < started; i++)
+        pthread_join(thread[i], NULL);
+    if (started == 0) /* the calling one then */
+        do_jobs(&w);
+    pthread_cond_destroy(&w.changed);
+    pthread_mutex_destroy(&w.lock);
+    if (done)
+        *done = w.done;
+    if (w.status == THUD_OK && w.done < jobs->n)
+        return thud_error_set(err, THUD_CANCELLED, "stopped");
+    if (w.status != THUD_OK && err)
+        *err = w.error;
+    return w.status;
 }

@@ -56,36 +56,25 @@ static enum thud_status open_files(const struct thud_sweep_study *study, struct 
     return status;
 }
 
-static void *write_rows(void *context)
+static enum thud_status write_rows(void *context, long k, struct thud_error *err)
 {
-    struct share *share = context;
-    locale_t before = thud_threads_numbers();
+    struct share *share = &((struct files *)context)->share[k];
+    (void)err;
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        for (int k = 0; k < share->points; k++)
-            thud_sweep_csv_rows(share->study->plan, (enum thud_sweep_csv)i, share->point[k], &share->text[i]);
-    thud_threads_numbers_back(before);
-    return NULL;
+        for (int p = 0; p < share->points; p++)
+            thud_sweep_csv_rows(share->study->plan, (enum thud_sweep_csv)i, share->point[p], &share->text[i]);
+    return THUD_OK;
 }
 
 /* The rows of all shares at hand into the files, in the order of points. */
 static enum thud_status put(const struct thud_sweep_study *study, struct files *files, struct thud_error *err)
 {
-    pthread_t thread[SHARES_MAX];
-    bool started[SHARES_MAX] = {false};
-    enum thud_status status = THUD_OK;
-    if (study->no_rows)
-        return THUD_OK;
-    for (int k = 1; k < files->shares && files->share[k].points > 0; k++)
-        started[k] = thud_threads_start(&thread[k], 1, write_rows, &files->share[k]) == 1;
-    for (int k = 0; k < files->shares; k++) {
-        struct share *share = &files->share[k];
-        if (started[k])
-            pthread_join(thread[k], NULL);
-        else
-            write_rows(share);
+    const struct thud_threads_jobs jobs = {
+        .n = files->shares, .threads = files->shares, .context = files, .job = write_rows};
+    enum thud_status status = study->no_rows ? THUD_OK : thud_threads_run(&jobs, NULL, err);
+    for (int k = 0; k < files->shares && !study->no_rows; k++)
         for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
-            status = thud_output_drain(&files->output[i], &share->text[i], 0, err);
-    }
+            status = thud_output_drain(&files->output[i], &files->share[k].text[i], 0, err);
     return status;
 }
 

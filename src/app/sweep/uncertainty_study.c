@@ -3,23 +3,15 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "app/run/threads.h"
-#include "app/run/timing.h"
 #include "base/statistics.h"
 #include "study/uncertainty/sobol.h"
 
-enum { THREADS_MAX = 256, SHOW_MS = 200 };
-
+/* The rows being made. */
 struct work {
     struct thud_uncertainty_study *study;
-    pthread_mutex_t lock;
-    size_t next, done;
-    bool *has; /* (rows) which rows are done */
-    bool stop;
-    enum thud_status status;
-    struct thud_error error;
+    bool *has; /* (rows) which are done */
 };
 
 size_t thud_uncertainty_first_sample(const struct thud_uncertainty_study *study)
@@ -95,98 +87,58 @@ static enum thud_status fill(struct thud_uncertainty_study *study, struct thud_e
     return status;
 }
 
-/* The rows that follow on those in the journal. */
-static enum thud_status keep(struct work *w, struct thud_error *err)
+static enum thud_status evaluate(void *context, long row, struct thud_error *err)
 {
+    const struct thud_uncertainty_study *study = ((struct work *)context)->study;
+    const struct thud_uncertainty *u = study->uncertainty;
+    const enum thud_status status =
+        thud_uncertainty_evaluate(u, study->place + row * u->ninputs, study->value + row * u->nquantities, err);
+    return status == THUD_COLLAPSED && row > 0 ? THUD_OK : status; /* a sample without results from there on */
+}
+
+/* Keeps the rows that follow on those in the journal. */
+static enum thud_status keep(void *context, long done, struct thud_error *err)
+{
+    struct work *w = context;
     struct thud_sweep_journal *journal = w->study->journal;
     enum thud_status status = THUD_OK;
-    for (size_t row;
-         status == THUD_OK && (row = (size_t)thud_sweep_journal_done(journal)) < w->study->rows && w->has[row];)
+    w->has[done] = true;
+    for (size_t row; status == THUD_OK && journal &&
+                     (row = (size_t)thud_sweep_journal_done(journal)) < w->study->rows && w->has[row];)
         status = thud_sample_journal_add(journal, err);
     return status;
 }
 
-static void *worker(void *context)
+static void show(void *context, long done, long n, double elapsed_s)
 {
-    struct work *w = context;
-    struct thud_uncertainty_study *study = w->study;
-    size_t d = (size_t)study->uncertainty->ninputs, q = (size_t)study->uncertainty->nquantities;
-    for (;;) {
-        struct thud_error error = {0};
-        pthread_mutex_lock(&w->lock);
-        size_t row = w->next;
-        bool over = w->stop || row >= study->rows || (study->cancel && *study->cancel);
-        w->next += !over;
-        pthread_mutex_unlock(&w->lock);
-        if (over)
-            return NULL;
-        enum thud_status status =
-            thud_uncertainty_evaluate(study->uncertainty, study->place + row * d, study->value + row * q, &error);
-        if (status == THUD_COLLAPSED && row > 0) /* a sample without results from there on */
-            status = THUD_OK;
-        pthread_mutex_lock(&w->lock);
-        w->done++;
-        w->has[row] = status == THUD_OK;
-        if (status == THUD_OK && w->status == THUD_OK && study->journal)
-            status = keep(w, &error);
-        if (status != THUD_OK && w->status == THUD_OK) {
-            w->status = status;
-            w->error = error;
-            w->stop = true;
-        }
-        pthread_mutex_unlock(&w->lock);
-    }
-}
-
-/* Until all rows are done, the work stops or it is cancelled. */
-static void watch(struct work *w)
-{
-    const struct thud_uncertainty_study *study = w->study;
-    double start = thud_timing_now_s();
-    for (bool over = false; !over;) {
-        pthread_mutex_lock(&w->lock);
-        size_t done = w->done;
-        over = w->stop || done == study->rows || (study->cancel && *study->cancel);
-        pthread_mutex_unlock(&w->lock);
-        if (study->progress)
-            study->progress(study->context, (long)done, (long)study->rows, thud_timing_now_s() - start);
-        if (!over)
-            nanosleep(&(struct timespec){0, done == 0 ? 1000000 : SHOW_MS * 100000L}, NULL);
-    }
-}
-
-static enum thud_status stopped(const struct thud_uncertainty_study *study, size_t done, struct thud_error *err)
-{
-    thud_error_set(err, THUD_CANCELLED, "stopped: %zu of %zu runs are done, %s", done, study->rows,
-                   study->journal ? "the rest is missing" : "none is kept");
-    if (study->journal)
-        thud_error_allow(err, "the same command goes on from there");
-    return THUD_CANCELLED;
+    const struct thud_uncertainty_study *study = ((struct work *)context)->study;
+    if (study->progress)
+        study->progress(study->context, done, n, elapsed_s);
 }
 
 /* All rows from `done` on. */
-static enum thud_status make(struct thud_uncertainty_study *study, size_t done, struct thud_error *err)
+static enum thud_status make(struct thud_uncertainty_study *study, long done, struct thud_error *err)
 {
-    pthread_t thread[THREADS_MAX];
-    struct work w = {.study = study, .next = done, .done = done, .has = calloc(study->rows, sizeof *w.has)};
+    struct work w = {study, calloc(study->rows, sizeof *w.has)};
+    const struct thud_threads_jobs jobs = {.first = done,
+                                           .n = (long)study->rows,
+                                           .threads = study->threads,
+                                           .cancel = study->cancel,
+                                           .context = &w,
+                                           .job = evaluate,
+                                           .take = keep,
+                                           .progress = show};
     if (!w.has)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    int wanted = thud_threads_count(study->threads, (long)study->rows, THREADS_MAX);
-    pthread_mutex_init(&w.lock, NULL);
-    int started = thud_threads_start(thread, wanted, worker, &w);
-    if (started > 0)
-        watch(&w);
-    for (int i = 0; i < started; i++)
-        pthread_join(thread[i], NULL);
-    pthread_mutex_destroy(&w.lock);
+    enum thud_status status = thud_threads_run(&jobs, &done, err);
     free(w.has);
-    if (started == 0)
-        return thud_error_set(err, THUD_MEMORY, "no thread could be started");
-    if (w.status != THUD_OK) {
-        *err = w.error;
-        return w.status;
+    if (status == THUD_CANCELLED) {
+        thud_error_set(err, THUD_CANCELLED, "stopped: %ld of %zu runs are done, %s", done, study->rows,
+                       study->journal ? "the rest is missing" : "none is kept");
+        if (study->journal)
+            thud_error_allow(err, "the same command goes on from there");
     }
-    return w.done == study->rows ? THUD_OK : stopped(study, w.done, err);
+    return status;
 }
 
 /* Takes the folder, and the rows that are done there. */
@@ -333,7 +285,7 @@ enum thud_status thud_uncertainty_study_run(struct thud_uncertainty_study *study
     if (status == THUD_OK && study->by)
         status = begin(study, &done, err);
     if (status == THUD_OK)
-        status = make(study, (size_t)done, err);
+        status = make(study, done, err);
     return status == THUD_OK ? tell_all(study, err) : status;
 }
 
