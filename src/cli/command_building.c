@@ -66,11 +66,6 @@ static void add_content(const struct thud_building_table *t, const char *path, e
         thud_text_append(out, "symmetric\n");
 }
 
-static void make_mode(const void *of, int i, void *row)
-{
-    *(struct thud_mode_row *)row = ((const struct thud_mode_row *)of)[i];
-}
-
 static void put_modes(const struct thud_rows *rows, double total_kg, int n, double last_s, struct thud_text *out)
 {
     thud_text_append(out, "mass %.6g t\n\n", 1e-3 * total_kg);
@@ -108,7 +103,8 @@ static enum thud_status add_modes(const struct thud_scene *scene, const struct t
         sum += kg[j];
         row[j] = (struct thud_mode_row){j + 1, period_s[j], 1 / period_s[j], kg[j], kg[j] / total, sum / total};
     }
-    const struct thud_rows rows = {&thud_mode_schema, 0, status == THUD_OK ? modes : 0, make_mode, row};
+    const struct thud_array all = {row, sizeof *row};
+    const struct thud_rows rows = {&thud_mode_schema, 0, status == THUD_OK ? modes : 0, thud_array_row, &all};
     if (form == THUD_AS_JSON)
         thud_json_list("modes", &rows, out);
     else if (form == THUD_AS_CSV)

@@ -20,16 +20,6 @@ struct told {
     struct thud_stiffness_fields run[RUNS_MAX];
 };
 
-static void make_spring(const void *of, int i, void *row)
-{
-    *(struct thud_spring_row *)row = ((const struct told *)of)->spring[i];
-}
-
-static void make_run(const void *of, int i, void *row)
-{
-    *(struct thud_stiffness_fields *)row = ((const struct told *)of)->run[i];
-}
-
 /* "4 m2, 15 m, 30 GPa": quantities of these dimensions, all above 0. */
 static enum thud_status read_parts(const char *option, const char *text, const enum thud_dimension *dimension, int n,
                                    double *value, const char *allowed, struct thud_error *err)
@@ -163,8 +153,9 @@ static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, 
 /* In place of the text what the rows hold. */
 static void put_rows(const struct thud_scene *scene, struct told *told)
 {
-    const struct thud_rows springs = {&thud_spring_schema, 0, told->nsprings, make_spring, told},
-                           runs = {&thud_stiffness_schema, 0, told->nruns, make_run, told};
+    const struct thud_array spring = {told->spring, sizeof *told->spring}, run = {told->run, sizeof *told->run};
+    const struct thud_rows springs = {&thud_spring_schema, 0, told->nsprings, thud_array_row, &spring},
+                           runs = {&thud_stiffness_schema, 0, told->nruns, thud_array_row, &run};
     if (told->form == THUD_AS_TEXT)
         return;
     thud_text_clear(&told->text);

@@ -29,7 +29,7 @@ static bool is_text(const char *name, const struct thud_schema *const *schema)
     for (; *schema; schema++)
         for (int i = 0; i < (*schema)->n; i++)
             if (strcmp((*schema)->column[i].name, name) == 0)
-                return (*schema)->column[i].kind == THUD_COLUMN_TEXT;
+                return (*schema)->column[i].kind >= THUD_COLUMN_TEXT;
     return false;
 }
 

@@ -16,7 +16,8 @@ enum thud_column_kind {
     THUD_COLUMN_LONG,   /* long */
     THUD_COLUMN_SIZE,   /* size_t */
     THUD_COLUMN_YES,    /* bool: 1 and 0 in CSV */
-    THUD_COLUMN_TEXT    /* const char *; NULL: no value */
+    THUD_COLUMN_TEXT,   /* const char *; NULL: no value */
+    THUD_COLUMN_CHARS   /* char[]: the text itself */
 };
 #define THUD_NO_COUNT INT_MIN
 
@@ -61,7 +62,8 @@ enum { THUD_ONLY_CSV = 1 << 30, THUD_ONLY_JSON = 1 << 29, THUD_ONLY_TEXT = 1 << 
         long: THUD_COLUMN_LONG,                                                                                         \
         size_t: THUD_COLUMN_SIZE,                                                                                       \
         bool: THUD_COLUMN_YES,                                                                                          \
-        const char *: THUD_COLUMN_TEXT)
+        const char *: THUD_COLUMN_TEXT,                                                                                 \
+        char *: THUD_COLUMN_CHARS)
 /* First members of a field, in braces with the others: {THUD_COLUMN(...), .only = ...}. */
 #define THUD_COLUMN(type, member, key, text)                                                                           \
     .name = key, .help = text, .kind = THUD_COLUMN_KIND(type, member), .at = offsetof(type, member)
@@ -130,6 +132,12 @@ struct thud_rows {
     void (*make)(const void *of, int i, void *row);
     const void *of;
 };
+/* The `of` and `make` of rows that stand in an array: its beginning, and the size of one. */
+struct thud_array {
+    const void *first;
+    size_t size;
+};
+void thud_array_row(const void *of, int i, void *row);
 void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out); /* heading and rows */
 /* The CSV in `folder`, as a file with the schema's name. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err);

@@ -13,10 +13,8 @@ extern const struct thud_schema thud_motion_info_schema, thud_motion_list_schema
     thud_sampled_motion_schema, thud_series_schema;
 
 struct thud_motion_info_row {
-    const char *file, *format, *note, *event, *station, *component, *sha256;
-    bool synthetic;
-    size_t samples;
-    double dt_s, scale;
+    struct thud_record record;
+    const char *sha256;
     struct thud_intensity own;
     double predominant_s;
 };

@@ -26,8 +26,8 @@ struct thud_gap_row_fields {
 };
 
 struct thud_motion_row {
-    const char *file, *event, *station, *component;
-    double dt_s, duration_s, pga_mps2, pgv_mps, arias_mps, misfit, factor;
+    struct thud_record record;
+    double duration_s, pga_mps2, pgv_mps, arias_mps, misfit, factor;
     bool chosen;
     const char *why;
 };
@@ -63,9 +63,9 @@ struct thud_best_row {
 
 /* Value tried, as text and in SI units. */
 struct thud_tried_row {
-    const char *value;
-    double x;
-    int motions, held;
+    char value[48];    /* "5.5 cm" */
+    double x;          /* SI */
+    int motions, held; /* ground motions with an answer (0: not possible), and under which it holds */
 };
 
 /* Results of a run with another stiffness, for each structure; and the sources of stiffnesses. */

@@ -40,12 +40,12 @@ enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *o
     return THUD_USAGE;
 }
 
-static bool holds(const struct thud_solve *solve, const struct thud_solve_try *tried)
+static bool holds(const struct thud_solve *solve, const struct thud_tried_row *tried)
 {
-    return tried->n > 0 && tried->held >= solve->share * tried->n - 1e-9;
+    return tried->motions > 0 && tried->held >= solve->share * tried->motions - 1e-9;
 }
 
-static void put(struct thud_solve *solve, const struct thud_solve_try *tried)
+static void put(struct thud_solve *solve, const struct thud_tried_row *tried)
 {
     int at = solve->n;
     while (at > 0 && solve->tried[at - 1].x > tried->x)
@@ -113,9 +113,9 @@ static enum thud_status run_values(const struct search *search, double from, dou
         status = thud_fragility_make(suite, &ask, &counts, err);
     for (int i = 0; status == THUD_OK && i < plan.axis[0].n && solve->n < THUD_SOLVE_TRIES_MAX; i++) {
         const struct thud_stripe *s = &counts.stripe[i];
-        struct thud_solve_try tried = {.x = s->x, .n = s->n};
+        struct thud_tried_row tried = {.x = s->x, .motions = s->n};
         tried.held = solve->criterion.happens ? s->count : s->n - s->count;
-        snprintf(tried.text, sizeof tried.text, "%.40s", plan.axis[0].text[i]);
+        snprintf(tried.value, sizeof tried.value, "%.40s", plan.axis[0].text[i]);
         put(solve, &tried);
     }
     if (status == THUD_OK && contact)
@@ -132,7 +132,7 @@ static void find_changes(struct thud_solve *solve)
 {
     solve->changes = 0;
     for (int i = 0; i + 1 < solve->n; i++)
-        if (solve->tried[i].n > 0 && solve->tried[i + 1].n > 0 &&
+        if (solve->tried[i].motions > 0 && solve->tried[i + 1].motions > 0 &&
             holds(solve, &solve->tried[i]) != holds(solve, &solve->tried[i + 1]) &&
             solve->changes < THUD_SOLVE_CHANGES_MAX)
             solve->change[solve->changes++] = i;
@@ -193,48 +193,48 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
     return status;
 }
 
-const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve)
+const struct thud_tried_row *thud_solve_answer(const struct thud_solve *solve)
 {
     if (solve->changes != 1)
         return NULL;
-    const struct thud_solve_try *below = &solve->tried[solve->change[0]];
+    const struct thud_tried_row *below = &solve->tried[solve->change[0]];
     return holds(solve, below) ? below : below + 1;
 }
 
 void thud_solve_words(const struct thud_solve *solve, struct thud_text *out)
 {
-    const struct thud_solve_try *answer = thud_solve_answer(solve), *first = solve->tried,
+    const struct thud_tried_row *answer = thud_solve_answer(solve), *first = solve->tried,
                                 *last = &solve->tried[solve->n - 1];
     const char *text = solve->criterion.text;
-    while (first < last && first->n == 0)
+    while (first < last && first->motions == 0)
         first++;
-    while (last > first && last->n == 0)
+    while (last > first && last->motions == 0)
         last--;
-    if (first->n == 0)
-        thud_text_append(out, "no value of %s from %s to %s is possible", solve->key, solve->tried[0].text,
-                         solve->tried[solve->n - 1].text);
+    if (first->motions == 0)
+        thud_text_append(out, "no value of %s from %s to %s is possible", solve->key, solve->tried[0].value,
+                         solve->tried[solve->n - 1].value);
     else if (solve->changes == 0)
         thud_text_append(out, "%s holds at %s value of %s tried from %s to %s", text,
-                         holds(solve, last) ? "every" : "no", solve->key, first->text, last->text);
+                         holds(solve, last) ? "every" : "no", solve->key, first->value, last->value);
     else if (answer) {
         bool below = answer == &solve->tried[solve->change[0]];
         thud_text_append(out, "%s holds %s %s = %s (not at %s)", text, below ? "up to" : "from", solve->key,
-                         answer->text, below ? answer[1].text : answer[-1].text);
+                         answer->value, below ? answer[1].value : answer[-1].value);
     } else
         thud_text_append(out, "%s is not monotone in %s: it changes %d times or more from %s to %s", text, solve->key,
-                         solve->changes, first->text, last->text);
+                         solve->changes, first->value, last->value);
     if (solve->nrecords > 1)
         thud_text_append(out, ", under %g %% of %d ground motion%s", 100 * solve->share, solve->nrecords,
                          solve->nrecords == 1 ? "" : "s");
-    if (first->n > 0 && first > solve->tried)
-        thud_text_append(out, "; below %s it is not possible", first->text);
-    if (first->n > 0 && last < &solve->tried[solve->n - 1])
-        thud_text_append(out, "; %s and more is not possible", last[1].text);
+    if (first->motions > 0 && first > solve->tried)
+        thud_text_append(out, "; below %s it is not possible", first->value);
+    if (first->motions > 0 && last < &solve->tried[solve->n - 1])
+        thud_text_append(out, "; %s and more is not possible", last[1].value);
     thud_text_append(out, "\n");
     for (int i = 0; !answer && i < solve->changes; i++) {
-        const struct thud_solve_try *below = &solve->tried[solve->change[i]];
-        thud_text_append(out, "  %s at %s, %s at %s\n", holds(solve, below) ? "holds" : "does not", below->text,
-                         holds(solve, below) ? "does not" : "holds", below[1].text);
+        const struct thud_tried_row *below = &solve->tried[solve->change[i]];
+        thud_text_append(out, "  %s at %s, %s at %s\n", holds(solve, below) ? "holds" : "does not", below->value,
+                         holds(solve, below) ? "does not" : "holds", below[1].value);
     }
 }
 
@@ -243,30 +243,34 @@ void thud_solve_report(const struct thud_solve *solve, struct thud_text *out)
     thud_solve_words(solve, out);
     thud_text_append(out, "\n%-20s  %s\n", solve->key, "holds under");
     for (int i = 0; i < solve->n; i++) {
-        const struct thud_solve_try *t = &solve->tried[i];
-        if (t->n == 0)
-            thud_text_append(out, "%-20s  not possible\n", t->text);
+        const struct thud_tried_row *t = &solve->tried[i];
+        if (t->motions == 0)
+            thud_text_append(out, "%-20s  not possible\n", t->value);
         else
-            thud_text_append(out, "%-20s  %d of %d%s\n", t->text, t->held, t->n, holds(solve, t) ? "" : "  no");
+            thud_text_append(out, "%-20s  %d of %d%s\n", t->value, t->held, t->motions, holds(solve, t) ? "" : "  no");
     }
     thud_text_append(out,
                      "\nBetween values that were tried nothing is known: a change and its way back may lie there.\n");
 }
 
-static void make_tried(const void *of, int i, void *row)
+static struct thud_rows tried_of(const struct thud_solve *solve, struct thud_array *all)
 {
-    const struct thud_solve_try *t = (const struct thud_solve_try *)of + i;
-    *(struct thud_tried_row *)row = (struct thud_tried_row){t->text, t->x, t->n, t->held};
+    *all = (struct thud_array){solve->tried, sizeof *solve->tried};
+    return (struct thud_rows){&thud_tried_schema, 0, solve->n, thud_array_row, all};
 }
 
 void thud_solve_csv(const struct thud_solve *solve, struct thud_text *out)
 {
-    thud_rows_csv(&(struct thud_rows){&thud_tried_schema, 0, solve->n, make_tried, solve->tried}, out);
+    struct thud_array all;
+    const struct thud_rows rows = tried_of(solve, &all);
+    thud_rows_csv(&rows, out);
 }
 
 void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
 {
-    const struct thud_solve_try *answer = thud_solve_answer(solve);
+    const struct thud_tried_row *answer = thud_solve_answer(solve);
+    struct thud_array all;
+    const struct thud_rows rows = tried_of(solve, &all);
     thud_text_append(out, "{");
     thud_json_head(out, NULL);
     thud_text_append(out, ", \"for\": ");
@@ -277,9 +281,9 @@ void thud_solve_json(const struct thud_solve *solve, struct thud_text *out)
     thud_json_field(out, "share", solve->share);
     thud_text_append(out, ", \"changes\": %d, \"answer\": ", solve->changes);
     if (answer)
-        thud_json_string(out, answer->text);
+        thud_json_string(out, answer->value);
     else
         thud_text_append(out, "null");
-    thud_json_list("tried", &(struct thud_rows){&thud_tried_schema, 0, solve->n, make_tried, solve->tried}, out);
+    thud_json_list("tried", &rows, out);
     thud_text_append(out, "}\n");
 }

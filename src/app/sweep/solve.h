@@ -5,6 +5,7 @@
 
 #include "app/run/record_list.h"
 #include "base/text.h"
+#include "io/result/study_rows.h"
 #include "study/suite/fragility.h"
 
 enum { THUD_SOLVE_TRIES_MAX = 256, THUD_SOLVE_CHANGES_MAX = 4 };
@@ -18,16 +19,11 @@ struct thud_criterion {
 /* Errors: THUD_USAGE. */
 enum thud_status thud_criterion_parse(const char *text, struct thud_criterion *out, struct thud_error *err);
 
-struct thud_solve_try {
-    double x;      /* SI */
-    char text[48]; /* "5.5 cm" */
-    int n, held;   /* ground motions with an answer (0: not possible), and under which it holds */
-};
 struct thud_solve {
     char key[THUD_VARY_KEY];
     struct thud_criterion criterion;
     double share;                                      /* of the ground motions, at least */
-    struct thud_solve_try tried[THUD_SOLVE_TRIES_MAX]; /* (n) by x */
+    struct thud_tried_row tried[THUD_SOLVE_TRIES_MAX]; /* (n) by x */
     int n, nrecords;
     int change[THUD_SOLVE_CHANGES_MAX], changes; /* i: the answer changes between tried i and i + 1 */
 };
@@ -38,7 +34,7 @@ enum thud_status thud_solve_run(const struct thud_scene *scene, const struct thu
                                 struct thud_solve *out, struct thud_error *err);
 /* The result: the value on the side of the only change where the criterion is met; NULL: it holds, or does not, all over, or there
  * are several changes. */
-const struct thud_solve_try *thud_solve_answer(const struct thud_solve *solve);
+const struct thud_tried_row *thud_solve_answer(const struct thud_solve *solve);
 /* The answer in a sentence or two. */
 void thud_solve_words(const struct thud_solve *solve, struct thud_text *out);
 /* The words, and a line per value that was tried. */

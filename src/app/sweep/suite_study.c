@@ -45,19 +45,15 @@ static struct thud_motion_row row_of(const struct thud_suite_study *study, int i
     const struct thud_scaled_motion *own = &study->scaled.motion[i];
     struct thud_intensity m = study->intensity[i];
     double as_read = fabs(own->factor);
-    return (struct thud_motion_row){r->file,
-                                    r->event,
-                                    r->station,
-                                    r->component,
-                                    r->dt_s,
-                                    m.duration_s,
-                                    m.pga_mps2 * as_read,
-                                    m.pgv_mps * as_read,
-                                    m.arias_mps * as_read * as_read,
-                                    study->has_target ? own->misfit : NAN,
-                                    study->factor[i],
-                                    own->chosen,
-                                    own->why};
+    return (struct thud_motion_row){.record = *r,
+                                    .duration_s = m.duration_s,
+                                    .pga_mps2 = m.pga_mps2 * as_read,
+                                    .pgv_mps = m.pgv_mps * as_read,
+                                    .arias_mps = m.arias_mps * as_read * as_read,
+                                    .misfit = study->has_target ? own->misfit : NAN,
+                                    .factor = study->factor[i],
+                                    .chosen = own->chosen,
+                                    .why = own->why};
 }
 
 static double sa_at(const struct thud_suite_study *study, int i, int mark)
@@ -129,13 +125,14 @@ static void make_shown(const void *of, int i, void *out)
     struct shown_row *row = out;
     *row = (struct shown_row){.own = row_of(study, i), .tail = row->text};
     const struct thud_motion_row *own = &row->own;
-    row->name = thud_path_name(own->file);
+    row->name = thud_path_name(own->record.file);
     for (int k = 0; k < study->nmarks; k++)
         row->sa[k] = sa_at(study, i, k) / THUD_GRAVITY;
     int n = own->chosen ? 0 : snprintf(row->text, sizeof row->text, "not taken: %.200s", own->why);
-    if (own->event[0] || own->station[0])
-        snprintf(row->text + n, sizeof row->text - (size_t)n, "\n%*s%.60s%s%.60s %.40s", 4, "", own->event,
-                 own->station[0] ? ", " : "", own->station, own->component);
+    const struct thud_record *r = &own->record;
+    if (r->event[0] || r->station[0])
+        snprintf(row->text + n, sizeof row->text - (size_t)n, "\n%*s%.60s%s%.60s %.40s", 4, "", r->event,
+                 r->station[0] ? ", " : "", r->station, r->component);
 }
 
 void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_text *out)

@@ -161,7 +161,8 @@ static const char *type_of(const struct found *found)
 {
     static const char *const type[] = {
         [THUD_COLUMN_NUMBER] = "number", [THUD_COLUMN_COUNT] = "integer", [THUD_COLUMN_LONG] = "integer",
-        [THUD_COLUMN_SIZE] = "integer",  [THUD_COLUMN_YES] = "integer",   [THUD_COLUMN_TEXT] = "string"};
+        [THUD_COLUMN_SIZE] = "integer",  [THUD_COLUMN_YES] = "integer",   [THUD_COLUMN_TEXT] = "string",
+        [THUD_COLUMN_CHARS] = "string"};
     if (found->own)
         return type[found->column->kind];
     return found->words ? "string" : "number";

@@ -50,6 +50,9 @@ static struct value value_of(const struct thud_column *field, const void *row)
         v.text = *(const char *const *)(const void *)at;
         v.known = v.text != NULL;
         break;
+    case THUD_COLUMN_CHARS:
+        v.text = at;
+        break;
     }
     return v;
 }
@@ -168,6 +171,12 @@ void thud_json_head_of(struct thud_text *out, int format, const char *preset)
         thud_text_append(out, ", ");
     }
     thud_text_append(out, "\"version\": \"%s\"", THUD_VERSION);
+}
+
+void thud_array_row(const void *of, int i, void *row)
+{
+    const struct thud_array *array = of;
+    memcpy(row, (const char *)array->first + (size_t)i * array->size, array->size);
 }
 
 void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)

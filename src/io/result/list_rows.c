@@ -9,15 +9,15 @@
 
 #define INFO(member, name, text) THUD_FIELD(struct thud_motion_info_row, member, name, text)
 static const struct thud_column infos[] = {
-    INFO(file, "file", "Where it was read."),
-    INFO(format, "format", "Of the file."),
-    INFO(note, "note", "How the samples were found."),
-    INFO(synthetic, "synthetic", "Whether it is computed, not recorded."),
-    INFO(event, "event", "As the file says."),
-    INFO(station, "station", "As the file says."),
-    INFO(component, "component", "As the file says."),
-    INFO(samples, "samples", "How many."),
-    INFO(dt_s, "dt_s", "Step, s."),
+    INFO(record.file, "file", "Where it was read."),
+    INFO(record.format, "format", "Of the file."),
+    INFO(record.note, "note", "How the samples were found."),
+    INFO(record.synthetic, "synthetic", "Whether it is computed, not recorded."),
+    INFO(record.event, "event", "As the file says."),
+    INFO(record.station, "station", "As the file says."),
+    INFO(record.component, "component", "As the file says."),
+    INFO(record.samples, "samples", "How many."),
+    INFO(record.dt_s, "dt_s", "Step, s."),
     INFO(own.duration_s, "duration_s", "Length, s."),
     INFO(own.pga_mps2, "pga_mps2", "Peak ground acceleration, m/s2."),
     INFO(own.pga_time_s, "pga_time_s", "Its time, s."),
@@ -36,7 +36,7 @@ static const struct thud_column infos[] = {
     INFO(own.cav_mps, "cav_mps", "Cumulative absolute velocity, m/s."),
     INFO(own.bracketed_s, "bracketed_s", "Bracketed duration above 0.05 g, s."),
     INFO(predominant_s, "predominant_s", "Predominant period, s."),
-    INFO(scale, "scale", "What the samples of the file were multiplied by, with the sign; 1: as recorded."),
+    INFO(record.scale, "scale", "What the samples of the file were multiplied by, with the sign; 1: as recorded."),
     INFO(sha256, "sha256", "SHA-256 of its file, unpacked.")};
 const struct thud_schema thud_motion_info_schema =
     THUD_SCHEMA("record info",
@@ -46,18 +46,7 @@ const struct thud_schema thud_motion_info_schema =
 
 void thud_motion_info_fill(const struct thud_record *r, struct thud_motion_info_row *row)
 {
-    *row = (struct thud_motion_info_row){r->file,
-                                         r->format,
-                                         r->note,
-                                         r->event,
-                                         r->station,
-                                         r->component,
-                                         r->sha256[0] ? r->sha256 : NULL,
-                                         r->synthetic,
-                                         r->samples,
-                                         r->dt_s,
-                                         r->scale,
-                                         thud_intensity_of(r),
+    *row = (struct thud_motion_info_row){*r, r->sha256[0] ? r->sha256 : NULL, thud_intensity_of(r),
                                          thud_record_predominant_period(r)};
 }
 
@@ -177,33 +166,28 @@ const struct thud_schema thud_law_schema =
 
 enum { IS_CHOICE = 1, IS_NUMBER = 2 };
 struct param_row {
-    const char *name, *title, *help, *unit, *word;
-    double fallback, least, most;
+    struct thud_param own;
+    const char *word;
 };
 #define PARAM(member, name, text, marks) THUD_FIELD_WITH(struct param_row, member, name, text, .only = (marks))
-static const struct thud_column params[] = {PARAM(name, "name", "As in a preset.", 0),
-                                            PARAM(title, "title", "For a person.", 0),
-                                            PARAM(help, "help", "What it is.", 0),
-                                            PARAM(unit, "unit", "Of the value.", 0),
+static const struct thud_column params[] = {PARAM(own.name, "name", "As in a preset.", 0),
+                                            PARAM(own.title, "title", "For a person.", 0),
+                                            PARAM(own.help, "help", "What it is.", 0),
+                                            PARAM(own.unit, "unit", "Of the value.", 0),
                                             PARAM(word, "default", "Of a choice: its word.", IS_CHOICE),
                                             THUD_STANDS_FOR("choices", "The words that are allowed."),
-                                            PARAM(fallback, "default_si", "Of a number: in SI units.", IS_NUMBER),
-                                            PARAM(least, "least_si", "Lower bound, in SI units.", IS_NUMBER),
-                                            PARAM(most, "most_si", "Upper bound, in SI units.", IS_NUMBER)};
+                                            PARAM(own.fallback, "default_si", "Of a number: in SI units.", IS_NUMBER),
+                                            PARAM(own.least, "least_si", "Lower bound, in SI units.", IS_NUMBER),
+                                            PARAM(own.most, "most_si", "Upper bound, in SI units.", IS_NUMBER)};
 const struct thud_schema thud_law_param_schema =
     THUD_SCHEMA("laws --json of each parameter", "In the list\n.Va parameters\nof each law.\n", params);
 
 static void put_param(const struct thud_param *p, struct thud_text *out)
 {
     bool choice = p->kind == THUD_PARAM_CHOICE;
-    const struct param_row row = {p->name,
-                                  p->title,
-                                  p->help ? p->help : "",
-                                  p->unit ? p->unit : "",
-                                  choice ? p->choices[(int)p->fallback] : NULL,
-                                  p->fallback,
-                                  p->least,
-                                  p->most};
+    struct param_row row = {*p, choice ? p->choices[(int)p->fallback] : NULL};
+    row.own.help = p->help ? p->help : "";
+    row.own.unit = p->unit ? p->unit : "";
     thud_json_members(&thud_law_param_schema, choice ? IS_CHOICE : IS_NUMBER, &row, out);
     for (int i = 0; choice && p->choices[i]; i++) {
         thud_text_append(out, i > 0 ? ", " : ", \"choices\": [");
@@ -238,22 +222,21 @@ void thud_laws_put(bool json, struct thud_text *out)
 /* ---- methods ---- */
 
 struct method_row {
-    const char *name, *title, *summary, *reference, *limits;
-    int order;
+    struct thud_method own;
     bool fixed_step, locates;
-    double stability;
 };
 #define METHOD(member, name, text) THUD_FIELD_WITH(struct method_row, member, name, text, .infinite = true)
 static const struct thud_column methods[] = {
-    METHOD(name, "name", "As in a preset."),
-    METHOD(title, "title", "For a person."),
-    METHOD(summary, "summary", "What it is."),
-    METHOD(reference, "reference", "Where it is from."),
-    METHOD(order, "order", "Of accuracy."),
+    METHOD(own.name, "name", "As in a preset."),
+    METHOD(own.title, "title", "For a person."),
+    METHOD(own.summary, "summary", "What it is."),
+    METHOD(own.reference, "reference", "Where it is from."),
+    METHOD(own.order, "order", "Of accuracy."),
     METHOD(fixed_step, "fixed_step", "Whether its step is fixed."),
     METHOD(locates, "locates", "Whether it locates events."),
-    METHOD(stability, "stable_omega_dt", "Largest step over the shortest period, as omega dt; inf, in JSON null: any."),
-    METHOD(limits, "limits", "Of its use.")};
+    METHOD(own.stability, "stable_omega_dt",
+           "Largest step over the shortest period, as omega dt; inf, in JSON null: any."),
+    METHOD(own.limits, "limits", "Of its use.")};
 const struct thud_schema thud_methods_schema =
     THUD_SCHEMA("methods",
                 "A row for each method; with\n.Fl -json\nthe list\n.Va methods\nbehind\n.Va format\nand\n.Va version "
@@ -266,15 +249,8 @@ void thud_methods_put(bool json, struct thud_text *out)
     thud_list_begin(&list, "methods");
     for (int i = 0; i < thud_method_count(); i++) {
         const struct thud_method *m = thud_method_at(i);
-        const struct method_row row = {m->name,
-                                       m->title,
-                                       m->summary,
-                                       m->reference,
-                                       m->limits,
-                                       m->order,
-                                       (m->flags & THUD_METHOD_FIXED_STEP) != 0,
-                                       (m->flags & THUD_METHOD_LOCATES) != 0,
-                                       m->stability};
+        const struct method_row row = {*m, (m->flags & THUD_METHOD_FIXED_STEP) != 0,
+                                       (m->flags & THUD_METHOD_LOCATES) != 0};
         thud_list_add(&list, &row, NULL, 0);
     }
     thud_list_end(&list);

@@ -497,32 +497,32 @@ const struct thud_schema thud_truncation_schema = THUD_SCHEMA(
     "truncation", "In\n.Pa result.json ,\nwith\n.Fl -modes :\nthe error of leaving modes out.\n", truncations);
 
 struct record_row {
-    const char *file, *event, *station, *component, *sha256;
-    double peak_mps2, scale, dt_s;
-    bool synthetic;
-    size_t samples;
+    struct thud_record own;
+    const char *sha256;
+    double peak_mps2;
 };
-#define RECORD(member, text) THUD_FIELD(struct record_row, member, #member, text)
+#define RECORD(member, key, text) THUD_FIELD(struct record_row, member, key, text)
 static const struct thud_column record_fields[] = {
-    RECORD(file, "Where it was read."),
-    RECORD(peak_mps2, "Largest acceleration as it was used, m/s2."),
-    RECORD(scale, "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
-    RECORD(synthetic, "Whether it is computed, not recorded: a comment line of its file says so in these words, as in "
-                      "what record synthesize writes and what is made of that."),
-    RECORD(dt_s, "Its step, s."),
-    RECORD(samples, "How many."),
-    RECORD(event, "As its file says."),
-    RECORD(station, "As its file says."),
-    RECORD(component, "As its file says."),
-    RECORD(sha256, "SHA-256 of its file, before it is scaled; of one that is packed, unpacked; null: of no file.")};
+    RECORD(own.file, "file", "Where it was read."),
+    RECORD(peak_mps2, "peak_mps2", "Largest acceleration as it was used, m/s2."),
+    RECORD(own.scale, "scale",
+           "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
+    RECORD(own.synthetic, "synthetic",
+           "Whether it is computed, not recorded: a comment line of its file says so in these words, as in "
+           "what record synthesize writes and what is made of that."),
+    RECORD(own.dt_s, "dt_s", "Its step, s."),
+    RECORD(own.samples, "samples", "How many."),
+    RECORD(own.event, "event", "As its file says."),
+    RECORD(own.station, "station", "As its file says."),
+    RECORD(own.component, "component", "As its file says."),
+    RECORD(sha256, "sha256",
+           "SHA-256 of its file, before it is scaled; of one that is packed, unpacked; null: of no file.")};
 const struct thud_schema thud_record_schema =
     THUD_SCHEMA("record", "A ground motion wherever JSON has one.\n", record_fields);
 
 void thud_record_json(const struct thud_record *r, struct thud_text *out)
 {
-    const struct record_row row = {
-        r->file,  r->event, r->station,   r->component, r->sha256[0] ? r->sha256 : NULL, thud_record_peak(r),
-        r->scale, r->dt_s,  r->synthetic, r->samples};
+    const struct record_row row = {*r, r->sha256[0] ? r->sha256 : NULL, thud_record_peak(r)};
     thud_json_object(&thud_record_schema, 0, &row, out);
 }
 

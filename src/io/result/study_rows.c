@@ -25,25 +25,28 @@ const struct thud_schema thud_gap_rule_schema = THUD_SCHEMA(
     "Written by\n.Cm gap Fl o :\na row for each interface and rule that has a value there, what is needed first.\n",
     rules);
 
-#define MOTION(member, text, ...) THUD_FIELD_WITH(struct thud_motion_row, member, #member, text, .shown = {__VA_ARGS__})
-#define GENERAL                   THUD_DIGITS_FREE
+#define MOTION(member, key, text, ...)                                                                                 \
+    THUD_FIELD_WITH(struct thud_motion_row, member, key, text, .shown = {__VA_ARGS__})
+#define GENERAL THUD_DIGITS_FREE
 static const struct thud_column motions[] = {
-    MOTION(file, "Where it was read.", 0),
-    MOTION(event, "As the file says.", 0),
-    MOTION(station, "As the file says.", 0),
-    MOTION(component, "As the file says.", 0),
-    MOTION(dt_s, "Step, s.", "step s", NULL, 1, 7, 4, GENERAL),
-    MOTION(duration_s, "Length, s.", "length s", NULL, 1, 10, 4, GENERAL),
-    MOTION(pga_mps2, "Peak acceleration once scaled, m/s2.", "PGA g", NULL, 1 / THUD_GRAVITY, 9, 3, GENERAL),
-    MOTION(pgv_mps, "Peak velocity once scaled, m/s.", "PGV m/s", NULL, 1, 9, 3, GENERAL),
-    MOTION(arias_mps, "Arias intensity once scaled, m/s.", "Arias m/s", NULL, 1, 11, 3, GENERAL),
-    MOTION(misfit, "Root mean square of ln(target/Sa) once the motion is scaled alone.", "misfit", NULL, 1, 8, 2,
+    MOTION(record.file, "file", "Where it was read.", 0),
+    MOTION(record.event, "event", "As the file says.", 0),
+    MOTION(record.station, "station", "As the file says.", 0),
+    MOTION(record.component, "component", "As the file says.", 0),
+    MOTION(record.dt_s, "dt_s", "Step, s.", "step s", NULL, 1, 7, 4, GENERAL),
+    MOTION(duration_s, "duration_s", "Length, s.", "length s", NULL, 1, 10, 4, GENERAL),
+    MOTION(pga_mps2, "pga_mps2", "Peak acceleration once scaled, m/s2.", "PGA g", NULL, 1 / THUD_GRAVITY, 9, 3,
            GENERAL),
-    MOTION(factor, "What the samples of the file are multiplied by in all.", "factor", NULL, 1, 10, 3, GENERAL),
+    MOTION(pgv_mps, "pgv_mps", "Peak velocity once scaled, m/s.", "PGV m/s", NULL, 1, 9, 3, GENERAL),
+    MOTION(arias_mps, "arias_mps", "Arias intensity once scaled, m/s.", "Arias m/s", NULL, 1, 11, 3, GENERAL),
+    MOTION(misfit, "misfit", "Root mean square of ln(target/Sa) once the motion is scaled alone.", "misfit", NULL, 1, 8,
+           2, GENERAL),
+    MOTION(factor, "factor", "What the samples of the file are multiplied by in all.", "factor", NULL, 1, 10, 3,
+           GENERAL),
     THUD_STANDS_FOR("sa_N_mps2", "For each building of --preset its spectral acceleration once scaled, m/s2."),
     THUD_STANDS_FOR("period_N_s", "At this period, s."),
-    MOTION(chosen, "Whether it is.", 0),
-    MOTION(why, "Why not.", 0)};
+    MOTION(chosen, "chosen", "Whether it is.", 0),
+    MOTION(why, "why", "Why not.", 0)};
 const struct thud_schema thud_motion_schema =
     THUD_SCHEMA("motions.csv",
                 "Written by\n.Cm thud suite :\none row for each ground motion.\n.Fl -json\nhas the same, with the "

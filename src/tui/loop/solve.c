@@ -51,7 +51,7 @@ static void solve(struct thud_tui *tui, const char *text, bool ask)
     one.record = (struct thud_record **)&tui->doc.record;
     if (status == THUD_OK)
         status = thud_solve_run(&tui->doc.scene, &one, by, &criterion, 1.0, NULL, found, &err);
-    const struct thud_solve_try *answer = status == THUD_OK ? thud_solve_answer(found) : NULL;
+    const struct thud_tried_row *answer = status == THUD_OK ? thud_solve_answer(found) : NULL;
     if (status == THUD_OK)
         thud_solve_words(found, &words);
     if (words.data)
@@ -59,7 +59,7 @@ static void solve(struct thud_tui *tui, const char *text, bool ask)
     for (char *c = words.data; c && *c; c++)
         *c = *c == '\n' ? ';' : *c;
     if (answer)
-        snprintf(value, sizeof value, "%s=%s", found->key, answer->text);
+        snprintf(value, sizeof value, "%s=%s", found->key, answer->value);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else if (answer && ask)
