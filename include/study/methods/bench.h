@@ -1,12 +1,12 @@
-/* Speed against accuracy: every method over its steps or tolerances on one scene, against a reference that none of them
- * is. The study plans the runs and judges them; whoever owns a clock runs and times them. */
+/* Compares speed and accuracy: every method over its steps or tolerances on one scene, against an independent
+ * reference. The study plans and judges the runs; the owner of a clock runs and times them. */
 #pragma once
 
 #include "study/scene/solution.h"
 
 enum thud_bench_state { THUD_BENCH_WAITING, THUD_BENCH_DONE, THUD_BENCH_FAILED, THUD_BENCH_SKIPPED };
 
-/* Largest relative error over floors and contacts, by kind; of impact times in seconds. */
+/* Largest relative error over floors and contacts, by kind of peak; of impact times in seconds. */
 struct thud_bench_errors {
     double all; /* of acceleration, drift and force */
     double acceleration, drift, force;
@@ -30,19 +30,19 @@ struct thud_bench_point {
 
 struct thud_bench;
 
-/* `scene` is that of a case; it, the record and the bench's points stay the caller's. `expensive_steps`: also steps
+/* Creates a bench. `scene` (of a case), record and the bench's points stay the caller's. `expensive_steps`: also steps
  * below 1e-4 s. Errors: THUD_MEMORY, those of thud_scene_assemble. */
 enum thud_status thud_bench_create(const struct thud_scene *scene, const struct thud_record *record,
                                    bool expensive_steps, struct thud_bench **out, struct thud_error *err);
 void thud_bench_free(struct thud_bench *bench);
 
-/* Whether storeys of the scene yield: then to locate events is to locate theirs too. */
+/* Returns whether storeys of the scene yield, so that their events are located too. */
 bool thud_bench_yields(const struct thud_bench *bench);
 int thud_bench_count(const struct thud_bench *bench);
 struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i);
 /* Keeps only the curves of these methods. */
 void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
-/* As thud_stepping_name. */
+/* Writes the name of a curve, as thud_stepping_name. */
 void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
 
 /* Returns the next point to run, the first pending one of its curve; -1: none. */
@@ -50,8 +50,8 @@ int thud_bench_next(const struct thud_bench *bench);
 /* Returns the number of points that are done. */
 int thud_bench_ended(const struct thud_bench *bench);
 
-/* What an accuracy costs by a curve: its quickest run whose peaks are that near and that has every impact. `ratio`: of
- * its time to that of the quickest curve. */
+/* Cost of an accuracy by a curve: its fastest run within that error of the peaks that has every impact. `ratio`: its
+ * time over that of the fastest curve. */
 struct thud_bench_cost {
     double level;
     int point;
@@ -59,28 +59,27 @@ struct thud_bench_cost {
 };
 enum { THUD_BENCH_LEVELS = 2, THUD_BENCH_CURVES_MAX = 64 };
 extern const double thud_bench_level[THUD_BENCH_LEVELS]; /* 1 % and 0.1 % */
-/* By rising time, a row for each curve that keeps the level; returns how many. */
+/* Lists by rising time a row for each curve that keeps the level; returns their number. */
 int thud_bench_costs(const struct thud_bench *bench, double level, struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX]);
 
-/* Runs the scene with each of a few inputs 0.1 % less and more (thud_change_solve). The largest error that the peaks then
- * have is the least that means anything for the scene: thud_bench_moved, NaN before. Errors: those of
- * thud_scene_solve. */
+/* Runs the scene with each of a few inputs 0.1 % less and more (thud_change_solve). The largest change of the peaks is
+ * the smallest meaningful error of the scene: thud_bench_moved, NaN before. Errors: those of thud_scene_solve. */
 enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_scene *scene, struct thud_error *err);
 double thud_bench_moved(const struct thud_bench *bench);
 
-/* Runs of the reference: 0 the program's own tightest, 1 an independent one. Each is created, advanced by the caller
- * and handed back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
+/* Creates runs of the reference: 0 the program's own tightest, 1 an independent one. The caller advances each and hands
+ * it back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
                                             struct thud_error *err);
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
                                              struct thud_error *err);
-/* Relative difference of the two: how far the reference can be trusted. NaN when there is no independent one. */
+/* Returns the relative difference of the two, which bounds the trust in the reference. NaN: no independent one. */
 double thud_bench_reference_error(const struct thud_bench *bench);
 const char *thud_bench_reference_name(const struct thud_bench *bench, int which);
 
-/* A point's run, and its verdict against the reference (of the reference's own method: against the independent one)
- * once advanced to the end (status THUD_OK) or to its failure. The run stays the caller's. Errors: those of
- * thud_run_create; THUD_MEMORY. */
+/* Creates a point's run, and judges it against the reference (for the reference's own method: the independent one) once
+ * it is at its end (status THUD_OK) or has failed. The run stays the caller's. Errors: those of thud_run_create;
+ * THUD_MEMORY. */
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
 enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
                                   const struct thud_error *failure, struct thud_error *err);

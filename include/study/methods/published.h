@@ -1,6 +1,5 @@
-/* Numbers that others published: scenes whose results stand in textbooks, in other programs' manuals and in a public
- * experiment, computed again. What is compared was read from print and is rounded there, so that agreement to half a
- * percent is what it can show. */
+/* Published values: scenes whose results are in textbooks, in other programs' manuals and in a public experiment,
+ * recomputed. The values were read from print and are rounded there, so agreement can be shown to half a percent. */
 #pragma once
 
 #include "ground/record.h"
@@ -36,8 +35,8 @@ struct thud_published_row {
 };
 enum { THUD_PUBLISHED_ROWS_MAX = 12 };
 
-/* Computes what was published. `scene` and `record` of the preset, NULL where there is none. Errors: THUD_INPUT (the
- * scene lacks the buildings that the rows are about), THUD_MEMORY, those of a run. */
+/* Recomputes the published values. `scene` and `record` of the preset, NULL: none. Errors: THUD_INPUT (the scene lacks
+ * the buildings of the rows), THUD_MEMORY, those of a run. */
 enum thud_status thud_published_compute(enum thud_published which, const struct thud_scene *scene,
                                         const struct thud_record *record, struct thud_published_row *row, int *n,
                                         struct thud_error *err);

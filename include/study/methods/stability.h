@@ -7,20 +7,20 @@
 
 #include "study/scene/solution.h"
 
-/* How one run is stepped. */
+/* Time stepping of one run. */
 struct thud_stepping {
     const struct thud_method *method;
     bool locate;
     double setting; /* step in s of a fixed-step method, else the tolerance */
 };
 
-/* Whether both are of one curve: the setting apart. */
+/* Returns whether both are of one curve, whatever their settings. */
 static inline bool thud_stepping_same(const struct thud_stepping *a, const struct thud_stepping *b)
 {
     return a->method == b->method && a->locate == b->locate;
 }
 
-/* "rk4, located"; methods that always locate have their name alone. The one place for names of curves. */
+/* Writes the name of a curve, for all tables: "rk4, located"; methods that always locate have only their name. */
 void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
 
 enum thud_stability_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
@@ -28,7 +28,7 @@ const char *thud_stability_verdict_word(enum thud_stability_verdict verdict);
 
 enum { THUD_STABILITY_FREE, THUD_STABILITY_WALL, THUD_STABILITY_SCENE, THUD_STABILITY_KINDS };
 
-/* Starts of the mass before the wall, by its distance from it; steps tried for one cell of the scene. */
+/* Initial distances of the mass from the wall, and steps tried for one cell of the scene. */
 enum { THUD_STABILITY_STARTS = 8, THUD_STABILITY_SCENE_STEPS = 3 };
 
 /* A method at a step; INFINITY once blown up.
@@ -45,7 +45,7 @@ struct thud_stability_cell {
     double end_least, end_most; /* energy after 50 s at the wall over that at the start, of all starts */
 };
 
-/* Two free bodies. */
+/* Collision of two free bodies. */
 struct thud_stability_restitution {
     const struct thud_law *law;
     struct thud_stepping how;
@@ -53,7 +53,7 @@ struct thud_stability_restitution {
     double approach_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
 };
 
-/* A method in one row. Steps in s (tolerances of a method that takes steps of its own); NaN: not known, or none. */
+/* Summary of a method in one row. Steps in s (tolerances of a method with adaptive steps); NaN: not known, or none. */
 struct thud_stability_summary {
     struct thud_stepping how;
     double
@@ -64,7 +64,7 @@ struct thud_stability_summary {
     double expected, obtained;    /* restitution of concrete of 0.5 at 0.5 m/s in steps of 1 ms */
 };
 
-/* A small scene in which a naive method goes wrong. */
+/* Test case: a small scene in which a naive method fails. */
 struct thud_test_case {
     const char *name, *scene, *quantity;
     const char *method;            /* the naive one */
@@ -86,8 +86,8 @@ struct thud_stability {
     double fastest_radps;
 };
 
-/* `scene` (that of a case; NULL: none) is not kept, the record must stay. Errors: THUD_MEMORY, those of
- * thud_scene_solve. */
+/* Creates the study. `scene` (of a case; NULL: none) is not kept, the record must outlive it. Errors: THUD_MEMORY,
+ * those of thud_scene_solve. */
 enum thud_status thud_stability_create(const struct thud_scene *scene, const struct thud_record *record,
                                        struct thud_stability **out, struct thud_error *err);
 void thud_stability_free(struct thud_stability *stability);
@@ -98,6 +98,6 @@ enum thud_status thud_stability_job(struct thud_stability *stability, int job, s
 /* Returns a summary (from 0) after all jobs. */
 struct thud_stability_summary thud_stability_summary_of(const struct thud_stability *stability, int i);
 
-/* The test cases, counted from 0. Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
+/* Count the test cases, and run one (from 0). Errors: THUD_MEMORY, and THUD_DIVERGED of an exact method. */
 int thud_test_case_count(void);
 enum thud_status thud_test_case_run(int index, struct thud_test_case *out, struct thud_error *err);

@@ -1,4 +1,4 @@
-/* What leaving higher modes out changes: the scene is run again with all of them. */
+/* Effect of omitted higher modes: runs the scene again with all of them. */
 #pragma once
 
 #include "study/scene/solution.h"
@@ -10,7 +10,7 @@ struct thud_truncation {
     double acceleration, drift, force;
 };
 
-/* `solution`: of the scene (that of a case), whose model leaves modes out; at its end. Errors: those of
+/* Computes it. `solution`: of the scene (of a case), whose model omits modes; at its end. Errors: those of
  * thud_scene_solve. */
 enum thud_status thud_truncation_measure(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_solution *solution, struct thud_truncation *out,

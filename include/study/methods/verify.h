@@ -23,14 +23,14 @@ struct thud_checked_values {
     size_t n, capacity;
 };
 
-/* Adds what a case's run answered; what is 0 by its nature (storeys of a free body, a wall) is left out.
- * Errors: THUD_MEMORY. */
+/* Adds the results of a case's run, except those that are always 0 (storeys of a free body, a wall). Errors:
+ * THUD_MEMORY. */
 enum thud_status thud_checked_values_add(struct thud_checked_values *measures, const struct thud_scene *scene,
                                          enum thud_case which, const struct thud_result *result,
                                          struct thud_error *err);
 /* Adds the ratios of every other case to case `none`, once all cases are in. Errors: THUD_MEMORY. */
 enum thud_status thud_checked_values_add_ratios(struct thud_checked_values *measures, struct thud_error *err);
-/* NULL: there is no such number. */
+/* Finds a number by name; NULL: none. */
 const struct thud_checked_value *thud_checked_values_find(const struct thud_checked_values *measures,
                                                           enum thud_case which, const char *name);
 void thud_checked_values_clear(struct thud_checked_values *measures);
@@ -46,17 +46,17 @@ struct thud_expectations {
     struct thud_expectation *item; /* (n) */
     size_t n, capacity;
 };
-/* Errors: THUD_MEMORY. */
+/* Adds an expectation. Errors: THUD_MEMORY. */
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,
                                        struct thud_error *err);
 void thud_expectations_clear(struct thud_expectations *list);
 
-/* The tolerance that two methods' values justify: ten times their difference rounded up to one digit, at least 1e-6;
- * 0 for counts that are equal. NaN: they do not agree (they differ by more than 1e-4, or in a count). */
+/* Returns the tolerance that two methods' values justify: ten times their difference rounded up to one digit, at least
+ * 1e-6; 0 for equal counts. NaN: they disagree (by more than 1e-4, or in a count). */
 double thud_verify_tolerance(double own, double independent, bool count);
 
-/* Expectations from two methods' results: values of the independent one. In *disputed what they do not agree on.
- * Errors: THUD_MEMORY; both lists stay the caller's to clear. */
+/* Makes expectations from two methods' results, with the values of the independent one. *disputed lists the
+ * disagreements. Errors: THUD_MEMORY; both lists stay the caller's to clear. */
 enum thud_status thud_verify_confirm(const struct thud_checked_values *own,
                                      const struct thud_checked_values *independent, struct thud_expectations *agreed,
                                      struct thud_expectations *disputed, struct thud_error *err);

@@ -1,16 +1,16 @@
-/* Buildings by their matrix or modes: what has been read of them, and the lateral stiffness that follows. */
+/* Buildings by their matrix or modes: the data read, and the resulting lateral stiffness. */
 #pragma once
 
 #include "study/scene/scene.h"
 
-/* Shapes overlap by no more than this: largest off-diagonal element of Phi^T M Phi. */
+/* Largest permitted overlap of shapes: off-diagonal elements of Phi^T M Phi. */
 #define THUD_OVERLAP_MOST 0.02
 
 /* Returns the number of values in a row of a structure's part of the scene's shape. */
 int thud_shape_columns(const struct thud_structure *structure);
 /* Returns that part, row after row; NULL: not read yet. */
 const double *thud_structure_shape(const struct thud_scene *scene, int structure);
-/* Keeps what has been read in place of what was; parts of no structure are dropped. Errors: THUD_INPUT (no room). */
+/* Replaces the data of a building; parts of no structure are dropped. Errors: THUD_INPUT (no room). */
 enum thud_status thud_structure_keep_shape(struct thud_scene *scene, int structure, int rows, const double *value,
                                            struct thud_error *err);
 /* Computes K (storeys x storeys), N/m. Errors: THUD_INPUT (not read, or shapes that overlap) with key, THUD_MEMORY. */
@@ -19,8 +19,8 @@ enum thud_status thud_structure_lateral(const struct thud_scene *scene, int stru
 /* Checks the same without the matrix. */
 enum thud_status thud_structure_check_shape(const struct thud_scene *scene, int structure, struct thud_error *err);
 
-/* Whether a building is stable under its weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with key,
- * THUD_MEMORY. */
+/* Checks that a building is stable under its weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with
+ * key, THUD_MEMORY. */
 enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int structure, struct thud_error *err);
 /* Foundation, springs and dashpots of a building on soil, as they are given or as they follow for a disk of radius a on
  * an elastic half-space (static stiffnesses; dashpots of the waves that travel down, Gazetas 1991, Formulas and charts
@@ -32,16 +32,16 @@ enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int
  * NaN where neither is given. */
 struct thud_foundation_input;
 struct thud_foundation_input thud_structure_foundation(const struct thud_structure *structure);
-/* Errors: THUD_INPUT with key. */
+/* Checks a foundation. Errors: THUD_INPUT with key. */
 enum thud_status thud_structure_check_foundation(const struct thud_structure *structure, int index,
                                                  struct thud_error *err);
 
-/* Whether a building by its matrix or modes bends as a wall does, its top storey drifting more than its lowest one in
+/* Returns whether a building by its matrix or modes bends as a wall, its top storey drifting more than its lowest in
  * its first mode, rather than as a frame: for pictures. */
 struct thud_model_structure;
 bool thud_structure_bends(const struct thud_structure *structure, const struct thud_model_structure *part);
 
-/* An estimated building: floors of 1 t/m2 (weight of the structure, finishes and part of the live load), and the first
+/* Estimated building: floors of 1 t/m2 (weight of the structure, finishes and part of the live load), and the first
  * period by height and system (estimate.c). Measured periods lie between 0.7 and 1.4 times such estimates. */
 #define THUD_ESTIMATE_KGPM2 1000.0
 #define THUD_ESTIMATE_LEAST 0.7
@@ -50,8 +50,8 @@ struct thud_estimate {
     double height_m, en1998_s, asce7_s; /* the first period is used */
 };
 struct thud_estimate thud_structure_estimate(const struct thud_structure *structure);
-/* Masses and stiffnesses of an estimated building from the area, and from EN 1998-1's period times period_factor; of a
- * shear building whose first period is given, that factor of its stiffnesses which gives it. */
+/* Computes masses and stiffnesses of an estimated building from the area, and from EN 1998-1's period times
+ * period_factor; or scales the stiffnesses of a shear building to its given first period. */
 void thud_structure_fill_estimate(struct thud_structure *structure);
-/* Stiffness of each of so many equal storeys under equal floors, N/m, from the first period. */
+/* Returns the stiffness of each of this many equal storeys under equal floors, N/m, from the first period. */
 double thud_uniform_stiffness(int storeys, double mass_kg, double period_s);

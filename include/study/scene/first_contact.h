@@ -1,4 +1,4 @@
-/* At which factor on a ground motion contact begins, by the motion without pounding. */
+/* Factor on a ground motion at which contact begins, by the response without pounding. */
 #pragma once
 
 #include "study/scene/needed_gap.h"
@@ -7,11 +7,11 @@ struct thud_first_contact {
     double first;       /* the smallest factor at which there is contact; INFINITY: none is found up to 1000 */
     double clear_again; /* a larger one at which there is none again; NaN: none is found up to twice the first, or 1 */
 };
-/* At the clearances of `scene` (that of a case). `gap`: of the motion given, with the scene's links. Where the motion
- * without pounding scales (thud_scene_scales) the factor is the smallest clearance over relative displacement. Else both
- * are found by runs without contact at rising factors, to a part in 1e6: contact need not be monotone in the factor, and
- * a window narrower than 3 % that no larger displacement announces may be passed over. Errors: those of
- * thud_needed_gap_run. */
+/* Finds it at the clearances of `scene` (of a case). `gap`: of the given motion, with the scene's links. If the
+ * response without pounding scales (thud_scene_scales), the factor is the smallest clearance over relative
+ * displacement. Else both are found by runs without contact at rising factors, to a part in 1e6: contact need not be
+ * monotone in the factor, and a window narrower than 3 % without a larger displacement before it may be missed. Errors:
+ * those of thud_needed_gap_run. */
 enum thud_status thud_first_contact_find(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_needed_gap *gap, struct thud_first_contact *out,
                                          struct thud_error *err);

@@ -1,4 +1,4 @@
-/* Rules for the gap between neighbours: one table, in which a code's clause is a row (gap_rule_list.h). */
+/* Rules for the gap between neighbours: a table with a row for each code's clause (gap_rule_list.h). */
 #pragma once
 
 #include <stdbool.h>
@@ -6,8 +6,8 @@
 #include "base/param.h"
 #include "base/text.h"
 
-/* What the codes take besides displacements and heights. The displacements are those of the ground motion given
- * given; where it was reduced for the design, as many times smaller, q, cd or r gives that back. */
+/* Inputs of the codes other than displacements and heights. The displacements are those of the given ground motion; if
+ * it was reduced for the design, q, cd or r restores their size. */
 struct thud_gap_code {
     double q;         /* displacement behaviour factor of EN 1998-1 4.3.4 */
     double cd;        /* Cd/Ie of ASCE 7 */
@@ -17,10 +17,10 @@ struct thud_gap_code {
 enum { THUD_GAP_CODE_PARAMS = 4 };
 extern const struct thud_param thud_gap_code_params[THUD_GAP_CODE_PARAMS]; /* in the order of the fields */
 void thud_gap_code_init(struct thud_gap_code *code);
-/* "q=1.5,intensity=8". Errors: THUD_USAGE with what is allowed. */
+/* Reads "q=1.5,intensity=8". Errors: THUD_USAGE with what is allowed. */
 enum thud_status thud_gap_code_set(struct thud_gap_code *code, const char *text, struct thud_error *err);
 
-/* A pair of floors that could touch, or a floor and the columns that it could strike. */
+/* Level: a pair of floors that could touch, or a floor and the columns that it could strike. */
 struct thud_gap_level {
     int interface, left_floor, right_floor; /* from 1; floor 0: a wall */
     int struck;                             /* as thud_model_contact.struck */

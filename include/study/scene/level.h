@@ -1,10 +1,11 @@
-/* Elevations of floors, and what meets what at an interface: floors at the same level, or a slab and the columns of a
- * storey. */
+/* Elevations of floors, and the possible contacts at an interface: floors at the same level, or a slab and the columns
+ * of a storey. */
 #pragma once
 
 #include "study/scene/scene.h"
 
-/* Floors that move: storeys, and the base slab of an isolated building; a rigid body and a flexible wall have one, another wall none. */
+/* Returns the number of moving floors: storeys, and an isolated building's base slab; 1 of a rigid body or flexible
+ * wall, else 0. */
 int thud_structure_floors(const struct thud_structure *structure);
 /* Returns the elevation (m) of a floor (from 0) of a building or rigid body; NaN for a body without one. */
 double thud_structure_elevation(const struct thud_structure *structure, int floor);
@@ -18,7 +19,7 @@ double thud_structure_depth(const struct thud_structure *structure, int floor);
 /* Returns the height (m) over which two faces at levels a and b overlap; below 0: the distance between them. */
 double thud_face_overlap(double a, double a_depth, double b, double b_depth);
 
-/* One contact that there may be. */
+/* Possible contact. */
 struct thud_contact_pair {
     int left_floor, right_floor; /* from 1, 0 for a wall; of struck columns the floor above them */
     int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
@@ -28,20 +29,21 @@ struct thud_contact_pair {
 };
 enum { THUD_CONTACT_PAIRS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 
-/* Of the interface (from 0), from below: how many, into out (THUD_CONTACT_PAIRS_MAX). Floors whose faces overlap, or whose
- * levels are within 1 cm of each other, or the middle of one within 1 cm of the other's face, meet. Any other floor whose face's middle lies in the clear height of a storey
- * of the neighbour strikes the columns there. What stands above the neighbour's top floor, below its ground, or within
- * 1 cm of its ground strikes nothing; nothing strikes columns where levels = aligned, and only the floors of
- * contact-levels meet where it is given. */
+/* Lists the possible contacts of an interface (from 0), lowest first, into out (THUD_CONTACT_PAIRS_MAX); returns their
+ * number. Floors meet if their faces overlap, their levels are within 1 cm, or the middle of one is within 1 cm of the
+ * other's face. Any other floor whose face's middle lies in the clear height of a storey of the neighbour strikes its
+ * columns. A floor above the neighbour's top floor, below its ground, or within 1 cm of it strikes nothing. With levels
+ * = aligned nothing strikes columns; with contact-levels only its floors meet. */
 int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out);
 
-/* By what `contact-levels` names a contact: its floor of the left building, of the right one where the left one is none. */
+/* Returns the floor by which `contact-levels` names a contact: the left building's, or the right one's if it has none.
+ */
 int thud_contact_level(const struct thud_scene *scene, int interface, const struct thud_contact_pair *pair);
 
-/* Of a contact the side of the floor that is no wall's, and of struck columns that of the slab; and that floor. */
+/* Return the side of a contact's floor (not a wall's; of struck columns that of the slab), and that floor. */
 bool thud_slab_is_left(int left_floor, int struck);
 int thud_slab_floor(int left_floor, int right_floor, int struck);
 /* Returns the side of the struck columns: "left", "right", "". */
 const char *thud_struck_name(int struck);
-/* "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
+/* Writes "2-3", "wall-3", "2-c3": floor 2 of the left one and the columns below floor 3 of the right one. */
 void thud_contact_pair_name(int left_floor, int right_floor, int struck, char *text, unsigned long size);

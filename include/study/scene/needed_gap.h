@@ -1,5 +1,5 @@
-/* The required gap: the largest relative displacement of neighbouring floors without pounding, which is exact for
- * a ground motion, beside what the rules of the codes estimate from the two largest displacements alone. */
+/* Required gap: the largest relative displacement of neighbouring floors without pounding, exact for a ground motion,
+ * beside the estimates of the codes' rules from the two peak displacements only. */
 #pragma once
 
 #include <math.h>
@@ -9,13 +9,13 @@
 #include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
-/* Levels of a finished run without contact, (model->npairs); their heights are not known. */
+/* Computes the levels of a finished run without contact, (model->npairs); their heights are not known. */
 double thud_gap_side(const struct thud_model *model, const struct thud_baseline_motion *baseline, int contact,
                      bool right); /* left_m, right_m */
 void thud_gap_levels(const bool *aligned, const struct thud_model *model, const struct thud_baseline_motion *baseline,
                      struct thud_gap_level *level);
 
-/* One ground motion. */
+/* Required gap under one ground motion. */
 struct thud_needed_gap {
     struct thud_collapse collapse; /* without contact: what is needed is that until then */
     int nlevels, ncolumns;
@@ -23,30 +23,30 @@ struct thud_needed_gap {
     double *shear_n;  /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
     struct thud_gap_level level[]; /* (nlevels) */
 };
-/* `scene` as written; its bumpers and gaps do not matter. For a bumper, add its thickness less its cavity. Free
- * with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
+/* Computes it for `scene` as written; its bumpers and gaps do not matter. For a bumper, add its thickness less its
+ * cavity. Free with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
-/* What an interface (from 1) of a row needs with the others as they are, with their gaps and bumpers: its widest relative
- * displacement in a run with it open, which no run at a wider gap differs from. NaN: a storey collapses there; -1: nothing
+/* Computes the required gap of an interface (from 1) of a row with the others at their gaps and bumpers: its largest
+ * relative displacement in a run with it open, which no wider gap changes. NaN: a storey collapses there; -1: nothing
  * could touch. */
 enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
                                         double *need_m, struct thud_error *err);
 /* Returns the index of a level (from 0) among those of its interface. */
 int thud_needed_gap_level(const struct thud_gap_level *level, int i);
-/* Whether a gap is wider than the widest so far; one that is not known (NaN) is kept. */
+/* Returns whether a gap is wider than the widest so far; an unknown one (NaN) is kept. */
 static inline bool thud_gap_is_wider(double gap_m, double widest_m)
 {
     return !isnan(widest_m) && !(gap_m <= widest_m);
 }
-/* The widest over the levels of an interface (0: of all); -1 where there are none, NaN where the rule has no value at
- * one. *level where not NULL. */
+/* Returns the widest gap over the levels of an interface (0: of all); -1: no levels, NaN: the rule has no value at one.
+ * *level gets it if not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
 
 /* Returns the damping ratio of a structure's first mode; 0: it has none. */
 double thud_gap_damping(const struct thud_model *model, int structure);
-/* Whether a rule requires too little, by more than rounding. */
+/* Returns whether a rule requires too little, by more than rounding. */
 bool thud_gap_falls_short(double asked_m, double needed_m);
 
-/* Of each interface (from 0): whether the floor elevations of its two buildings are the same, all of them. */
+/* Finds for each interface (from 0) whether all floor elevations of its two buildings are the same. */
 void thud_gap_aligned(const struct thud_scene *scene, bool aligned[THUD_STRUCTURES_MAX]);

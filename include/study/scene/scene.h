@@ -1,5 +1,5 @@
-/* What a person describes: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so that
- * memcmp compares). SI units. Lists run from the lowest floor up. */
+/* Scene as a person describes it: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so
+ * that memcmp compares). SI units. Lists run from the lowest floor up. */
 #pragma once
 
 #include <stdbool.h>
@@ -22,33 +22,32 @@ enum thud_structure_kind {
     THUD_ESTIMATED,
     THUD_KINDS
 };
-/* Of storeys. */
+/* Returns whether structures of this kind have storeys. */
 static inline bool thud_kind_is_building(enum thud_structure_kind kind)
 {
     return kind != THUD_RIGID && kind != THUD_WALL;
 }
 
-/* Its stiffness is no list of storeys but read from a file. */
+/* Returns whether its stiffness is read from a file instead of listed by storey. */
 static inline bool thud_kind_is_read(enum thud_structure_kind kind)
 {
     return kind == THUD_MATRIX || kind == THUD_MODES;
 }
 
-/* What carries a building whose period is estimated. */
+/* System of a building whose period is estimated. */
 enum thud_system { THUD_CONCRETE_FRAME, THUD_STEEL_FRAME, THUD_WALLS, THUD_MASONRY };
 
-/* The order of the floors in such a file; ask: it is refused where they seem to stand from the roof down. */
+/* Order of the floors in such a file; ask: refused if they seem to run from the roof down. */
 enum thud_floor_order { THUD_ORDER_ASK, THUD_ORDER_LOWEST_FIRST, THUD_ORDER_ROOF_FIRST };
-/* What such files hold, of all structures together: a building of 79 floors, or four of 39: every copy of a scene has
- * them. */
+/* Room for such files' data of all structures: a building of 79 floors, or four of 39; every copy of a scene has it. */
 enum { THUD_SHAPE_ROOM = 6400 };
 
-/* How a struck place moves between the floors, and shares a slab's force: as a member clamped in both, or on the line
- * between them. */
+/* Shape of a struck place between the floors, which also divides a slab's force: a member clamped in both, or a
+ * straight line. */
 enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };
 
-/* Of isolators: a spring; or bilinear with kinematic hardening, by strength Q_d, stiffness K_d beyond yield and yield
- * displacement u_y, of a pendulum Q_d = mu W and K_d = W/R with the weight W above. */
+/* Law of isolators: a spring; or bilinear with kinematic hardening, by strength Q_d, stiffness K_d beyond yield and
+ * yield displacement u_y, of a pendulum Q_d = mu W and K_d = W/R with the weight W above. */
 enum thud_isolator_law { THUD_ISOLATOR_LINEAR, THUD_ISOLATOR_LEAD_RUBBER, THUD_ISOLATOR_PENDULUM };
 
 struct thud_structure {
@@ -59,8 +58,7 @@ struct thud_structure {
     double stiffness_npm[THUD_STOREYS_MAX];
     double height_m[THUD_STOREYS_MAX]; /* storey heights; rigid: [0] its elevation; wall: [0] its top, INFINITY when not
                                           given */
-    /* The drift at which a storey yields, or the shear (not both); 0: it is elastic. Tangent over elastic stiffness
-     * beyond. */
+    /* Drift or shear at which a storey yields (not both); 0: elastic. Tangent over elastic stiffness beyond. */
     double yield_m[THUD_STOREYS_MAX];
     double yield_shear_n[THUD_STOREYS_MAX];
     double yield_coefficient[THUD_STOREYS_MAX]; /* of the weight above, in place of both */
@@ -68,7 +66,7 @@ struct thud_structure {
     double damping;                                                  /* ratio, the same in every mode */
     double base_mass_kg, isolation_stiffness_npm, isolation_damping; /* isolated only */
     double width_m; /* isolated only: between the outermost isolators; NaN: not given */
-    /* Isolated only: what it stands on; NaN: not given, or not of that law. */
+    /* Isolated only: its isolators; NaN: not given, or not of that law. */
     double isolator_law; /* enum thud_isolator_law */
     double isolator_strength_n, isolator_post_yield_npm, isolator_yield_m, isolator_radius_m, isolator_friction;
     /* Buildings on soil: the foundation, springs and dashpots under it, and the soil that they follow from where they are
@@ -77,21 +75,22 @@ struct thud_structure {
     double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
     double soil_vs_mps, soil_density_kgpm3, soil_poisson, foundation_radius_m;
     double velocity_mps; /* rigid only: at t = 0, to the right */
-    /* Wall only: one that gives has a mass; NaN: not given. The soil behind it (core/laws/law_backfill.c), beyond a gap. */
+    /* Wall only: a flexible one has a mass; NaN: not given. The soil behind it (core/laws/law_backfill.c), past a gap.
+     */
     double wall_mass_kg, wall_stiffness_npm, wall_damping;
     double backfill_stiffness_npm, backfill_strength_n, backfill_ratio, backfill_gap_m;
     double base_m; /* elevation of the ground that a building stands on */
-    /* Of each floor, slab and beam at the face: it covers [z - depth, z] below the floor's level z. A base slab has the
-     * depth of the lowest floor. */
+    /* Depth of slab and beam at each floor's face, which covers [z - depth, z] below the floor's level z. A base slab
+     * has the depth of the lowest floor. */
     double slab_depth_m[THUD_STOREYS_MAX];
-    /* The columns of each storey that a neighbour's slab strikes, all of them together; 0: not given. */
+    /* Columns of each storey that a neighbour's slab strikes, together; 0: not given. */
     double column_ei_nm2[THUD_STOREYS_MAX];        /* bending stiffness, or */
     double column_stiffness_npm[THUD_STOREYS_MAX]; /* their part of the storey's, 12 EI/L^3 */
     double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
     double column_shape;                           /* enum thud_column_shape */
     double gravity_n[THUD_STOREYS_MAX];            /* of each floor, weight that P-Delta counts; 0: of its mass */
-    /* By matrix or modes. What has been read is a part of the scene's `shape` in SI units, lowest floor first; of a
-     * matrix, rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
+    /* By matrix or modes. The data read are a part of the scene's `shape` in SI units, lowest floor first; of a matrix,
+     * rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
     char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
     char unit[16];        /* for files that do not say; empty: not given */
     double order;         /* enum thud_floor_order */
@@ -114,18 +113,18 @@ double thud_clear_height(const struct thud_structure *structure, int storey);
 /* Returns EI (N m2) of the struck columns of a storey (from 0), from EI or stiffness; NaN: not given. */
 double thud_column_ei(const struct thud_structure *structure, int storey);
 
-/* A law with its parameters in the order of law->params. NaN: not given. */
+/* Law with its parameters in the order of law->params. NaN: not given. */
 struct thud_law_choice {
     const struct thud_law *law;
     double value[THUD_LAW_PARAMS_MAX];
     bool assumed; /* a preset names no law: it is the paper's */
 };
 
-/* What meets at an interface: floors at the same level and slabs against columns, or the former alone. */
+/* Contacts of an interface: floors at the same level and slabs against columns, or the former only. */
 enum thud_levels { THUD_LEVELS_ALL, THUD_LEVELS_ALIGNED };
 
-/* One value for each pair of floors, or of slab and columns, that can meet at an interface, from the lowest up (n 0: not
- * given); NaN: that of the interface. */
+/* Values for each pair of floors, or of slab and columns, that can meet at an interface, lowest first (n 0: not given);
+ * NaN: the interface's. */
 enum { THUD_LEVELS_MAX = 64 };
 struct thud_by_level {
     int n;
@@ -145,7 +144,7 @@ struct thud_interface {
     char source[3][THUD_SOURCE_MAX]; /* of its values, of those of the contact and of the bumper */
 };
 
-/* What ties a floor of one structure to one of its neighbour, in place of a bumper. */
+/* Link between a floor of one structure and one of its neighbour, as an alternative to a bumper. */
 enum thud_link_law {
     THUD_LINK_SPRING,
     THUD_LINK_DASHPOT,
@@ -209,13 +208,13 @@ enum thud_case {
     THUD_CASE_WHOLE = THUD_CASES /* with all that the scene has; for words alone */
 };
 enum { THUD_CASES_MAX = THUD_CASES + 1 }; /* of a study: each of them, and as written */
-/* Whether the scene's links stay in a case. */
+/* Returns whether the scene's links stay in a case. */
 static inline bool thud_case_has_links(enum thud_case which)
 {
     return which == THUD_CASE_AS_WRITTEN || which == THUD_CASE_LINK;
 }
 
-/* A study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
+/* Study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
 enum { THUD_VARY_MAX = 4, THUD_VARY_KEY = 96, THUD_VARY_VALUES = 320, THUD_VARY_TEXT = 512 };
 struct thud_vary {
     char key[THUD_VARY_KEY];
@@ -233,7 +232,7 @@ struct thud_study_choice {
     char events[THUD_VARY_TEXT];  /* of the fragility, with commas or in brackets; empty: pounding, worse */
 };
 
-/* The title block of a report; empty: not given. */
+/* Title block of a report; empty: not given. */
 struct thud_title_block {
     char project[128], number[32], revision[32], date[32], author[64], checker[64], approver[64];
     char code[32], limits[256]; /* of the conclusion: whose gap is recommended, "drift:1 %, force:5 MN" */
@@ -267,14 +266,14 @@ void thud_record_choice_replace(struct thud_record_choice *choice, const char *f
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
 /* Selects a law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
-/* The lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
+/* Lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
  * ratios, of columns EI, stiffness and capacity, and weights. */
 enum { THUD_STRUCTURE_LISTS = 12 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* Returns the drift (m) at which storey i (from 0) yields; INFINITY: elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
-/* All isolators of a building together: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= u_y; linear ones have r = 1 and
- * an infinite u_y. */
+/* Isolators of a building together: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= u_y; linear ones have r = 1 and an
+ * infinite u_y. */
 struct thud_isolator {
     enum thud_isolator_law law;
     double stiffness_npm, yield_m, hardening, damping; /* k = Q_d/u_y + K_d, u_y, r = K_d/k, damping ratio */
@@ -285,22 +284,22 @@ void thud_isolator_keep_own(struct thud_structure *structure);
 /* Returns the weight on the isolators, N. */
 double thud_isolated_weight(const struct thud_structure *structure);
 const char *thud_isolator_name(enum thud_isolator_law law); /* "linear", "lead-rubber", "pendulum" */
-/* Whether the isolators yield or slide. */
+/* Returns whether the isolators yield or slide. */
 bool thud_isolator_slides(const struct thud_structure *structure);
-/* Whether a building stands on soil: any key of its foundation is given. */
+/* Returns whether a building stands on soil: any key of its foundation is given. */
 bool thud_structure_on_soil(const struct thud_structure *structure);
-/* Whether a wall moves against the ground, and whether it has soil behind it. */
+/* Return whether a wall moves against the ground, and whether it has soil behind it. */
 bool thud_wall_gives(const struct thud_structure *structure);
-/* Usual values, each under its key, up to an empty key: a concrete wall that stands on its foot, 15 m long, 1.5 m high and
- * 0.5 m thick, and the soil of bridge abutments behind it, 20.3 MN/m and 326 kN per metre. */
+/* Usual values, each under its key, up to an empty key: a concrete wall that stands on its foot, 15 m long, 1.5 m high
+ * and 0.5 m thick, and the soil of bridge abutments behind it, 20.3 MN/m and 326 kN per metre. */
 extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
 bool thud_wall_has_backfill(const struct thud_structure *structure);
 double thud_wall_damping(const struct thud_structure *structure);
 /* Returns the weight (N) above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
-/* With P-Delta a storey has collapsed where it drifts by this part of its height. */
+/* Drift over height at which a storey has collapsed with P-Delta. */
 #define THUD_COLLAPSE_DRIFT 0.1
-/* Whether a storey of the scene yields, or an isolator slides; whether a link does. By their elements. */
+/* Return whether a storey of the scene yields or an isolator slides, and whether a link slips, by their elements. */
 bool thud_scene_yields(const struct thud_scene *scene);
 bool thud_scene_slips(const struct thud_scene *scene);
 /* Sets the defaults of a link law; required values are NaN, its ends are empty. */
@@ -309,9 +308,9 @@ bool thud_link_has(enum thud_link_law law, int param); /* of THUD_GROUP_LINK, by
 /* Writes the name "A.4-B.4" of link i of a result, and returns the word of its law. */
 void thud_link_name(const struct thud_scene *scene, int i, char *text, unsigned long size);
 const char *thud_link_law_name(const struct thud_scene *scene, int i);
-/* Behind the scene's links a result has the soil behind walls: the structure whose soil link i is; -1: a link. */
+/* Returns the structure of soil link i of a result, which follow the scene's links; -1: a link. */
 int thud_link_wall(const struct thud_scene *scene, int i);
-/* Whether both ends of link i exist and are floors of neighbours. */
+/* Returns whether both ends of link i exist and are floors of neighbours. */
 bool thud_link_stands(const struct thud_scene *scene, int i);
 /* Renames a structure at the ends of links. */
 void thud_links_rename(struct thud_scene *scene, const char *before, const char *now);
@@ -323,7 +322,7 @@ void thud_link_remove(struct thud_scene *scene, int i);
  * without key. */
 enum thud_status thud_link_end(const struct thud_scene *scene, const char *end, int *structure, int *floor,
                                struct thud_error *err);
-/* The paper's interface (Table 1), without a bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
+/* Set the paper's interface (Table 1), without a bumper at a gap of 10 cm; and its bumper, no thicker than the gap. */
 void thud_interface_init(struct thud_interface *interface);
 void thud_interface_add_bumper(struct thud_interface *interface);
 
@@ -346,21 +345,21 @@ enum thud_group {
     THUD_GROUP_DOCUMENT,
     THUD_GROUPS
 };
-/* The i-th described parameter of a group, in the order of presets; NULL behind the last. */
+/* Returns the i-th described parameter of a group, in the order of presets; NULL after the last. */
 const struct thud_param *thud_group_param(enum thud_group group, int i);
-/* "structures", "record", ...: the key of the group in presets; empty for THUD_GROUP_SCENE. */
+/* Returns the key of the group in presets: "structures", "record", ...; empty for THUD_GROUP_SCENE. */
 const char *thud_group_key(enum thud_group group);
-/* The group that its key stands in, and the one with this key in a group; THUD_GROUPS: there is none. */
+/* Return the group that its key stands in, and the one with this key in a group; THUD_GROUPS: there is none. */
 enum thud_group thud_group_in(enum thud_group group);
 enum thud_group thud_group_find(enum thud_group in, const char *key);
-/* Of which the scene has a list: structures, interfaces, links. */
+/* Returns whether the scene has a list of them: structures, interfaces, links. */
 static inline bool thud_group_is_list(enum thud_group group)
 {
     return group == THUD_GROUP_STRUCTURE || group == THUD_GROUP_INTERFACE || group == THUD_GROUP_LINK;
 }
-/* Where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
+/* Returns where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
 size_t thud_group_base(enum thud_group group);
-/* Whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
+/* Returns whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
 /* Returns the table columns of the widest structure name, at least `least`. */
 int thud_scene_names_width(const struct thud_scene *scene, int least);
@@ -376,75 +375,75 @@ enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, cons
 /* Writes the value as text in its shown unit; empty: not given. Errors: THUD_INPUT (no such key). */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
                                 struct thud_error *err);
-/* The same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's. Errors:
- * THUD_INPUT (no such key, no such unit). */
+/* Does the same in another unit of its dimension (NULL: the shown one); an exponent in it is replaced by the law's.
+ * Errors: THUD_INPUT (no such key, no such unit). */
 enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *path, const char *unit, char *text,
                                    unsigned long size, struct thud_error *err);
-/* The described parameter behind a path, its index among the floors in *floor (-1: all); NULL when unknown. */
+/* Returns the described parameter of a path, with its floor index in *floor (-1: all); NULL: unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
-/* Whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
+/* Returns whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
-/* Whether a path leads to one value for each floor of a building. */
+/* Returns whether a path leads to one value for each floor of a building. */
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path);
-/* The groups nested in a structure, columns, isolators, foundation and backfill, and whether any key of one is given. */
+/* Groups nested in a structure, columns, isolators, foundation and backfill, and whether any value of one is given. */
 enum thud_group thud_nested_group(int i);
 bool thud_structure_has_group(const struct thud_structure *structure, enum thud_group group);
 
-/* The i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5 cm, 7.5
- * cm" (THUD_VARY_TEXT is room for each). */
+/* Writes the i-th varied key of the scene's study as `thud sweep --vary` takes it: "gap=5 cm:25 cm:0.5 cm" or "gap=5
+ * cm, 7.5 cm" (THUD_VARY_TEXT is room for each). */
 void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, unsigned long size);
 
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
 
-/* How many numbers have to be known to describe the structures, interfaces and links: values that are the same at every
- * floor are one, and of a building whose modes are left out no more than period and modal mass of each mode that stays,
- * and its shape at the floors that meet a neighbour. */
+/* Returns the number of values needed to describe structures, interfaces and links: one for values equal at every
+ * floor; of a building with omitted modes, period and modal mass of each mode that stays and its shape at the floors
+ * that meet a neighbour. */
 int thud_scene_inputs(const struct thud_scene *scene);
 
 /* ---- cases ---- */
 
-/* To a scene for reading alone: without the structures, and what comes with them, beyond those in use: a tenth of the
- * bytes for two of them. */
+/* Copies a scene for reading, without the unused structures and their parts: a tenth of the bytes for two structures.
+ */
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
-/* The scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links; `bumper`
- * sets it flush, `cavity` thickness (1 - max-strain) deep. THUD_INPUT when a case needs a bumper or a link and there is
- * none. */
+/* Makes the scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links;
+ * `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep. Errors: THUD_INPUT (a case without its bumper or
+ * link). */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 /* Applies a case to one interface only. */
 void thud_interface_case(struct thud_interface *interface, enum thud_case which);
-/* The scene as it moves without pounding: no bumpers, and contacts without a force, at an interface (from 1; 0: at all). */
+/* Drops the contacts at an interface (from 1; 0: at all): no bumpers, and contacts without a force. */
 void thud_scene_drop_contacts(struct thud_scene *scene, int interface);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
-/* Whether case `none` omits anything. */
+/* Returns whether case `none` omits anything. */
 bool thud_scene_has_measure(const struct thud_scene *scene);
-/* Without its bumpers, and with the links that it has. */
+/* Returns the case without bumpers and with the scene's links. */
 static inline enum thud_case thud_scene_bare(const struct thud_scene *scene)
 {
     return scene->nlinks > 0 ? THUD_CASE_LINK : THUD_CASE_NONE;
 }
 const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity", "link", "as-written" */
-/* What a case may leave out. */
+/* Parts that a case may omit. */
 enum { THUD_HAS_BUMPER = 1, THUD_HAS_LINKS = 2 };
 int thud_scene_measures(const struct thud_scene *scene);
-/* As readers call a case of a scene that has these measures (THUD_HAS_...), in every table and figure, and in a sentence:
- * "no bumper", "neither bumper nor links"; "without the bumper", "with the links and without the bumper". */
+/* Return the words for a case of a scene with these measures (THUD_HAS_...), in every table and figure, and in a
+ * sentence: "no bumper", "neither bumper nor links"; "without the bumper", "with the links and without the bumper". */
 const char *thud_case_title(int measures, enum thud_case which);
 const char *thud_case_phrase(int measures, enum thud_case which);
-/* The cases that stand beside each other where only one bumper is asked about: no pounding, no bumper, bumper. */
+/* Returns the compared cases of one bumper: no pounding, no bumper, bumper. */
 static inline enum thud_case thud_case_compared(int i)
 {
     return i > 0 ? (enum thud_case)(i - 1) : THUD_CASE_FREE;
 }
-/* Errors: THUD_INPUT. */
+/* Finds a case by its name. Errors: THUD_INPUT. */
 enum thud_status thud_case_find(const char *name, enum thud_case *out, struct thud_error *err);
-/* Several with commas between, also in brackets, each once. Errors: THUD_INPUT. */
+/* Reads several cases with commas between, also in brackets, each once. Errors: THUD_INPUT. */
 enum thud_status thud_cases_parse(const char *text, enum thud_case cases[THUD_CASES_MAX], int *n,
                                   struct thud_error *err);
 
-/* What holds at a level of an interface (from 0), or for those that have nothing of their own (-1). The cavity
- * is that of the interface at all of them. */
+/* Values at a level of an interface (from 0), or of the interface itself (-1). The cavity is that of the interface at
+ * all levels. */
 struct thud_level_values {
     double gap_m;
     bool has_bumper;
@@ -454,13 +453,13 @@ struct thud_level_values thud_interface_level(const struct thud_interface *inter
 double thud_level_clearance(const struct thud_level_values *level);
 /* Gives the smallest and the largest gap (m) of its levels. */
 void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
-/* "10 cm", "8 to 12 cm by level" */
+/* Writes "10 cm", "8 to 12 cm by level". */
 void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size);
 /* Multiplies every gap, but keeps at least the projection of its bumper. */
 void thud_interface_scale_gap(struct thud_interface *interface, double factor);
-/* gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
+/* Returns the clearance: gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */
 double thud_interface_clearance(const struct thud_interface *interface);
-/* "6 cm"; by level "10 cm at 1-1 to 2-2, 6 cm at 3-3". */
+/* Writes "6 cm"; by level "10 cm at 1-1 to 2-2, 6 cm at 3-3". */
 void thud_interface_clearance_text(const struct thud_scene *scene, int interface, char *text, size_t size);
 /* Returns the ultimate strain of the bumper; NaN: no bumper, or its law has none. */
 double thud_interface_max_strain(const struct thud_interface *interface);

@@ -1,4 +1,4 @@
-/* What the elements of a scene are together, without the contacts of its floors: the motion without pounding. */
+/* Sum of a scene's elements without its floor contacts: the response without pounding. */
 #pragma once
 
 #include "core/model/element.h"
@@ -6,6 +6,6 @@
 
 struct thud_element_sum thud_structure_elements(const struct thud_structure *structure);
 struct thud_element_sum thud_scene_elements(const struct thud_scene *scene);
-/* Whether the motion without pounding may be scaled with the ground motion: factors of first contact follow from one
+/* Returns whether the response without pounding scales with the ground motion: factors of first contact follow from one
  * run. */
 bool thud_scene_scales(const struct thud_scene *scene);

@@ -1,4 +1,4 @@
-/* A scene and a record in, a finished run out. */
+/* Runs a scene with a record. */
 #pragma once
 
 #include "base/status.h"
@@ -7,11 +7,11 @@
 
 /* Assembles the model of a scene as written (apply thud_scene_case first). Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud_model **out, struct thud_error *err);
-/* Law, its values and the clearance of every contact of an interface: a bumper covers all of its levels. */
+/* Gives law, values and clearance of every contact of an interface: a bumper covers all of its levels. */
 /* level: as thud_interface_level. */
 void thud_interface_contact(const struct thud_interface *interface, int level, struct thud_contact_input *to);
 
-/* Run options from scene->analysis. Errors: THUD_INPUT (unknown method). */
+/* Makes run options from scene->analysis. Errors: THUD_INPUT (unknown method). */
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
                                     struct thud_error *err);
 
@@ -20,7 +20,7 @@ enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_
 enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
                                             struct thud_error *err);
 
-/* A finished run together with its model (the run keeps pointing to the model and to the caller's record). */
+/* Finished run together with its model (the run keeps pointing to the model and to the caller's record). */
 struct thud_solution {
     struct thud_model *model;
     struct thud_run *run;
@@ -29,20 +29,20 @@ struct thud_solution {
 enum thud_status thud_scene_start(const struct thud_scene *scene, const struct thud_record *record,
                                   const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err);
-/* The same, and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the result is kept for
- * what came before. */
+/* Does the same, and advances to the end. `options` NULL: from the scene. On THUD_DIVERGED the result up to then is
+ * kept. */
 enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct thud_record *record,
                                   const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err);
 void thud_solution_clear(struct thud_solution *solution);
 
-/* Whether anything moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's velocity.
- * Errors: THUD_INPUT with key. */
+/* Checks that something moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's
+ * velocity. Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
                                          struct thud_error *err);
 
-/* Whether a floor (from 0) was struck by an impulse, which has no finite acceleration: what the result holds is the peak
- * between the impulses. */
+/* Returns whether a floor (from 0) was struck by an impulse, which has no finite acceleration: the result holds the
+ * peak between the impulses. */
 bool thud_floor_struck(const struct thud_result *result, int structure, int floor);
 /* Returns the peak acceleration of a floor, m/s2; NaN: struck by an impulse. */
 double thud_floor_acceleration(const struct thud_result *result, int structure, int floor);

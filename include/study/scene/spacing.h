@@ -1,4 +1,4 @@
-/* Rules of the codes for the gap that two neighbours need, from their largest displacements at one level. */
+/* Combination rules of the codes for the gap between neighbours, from their peak displacements at one level. */
 #pragma once
 
 /* Returns the sum of the two. */

@@ -1,24 +1,24 @@
-/* Where a contact's stiffness comes from, and how far the results move with it. The literature's estimate for concrete
- * is the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011), for a rubber bumper eq. (6)
- * of Polycarpou and Komodromos (2011). Neither is a measurement: a factor of 2 is within what is not known. */
+/* Estimates of contact stiffness, and the sensitivity of the results to it. The literature's estimate for concrete is
+ * the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011), for a rubber bumper eq. (6) of
+ * Polycarpou and Komodromos (2011). Neither is measured: they may be off by a factor of 2. */
 #pragma once
 
 #include "core/model/result.h"
 #include "ground/record.h"
 #include "study/scene/scene.h"
 
-/* A slab pushed at its edge: k = E A/L, A the section's area, L the length in the direction of the impact. N/m. */
+/* Returns E A/L, N/m, of a slab pushed at its edge: A the section's area, L the length along the impact. */
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa);
 /* Returns the stiffness of two slabs that meet: springs in series, N/m. */
 double thud_stiffness_series(double a_npm, double b_npm);
 /* Returns the stiffness of a bumper, k = alpha A K_r/d^n, N/m^n. */
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
-/* What is varied: of every interface with a bumper the bumper, which alone is struck there, of the others the
+/* Varied stiffness: of every interface with a bumper the bumper, which alone is struck there, of the others the
  * contact. */
 enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER };
 
-/* Multiplies this stiffness where the law has a parameter for it. false: there is none. */
+/* Multiplies this stiffness; false: the law has no parameter for it. */
 bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor);
 
 struct thud_stiffness_row {
@@ -28,7 +28,7 @@ struct thud_stiffness_row {
     double acceleration_mps2[THUD_STRUCTURES_MAX],
         drift_m[THUD_STRUCTURES_MAX]; /* the largest of a structure's floors */
 };
-/* Of a finished run, with a factor of 0. */
+/* Takes the results of a finished run, with a factor of 0. */
 void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiffness_row *row);
 enum { THUD_STIFFNESS_ROWS = 3 }; /* half, nominal, twice */
 

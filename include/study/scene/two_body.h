@@ -1,11 +1,11 @@
-/* Two free rigid bodies that meet once: the test of every impact law, without a scene or a ground motion. */
+/* Single collision of two free rigid bodies: the test of every impact law, without a scene or a ground motion. */
 #pragma once
 
 #include "base/status.h"
 #include "core/laws/law.h"
 #include "study/scene/solution.h"
 
-/* The left body closes with `approach_mps` on the right one, which is at rest; they touch at t = 0. */
+/* Setup: the left body approaches at `approach_mps` the right one, which is at rest; contact begins at t = 0. */
 struct thud_two_body {
     double mass_kg[2];
     double approach_mps;
@@ -18,19 +18,19 @@ struct thud_two_body {
     bool locate;
 };
 
-/* Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t approaching at 0.5 m/s, concrete on concrete (k 2500
- * kN/mm, restitution 0.6), or with the 5 cm rubber bumper (k 0.36 kN/mm^2.65, exponent 2.65, restitution 0.5, 2500
- * kN/mm past 0.8 of the thickness). All other parameters as the laws' own defaults. */
+/* Sets Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t approaching at 0.5 m/s, concrete on concrete (k
+ * 2500 kN/mm, restitution 0.6), or with the 5 cm rubber bumper (k 0.36 kN/mm^2.65, exponent 2.65, restitution 0.5, 2500
+ * kN/mm past 0.8 of the thickness). All other parameters are the laws' defaults. */
 void thud_two_body_concrete(struct thud_two_body *pair);
 void thud_two_body_rubber(struct thud_two_body *pair);
 
 /* Sets a parameter of the law by name, SI. */
 void thud_two_body_set(struct thud_two_body *pair, const char *param, double value);
 
-/* A finished run with impacts and histories every `step_s` outside the contact. thud_solution_clear frees it. Errors as
- * thud_run_create and thud_run_advance. */
+/* Makes a finished run with impacts and histories every `step_s` outside the contact. thud_solution_clear frees it.
+ * Errors: as thud_run_create and thud_run_advance. */
 enum thud_status thud_two_body_run(const struct thud_two_body *pair, double step_s, struct thud_solution *out,
                                    struct thud_error *err);
 
-/* Speed at which the bodies part at the end of a pair's run. */
+/* Returns the separation velocity at the end of a pair's run. */
 double thud_two_body_separation(const struct thud_solution *solution);
