@@ -101,7 +101,7 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
 static struct thud_remark_scope remarked(const struct sweep *s)
 {
     return (struct thud_remark_scope){.scene = &s->plan.scene,
-                                      .before = thud_preset_scene(s->session.preset),
+                                      .before = s->session.preset ? thud_preset_scene(s->session.preset) : NULL,
                                       .record = s->plan.record,
                                       .nrecords = s->plan.nrecords,
                                       .plan = &s->plan,

@@ -111,7 +111,7 @@ is "leaves nothing" [ ! -e "$tmp/stopped" ]
 # The command is named where a scene has much detail, and nowhere else.
 is "a scene on soil" gives 0 run towers-on-soil
 # shellcheck disable=SC2016 # no command: what is shown
-is "names the command" shows '^simpler .*`thud simplify` tells what of soil this scene needs'
+is "names the command" shows '^simpler .*`thud simplify` shows how much detail this scene needs (soil)'
 is "a plain one" gives 0 run towers
 is "does not" [ "$(grep -c simplify "$tmp/out")" = 0 ]
 is "a report" gives 0 report towers --samples 0 --no-pdf --quiet -o "$tmp/report"

@@ -180,10 +180,12 @@ static const char *place_of(const struct thud_fragility_study *study, const stru
 void thud_fragility_table(const struct thud_fragility_study *study, struct thud_text *out)
 {
     const struct thud_sweep_plan *plan = study->suite->plan;
-    int event = -1, axis = -1, width = 10;
+    int event = -1, axis = -1, width = 10, names = 7;
     char at[160];
     for (size_t i = 0; i < study->n; i++)
         width = thud_text_wider(width, place_of(study, &study->line[i], at, sizeof at));
+    for (int k = 0; k < plan->ncases; k++)
+        names = thud_text_wider(names, thud_case_name(plan->cases[k]));
     for (size_t i = 0; i < study->n; i++) {
         const struct thud_fragility_line *line = &study->line[i];
         const struct thud_sweep_axis *along = &plan->axis[line->axis];
@@ -195,12 +197,12 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
             put_axis(along, out);
             thud_text_append(out, ", %d ground motion%s\n", study->suite->nrecords,
                              study->suite->nrecords == 1 ? "" : "s");
-            thud_text_append(out, "  %-7s %-*s %-28s %-*s%s\n", "case", width, "at", "50 % (90 % band)",
+            thud_text_append(out, "  %-*s %-*s %-28s %-*s%s\n", names, "case", width, "at", "50 % (90 % band)",
                              hazard ? 8 : 10, "dispersion", hazard ? " a year (16 to 84 %)  in 50 y" : "");
         }
         event = line->event;
         axis = line->axis;
-        thud_text_append(out, "  %-7s %-*s ", thud_case_name(plan->cases[line->k]), width,
+        thud_text_append(out, "  %-*s %-*s ", names, thud_case_name(plan->cases[line->k]), width,
                          place_of(study, line, at, sizeof at));
         put_median(line, unit_of(along), hazard, out);
         put_rate(&line->rate, out);

@@ -34,13 +34,13 @@ static bool may_be_of_one_station(const struct thud_record *a, const struct thud
     return !a->synthetic && !b->synthetic && (!events || (thud_record_same_event(a, b) && !stations));
 }
 
-/* How many motions of another file or channel may be a component of a station that another one is of, too. */
+/* How many motions do not say their event and station, and may be a component of a station that another one is of, too. */
 static int of_unknown_station(const struct thud_remark_scope *scope)
 {
     int n = 0;
     for (int i = 0; i < scope->nrecords; i++) {
-        bool may_be = false;
-        for (int k = 0; k < scope->nrecords && !may_be && !is_turned(scope, i); k++)
+        bool may_be = false, known = *scope->record[i]->event && *scope->record[i]->station;
+        for (int k = 0; k < scope->nrecords && !may_be && !known && !is_turned(scope, i); k++)
             may_be = k != i && !is_turned(scope, k) && may_be_of_one_station(scope->record[i], scope->record[k]);
         n += may_be;
     }

@@ -309,7 +309,7 @@ void thud_remark_step(const struct thud_remark_scope *scope, int i, struct thud_
     thud_error_key(said, "analysis.step");
 }
 
-/* A scene of much detail: which command tells what of it is needed. */
+/* A scene of much detail: which command shows how much of it is needed. */
 void thud_remark_simpler(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     enum { FLOORS = 10 };
@@ -328,12 +328,13 @@ void thud_remark_simpler(const struct thud_remark_scope *scope, int i, struct th
                   {soil, "soil"},
                   {thud_scene_yields(scene), "yielding"},
                   {scene->nlinks > 0, "links"},
-                  {floors > FLOORS, "its floors"}};
+                  {floors > FLOORS, "floors"}};
     struct thud_text words = {0};
     for (size_t k = 0; k < sizeof detail / sizeof *detail; k++)
         if (detail[k].has)
             thud_text_append(&words, "%s%s", words.size > 0 ? ", " : "", detail[k].words);
     if (words.data)
-        thud_error_set(thud_remark_add(out), THUD_OK, "`thud simplify` tells what of %s this scene needs", words.data);
+        thud_error_set(thud_remark_add(out), THUD_OK, "`thud simplify` shows how much detail this scene needs (%s)",
+                       words.data);
     thud_text_clear(&words);
 }
