@@ -39,6 +39,7 @@ struct thud_sweep_plan {
     struct thud_sweep_axis
         axis[THUD_VARY_MAX]; /* those that change the motion without pounding come first; the last runs fastest */
     int nouter;              /* how many do */
+    bool yields;             /* a storey of some point does: the scene's, or by a varied key */
     int ncases;
     enum thud_case cases[THUD_SWEEP_CASES_MAX];
     unsigned shortcuts;
@@ -56,8 +57,6 @@ enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text
 /* Axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
-/* Whether a storey of any point yields: the scene's, or by a varied key. */
-bool thud_sweep_yields(const struct thud_sweep_plan *plan);
 long thud_sweep_points(const struct thud_sweep_plan *plan);
 /* Groups are numbered like points: point p stands on group p / thud_sweep_points_per_group. */
 long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);

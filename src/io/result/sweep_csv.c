@@ -216,7 +216,7 @@ static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv wh
     if (which == THUD_SWEEP_CSV_FLOORS) {
         out->first = thud_sweep_floor_schema;
         out->last = thud_sweep_storey_schema;
-        if (!thud_sweep_yields(plan)) { /* the last column alone */
+        if (!plan->yields) { /* the last column alone */
             out->last.column += out->last.n - 1;
             out->last.n = 1;
         }

@@ -333,8 +333,8 @@ static bool has_capacity(const struct thud_sweep_plan *plan)
 
 unsigned thud_measure_features(const struct thud_sweep_plan *plan)
 {
-    unsigned features = THUD_HAS_REFERENCE | (thud_sweep_yields(plan) ? THUD_HAS_YIELDING : 0u) |
-                        (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
+    unsigned features =
+        THUD_HAS_REFERENCE | (plan->yields ? THUD_HAS_YIELDING : 0u) | (has_capacity(plan) ? THUD_HAS_CAPACITY : 0u);
     features |= plan->scene.nlinks > 0 ? THUD_HAS_LINK_FORCES : 0u;
     for (int s = 0; s < plan->scene.nstructures; s++)
         features |= plan->scene.structure[s].kind == THUD_ISOLATED ? THUD_HAS_ISOLATORS : 0u;

@@ -15,6 +15,7 @@ void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene 
 {
     memset(plan, 0, sizeof *plan);
     plan->scene = *scene;
+    plan->yields = thud_scene_yields(scene);
     plan->ncases = 1;
     plan->cases[0] = THUD_CASE_AS_WRITTEN;
     plan->shortcuts = THUD_SWEEP_ALL;
@@ -284,6 +285,27 @@ static int own_place(const struct thud_scene *scene, const struct thud_sweep_axi
     return place;
 }
 
+static long product(const struct thud_sweep_plan *plan, int from)
+{
+    long n = 1;
+    for (int i = from; i < plan->naxes; i++)
+        n *= plan->axis[i].n;
+    return n;
+}
+
+/* Whether a storey yields: the scene's, or by a varied key. */
+static bool yields(const struct thud_sweep_plan *plan)
+{
+    bool found = thud_scene_yields(&plan->scene);
+    struct thud_scene *at = found ? NULL : malloc(sizeof *at);
+    for (int a = 0; at && a < plan->naxes; a++)
+        for (int v = 0; v < plan->axis[a].n && !found; v++)
+            found = thud_sweep_scene(plan, v * product(plan, a + 1), at, NULL) == THUD_OK &&
+                    thud_scene_check(at, NULL) == THUD_OK && thud_scene_yields(at);
+    free(at);
+    return found;
+}
+
 static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_axis *axis)
 {
     int at = is_outer(axis->key) ? plan->nouter++ : plan->naxes;
@@ -291,6 +313,7 @@ static void insert_axis(struct thud_sweep_plan *plan, const struct thud_sweep_ax
     plan->axis[at] = *axis;
     plan->axis[at].own = own_place(&plan->scene, axis);
     plan->naxes++;
+    plan->yields = yields(plan);
     find_period(plan);
 }
 
@@ -375,26 +398,6 @@ enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool 
         memcpy(plan->cases, study->cases, (size_t)study->ncases * sizeof *plan->cases);
     }
     return THUD_OK;
-}
-
-static long product(const struct thud_sweep_plan *plan, int from)
-{
-    long n = 1;
-    for (int i = from; i < plan->naxes; i++)
-        n *= plan->axis[i].n;
-    return n;
-}
-
-bool thud_sweep_yields(const struct thud_sweep_plan *plan)
-{
-    bool found = thud_scene_yields(&plan->scene);
-    struct thud_scene *at = found ? NULL : malloc(sizeof *at);
-    for (int a = 0; at && a < plan->naxes; a++)
-        for (int v = 0; v < plan->axis[a].n && !found; v++)
-            found = thud_sweep_scene(plan, v * product(plan, a + 1), at, NULL) == THUD_OK &&
-                    thud_scene_check(at, NULL) == THUD_OK && thud_scene_yields(at);
-    free(at);
-    return found;
 }
 
 long thud_sweep_points(const struct thud_sweep_plan *plan)
