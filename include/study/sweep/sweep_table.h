@@ -67,6 +67,11 @@ struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures,
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err);
 
+/* Settings of the varied keys from `axis` on. */
+long thud_sweep_table_settings(const struct thud_sweep_table *table, int axis);
+/* (settings x nrecords) the points of a table; NULL: no result. To be freed; NULL: out of memory. */
+const struct thud_sweep_summary **thud_sweep_table_points(const struct thud_sweep_table *table);
+
 /* The table of a suite: one record, whose points hold the statistics over all records of `table`: medians, and as low
  * and high the 16 and 84 % fractiles (of the logarithms where positive). It points to the names and axes of `table`.
  * Free with thud_sweep_suite_free. Errors: THUD_MEMORY. */

@@ -18,22 +18,6 @@ struct making {
     int draws;                            /* independent ground motions */
 };
 
-static size_t settings_of(const struct thud_sweep_table *table)
-{
-    size_t n = 1;
-    for (int a = 0; a < table->naxes; a++)
-        n *= (size_t)table->axis[a].n;
-    return n;
-}
-
-static size_t setting_of(const struct thud_sweep_table *table, const struct thud_sweep_summary *d)
-{
-    size_t setting = 0;
-    for (int a = 0; a < table->naxes; a++)
-        setting = setting * (size_t)table->axis[a].n + (size_t)d->at[a];
-    return setting;
-}
-
 static struct thud_fractiles fractiles(const struct making *m, const struct thud_sweep_summary *const *of,
                                        enum thud_case which, enum thud_measure measure, int structure, double limit)
 {
@@ -125,11 +109,7 @@ static bool fill(const struct making *m, struct thud_sweep_table *suite, struct 
                  struct thud_sweep_shares *shares)
 {
     size_t records = (size_t)m->table->nrecords;
-    for (size_t i = 0; i < m->table->npoints; i++) {
-        const struct thud_sweep_summary *d = m->table->point[i];
-        m->of[setting_of(m->table, d) * records + (size_t)d->record] = d;
-    }
-    for (size_t i = 0; i < settings_of(m->table); i++) {
+    for (size_t i = 0; i < (size_t)thud_sweep_table_settings(m->table, 0); i++) {
         const struct thud_sweep_summary *const *of = m->of + i * records, *like = NULL;
         for (size_t r = 0; r < records && !like; r++)
             like = of[r];
@@ -147,11 +127,11 @@ static bool fill(const struct making *m, struct thud_sweep_table *suite, struct 
 enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, struct thud_sweep_table **out,
                                        struct thud_error *err)
 {
-    size_t settings = settings_of(table), records = (size_t)table->nrecords;
+    size_t settings = (size_t)thud_sweep_table_settings(table, 0), records = (size_t)table->nrecords;
     struct making m = {.table = table, .draws = thud_motions_recordings(table->motion, table->nrecords, NULL)};
     struct thud_sweep_table *suite = malloc(sizeof *suite);
     struct thud_sweep_summary **point = calloc(settings, sizeof *point);
-    m.of = calloc(settings * records, sizeof *m.of);
+    m.of = thud_sweep_table_points(table);
     m.value = malloc(records * sizeof *m.value);
     struct thud_sweep_shares *shares = malloc((settings * THUD_SWEEP_CASES_MAX) * sizeof *shares);
     bool made = suite && point && m.of && m.value && shares;

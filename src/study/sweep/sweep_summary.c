@@ -90,3 +90,25 @@ enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, con
     put_measures(plan, point, d);
     return THUD_OK;
 }
+
+long thud_sweep_table_settings(const struct thud_sweep_table *table, int axis)
+{
+    long n = 1;
+    for (int a = axis; a < table->naxes; a++)
+        n *= table->axis[a].n;
+    return n;
+}
+
+const struct thud_sweep_summary **thud_sweep_table_points(const struct thud_sweep_table *table)
+{
+    const size_t n = (size_t)thud_sweep_table_settings(table, 0) * (size_t)table->nrecords;
+    const struct thud_sweep_summary **of = calloc(n, sizeof *of);
+    for (size_t i = 0; of && i < table->npoints; i++) {
+        const struct thud_sweep_summary *d = table->point[i];
+        long setting = 0;
+        for (int a = 0; a < table->naxes; a++)
+            setting = setting * table->axis[a].n + d->at[a];
+        of[setting * table->nrecords + d->record] = d;
+    }
+    return of;
+}
