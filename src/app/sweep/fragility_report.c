@@ -264,10 +264,7 @@ void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_te
 
 /* ---- medians ---- */
 
-enum { MEDIANS = 10 };
-static const char *const medians[MEDIANS] = {
-    "theta",     "theta_low",    "theta_high", "median_above",     "median_below",
-    "exact_p16", "exact_median", "exact_p84",  "exact_median_low", "exact_median_high"};
+enum { MEDIANS = 10 }; /* columns of thud_median_schema behind `fit`, which end with UNIT */
 
 /* The median in the columns of its unit: each unit along which there are curves has its own. Returns how many. */
 static int median_units(const struct thud_fragility_study *study, const char *unit[THUD_VARY_MAX])
@@ -325,8 +322,10 @@ static struct thud_curve_row curve_of(const struct thud_fragility_line *line)
 static void add_medians(const char *const *unit, int units, struct thud_made_columns *out)
 {
     thud_column_add(out, true, "fit");
-    for (int i = 0; i < MEDIANS * units; i++)
-        thud_column_add(out, false, "%s%s", medians[i % MEDIANS], unit[i / MEDIANS]);
+    for (int i = 0; i < MEDIANS * units; i++) {
+        const char *name = thud_median_schema.column[1 + i % MEDIANS].name;
+        thud_column_add(out, false, "%.*s%s", (int)(strlen(name) - strlen("UNIT")), name, unit[i / MEDIANS]);
+    }
 }
 
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out)

@@ -7,12 +7,6 @@
 #include "study/scene/level.h"
 #include "study/sweep/measure.h"
 
-const char *thud_sweep_csv_name(enum thud_sweep_csv which)
-{
-    static const char *const name[] = {"sweep.csv", "contacts.csv", "needed-gaps.csv"};
-    return name[which];
-}
-
 /* ---- varied keys ---- */
 
 static bool is_gap(const char *key)
@@ -207,27 +201,34 @@ struct form {
     struct thud_schema first, last; /* before and behind the varied keys; last.n 0: nothing */
 };
 
+static const struct thud_schema *const schemas[THUD_SWEEP_CSVS] = {&thud_sweep_floor_schema, &thud_sweep_contact_schema,
+                                                                   &thud_need_schema};
+
+const char *thud_sweep_csv_name(enum thud_sweep_csv which)
+{
+    return schemas[which]->name;
+}
+
 static void make_form(const struct thud_sweep_plan *plan, enum thud_sweep_csv which, struct form *out)
 {
-    *out = (struct form){.plan = plan, .which = which, .marks = (plan->sensitivity > 0 ? SPREAD : 0u)};
+    *out = (struct form){.plan = plan,
+                         .which = which,
+                         .marks = which == THUD_SWEEP_CSV_NEEDS ? (unsigned)THUD_NEED_RECORD
+                                  : plan->sensitivity > 0       ? (unsigned)SPREAD
+                                                                : 0u,
+                         .first = *schemas[which]};
     for (int a = 0; a < plan->naxes; a++)
         out->shown[a] = which == THUD_SWEEP_CSV_NEEDS ? a < plan->nouter : !is_gap(plan->axis[a].key);
     thud_axis_columns(plan, out->shown, &out->axes);
     if (which == THUD_SWEEP_CSV_FLOORS) {
-        out->first = thud_sweep_floor_schema;
         out->last = thud_sweep_storey_schema;
         if (!plan->yields) { /* the last column alone */
             out->last.column += out->last.n - 1;
             out->last.n = 1;
         }
     } else if (which == THUD_SWEEP_CSV_CONTACTS) {
-        out->first = out->last = thud_sweep_contact_schema;
         out->first.n -= MOMENTS;
-        out->last.column += out->first.n;
-        out->last.n = MOMENTS;
-    } else {
-        out->first = thud_need_schema;
-        out->marks = THUD_NEED_RECORD;
+        out->last = (struct thud_schema){.column = out->first.column + out->first.n, .n = MOMENTS};
     }
 }
 

@@ -463,20 +463,12 @@ struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct
 
 /* ---- counts over a suite ---- */
 
-/* 5 and 95 % of the numbers among n values, sorted in place; NaN where less than half are numbers. */
-static void band(double *value, size_t n, double *low, double *high)
+/* `tail` and 1 - tail of the numbers among n values, sorted in place; NaN where less than half are numbers. */
+static void band(double *value, size_t n, double tail, double *low, double *high)
 {
     size_t m = thud_sort_numbers(value, n);
-    *low = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.05, false) : NAN;
-    *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 0.95, false) : NAN;
-}
-
-/* 16 and 84 % of the annual rate among the samples; NaN where less than half have a rate. */
-static void rate_band(double *rate, size_t samples, struct thud_fragility *f)
-{
-    const size_t m = thud_sort_numbers(rate, samples);
-    f->rate_low = 2 * m >= samples && m > 0 ? thud_quantile(rate, m, 0.16, false) : NAN;
-    f->rate_high = 2 * m >= samples && m > 0 ? thud_quantile(rate, m, 0.84, false) : NAN;
+    *low = 2 * m >= n && m > 0 ? thud_quantile(value, m, tail, false) : NAN;
+    *high = 2 * m >= n && m > 0 ? thud_quantile(value, m, 1 - tail, false) : NAN;
 }
 
 /* Draws motions with replacement, both signs of one together, and fits again. `happens`: (records x n). */
@@ -529,10 +521,10 @@ static enum thud_status bootstrap(const signed char *happens, const struct thud_
             ask->hazard && thud_is_fitted(&curve) && !curve.falling ? rate_of_curve(ask->hazard, &curve).value : NAN;
     }
     for (size_t i = 0; i < n; i++)
-        band(value + i * samples, samples, &f->low[i], &f->high[i]);
-    band(value + n * samples, samples, &f->theta_low, &f->theta_high);
-    band(value + (n + 1) * samples, samples, &f->beta_low, &f->beta_high);
-    rate_band(rate, samples, f);
+        band(value + i * samples, samples, 0.05, &f->low[i], &f->high[i]);
+    band(value + n * samples, samples, 0.05, &f->theta_low, &f->theta_high);
+    band(value + (n + 1) * samples, samples, 0.05, &f->beta_low, &f->beta_high);
+    band(rate, samples, 0.16, &f->rate_low, &f->rate_high);
     free(value);
     free(stripe);
     return THUD_OK;
@@ -704,8 +696,8 @@ static enum thud_status find_exact(const struct thud_suite *suite, const struct 
         rate[b] = ask->hazard && intensity && f->clearing == 0 ? rate_of_exact(ask->hazard, drawn, m).value : NAN;
     }
     if (samples > 0) {
-        band(median, samples, &f->exact_low, &f->exact_high);
-        rate_band(rate, samples, f);
+        band(median, samples, 0.05, &f->exact_low, &f->exact_high);
+        band(rate, samples, 0.16, &f->rate_low, &f->rate_high);
     }
     thud_sort_numbers(own, n);
     f->exact = own;
