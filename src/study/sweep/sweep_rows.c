@@ -70,11 +70,11 @@ void thud_sweep_row_at(const struct thud_sweep_point *point, int i, struct thud_
     int s = 0;
     for (i %= rows_of_run(point); i >= rows_of_structure(point, s); s++)
         i -= rows_of_structure(point, s);
-    row->which = point->which[k];
-    row->gap_m = point->gap_m;
-    row->structure = s;
-    row->floor = i;
-    row->collapsed = point->effort[k].collapsed;
+    *row = (struct thud_sweep_row){.which = point->which[k],
+                                   .gap_m = point->gap_m,
+                                   .structure = s,
+                                   .floor = i,
+                                   .collapsed = point->effort[k].collapsed};
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         if (info->place[THUD_TOLD_BY_FLOORS] == 0)
