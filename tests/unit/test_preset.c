@@ -171,6 +171,8 @@ static const struct {
      "exponent is 2.7"},
     {"  - gap: 3 in\n    contact: {law: linear, stiffness: 1 MN/mm} # flow\n", "",
      "p:24:3: interfaces: 3 structures stand in a row, so 2 interfaces are wanted, not 1"},
+    {"exponent: 2.65", "kind: 2.65",
+     "p:32:7: interfaces.1.bumper.kind: unknown key \"kind\""}, /* a key of others, set first */
     {"interfaces:\n", "interface:\n", "p:23:1: interface: unknown key \"interface\"; did you mean \"interfaces\"?"},
     {"record:\n", "record: kobe.csv\nrecords:\n", "p:4:1: records: unknown key \"records\"; did you mean \"record\"?"},
     {"record:\n", "record: &a\n", "p:3:9: anchors (&name) are not taken"},

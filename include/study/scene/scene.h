@@ -381,6 +381,10 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* Returns the described parameter of a path, with its floor index in *floor (-1: all); NULL: unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
+/* What else a key's value depends on is set before it: kind, law and varied key, number of storeys, exponent. Returns the
+ * rank of a key by its last part, of `length`; keys of the last rank wait for nothing else. */
+enum { THUD_RANK_STOREYS = 3, THUD_RANK_LAST = 5 };
+int thud_key_rank(const char *name, unsigned long length);
 /* Returns whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);
 /* Returns whether a path leads to one value for each floor of a building. */

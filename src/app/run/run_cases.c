@@ -13,25 +13,21 @@
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
 #include "study/sweep/remark.h"
-#include "study/sweep/sweep.h"
 
 /* ---- the runs ---- */
 
-static enum thud_status parse(const struct thud_scene *scene, const char *text, struct thud_run_cases *cases,
-                              struct thud_error *err)
+static enum thud_status parse(const char *text, struct thud_run_cases *cases, struct thud_error *err)
 {
-    struct thud_sweep_plan *plan = calloc(1, sizeof *plan);
-    if (!plan)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    thud_sweep_plan_init(plan, scene);
-    enum thud_status status = thud_sweep_cases(plan, text, err);
+    enum thud_case which[THUD_CASES_MAX];
+    struct thud_error why = {0};
+    int n = 0;
     cases->item[0].which = THUD_CASE_FREE;
     cases->n = 1;
-    for (int i = 0; status == THUD_OK && i < plan->ncases && cases->n < THUD_RUN_CASES_MAX; i++)
-        cases->item[cases->n++].which = plan->cases[i];
-    thud_sweep_plan_clear(plan);
-    free(plan);
-    return status;
+    if (thud_cases_parse(text, which, &n, &why) != THUD_OK)
+        return thud_error_refuse(err, THUD_USAGE, "cases", why.allowed, "%s", why.what);
+    for (int i = 0; i < n && cases->n < THUD_RUN_CASES_MAX; i++)
+        cases->item[cases->n++].which = which[i];
+    return THUD_OK;
 }
 
 /* Whether a case is run with (without) the links of the scene. */
@@ -93,7 +89,7 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
     if (!cases)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     cases->measures = thud_scene_measures(&session->scene);
-    enum thud_status status = parse(&session->scene, text, cases, err);
+    enum thud_status status = parse(text, cases, err);
     if (status == THUD_OK)
         status = run_free(session, cases, options, &cases->item[0], err);
     for (int i = 1; i < cases->n && status == THUD_OK; i++)

@@ -66,26 +66,18 @@ enum thud_status thud_session_assign(struct thud_session *session, const char *a
     return thud_scene_set(&session->scene, key, sign + 1, err);
 }
 
-/* What decides which other keys there are, or what their values mean, goes before them; links are counted as they were
- * before one is taken away. */
-enum { KEYS_FIRST = 4, RANKS = KEYS_FIRST + 1 + THUD_LINKS_MAX };
+/* Links are counted as they were before one is taken away. */
+enum { RANKS = THUD_RANK_LAST + 1 + THUD_LINKS_MAX };
 static int rank_of(const char *assignment)
 {
-    static const char *const first[KEYS_FIRST] = {"kind", "law", "storeys", "exponent"};
-    const char *sign = strchr(assignment, '='), *key = sign;
+    const char *sign = strchr(assignment, '='), *key = sign, *number = assignment;
+    int link = 0;
     while (key && key > assignment && key[-1] != '.')
         key--;
-    for (int i = 0; key && i < KEYS_FIRST; i++) {
-        if (strlen(first[i]) != (size_t)(sign - key) || strncmp(key, first[i], (size_t)(sign - key)) != 0)
-            continue;
-        int link = 0;
-        const char *number = assignment;
-        if (sign[1] == '\0' && thud_scan_word(&number, "links.") && thud_scan_count(&number, &link) &&
-            link <= THUD_LINKS_MAX)
-            return RANKS - link;
-        return i;
-    }
-    return KEYS_FIRST;
+    const int rank = key ? thud_key_rank(key, (size_t)(sign - key)) : THUD_RANK_LAST;
+    const bool taken = rank < THUD_RANK_LAST && sign[1] == '\0' && thud_scan_word(&number, "links.") &&
+                       thud_scan_count(&number, &link) && link <= THUD_LINKS_MAX;
+    return taken ? RANKS - link : rank;
 }
 
 enum thud_status thud_session_assign_all(struct thud_session *session, const char *const *assignment, int n,

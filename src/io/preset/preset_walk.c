@@ -182,44 +182,29 @@ static enum thud_status want(const struct thud_preset *preset, int node, const c
                   NULL, err);
 }
 
-/* What else a key's value depends on is set before it: 0 the law or kind of what it belongs to, or the varied key; 1 the
- * number of storeys; 3 a stiffness, whose unit has the exponent of its law; 2 all else. */
-enum { FIRST_RANK, STOREYS_RANK, USUAL_RANK, LAST_RANK };
-static int rank_of(const struct thud_param *param)
-{
-    static const char *const first[] = {"kind", "law", "vary"};
-    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
-        if (strcmp(param->name, first[i]) == 0)
-            return FIRST_RANK;
-    return strcmp(param->name, "storeys") == 0                                              ? STOREYS_RANK
-           : param->kind == THUD_PARAM_QUANTITY && param->dimension == THUD_POWER_STIFFNESS ? LAST_RANK
-                                                                                            : USUAL_RANK;
-}
-
 /* Sets the keys of a node from a rank on, in the order of the file where the rank is the same; those with keys of their
- * own are left. Unknown keys are found by their setting. */
+ * own are left, and those before the rank are set already. Unknown keys are found on the way. */
 static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud_group group, const char *path,
                                  int from, struct thud_error *err)
 {
     const struct thud_yaml *tree = &preset->tree;
     enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
-    for (int rank = from; rank <= LAST_RANK && status == THUD_OK; rank++)
+    for (int rank = from; rank <= THUD_RANK_LAST && status == THUD_OK; rank++)
         for (int i = tree->node[node].first; i >= 0 && status == THUD_OK; i = tree->node[tree->node[i].next].next) {
             const char *key = thud_yaml_text(tree, i);
             char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
             int floor;
             if (strlen(key) > KEY_BYTES || strchr(key, '.'))
                 return refuse(preset, i, path, "the key is no word of presets", NULL, err);
-            if (thud_group_find(group, key) != THUD_GROUPS)
+            const int own = thud_key_rank(key, strlen(key));
+            if ((own < from ? from : own) != rank || thud_group_find(group, key) != THUD_GROUPS)
                 continue;
             snprintf(full, sizeof full, "%s%s%.*s", path, *path ? "." : "", KEY_BYTES, key);
-            const struct thud_param *param = thud_scene_param(&preset->scene, full, &floor);
-            if (!param) {
+            if (!thud_scene_param(&preset->scene, full, &floor)) {
                 thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
                 return at(preset, i, THUD_INPUT, err);
             }
-            if (rank_of(param) == rank)
-                status = set_value(preset, full, tree->node[i].next, err);
+            status = own < from ? THUD_OK : set_value(preset, full, tree->node[i].next, err);
         }
     return status;
 }
@@ -264,7 +249,7 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     if (thud_kind_is_building(structure->kind))
         status = set_storeys(preset, node, path, err);
     if (status == THUD_OK)
-        status = set_keys(preset, node, THUD_GROUP_STRUCTURE, path, USUAL_RANK, err);
+        status = set_keys(preset, node, THUD_GROUP_STRUCTURE, path, THUD_RANK_STOREYS + 1, err);
     for (int i = 0; i < THUD_NESTED_GROUPS && status == THUD_OK; i++) {
         const char *group = thud_group_key(thud_nested_group(i));
         int nested = thud_yaml_find(&preset->tree, node, group, NULL);
@@ -341,7 +326,7 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
         interface->bumper_thickness_m = NAN;
         interface->bumper_cavity_m = 0;
     }
-    return set_keys(preset, node, bumper ? THUD_GROUP_BUMPER : THUD_GROUP_CONTACT, path, USUAL_RANK, err);
+    return set_keys(preset, node, bumper ? THUD_GROUP_BUMPER : THUD_GROUP_CONTACT, path, 2, err); /* but the law */
 }
 
 static enum thud_status walk_interface(struct thud_preset *preset, int i, int node, struct thud_error *err)
@@ -402,7 +387,7 @@ static enum thud_status walk_links(struct thud_preset *preset, int root, struct 
         if (status == THUD_OK)
             status = set_value(preset, full, law, err);
         if (status == THUD_OK)
-            status = set_keys(preset, node, THUD_GROUP_LINK, path, USUAL_RANK, err);
+            status = set_keys(preset, node, THUD_GROUP_LINK, path, 2, err);
     }
     return status;
 }

@@ -1,15 +1,11 @@
 /* Foundations as a person gives them: springs and dashpots, or the soil that they follow from. */
 #include <math.h>
+#include <stdio.h>
 
 #include "base/quantity.h"
 #include "core/model/model.h"
 #include "study/scene/building.h"
 #include "study/scene/scene_slot.h"
-
-static double value_in(const struct thud_structure *s, int i)
-{
-    return *(const double *)(const void *)((const char *)s + thud_group_place(THUD_GROUP_FOUNDATION, i)->offset);
-}
 
 bool thud_structure_on_soil(const struct thud_structure *structure)
 {
@@ -41,18 +37,12 @@ struct thud_foundation_input thud_structure_foundation(const struct thud_structu
 
 enum thud_status thud_structure_check_foundation(const struct thud_structure *s, int index, struct thud_error *err)
 {
-    const struct thud_param *param;
+    char prefix[48];
     const struct thud_foundation_input f = thud_structure_foundation(s);
     const bool soil = !isnan(s->soil_vs_mps) || !isnan(s->soil_density_kgpm3) || !isnan(s->soil_poisson);
-    for (int i = 0; (param = thud_group_param(THUD_GROUP_FOUNDATION, i)); i++) {
-        char text[96];
-        const double value = value_in(s, i);
-        if (isnan(value) || thud_param_check(param, value, "", NULL) == THUD_OK)
-            continue;
-        thud_quantity_format(value, param->unit, text, sizeof text);
-        thud_param_check(param, value, text, err);
-        return thud_scene_refuse(err, NULL, KEY, index + 1, param->name);
-    }
+    snprintf(prefix, sizeof prefix, "structures.%d.foundation", index + 1);
+    if (thud_group_check(s, THUD_GROUP_FOUNDATION, s->kind, 0, true, prefix, err) != THUD_OK)
+        return THUD_INPUT;
     if (isnan(f.mass_kg)) {
         thud_error_set(err, THUD_INPUT, "the foundation's mass is not given");
         return thud_scene_refuse(err, "a mass in t or kg", KEY, index + 1, "mass");

@@ -73,31 +73,24 @@ static enum thud_status check_yield(const struct thud_structure *structure, int 
     return THUD_OK;
 }
 
-/* Of THUD_GROUP_STRUCTURE, with an empty `prefix`, or of its columns, with "column.". */
-static enum thud_status check_group(const struct thud_scene *scene, int s, enum thud_group group, const char *prefix,
-                                    struct thud_error *err)
+enum thud_status thud_group_check(const void *of, enum thud_group group, unsigned kind, int storeys, bool given,
+                                  const char *prefix, struct thud_error *err)
 {
-    const struct thud_structure *structure = &scene->structure[s];
     const struct thud_param *param;
     for (int i = 0; (param = thud_group_param(group, i)); i++) {
         const struct thud_place *place = thud_group_place(group, i);
-        if (!(place->kinds & 1u << structure->kind))
-            continue;
-        const double *value = (const double *)(const void *)((const char *)structure + place->offset);
-        int n = place->store == THUD_STORE_FLOORS                                     ? structure->storeys
-                : place->store == THUD_STORE_NUMBER && place->absent == THUD_REQUIRED ? 1
-                                                                                      : 0;
-        for (int floor = 0; floor < n; floor++) {
+        const double *value = (const double *)(const void *)((const char *)of + place->offset);
+        const int n = place->store == THUD_STORE_FLOORS ? storeys : place->store == THUD_STORE_NUMBER;
+        for (int floor = 0; floor < n && place->kinds & 1u << kind; floor++) {
             char key[96];
-            if ((place->optional && value[floor] == 0) || is_fine(param, value[floor]))
+            const bool lacks = place->store == THUD_STORE_FLOORS
+                                   ? place->optional && value[floor] == 0
+                                   : place->absent != THUD_REQUIRED && (!given || isnan(value[floor]));
+            if (lacks || is_fine(param, value[floor]))
                 continue;
-            snprintf(key, sizeof key, n > 1 ? "structures.%d.%s%s.%d" : "structures.%d.%s%s", s + 1, prefix,
-                     param->name, floor + 1);
-            if (isnan(value[floor]))
-                snprintf(key, sizeof key, "structures.%d.%s%s", s + 1, prefix, param->name);
-            enum thud_status status = check_value(param, value[floor], key, err);
-            if (status != THUD_OK)
-                return status;
+            snprintf(key, sizeof key, n > 1 && !isnan(value[floor]) ? "%s.%s.%d" : "%s.%s", prefix, param->name,
+                     floor + 1);
+            return check_value(param, value[floor], key, err);
         }
     }
     return THUD_OK;
@@ -218,9 +211,13 @@ static enum thud_status check_wall(const struct thud_scene *scene, int s, struct
 
 static enum thud_status check_structure(const struct thud_scene *scene, int s, struct thud_error *err)
 {
-    enum thud_status status = check_group(scene, s, THUD_GROUP_STRUCTURE, "", err);
+    const struct thud_structure *own = &scene->structure[s];
+    char key[32];
+    snprintf(key, sizeof key, "structures.%d", s + 1);
+    enum thud_status status = thud_group_check(own, THUD_GROUP_STRUCTURE, own->kind, own->storeys, false, key, err);
+    snprintf(key, sizeof key, "structures.%d.column", s + 1);
     if (status == THUD_OK)
-        status = check_group(scene, s, THUD_GROUP_COLUMN, "column.", err);
+        status = thud_group_check(own, THUD_GROUP_COLUMN, own->kind, own->storeys, false, key, err);
     if (status == THUD_OK && thud_kind_is_read(scene->structure[s].kind))
         status = thud_structure_check_shape(scene, s, err);
     if (status == THUD_OK && scene->structure[s].kind == THUD_ISOLATED)

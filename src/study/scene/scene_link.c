@@ -193,31 +193,14 @@ void thud_links_rename(struct thud_scene *scene, const char *before, const char 
 
 static enum thud_status check_values(const struct thud_scene *scene, int i, struct thud_error *err)
 {
-    const struct thud_param *param;
-    for (int k = 0; (param = thud_group_param(THUD_GROUP_LINK, k)); k++) {
-        const struct thud_place *place = thud_group_place(THUD_GROUP_LINK, k);
-        char text[96];
-        double value;
-        if (place->store != THUD_STORE_NUMBER || !thud_link_has((enum thud_link_law)scene->link[i].law, k))
-            continue;
-        memcpy(&value, (const char *)&scene->link[i] + place->offset, sizeof value);
-        thud_quantity_format(value, param->unit, text, sizeof text);
-        const bool needed =
-            place->offset == offsetof(struct thud_link, stiffness_npm) && (int)scene->link[i].law >= THUD_LINK_FRICTION;
-        if (needed && value == 0) {
-            thud_error_set(err, THUD_INPUT, "it holds nothing with a stiffness of 0");
-            thud_error_allow(err, "> 0 MN/m");
-        } else if (isnan(value)) {
-            thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
-            thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension),
-                             thud_dimension_units(param->dimension));
-        } else if (thud_param_check(param, value, text, err) == THUD_OK) {
-            continue;
-        }
-        thud_error_key(err, "links.%d.%s", i + 1, param->name);
-        return THUD_INPUT;
+    const struct thud_link *link = &scene->link[i];
+    char key[32];
+    snprintf(key, sizeof key, "links.%d", i + 1);
+    if ((int)link->law >= THUD_LINK_FRICTION && link->stiffness_npm == 0) {
+        thud_error_set(err, THUD_INPUT, "it holds nothing with a stiffness of 0");
+        return thud_scene_refuse(err, "> 0 MN/m", "%s.stiffness", key);
     }
-    return THUD_OK;
+    return thud_group_check(link, THUD_GROUP_LINK, (unsigned)link->law, 0, true, key, err);
 }
 
 /* Each time it slips the other way its ends have moved by twice this: a run's events stay countable. */

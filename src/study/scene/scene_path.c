@@ -295,6 +295,16 @@ enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path
     return status;
 }
 
+int thud_key_rank(const char *name, unsigned long length)
+{
+    static const char *const first[THUD_RANK_LAST] = {"kind", "law", "vary", [THUD_RANK_STOREYS] = "storeys",
+                                                      "exponent"};
+    for (int i = 0; i < THUD_RANK_LAST; i++)
+        if (strlen(first[i]) == length && strncmp(first[i], name, length) == 0)
+            return i;
+    return THUD_RANK_LAST;
+}
+
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)
 {
     struct thud_slot slot;

@@ -51,6 +51,11 @@ enum thud_status thud_link_law_set(struct thud_scene *scene, const struct thud_s
 /* Errors: THUD_INPUT with key. */
 enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_error *err);
 
+/* Whether the values of a group in `of`, a structure of a kind or a link of a law, are there where they must be, and
+ * within their bounds; also those that need not be there (`given`). Errors: THUD_INPUT with the key behind `prefix`. */
+enum thud_status thud_group_check(const void *of, enum thud_group group, unsigned kind, int storeys, bool given,
+                                  const char *prefix, struct thud_error *err);
+
 /* What must be given. */
 #define THUD_REQUIRED 0.0
 
