@@ -1,4 +1,4 @@
-/* Storeys that yield: their loops and those of links, and what is left of them over the height. */
+/* Storeys that yield: their loops and those of links. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -132,71 +132,5 @@ struct thud_figure *thud_figure_hysteresis(enum thud_run_figure which, const str
         thud_figure_note(figure, largest);
     free(place);
     free(lost);
-    return figure;
-}
-
-enum { DUCTILITY, PERMANENT, QUANTITIES };
-
-/* A value belongs to its whole storey, from floor to floor; elastic storeys leave a gap. */
-static void over_height(struct thud_panel *panel, const struct thud_figure_source *source, int structure, int quantity,
-                        const char *name, int color)
-{
-    const struct thud_structure_result *r = &source->result->structure[structure];
-    const struct thud_structure *p = &source->scene->structure[structure];
-    int slab = p->kind == THUD_ISOLATED;
-    size_t n = 0;
-    struct thud_series *series = thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = color}, name,
-                                                3 * (size_t)r->floors, NULL, NULL);
-    for (int f = slab; series && f < r->floors; f++) {
-        const struct thud_storey_result *storey = &r->storey[f];
-        double value = !storey->yields ? NAN : quantity == DUCTILITY ? storey->ductility : 1e3 * storey->permanent_m;
-        series->x[n] = value;
-        series->y[n++] = f > 0 ? thud_structure_elevation(p, f - 1) : p->base_m;
-        series->x[n] = value;
-        series->y[n++] = thud_structure_elevation(p, f);
-    }
-    if (series)
-        series->n = n;
-}
-
-const char thud_ductility_note[] =
-    "Ductility: largest drift over that at which the storey yields. Permanent drift: that "
-    "at which it carries no force after the run.";
-
-struct thud_figure *thud_figure_permanent(enum thud_run_figure which, const struct thud_figure_source *source,
-                                          int nsources)
-{
-    static const struct {
-        const char *label, *unit;
-    } quantity[QUANTITIES] = {{"Ductility", ""}, {"Permanent drift", "mm"}};
-    int rows = 0, row = 0;
-    char text[3 * THUD_TEXT_MAX];
-    for (int i = 0; i < source->result->nstructures; i++)
-        rows += source->result->structure[i].storey != NULL;
-    rows = rows < THUD_ROWS_MAX ? rows : THUD_ROWS_MAX;
-    thud_source_title(source, nsources, "ductility and permanent drift over the height", text, sizeof text);
-    struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, rows > 0 ? rows : 1, QUANTITIES);
-    for (int i = 0; i < source->result->nstructures && row < rows; i++) {
-        if (!source->result->structure[i].storey)
-            continue;
-        for (int q = 0; q < QUANTITIES; q++) {
-            struct thud_panel *panel = thud_figure_panel(figure, row, q, source->scene->structure[i].name);
-            thud_panel_axis(panel, THUD_X, quantity[q].label, quantity[q].unit);
-            thud_panel_results_on_x(panel);
-            thud_panel_axis(panel, THUD_Y, "Height", "m");
-            if (q == DUCTILITY) {
-                thud_panel_limits(panel, THUD_X, 0.0, NAN);
-                thud_panel_mark(panel, THUD_X, 1.0, 1.0, "");
-            }
-            for (int s = 0; s < nsources; s++)
-                over_height(panel, &source[s], i, q, nsources > 1 ? source[s].name : "",
-                            thud_source_color(&source[s], nsources));
-        }
-        row++;
-    }
-    thud_figure_share_scale(figure, THUD_Y, 0, 1, rows * QUANTITIES, NULL);
-    for (int q = 0; q < QUANTITIES; q++)
-        thud_figure_share_scale(figure, THUD_X, q, QUANTITIES, rows, NULL);
-    thud_figure_note(figure, thud_ductility_note);
     return figure;
 }

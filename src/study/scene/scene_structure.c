@@ -171,7 +171,8 @@ bool thud_structure_has_group(const struct thud_structure *s, enum thud_group gr
         const double usual = place->store == THUD_STORE_NUMBER ? place->absent : 0;
         for (int k = 0; k < (place->store == THUD_STORE_FLOORS ? s->storeys : 1); k++)
             if (place->store != THUD_STORE_TEXT && place->kinds & 1u << s->kind && isfinite(value[k]) &&
-                value[k] != usual)
+                value[k] != usual &&
+                (value[k] != 0 || group == THUD_GROUP_BACKFILL)) /* nothing stands on dashpots of 0 */
                 return true;
     }
     return false;
