@@ -144,15 +144,44 @@ static double largest_ductility(const struct thud_result *result)
     return most;
 }
 
-/* With an interface (from 1) open and the others as they are; 0: with all of them open. */
-static enum thud_status run_open(const struct thud_scene *scene, int open, const struct thud_record *record,
-                                 struct thud_needed_gap **out, struct thud_error *err)
+void thud_kept_motion_clear(struct thud_kept_motion *kept)
 {
-    struct thud_model *model = NULL;
-    struct thud_baseline_motion *baseline = NULL;
+    thud_baseline_free(kept->baseline);
+    thud_model_free(kept->model);
+    *kept = (struct thud_kept_motion){0};
+}
+
+static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const struct thud_kept_motion *kept)
+{
+    const struct thud_result *result = thud_baseline_result(kept->baseline);
+    const int nlevels = kept->model->npairs;
+    struct thud_needed_gap *gap =
+        malloc(sizeof *gap + (size_t)nlevels * sizeof *gap->level + (size_t)result->ncolumns * sizeof *gap->shear_n);
+    bool aligned[THUD_STRUCTURES_MAX];
+    if (!gap)
+        return NULL;
+    gap->nlevels = nlevels;
+    gap->ncolumns = result->ncolumns;
+    gap->shear_n = (double *)(void *)(gap->level + nlevels);
+    for (int i = 0; i < result->ncolumns; i++)
+        gap->shear_n[i] = fmax(result->column[i].peak[THUD_COLUMN_SHEAR_LOWER].value,
+                               result->column[i].peak[THUD_COLUMN_SHEAR_UPPER].value);
+    gap->collapse = result->collapse;
+    gap->ductility = largest_ductility(result);
+    thud_gap_aligned(scene, aligned);
+    thud_gap_levels(aligned, kept->model, kept->baseline, gap->level);
+    set_heights(scene, gap);
+    return gap;
+}
+
+enum thud_status thud_needed_gap_keep(const struct thud_scene *scene, int open, const struct thud_record *record,
+                                      struct thud_kept_motion *kept, struct thud_needed_gap **out,
+                                      struct thud_error *err)
+{
     struct thud_run_options options;
     struct thud_scene *bare = malloc(sizeof *bare);
     bool done = false;
+    *kept = (struct thud_kept_motion){0};
     *out = NULL;
     if (!bare)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -160,52 +189,59 @@ static enum thud_status run_open(const struct thud_scene *scene, int open, const
     thud_scene_drop_contacts(bare, open);
     enum thud_status status = thud_scene_check(bare, err);
     if (status == THUD_OK)
-        status = thud_scene_assemble(bare, &model, err);
+        status = thud_scene_assemble(bare, &kept->model, err);
     if (status == THUD_OK)
         status = thud_scene_options(bare, &options, err);
-    if (status == THUD_OK)
-        status = thud_baseline_create(model, open, record, &options, &baseline, err);
-    while (status == THUD_OK && !done)
-        status = thud_baseline_advance(baseline, 1L << 20, &done, err);
-    if (status == THUD_OK) {
-        const struct thud_result *result = thud_baseline_result(baseline);
-        struct thud_needed_gap *gap = malloc(sizeof *gap + (size_t)model->npairs * sizeof *gap->level +
-                                             (size_t)result->ncolumns * sizeof *gap->shear_n);
-        if (gap) {
-            gap->nlevels = model->npairs;
-            gap->ncolumns = result->ncolumns;
-            gap->shear_n = (double *)(void *)(gap->level + model->npairs);
-            for (int i = 0; i < result->ncolumns; i++)
-                gap->shear_n[i] = fmax(result->column[i].peak[THUD_COLUMN_SHEAR_LOWER].value,
-                                       result->column[i].peak[THUD_COLUMN_SHEAR_UPPER].value);
-            gap->collapse = result->collapse;
-            gap->ductility = largest_ductility(result);
-            bool aligned[THUD_STRUCTURES_MAX];
-            thud_gap_aligned(bare, aligned);
-            thud_gap_levels(aligned, model, baseline, gap->level);
-            set_heights(bare, gap);
-        } else {
-            status = thud_error_set(err, THUD_MEMORY, "out of memory");
-        }
-        *out = gap;
-    }
-    thud_baseline_free(baseline);
-    thud_model_free(model);
     free(bare);
+    if (status == THUD_OK)
+        status = thud_baseline_create(kept->model, open, record, &options, &kept->baseline, err);
+    while (status == THUD_OK && !done)
+        status = thud_baseline_advance(kept->baseline, 1L << 20, &done, err);
+    if (status == THUD_OK && !(*out = read_gap(scene, kept)))
+        status = thud_error_set(err, THUD_MEMORY, "out of memory");
+    return status;
+}
+
+enum thud_status thud_kept_motion_solve(const struct thud_kept_motion *kept, const struct thud_scene *scene,
+                                        const struct thud_record *record, struct thud_solution *out,
+                                        struct thud_error *err)
+{
+    struct thud_run_options options;
+    double shared_s;
+    bool done = false;
+    *out = (struct thud_solution){0};
+    enum thud_status status = thud_scene_options(scene, &options, err);
+    if (status == THUD_OK)
+        status = thud_scene_assemble(scene, &out->model, err);
+    if (status == THUD_OK)
+        status = thud_baseline_run(kept->baseline, out->model, record, &options, &out->run, &shared_s, err);
+    while (status == THUD_OK && !done)
+        status = thud_run_advance(out->run, 1000, &done, err);
+    if (status != THUD_OK && status != THUD_DIVERGED)
+        thud_solution_clear(out);
+    return status;
+}
+
+static enum thud_status run_gap(const struct thud_scene *scene, int open, const struct thud_record *record,
+                                struct thud_needed_gap **out, struct thud_error *err)
+{
+    struct thud_kept_motion kept;
+    const enum thud_status status = thud_needed_gap_keep(scene, open, record, &kept, out, err);
+    thud_kept_motion_clear(&kept);
     return status;
 }
 
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err)
 {
-    return run_open(scene, 0, record, out, err);
+    return run_gap(scene, 0, record, out, err);
 }
 
 enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
                                         double *need_m, struct thud_error *err)
 {
     struct thud_needed_gap *gap;
-    enum thud_status status = run_open(scene, interface, record, &gap, err);
+    enum thud_status status = run_gap(scene, interface, record, &gap, err);
     if (status == THUD_OK)
         *need_m = gap->collapse.happened ? NAN : thud_needed_gap_widest(gap, interface, THUD_GAP_EXACT, NULL);
     free(gap);

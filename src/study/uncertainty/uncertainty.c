@@ -644,6 +644,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
     double motion = 1;
     struct thud_record *scaled = NULL;
     struct thud_needed_gap *gap = NULL;
+    struct thud_kept_motion kept = {0};
     struct thud_sweep_point *point = NULL;
     enum thud_status status = THUD_OK;
     if (!scene)
@@ -660,7 +661,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
             thud_record_scale(scaled, motion);
     }
     if (asks_gap(u) && status == THUD_OK) {
-        status = thud_needed_gap_run(scene, scaled ? scaled : record, &gap, err);
+        status = thud_needed_gap_keep(scene, 0, scaled ? scaled : record, &kept, &gap, err);
         if (status == THUD_OK && gap->nlevels > 0 && !gap->collapse.happened)
             value[0] = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
     }
@@ -669,8 +670,10 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
         status = thud_scene_case(scene, u->which[k], scene + 1, err);
         if (status == THUD_OK)
             status = thud_scene_check(scene + 1, err);
+        const bool shares = kept.baseline && thud_baseline_shares(kept.baseline) && scene[1].nlinks == scene->nlinks;
         if (status == THUD_OK)
-            status = thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
+            status = shares ? thud_kept_motion_solve(&kept, scene + 1, scaled ? scaled : record, &solution, err)
+                            : thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
         if (status == THUD_OK)
             status = thud_collapse_status(scene + 1, thud_run_result(solution.run), err);
         if (status == THUD_OK && !point && !(point = point_of(u, gap, thud_run_result(solution.run))))
@@ -683,6 +686,7 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
     }
     if (status == THUD_DIVERGED) /* a sample without a result from there on */
         status = THUD_OK;
+    thud_kept_motion_clear(&kept);
     thud_record_free(scaled);
     free(gap);
     free(point);
