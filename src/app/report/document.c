@@ -316,7 +316,7 @@ static const char style[] =
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
     "tabular-nums }\n"
-    "td.words, thead th.words { text-align: left } td:not(.words), th.short { white-space: nowrap }\n"
+    "td.words, thead th.words { text-align: left } td:not(.words), .short { white-space: nowrap }\n"
     "thead th { border-bottom: 1px solid #333; vertical-align: bottom }\n"
     "th[scope=row], thead th:first-child { text-align: left; font-weight: normal }\n"
     "thead th:first-child { font-weight: bold } thead th.caption { border: 0; padding: 0 0 .3em; font-size: 1em }\n"
@@ -324,7 +324,7 @@ static const char style[] =
     "table, tr { break-inside: avoid } table.long { break-inside: auto } caption, thead { break-after: avoid }\n"
     "tr.first { break-after: avoid } tr.last { break-before: avoid }\n"
     "nav ol { columns: 2; list-style: none; padding: 0 } nav a, td a { color: inherit; text-decoration: none }\n"
-    "td a::after { content: ', page ' target-counter(attr(href), page) }\n"
+    "td a { padding-right: 2em } td a::after { content: ', page ' target-counter(attr(href), page) }\n"
     "nav a::after { content: leader('.') target-counter(attr(href), page) }\n"
     "figure { margin: 1em 0; break-inside: avoid } figure img { width: 100%; height: auto; display: block }\n"
     "figcaption { font-size: .9em } pre { font: .8em/1.35 'DejaVu Sans Mono', monospace; background: #f4f4f4; padding: "
@@ -360,7 +360,7 @@ static void html_element(struct thud_text *out, const char *open, const char *te
 }
 
 /* The name of a row that is kept on one line. */
-enum { SHORT_MOST = 48 };
+enum { SHORT_MOST = 48, WORDS_SHORT = 16 };
 
 /* A table of more rows may go over a page's end: kept together it would leave half a page empty. So many rows at its head
  * and at its foot stay together, so that no row stands alone. Its caption is a row of its head, which every page repeats. */
@@ -433,8 +433,9 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
                                                                   : "<th scope=\"row\">",
                      text, "</th>");
     else {
-        thud_text_append(out,
-                         column_is_words(document, place->at, place->column - 1) ? "<td class=\"words\">" : "<td>");
+        thud_text_append(out, !column_is_words(document, place->at, place->column - 1) ? "<td>"
+                              : strlen(text) <= WORDS_SHORT && !place->shared          ? "<td class=\"words short\">"
+                                                                                       : "<td class=\"words\">");
         if (*text == '#')
             html_reference(out, document, text + 1);
         else

@@ -6,7 +6,6 @@
 
 #include "app/report/site_report_private.h"
 #include "app/run/summary_line.h"
-#include "ground/identity.h"
 #include "ground/target.h"
 #include "io/preset/preset.h"
 #include "study/scene/level.h"
@@ -173,17 +172,6 @@ static void recommend(struct site *site, int i)
 
 /* ---- the criteria ---- */
 
-static void governing_cell(struct site *site, int r)
-{
-    char motion[320];
-    if (!site->record) {
-        thud_document_cell(&site->document, "-");
-        return;
-    }
-    thud_record_title(site->suite.plan.record[r], motion, sizeof motion);
-    thud_document_cell(&site->document, "%d, %s", r + 1, motion);
-}
-
 /* A limit of NaN: there is none. */
 static void add_criterion(struct site *site, const char *limit, double value, double least, const char *shown, int r,
                           const char *section)
@@ -194,9 +182,10 @@ static void add_criterion(struct site *site, const char *limit, double value, do
                         isnan(least) || isnan(value) ? "-"
                         : value <= least             ? "yes"
                                                      : "no");
-    governing_cell(site, r);
-    thud_document_cell(d, "%s", section);
-    thud_document_row(d);
+    if (site->record)
+        thud_document_line(d, "%d\t%s", r + 1, section);
+    else
+        thud_document_line(d, "-\t%s", section);
 }
 
 static void gap_criterion(struct site *site, int i)
@@ -216,8 +205,7 @@ static void gap_criterion(struct site *site, int i)
     thud_interface_gaps(f, &least, &most);
     thud_interface_gap_text(f, given, sizeof given);
     snprintf(shown, sizeof shown, "%.2f cm", thud_table_gap_cm(value));
-    thud_document_cell(&site->document, "gap between %s and %s, by %s", thud_site_name(site, i - 1),
-                       thud_site_name(site, i), site->code->name);
+    thud_document_cell(&site->document, "gap between %s and %s", thud_site_name(site, i - 1), thud_site_name(site, i));
     add_criterion(site, given, value, least, shown, governing, "#Required gap");
 }
 

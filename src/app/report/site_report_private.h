@@ -195,6 +195,13 @@ struct thud_site_shown {
     char text[32];
 };
 struct thud_site_shown thud_site_number(double value, int digits);
+/* A table with a column for every case from one on, whose head has its letter: "b", "b: force MN", "c/b". The caption says
+ * which is which. */
+void thud_site_case_table(struct site *site, const char *caption, int from);
+static inline char thud_site_letter(int i)
+{
+    return (char)('a' + i);
+}
 /* `verb`, "lowers", of the measure of a case. */
 bool thud_site_is_plural(const struct site_case *one);
 struct thud_site_shown thud_site_verb(const struct site_case *one, const char *verb);
@@ -218,3 +225,5 @@ void thud_site_measure(const struct site *site, const char *name, char *text, si
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
 /* The caption ends in a stop. `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */
 void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption);
+/* What the figure keeps of its panels at that size, before its caption is written. */
+void thud_site_fit(const struct site *site, struct thud_figure *figure, double share);

@@ -111,52 +111,52 @@ static bool touches(const struct site *site, int k)
     return k > 0 && thud_scene_measures(site->scene) == THUD_HAS_BUMPER;
 }
 
-static void say_pounding(struct site *site, int k)
+/* How many of the motions pound in case k, and the factors on them at which that begins. */
+static void add_pounding_row(struct site *site, int k)
 {
-    struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
-    size_t count = (size_t)lround(f.share * (double)f.n);
-    double low, high;
-    if (f.n == 0)
-        return;
-    char band[120] = "";
+    const struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
+    const struct thud_fragility *pounds = &site->suite.pounds[k];
+    const size_t count = (size_t)lround(f.share * (double)f.n), n = (size_t)pounds->nexact;
+    double low, high, at[3] = {NAN, NAN, NAN};
+    char band[32] = "-";
     thud_suite_share_band(site->suite.runs, count, f.n, &low, &high);
     if (!isnan(low))
-        snprintf(band, sizeof band,
-                 ": a share of %.0f %%, which so many motions put between %.0f and %.0f %% with 90 %% confidence",
-                 100 * f.share, 100 * low, 100 * high);
-    thud_document_item(&site->document,
-                       "Of the suite of %zu ground motions, %zu make the buildings %s%s%s.", f.n,
-                       count, touches(site, k) ? "touch the bumper" : "pound ",
-                       touches(site, k) ? "" : site->cases[SITE_NONE + k].words, band);
+        snprintf(band, sizeof band, "%.0f to %.0f", 100 * low, 100 * high);
+    thud_document_cells(&site->document, "%s%s\t%zu of %zu\t%.0f\t%s", site->cases[SITE_NONE + k].words,
+                        touches(site, k) ? ", which they touch" : "", count, f.n, 100 * f.share, band);
+    if (n > 0) {
+        size_t half;
+        at[0] = pounds->exact[0];
+        at[1] = thud_enough(pounds->exact, n, 0.5, &half);
+        at[2] = pounds->exact[n - 1];
+    }
+    for (int i = 0; i < 3; i++)
+        thud_document_cell(&site->document, isfinite(at[i]) ? "%.2f" : "-", at[i]);
+    thud_document_row(&site->document);
 }
 
-/* Writes "They pound when the motions are scaled by 0.25 (the first), 0.37 (7 of the 14), 0.80 (all) or more". */
-static void say_strength(struct site *site, int k)
+static void add_pounding(struct site *site)
 {
-    const struct thud_fragility *f = &site->suite.pounds[k];
-    const double *factor = f->exact;
-    size_t n = (size_t)f->nexact, half;
-    double median = thud_enough(factor, n, 0.5, &half), clear = INFINITY;
-    char first[80] = "", all[80] = "", how[160] = " (exact: each motion has a factor at which contact begins)",
-         pound[80];
-    const char *words = site->cases[SITE_NONE + k].words;
-    snprintf(pound, sizeof pound, "%c%s they pound", words[0] - 'a' + 'A', words + 1);
-    if (n == 0 || isinf(median))
-        return;
-    for (int r = 0; r < f->nexact; r++)
-        clear = fmin(clear, f->contact[r].clear_again);
-    if (f->clearing > 0)
-        snprintf(how, sizeof how,
-                 " (first contact; under %d of them the buildings clear each other again at a factor of %.2f or more)",
-                 f->clearing, clear);
-    else if (!thud_scene_scales(site->scene))
-        snprintf(how, sizeof how, " (first contact, by runs)");
-    if (factor[0] < median)
-        snprintf(first, sizeof first, "%.2f (the first), ", factor[0]);
-    if (half < n && !isinf(factor[n - 1]))
-        snprintf(all, sizeof all, ", %.2f (all)", factor[n - 1]);
-    thud_document_item(&site->document, "%s when the motions are scaled by %s%.2f (%zu of the %zu)%s or more%s.",
-                       touches(site, k) ? "They touch the bumper" : pound, first, median, half, n, all, how);
+    struct thud_document *d = &site->document;
+    thud_document_table(d,
+                        "Pounding over the suite at the given gap, and the factor on the motions at which it begins");
+    thud_document_head(d, "case|motions|share %|90 % band|first: factor|half|all");
+    for (int k = 0; k < site->suite.plan.ncases; k++)
+        add_pounding_row(site, k);
+    thud_document_paragraph(d, "Factors are those of first contact, %s.",
+                            thud_scene_scales(site->scene) ? "exact: each motion has one at which contact begins"
+                                                           : "by runs");
+    for (int k = 0; k < site->suite.plan.ncases; k++) {
+        const struct thud_fragility *f = &site->suite.pounds[k];
+        double clear = INFINITY;
+        for (int r = 0; r < f->nexact; r++)
+            clear = fmin(clear, f->contact[r].clear_again);
+        if (f->clearing > 0)
+            thud_document_item(d,
+                               "Under %d of the motions the buildings clear each other again %s, at a factor of %.2f "
+                               "or more.",
+                               f->clearing, site->cases[SITE_NONE + k].words, clear);
+    }
 }
 
 static void say_widths(struct site *site)
@@ -190,38 +190,33 @@ static struct thud_fractiles ratios(const struct site *site, int k, int s, bool 
 }
 
 /* How many motions the measure of case k helps and harms. */
-static void say_measure(struct site *site, int k, int s, bool drift)
+static void add_effect_row(struct site *site, int k, int s, bool drift)
 {
     int helps;
-    const struct site_case *one = &site->cases[SITE_NONE + k];
     const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
-    char spread[64] = "";
-    if (!isnan(f.p16))
-        snprintf(spread, sizeof spread, " (16 to 84 %%: %.2f to %.2f)", f.p16, f.p84);
     if (f.n > 0)
-        thud_document_item(&site->document,
-                           "The %s %s the mean %s of %s under %d of %zu motions and %s it under %.0f: its "
-                           "ratio to %s has a geometric median of %.2f%s.",
-                           one->measure, thud_site_verb(one, "lowers").text, drift ? "drift" : "acceleration",
-                           thud_site_name(site, s), helps, f.n, thud_site_verb(one, "raises").text,
-                           f.share * (double)f.n, site->cases[SITE_NONE].name, f.median, spread);
+        thud_document_line(&site->document, "%s: mean %s of %s\t%d\t%.0f\t%s\t%s\t%s",
+                           site->cases[SITE_NONE + k].measure, drift ? "drift" : "acceleration",
+                           thud_site_name(site, s), helps, f.share * (double)f.n, thud_site_number(f.p16, 3).text,
+                           thud_site_number(f.median, 3).text, thud_site_number(f.p84, 3).text);
 }
 
 void thud_site_suite_summary(struct site *site)
 {
     if (!site->suite.leads)
         return;
-    thud_document_paragraph(&site->document, "Over the suite of %d ground motions:", site->suite.runs->nrecords);
-    for (int k = 0; k < site->suite.plan.ncases; k++) {
-        say_pounding(site, k);
-        say_strength(site, k);
-    }
+    char caption[160];
+    add_pounding(site);
     say_widths(site);
+    snprintf(caption, sizeof caption, "Under how many of %d motions a response is lower or higher, ratio to %s",
+             site->suite.runs->nrecords, site->cases[SITE_NONE].name);
+    thud_document_table(&site->document, caption);
+    thud_document_head(&site->document, "response|lower|higher|16 %|geometric median|84 %");
     for (int k = 1; k < site->suite.plan.ncases; k++)
         for (int s = 0; s < site->scene->nstructures; s++)
             for (int drift = 0; drift < 2; drift++)
                 if (drift ? thud_site_is_building(site, s) : site->scene->structure[s].kind != THUD_WALL)
-                    say_measure(site, k, s, drift);
+                    add_effect_row(site, k, s, drift);
 }
 
 /* ---- the verdicts ---- */
@@ -321,9 +316,8 @@ void thud_site_suite_verdicts(struct site *site)
         gap_verdict(site, i);
     for (int k = 0; k < site->suite.plan.ncases; k++)
         pounding_verdict(site, k);
-    for (int k = 1; k < site->suite.plan.ncases; k++)
-        for (int drift = 0; drift < 2; drift++)
-            measure_verdict(site, k, drift);
+    for (int drift = 0; drift < 2 && site->suite.plan.ncases > 1; drift++)
+        measure_verdict(site, site->suite.plan.ncases - 1, drift);
 }
 
 /* ---- its section ---- */
@@ -334,14 +328,15 @@ static void add_motions(struct site *site)
     struct thud_document *d = &site->document;
     const struct site_suite *suite = &site->suite;
     int ncases = suite->plan.ncases;
-    char caption[200] = "Ground motions as specified";
+    char caption[96] = "Ground motions as specified";
     if (ncases > 1)
-        snprintf(caption, sizeof caption, "Ground motions as specified; ratio: mean acceleration %s over that %s",
-                 site->own->words, site->cases[SITE_NONE].words);
-    thud_document_table(d, caption);
+        snprintf(caption, sizeof caption,
+                 "Ground motions as specified; ratio: mean accelerations of %c over those of %c",
+                 thud_site_letter(site->ncases - 1), thud_site_letter(SITE_NONE));
+    thud_site_case_table(site, caption, SITE_NONE);
     thud_document_cells(d, "load case\tpeak g\tfactor\trequired gap cm");
     for (int k = 0; k < ncases; k++)
-        thud_document_cell(d, "%s: force MN", site->cases[SITE_NONE + k].name);
+        thud_document_cell(d, "%c: force MN", thud_site_letter(SITE_NONE + k));
     for (int s = 0; s < site->scene->nstructures && ncases > 1; s++)
         if (site->scene->structure[s].kind != THUD_WALL)
             thud_document_cell(d, "ratio of %s", thud_site_name(site, s));
@@ -366,13 +361,13 @@ static void add_motions(struct site *site)
     }
 }
 
-static void add_fractiles(struct site *site, int from, enum thud_measure measure, int structure, const char *what)
+static void add_fractiles(struct site *site, enum thud_measure measure, int structure, const char *what)
 {
     struct thud_document *d = &site->document;
     const struct thud_site_unit unit = thud_site_unit(thud_measure_info(measure)->kind);
     thud_document_cell(d, "%s%s%s%s%s", what, structure >= 0 ? " of " : "",
                        structure >= 0 ? thud_site_name(site, structure) : "", *unit.name ? "," : "", unit.name);
-    for (int k = from; k < site->suite.plan.ncases && k < from + 2; k++) {
+    for (int k = 0; k < site->suite.plan.ncases; k++) {
         const struct thud_fractiles f = over(site, k, measure, structure, 0);
         thud_document_cells(d, "%s\t%s\t%s", thud_site_number(f.p16 / unit.size, 3).text,
                             thud_site_number(f.median / unit.size, 3).text,
@@ -381,26 +376,24 @@ static void add_fractiles(struct site *site, int from, enum thud_measure measure
     thud_document_row(d);
 }
 
-/* Of two cases at a time, so that the table fits on paper. */
-static void add_statistics(struct site *site, int from)
+static void add_statistics(struct site *site)
 {
     struct thud_document *d = &site->document;
-    thud_document_table(d, from > 0 ? "Over the unscaled ground motions, further cases"
-                                    : "Over the unscaled ground motions");
+    thud_site_case_table(site, "Over the unscaled ground motions", SITE_NONE);
     thud_document_cell(d, "largest");
-    for (int k = SITE_NONE + from; k < site->ncases && k < SITE_NONE + from + 2; k++)
-        thud_document_cells(d, "%s: 16 %%\t%s: median\t%s: 84 %%", site->cases[k].name, site->cases[k].name,
-                            site->cases[k].name);
+    for (int k = SITE_NONE; k < site->ncases; k++)
+        thud_document_cells(d, "%c: 16 %%\t%c: median\t%c: 84 %%", thud_site_letter(k), thud_site_letter(k),
+                            thud_site_letter(k));
     thud_document_row(d);
-    add_fractiles(site, from, THUD_MEASURE_FORCE, -1, "force");
+    add_fractiles(site, THUD_MEASURE_FORCE, -1, "force");
     for (int s = 0; s < site->scene->nstructures; s++) {
         if (site->scene->structure[s].kind == THUD_WALL)
             continue;
-        add_fractiles(site, from, THUD_MEASURE_ACCELERATION, s, "acceleration");
+        add_fractiles(site, THUD_MEASURE_ACCELERATION, s, "acceleration");
         if (thud_site_is_building(site, s))
-            add_fractiles(site, from, THUD_MEASURE_DRIFT, s, "drift");
+            add_fractiles(site, THUD_MEASURE_DRIFT, s, "drift");
         if (site->suite.runs->features & THUD_HAS_YIELDING)
-            add_fractiles(site, from, THUD_MEASURE_DUCTILITY, s, "ductility");
+            add_fractiles(site, THUD_MEASURE_DUCTILITY, s, "ductility");
     }
 }
 
@@ -454,8 +447,7 @@ void thud_site_suite_section(struct site *site)
     thud_document_heading(d, heading);
     site->suite.drawing = true;
     add_motions(site);
-    for (int k = 0; k < site->suite.plan.ncases; k += 2)
-        add_statistics(site, k);
+    add_statistics(site);
     const struct thud_suite *runs = site->suite.runs;
     thud_document_paragraph(d,
                             "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "

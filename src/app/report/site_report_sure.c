@@ -122,12 +122,12 @@ static void add_sampled_row(struct site *site, int q)
     const char *what = strstr(quantity->name, ": ");
     const bool isolators = thud_measure_info(quantity->measure)->kind == THUD_LENGTH && quantity->structure >= 0 &&
                            site->scene->structure[quantity->structure].kind == THUD_ISOLATED;
-    thud_document_cell(d, "%s%s%s%s%s",
-                       quantity->which == THUD_CASE_AS_WRITTEN || !what
-                           ? ""
-                           : thud_case_title(thud_scene_measures(site->scene), quantity->which),
-                       !what ? quantity->name : what + (quantity->which == THUD_CASE_AS_WRITTEN ? 2 : 0),
-                       isolators ? " or its isolators" : "", *unit.name ? "," : "", unit.name);
+    if (what)
+        thud_document_cell(d, "%c%s%s%s%s",
+                           thud_site_letter(quantity->which == THUD_CASE_NONE ? SITE_NONE : site->ncases - 1), what,
+                           isolators ? " or its isolators" : "", *unit.name ? "," : "", unit.name);
+    else
+        thud_document_cell(d, "%s%s%s", quantity->name, *unit.name ? "," : "", unit.name);
     for (size_t i = 0; i < sizeof value / sizeof *value; i++)
         if (gap && !isnan(value[i]))
             thud_document_cell(d, "%.1f", thud_summary_gap_cm(value[i]));
@@ -148,7 +148,7 @@ static void samples(struct site *site)
         return;
     snprintf(caption, sizeof caption, "All uncertain inputs sampled jointly: %zu samples",
              thud_uncertainty_samples(&site->samples));
-    thud_document_table(d, caption);
+    thud_site_case_table(site, caption, SITE_NONE);
     thud_document_head(d, site->suite.leads ? "peak|nominal inputs, median of the suite|5 %|median|95 %|governed by"
                                             : "peak|nominal|5 %|median|95 %|governed by");
     for (int q = 0; q < u->nquantities; q++)
@@ -202,11 +202,12 @@ static void add_stiffness_row(struct site *site, const char *what, const struct 
 static void stiffness(struct site *site)
 {
     struct thud_document *d = &site->document;
-    char what[64];
+    char what[160];
     const char *name = site->varied == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
     if (site->nrows == 0)
         return;
-    snprintf(what, sizeof what, "Stiffness of the %s, and the motion with reversed polarity", name);
+    snprintf(what, sizeof what, "Stiffness of the %s %s, and the motion with reversed polarity", name,
+             site->own->words);
     thud_document_table(d, what);
     thud_document_cells(d, "scene\timpacts\tforce MN");
     for (int s = 0; s < site->scene->nstructures; s++)

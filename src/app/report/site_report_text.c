@@ -269,13 +269,12 @@ static void add_case_table(struct site *site, int s, int which)
     if (table->storeys && !thud_site_is_building(site, s))
         return;
     snprintf(caption, sizeof caption, table->caption, thud_site_name(site, s));
-    thud_document_table(d, caption);
+    thud_site_case_table(site, caption, SITE_FREE);
     thud_document_cell(d, "%s", table->row);
     for (int i = 0; i < site->ncases; i++)
-        thud_document_cell(d, "%s", site->cases[i].name);
-    thud_document_cell(d, "%s / %s", site->cases[SITE_NONE].name, site->cases[SITE_FREE].name);
-    for (int i = SITE_MEASURE; i < site->ncases; i++)
-        thud_document_cell(d, "%s / %s", site->cases[i].name, site->cases[SITE_NONE].name);
+        thud_document_cell(d, "%c", thud_site_letter(i));
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        thud_document_cell(d, "%c/%c", thud_site_letter(i), thud_site_letter(i > SITE_NONE ? SITE_NONE : SITE_FREE));
     thud_document_row(d);
     for (int f = site->cases[0].result->structure[s].floors - 1; f >= 0; f--) {
         double value[SITE_CASES];
@@ -325,11 +324,11 @@ static void add_contact_table(struct site *site, int from, int till)
     struct thud_document *d = &site->document;
     if (site->own->result->ncontacts == 0)
         return;
-    thud_document_table(d, from > SITE_NONE ? "Contacts, further cases" : "Contacts");
+    thud_site_case_table(site, from > SITE_NONE ? "Contacts, further cases" : "Contacts", SITE_NONE);
     thud_document_cell(d, "floors");
     for (int i = from; i < till; i++)
         for (int k = 0; k < CONTACT_COLUMNS; k++)
-            thud_document_cell(d, "%s: %s", site->cases[i].name, contact_column[k].name);
+            thud_document_cell(d, "%c: %s", thud_site_letter(i), contact_column[k].name);
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
         const struct thud_contact_result *p = &site->own->result->contact[c];
@@ -344,23 +343,23 @@ static void add_contact_table(struct site *site, int from, int till)
 }
 
 /* The columns that slabs strike, of the ends the one that bears more. */
-static void add_column_table(struct site *site, int from, int till)
+static void add_column_table(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct thud_result *own = site->own->result;
     char name[THUD_NAME_MAX + 32];
     if (own->ncolumns == 0)
         return;
-    thud_document_table(d, from > SITE_NONE ? "Columns that slabs strike, further cases"
-                                            : "Columns that slabs strike: largest shear and moment at their ends");
+    thud_site_case_table(
+        site, "Columns that slabs strike: largest shear V and moment M at their ends, V over capacity C", SITE_FREE);
     thud_document_cell(d, "columns below");
-    for (int i = from; i < till; i++)
-        thud_document_cells(d, "%s: shear MN\t%s: moment MN m\t%s: shear / capacity", site->cases[i].name,
-                            site->cases[i].name, site->cases[i].name);
+    for (int i = 0; i < site->ncases; i++)
+        thud_document_cells(d, "%c: V MN\t%c: M MN m\t%c: V/C", thud_site_letter(i), thud_site_letter(i),
+                            thud_site_letter(i));
     thud_document_row(d);
     for (int k = own->ncolumns - 1; k >= 0; k--) {
         thud_document_cell(d, "%s", thud_site_columns(site, &own->column[k], name, sizeof name));
-        for (int i = from; i < till; i++) {
+        for (int i = 0; i < site->ncases; i++) {
             const struct thud_column_result *r = &site->cases[i].result->column[k];
             thud_document_cells(d, "%s\t%s\t%s", thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_SHEAR_LOWER), 3).text,
                                 thud_site_number(1e-6 * larger_of(r, THUD_COLUMN_MOMENT_LOWER), 3).text,
@@ -427,9 +426,7 @@ static void results(struct site *site)
         }
     for (int i = SITE_NONE; i < site->ncases; i += 2)
         add_contact_table(site, i, i + 2 < site->ncases ? i + 2 : site->ncases);
-    add_column_table(site, SITE_FREE, site->ncases < SITE_MEASURE + 1 ? site->ncases : SITE_MEASURE + 1);
-    if (site->ncases > SITE_MEASURE + 1)
-        add_column_table(site, SITE_MEASURE + 1, site->ncases);
+    add_column_table(site);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(site, &site->cases[i]);
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases)) {
@@ -440,15 +437,16 @@ static void results(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
         struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
         const bool made = thud_figure_check(forces, NULL) == THUD_OK;
+        const double share = fmin(0.63, 0.2 + 0.06 * (made ? forces->rows : 0)); /* a strip for each contact and case */
+        if (made)
+            thud_site_fit(site, forces, share);
         const struct thud_axis none = {.label = "Force", .unit = ""},
                                *axis = made ? &forces->panel[forces->columns * (forces->rows - 1)].axis[THUD_Y] : &none;
         char caption[160];
         snprintf(caption, sizeof caption, "Ground acceleration and the largest %c%ss (%s) over time%s.",
                  axis->label[0] - 'A' + 'a', axis->label + 1, axis->unit,
                  made && forces->columns > 1 ? "; at the right around the largest impact" : "");
-        thud_site_figure(site, forces,
-                         fmin(0.63, 0.2 + 0.06 * (made ? forces->rows : 0)), /* a strip for each contact and case */
-                         caption);
+        thud_site_figure(site, forces, share, caption);
     }
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.5,

@@ -268,7 +268,8 @@ void thud_site_verdicts(struct site *site)
     for (int i = 1; i < site->scene->nstructures; i++)
         gap_rows(site, i);
     for (int i = SITE_NONE; i < site->ncases; i++)
-        pounding_row(site, &site->cases[i]);
+        if (!site->suite.leads || i == SITE_NONE || i + 1 == site->ncases) /* the rows over the suite have them all */
+            pounding_row(site, &site->cases[i]);
     for (int i = SITE_MEASURE; i < site->ncases; i++)
         measure_row(site, &site->cases[i]);
     if (site->ncases <= SITE_MEASURE)

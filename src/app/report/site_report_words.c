@@ -36,6 +36,18 @@ struct thud_site_shown thud_site_verb(const struct site_case *one, const char *v
     return out;
 }
 
+void thud_site_case_table(struct site *site, const char *caption, int from)
+{
+    struct thud_text text = {0};
+    thud_text_append(&text, "%s", caption);
+    for (int i = from; i < site->ncases; i++)
+        thud_text_append(&text, "%s%c: %s", i > from ? "; " : " (", thud_site_letter(i), site->cases[i].name);
+    thud_text_append(&text, ")");
+    thud_document_table(&site->document, text.data ? text.data : caption);
+    site->document.failed = site->document.failed || text.failed;
+    thud_text_clear(&text);
+}
+
 const struct site_case *thud_site_bare(const struct site *site)
 {
     const struct site_case *one = &site->cases[SITE_NONE];
@@ -80,13 +92,10 @@ void thud_site_sides(const struct site *site, int interface, int left, int right
     snprintf(text, size, "%s and %s", side[0], side[1]);
 }
 
-void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption)
+/* Of a figure with this share of height to width. */
+static struct thud_picture_options options_of(const struct site *site, double share)
 {
-    struct thud_document *d = &site->document;
     struct thud_picture_options options = {0};
-    struct thud_error err = {0};
-    struct thud_text svg = {0};
-    char file[96];
     if (site->options->pictures)
         options = *site->options->pictures;
     options.format = THUD_SVG;
@@ -97,6 +106,22 @@ void thud_site_figure(struct site *site, struct thud_figure *figure, double shar
     }
     if (options.font_px == 0)
         options.font_px = letters_px;
+    return options;
+}
+
+void thud_site_fit(const struct site *site, struct thud_figure *figure, double share)
+{
+    const struct thud_picture_options options = options_of(site, share);
+    thud_figure_fit(figure, &options);
+}
+
+void thud_site_figure(struct site *site, struct thud_figure *figure, double share, const char *caption)
+{
+    struct thud_document *d = &site->document;
+    struct thud_picture_options options = options_of(site, share);
+    struct thud_error err = {0};
+    struct thud_text svg = {0};
+    char file[96];
     const struct thud_record *const *record = site->suite.drawing ? site->suite.plan.record : &site->record;
     int nrecords = site->suite.drawing ? site->suite.plan.nrecords : 1;
     thud_synthetic_text(thud_records_synthetic(record, nrecords), nrecords, options.motions, sizeof options.motions);

@@ -102,13 +102,16 @@ const char *thud_fragility_note(int ndraws)
 }
 
 /* "drift:1 %": drift above 1 %. */
-static void event_words(const char *event, char *text, size_t size)
+static void event_words(const struct thud_scene *scene, const char *event, char *text, size_t size)
 {
-    const char *limit = strchr(event, ':');
+    static const char *const worse[] = {[THUD_HAS_BUMPER] = "a bumper that makes it worse",
+                                        [THUD_HAS_LINKS] = "links that make it worse",
+                                        [THUD_HAS_BUMPER | THUD_HAS_LINKS] = "bumper and links that make it worse"};
+    const char *limit = strchr(event, ':'), *of = worse[thud_scene_measures(scene)];
     if (limit)
         snprintf(text, size, "%.*s above %s", (int)(limit - event), event, limit + 1);
     else
-        snprintf(text, size, "%s", strcmp(event, "worse") == 0 ? "a bumper that makes it worse" : event);
+        snprintf(text, size, "%s", of && strcmp(event, "worse") == 0 ? of : event);
 }
 
 /* Points at the ends of the axis stand inside the frame. */
@@ -139,7 +142,7 @@ struct thud_figure *thud_figure_of_fragility(const struct thud_sweep_plan *plan,
     while (name[n - 1] == '-')
         n--;
     name[n] = '\0';
-    event_words(event, words, sizeof words);
+    event_words(&plan->scene, event, words, sizeof words);
     snprintf(title, sizeof title, "%s: probability of %s", plan->scene.title[0] ? plan->scene.title : plan->scene.name,
              words);
     struct thud_figure *figure = thud_figure_create(name, title, 1, columns > 0 ? columns : 1);
