@@ -35,7 +35,7 @@ enum thud_status {
     THUD_COLLAPSED = 9  /* a storey has collapsed: results up to then are there; the program exits with 4 */
 };
 
-/* One message: FILE:LINE:COLUMN: KEY: what is wrong (what is allowed). Unused parts are empty or 0. */
+/* Message: FILE:LINE:COLUMN: KEY: what is wrong (what is allowed). Unused parts are empty or 0. */
 struct thud_error {
     enum thud_status status;
     char file[512];
@@ -46,7 +46,7 @@ struct thud_error {
     char allowed[256];
 };
 
-/* The whole message in one line without a newline; returns `text`. Control characters are shown as `?`. */
+/* Writes the whole message in one line without a newline; returns `text`. Control characters are shown as `?`. */
 THUD_API char *thud_error_text(const struct thud_error *err, char *text, unsigned long size);
 /* "0.1.0" */
 THUD_API const char *thud_version(void);
@@ -55,12 +55,12 @@ THUD_API const char *thud_version(void);
 
 struct thud;
 
-/* From a preset by its name or its file (NULL: two neighbours to start from); from a preset's text, with `name` for
- * messages and for what is found beside it. */
+/* Open a scene from a preset by its name or its file (NULL: two neighbours to start from), or from a preset's text,
+ * with `name` for messages and for files found beside it. */
 THUD_API enum thud_status thud_open(const char *preset, struct thud **out, struct thud_error *err);
 THUD_API enum thud_status thud_parse(const char *text, size_t size, const char *name, struct thud **out,
                                      struct thud_error *err);
-/* Another scene with the same values, ground motion and laws, whose `context` both then have. */
+/* Copies a scene with its values, ground motion and laws, whose `context` both then have. */
 THUD_API enum thud_status thud_copy(const struct thud *scene, struct thud **out, struct thud_error *err);
 THUD_API void thud_close(struct thud *scene); /* NULL is allowed */
 
@@ -75,16 +75,16 @@ THUD_API enum thud_status thud_get_length(const struct thud *scene, const char *
 THUD_API enum thud_status thud_set_number(struct thud *scene, const char *key, double value, struct thud_error *err);
 THUD_API enum thud_status thud_get_number(const struct thud *scene, const char *key, double *value,
                                           struct thud_error *err);
-/* The n-th (from 0) value that is unusual, as a message with its key; 0 when there are no more. */
+/* Gives the n-th (from 0) unusual value as a message with its key; returns 0 when there are no more. */
 THUD_API int thud_unusual(const struct thud *scene, int n, struct thud_error *out);
-/* The scene as a preset's text, the comments of its own kept; NULL on errors. Valid until the next call. */
+/* Returns the scene as a preset's text, with its own comments; NULL on errors. Valid until the next call. */
 THUD_API const char *thud_yaml(struct thud *scene, struct thud_error *err);
 
 /* The ground's acceleration, (samples, at least 1) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...) hold for it
  * when set afterwards. */
 THUD_API enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_t samples, double dt_s,
                                           struct thud_error *err);
-/* The motion as a run takes it. Valid until the scene is changed or closed. */
+/* Gives the motion as a run uses it. Valid until the scene is changed or closed. */
 THUD_API enum thud_status thud_motion(struct thud *scene, const double **a_mps2, size_t *samples, double *dt_s,
                                       struct thud_error *err);
 
@@ -105,11 +105,11 @@ struct thud_contact_law {
     const char *name;
     void *context;
     int pulls; /* the force may be negative: the contact ends at d = 0 */
-    /* The force in approach (restitution 0) or restitution (1). */
+    /* Returns the force in approach (restitution 0) or restitution (1). */
     void (*force)(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out);
-    /* Energy that it would give back from indentation d if nothing were lost on the way, J. */
+    /* Returns the energy that the law would return from indentation d without losses, J. */
     double (*energy)(void *context, double mass_kg, const double *memory, double d_m);
-    /* Contact begins with approach velocity v; may be NULL. */
+    /* Called at contact onset with approach velocity v; may be NULL. */
     void (*onset)(void *context, double mass_kg, double v_mps, double *memory);
     /* Where approach and restitution differ: the velocity reverses at indentation d. NULL: they are the same. */
     void (*reversal)(void *context, double mass_kg, int restitution, double d_m, double *memory);
@@ -126,7 +126,7 @@ THUD_API enum thud_status thud_set_law(struct thud *scene, int interface_from_1,
 
 struct thud_results;
 
-/* A run at the end of a step; all arrays are valid until the function returns. */
+/* Run at the end of a step; all arrays are valid until the function returns. */
 struct thud_moment {
     size_t size; /* of this struct: later versions add fields at the end */
     double time_s, ground_mps2;
@@ -135,17 +135,18 @@ struct thud_moment {
     const double *force_n, *indentation_m;                           /* (contacts); below 0 they are that far apart */
 };
 
-/* How it is done; NULL stands for all of these 0. */
+/* Options; NULL: all of these 0. */
 struct thud_control {
     size_t size;       /* sizeof (struct thud_control): later versions add fields at the end */
     const char *which; /* the case: "none", "bumper", "cavity"; NULL: as written. Of a sweep several, "none,bumper" */
     int histories;     /* other than 0: keep histories and impacts of a run */
     int threads;       /* of a sweep; 0: one a processor. The results do not depend on it */
-    /* Now and then with the part that is done, 0 to 1, from the calling thread; other than 0 stops (THUD_CANCELLED). */
+    /* Called at intervals with the finished fraction, 0 to 1, from the calling thread; a result other than 0 stops
+     * (THUD_CANCELLED). */
     int (*progress)(void *context, double part);
     void *context;
-    /* Of thud_run: at every committed step, with the same context and from the calling thread; other than 0 ends the run
-     * (THUD_CANCELLED). */
+    /* Called by thud_run at every committed step, with the same context, from the calling thread; a result other than 0
+     * ends the run (THUD_CANCELLED). */
     int (*step)(void *context, const struct thud_moment *moment);
 };
 
@@ -157,7 +158,7 @@ THUD_API enum thud_status thud_sweep(struct thud *scene, const char *const *vary
                                      struct thud_results **out, struct thud_error *err);
 THUD_API void thud_free(struct thud_results *results); /* NULL is allowed */
 
-/* What `thud run --json` prints; of a sweep NULL. */
+/* Returns what `thud run --json` prints; of a sweep NULL. */
 THUD_API const char *thud_json(const struct thud_results *results);
 
 /* A table of results: `floors`, `contacts`, and of a run with histories `impacts` and `histories`; of a sweep `sweep`,
@@ -168,23 +169,23 @@ struct thud_table {
     const char *const *name; /* (columns) */
     const double *value;     /* (columns x rows): the rows of a column stand together */
 };
-/* Name of the i-th table (from 0); NULL past the last. */
+/* Returns the name of the i-th table (from 0); NULL past the last. */
 THUD_API const char *thud_table_name(const struct thud_results *results, int i);
 THUD_API enum thud_status thud_table(const struct thud_results *results, const char *name, struct thud_table *out,
                                      struct thud_error *err);
 /* (rows) values of one column. */
 THUD_API enum thud_status thud_column(const struct thud_results *results, const char *table, const char *column,
                                       const double **value, size_t *rows, struct thud_error *err);
-/* What a column of a table holds. */
+/* Contents of a column of a table. */
 enum thud_kind {
     THUD_KIND_NONE,   /* there is no such column */
     THUD_KIND_NUMBER, /* numbers, which thud_column gives */
     THUD_KIND_TEXT    /* texts, which thud_cell gives */
 };
 THUD_API enum thud_kind thud_column_kind(const struct thud_results *results, const char *table, const char *column);
-/* The text of a cell, by row and column from 0; NULL where there is none, as in histories. */
+/* Returns the text of a cell, by row and column from 0; NULL: none, as in histories. */
 THUD_API const char *thud_cell(const struct thud_results *results, const char *table, size_t row, size_t column);
-/* The table as the program's CSV; NULL for a table that there is not, and for histories. */
+/* Returns the table as the program's CSV; NULL: no such table, and histories. */
 THUD_API const char *thud_csv(const struct thud_results *results, const char *table);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* What a scene needs: every simplification that applies to it, what it changes and what it saves, and those of them put
- * together that keep an accuracy. Pure: whoever owns a clock times the evaluations. */
+/* Simplification of a scene: every one that applies, its change and saving, and the combination that keeps an accuracy.
+ * Pure: the owner of a clock times the evaluations. */
 #pragma once
 
 #include "study/scene/solution.h"
@@ -7,9 +7,9 @@
 enum thud_simplify_group { THUD_SIMPLIFY_MODEL, THUD_SIMPLIFY_CONTACT, THUD_SIMPLIFY_MOTION, THUD_SIMPLIFY_METHOD };
 const char *thud_simplify_group_name(enum thud_simplify_group group);
 
-/* Against the full run: the largest difference of a peak over the largest peak of its group there (accelerations and
- * drifts: of the same building), and of the required gap over itself. Peaks below 1 % of the largest of their kind in both
- * runs are not compared. INFINITY: contacts or a collapse in one run alone, or a peak that is lost. NaN: no such peaks. */
+/* Difference from the full run: the largest of a peak over the largest peak of its group there (accelerations and
+ * drifts: of the same building), and of the required gap over itself. Peaks below 1 % of the largest of their kind in
+ * both runs are not compared. INFINITY: contacts or a collapse in one run only, or a lost peak. NaN: no such peaks. */
 struct thud_simplify_change {
     double acceleration, drift, force, gap;
     double all;  /* the largest */
@@ -39,7 +39,7 @@ struct thud_simplify_ask {
     double work_most; /* steps and evaluations times modes after which nothing more is tried; 0: no limit */
 };
 
-/* What was found so far. */
+/* Results so far. */
 struct thud_simplify_found {
     double within;
     double moved;                    /* the largest change by 0.1 % more or less of an input; NaN: not known */
@@ -54,17 +54,17 @@ struct thud_simplify_found {
 bool thud_simplification_within(const struct thud_simplify_found *found, const struct thud_simplification *of);
 
 struct thud_simplify;
-/* `scene` is copied; the records (n 0: none) stay the caller's and are as the scene's record says. Of several the search
- * is on the governing one; its cheapest is then run on all, and loses its last steps until it keeps the accuracy on all
- * of them. Errors: THUD_MEMORY. */
+/* Creates the study. `scene` is copied; the records (n 0: none) stay the caller's and are as the scene's record states.
+ * With several, the search is on the governing one; its cheapest is then run on all, and loses its last steps until it
+ * keeps the accuracy on all. Errors: THUD_MEMORY. */
 enum thud_status thud_simplify_create(const struct thud_scene *scene, struct thud_record *const *record, int n,
                                       const struct thud_simplify_ask *ask, struct thud_simplify **out,
                                       struct thud_error *err);
 void thud_simplify_free(struct thud_simplify *simplify);
 const struct thud_simplify_found *thud_simplify_found(const struct thud_simplify *simplify);
 
-/* One evaluation: the full run, what 0.1 % of input moves, a simplification, a step of the cheapest, or one on another
- * ground motion. *seconds: where the time it took belongs, or NULL. Errors: of the full run, those of thud_scene_solve;
+/* Makes one evaluation: the full run, the effect of 0.1 % of input, a simplification, a step of the cheapest, or one on
+ * another ground motion. *seconds: where its time belongs, or NULL. Errors: of the full run, those of thud_scene_solve;
  * THUD_MEMORY. */
 enum thud_status thud_simplify_advance(struct thud_simplify *simplify, double **seconds, bool *done,
                                        struct thud_error *err);

@@ -20,7 +20,7 @@
 #include "study/scene/first_contact.h"
 #include "study/suite/suite.h"
 
-/* A stripe: of n motions at x, count made it happen. */
+/* Stripe: of n motions at x, `count` caused the event. */
 struct thud_stripe {
     double x; /* > 0 */
     int n, count;
@@ -48,39 +48,40 @@ static inline bool thud_is_fitted(const struct thud_lognormal *curve)
 {
     return curve->fit == THUD_FIT_CURVE;
 }
-/* Newton's method on the logarithm of the likelihood of the probit model, which is concave; the direction comes with
- * it. Stripes with n = 0 or x not above 0 are left out. `fit` is never THUD_FIT_COUNTED. */
+/* Fits a curve by Newton's method on the log-likelihood of the probit model, which is concave; the direction comes with
+ * it. Stripes with n = 0 or x not above 0 are skipped. `fit` is never THUD_FIT_COUNTED. */
 struct thud_lognormal thud_lognormal_fit(const struct thud_stripe *stripe, size_t n);
-/* NaN where not fitted. */
+/* Returns the probability at x; NaN if not fitted. */
 double thud_lognormal_at(const struct thud_lognormal *curve, double x);
 enum { THUD_EVENTS_MAX = 16 }; /* of a study */
-/* What is asked of a run: that a measure is above its limit. */
+/* Event of a run: a measure exceeds its limit. */
 struct thud_event {
     enum thud_measure measure;
     double limit;
     char text[48]; /* as asked for: "drift:1 %" */
 };
-/* How one is written: "force:5MN", of limits "force=5MN", of criteria "force < 5MN" and "no pounding". */
+/* Form in which one is written: "force:5MN", of limits "force=5MN", of criteria "force < 5MN" and "no pounding". */
 enum thud_event_form { THUD_FORM_EVENT, THUD_FORM_LIMIT, THUD_FORM_CRITERION };
 /* Appends an example of each, with commas between. */
 void thud_events_list(enum thud_event_form form, struct thud_text *out);
-/* "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
+/* Reads "pounding", "force:5 MN": the words of the table of measures. Errors: THUD_USAGE. */
 enum thud_status thud_event_parse(const char *text, struct thud_event *out, struct thud_error *err);
-/* "drift=1 %", "force: 5 MN": the limit of a measure by the word of its event. Errors: THUD_USAGE. */
+/* Reads "drift=1 %", "force: 5 MN": the limit of a measure by the word of its event. Errors: THUD_USAGE. */
 enum thud_status thud_limit_parse(const char *text, struct thud_event *out, struct thud_error *err);
-/* Several with commas between, also in brackets as a preset has them; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX. Errors: THUD_USAGE. */
+/* Reads several separated by commas, also in brackets; empty: pounding and worse. `out` has room for THUD_EVENTS_MAX.
+ * Errors: THUD_USAGE. */
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err);
-/* Whether a fragility may be against it: numbers, and more than one. */
+/* Returns whether a fragility can be against it: more than one number. */
 bool thud_axis_is_drawn(const struct thud_sweep_axis *axis);
-/* Whether an intensity of the ground motion is varied. */
+/* Returns whether an intensity of the ground motion is varied. */
 bool thud_axis_is_intensity(const struct thud_sweep_axis *axis);
-/* Annual rate at which an intensity is exceeded; x rising, rate falling. Between its points it is a power of x. */
+/* Hazard curve: annual rate of exceeding an intensity; x rising, rate falling, a power of x between points. */
 struct thud_hazard {
     size_t n;
     double *x, *rate; /* (n) */
     double period_s;  /* of its spectral acceleration, as it says; 0: it does not */
 };
-/* One event and case along one axis, at one setting of the others. */
+/* Fragility of one event and case along one axis, at one setting of the others. */
 struct thud_fragility_ask {
     const struct thud_event *event;
     int k, axis;
@@ -99,39 +100,39 @@ struct thud_fragility {
     double *low, *high; /* (n) 5 and 95 % of the curve's bootstrap; NaN without */
     struct thud_lognormal curve;
     double least, most; /* value that was tried */
-    /* Where the median lies: theta where there is a curve and it lies within the values that were tried; else bounds,
-     * 0 and INFINITY where there are none, both NaN where the counts do not say. */
+    /* Bounds of the median: theta if there is a curve and theta lies within the values tried; else bounds, 0 and
+     * INFINITY for none, both NaN if the counts give none. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
     double rate_low, rate_high;                        /* 16 and 84 % of its annual rates; NaN without */
-    /* Of pounding, which needs no fit: the least value at which each motion causes contact (along a gap: the least at
-     * which it does not), sorted; NULL: not asked for, or not known. At which at least 16, 50 and 84 % of them do, and 5
-     * and 95 % of the bootstrap of the middle one. */
+    /* Of pounding, without a fit: the least value at which each motion causes contact (along a gap: at which it does
+     * not), sorted; NULL: not requested, or not known. Then the values at which at least 16, 50 and 84 % of them do,
+     * and 5 and 95 % of the bootstrap of the middle one. */
     int nexact;
     double *exact; /* (nexact) */
-    /* The same along an intensity, as factors on the motions of the study in their order. */
+    /* Same along an intensity, as factors on the motions of the study in their order. */
     struct thud_first_contact *contact; /* (nexact); NULL: along a gap */
     int clearing;                       /* motions under which a larger factor than the first clears again */
     double exact16, exact50, exact84, exact_low, exact_high;
-    /* Along a gap: the smallest at which no motion causes contact without the bumper; NaN: not known. */
+    /* Along a gap: the smallest gap without contact under any motion, without the bumper; NaN: not known. */
     double free_gap;
 };
-/* Free with thud_fragility_clear. Errors: THUD_MEMORY. */
+/* Computes a fragility; free with thud_fragility_clear. Errors: THUD_MEMORY. */
 enum thud_status thud_fragility_make(const struct thud_suite *suite, const struct thud_fragility_ask *ask,
                                      struct thud_fragility *out, struct thud_error *err);
 void thud_fragility_clear(struct thud_fragility *fragility);
 
-/* Annual rate of an event: a number where the bounds of the hazard curve's range are within a part in a hundred, else
- * bounds; and 16 and 84 % of the number by the bootstrap over the motions, NaN without. */
+/* Annual rate of an event: a number if the bounds of the hazard curve's range agree within 1 %, else bounds; and 16 and
+ * 84 % of the number by the bootstrap over the motions, NaN without. */
 struct thud_rate {
     double least, value, most; /* value: NaN where there are only bounds; most: INFINITY where there is none */
     double low, high;
 };
-/* Of pounding the mean of the rates of each motion's exact value. Else int P |d lambda| of a curve whose median lies within the values that were tried, of counts that separate, and of
- * events that never or always happen. Where the hazard curve ends below, or begins above, where P has its weight, bounds:
- * beyond its last point P lies between what it is there and 1; before its first point its rate is not known. All NaN
- * where neither is known, or the event becomes rarer with the intensity. */
+/* Computes the rate: for pounding the mean of each motion's exact rate; else int P |d lambda| of a curve whose median
+ * lies within the values tried, of counts that separate, and of events that never or always happen. If the hazard curve
+ * does not cover the weight of P, bounds: beyond its last point P lies between its value there and 1; before its first
+ * the rate is unknown. All NaN if neither is known, or the event becomes rarer with the intensity. */
 struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *fragility);
-/* Probability of at least one in so many years of a Poisson process: 1 - exp(-rate years). */
+/* Returns the probability of at least one event in this many years of a Poisson process: 1 - exp(-rate years). */
 double thud_hazard_probability(double rate, double years);
 void thud_hazard_clear(struct thud_hazard *hazard);

@@ -1,5 +1,5 @@
-/* The rules for the gap over a suite of ground motions, beside what happens to the buildings at the gap that they ask
- * for. */
+/* Evaluates the rules for the gap over a suite of ground motions, and the response of the buildings at the resulting
+ * gaps. */
 #pragma once
 
 #include "base/statistics.h"
@@ -12,13 +12,13 @@ struct thud_gap_suite {
     struct thud_needed_gap *const *gap; /* (nrecords) with the same levels */
     int recordings;                     /* that these motions are of (thud_motions_recordings) */
 };
-/* Over the ground motions at a level (from 0; -1: the widest over the levels of `interface`, from 1; 0: of all): 16, 50 and 84 % are the narrowest gaps
- * that are enough for at least so many of them, order statistics. `share`: of the ground motions for which
- * the rule asks for less than is needed there, of those for which it has a value. Errors: THUD_MEMORY. */
+/* Computes fractiles over the ground motions at a level (from 0; -1: the widest over the levels of `interface`, from 1;
+ * 0: of all): 16, 50 and 84 % are the smallest gaps sufficient for that share of them, order statistics. `share`: of
+ * the motions with a value of the rule, those for which it requires too little. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int interface, int level, int rule,
                                           struct thud_fractiles *out, struct thud_error *err);
 
-/* What a rule makes of a suite at an interface, and what becomes of buildings at that gap. */
+/* Result of a rule over a suite at an interface, and the response of the buildings at that gap. */
 struct thud_gap_ruled {
     struct thud_gap_level level; /* that asks for most, with the design displacements */
     double gap_m;                /* NaN: the rule has no value; -1: nothing could touch there */
@@ -26,32 +26,30 @@ struct thud_gap_ruled {
     double force_n;              /* the largest of any of them */
     int worst;                   /* the ground motion of it; -1 */
 };
-/* A rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the ground
- * motions, or the largest ones where fewer than its code asks for are independent; what is needed: the largest of all.
- * Nothing pounds yet. */
+/* Evaluates a rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the
+ * ground motions, or the largest ones if fewer than its code requires are independent; the needed gap is the largest of
+ * all. Nothing pounds yet. */
 bool thud_gap_suite_means(const struct thud_gap_suite *suite, int rule); /* else the largest */
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
-/* Adds a ground motion to what becomes of the buildings at the gaps of a rule, all interfaces at once; where it has no
- * value, at the scene's own gap: a run without bumpers, and none where there is no contact. Errors: those of
- * thud_scene_solve. */
+/* Adds a ground motion to the response at the gaps of a rule, all interfaces at once; where it has no value, at the
+ * scene's own gap: a run without bumpers, and none if there is no contact. Errors: those of thud_scene_solve. */
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
                                 struct thud_error *err);
 
 /* ---- over the periods of estimated buildings ---- */
 
-/* Of an interface (from 0): the required gap as the periods of its estimated buildings go from
- * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal steps of the logarithm; those of neighbours apart from each
- * other. */
+/* Range of the required gap of an interface (from 0) as the periods of its estimated buildings go from
+ * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal logarithmic steps; those of neighbours independently. */
 struct thud_gap_range {
     double least_m, most_m;
     double left_factor, right_factor; /* of the periods where it is most_m; NaN: not estimated */
 };
 /* Returns the number of such periods; 0: no building is estimated. */
 int thud_gap_periods(const struct thud_scene *scene);
-/* What is enough at one of them (from 0) for a ground motion, where it is more than need_m (nstructures - 1). Errors:
- * those of thud_needed_gap_run. */
+/* Computes the gap sufficient at one of them (from 0) for a ground motion, if more than need_m (nstructures - 1).
+ * Errors: those of thud_needed_gap_run. */
 enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
                                      double *need_m, struct thud_error *err);
-/* The range from need_m (periods x interfaces); least_m is NaN where no neighbour is estimated. */
+/* Makes the range from need_m (periods x interfaces); least_m is NaN if no neighbour is estimated. */
 void thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);

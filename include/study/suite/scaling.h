@@ -37,11 +37,11 @@ struct thud_scaled_suite {
 
 void thud_scaling_init(struct thud_scaling *scaling);
 
-/* EN 1998-1 3.2.3.1.2(4): the mean of the scaled spectra nowhere below 90 % of the target over the periods, and the mean
- * at T = 0 not below a_g S (of a target of points that has no T = 0: not asked). `target` NULL: no scaling, all chosen
- * with factor 1, spectra of 5 % alone. Of `count` the motions that fit best; fewer where no more may be chosen, and
- * `out->motion[].why` says why not. Of the periods those count that the motions resolve (four samples) and the target has;
- * out->narrowed where that is fewer. Errors: THUD_INPUT (no such period, nothing to choose from), THUD_MEMORY. */
+/* Scales by EN 1998-1 3.2.3.1.2(4): the mean of the scaled spectra nowhere below 90 % of the target over the periods,
+ * and the mean at T = 0 not below a_g S (not for a target of points without T = 0). `target` NULL: no scaling, all
+ * chosen with factor 1, spectra of 5 % only. Chooses the `count` best fits, or fewer, with the reason in
+ * `out->motion[].why`. Only periods that the motions resolve (four samples) and the target has count; out->narrowed:
+ * fewer than requested. Errors: THUD_INPUT (no such period, nothing to choose from), THUD_MEMORY. */
 enum thud_status thud_suite_scale(const struct thud_record *const *record, int n, const struct thud_target *target,
                                   const struct thud_scaling *scaling, struct thud_scaled_suite *out,
                                   struct thud_error *err);

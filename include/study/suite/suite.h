@@ -1,5 +1,5 @@
-/* What a study says over its ground motions together: of every run a few numbers, kept small so that tens of thousands
- * of runs fit, and their fractiles over the motions at each setting of the other varied keys. */
+/* Statistics of a study over its ground motions: a few numbers of every run, so that tens of thousands of runs fit, and
+ * their fractiles over the motions at each setting of the other varied keys. */
 #pragma once
 
 #include "base/statistics.h"
@@ -7,7 +7,7 @@
 #include "study/sweep/sweep.h"
 #include "study/sweep/sweep_table.h"
 
-/* Fewer independent motions have no bootstrapped band. */
+/* Fewest independent motions that have a bootstrapped band. */
 enum { THUD_DRAWS_LEAST = 7 };
 
 /* Setting i (of thud_suite_settings) of ground motion r is point r x settings + i of the plan. */
@@ -22,13 +22,13 @@ struct thud_suite {
     int *first;    /* (ndraws + 1, and room) where those of a recording begin in `motion` */
     double *value; /* (nrecords x settings x plan->ncases x nvalues); NaN: no result */
 };
-/* Errors: THUD_MEMORY. The plan must outlive it. */
+/* Creates a suite; the plan must outlive it. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_create(const struct thud_sweep_plan *plan, struct thud_suite **out, struct thud_error *err);
 void thud_suite_free(struct thud_suite *suite);
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_suite_add(struct thud_suite *suite, const struct thud_sweep_point *point, struct thud_error *err);
 
-/* `k`: index into the plan's cases. structure -1: the largest over the structures. */
+/* Returns a number of a run. `k`: index into the plan's cases. structure -1: the largest over the structures. */
 double thud_suite_value(const struct thud_suite *suite, int record, long setting, int k, enum thud_measure measure,
                         int structure);
 /* Computes statistics over the ground motions. `room` (nrecords) is scratch. `share`: of values above
@@ -36,9 +36,9 @@ double thud_suite_value(const struct thud_suite *suite, int record, long setting
 struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
                                            enum thud_measure measure, int structure, double limit, double *room);
 
-/* Wilson's band of a share of the motions (see thud_share_band), where both signs of a motion count as one; NaN: fewer
- * than three motions. */
+/* Computes Wilson's band of a share of the motions (see thud_share_band), where both signs of a motion count as one;
+ * NaN: fewer than three motions. */
 void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high);
 
-/* Places on the axes (naxes) to the number of a setting; back: thud_sweep_place. */
+/* Returns the number of a setting from its places on the axes (naxes); back: thud_sweep_place. */
 long thud_suite_setting(const struct thud_sweep_plan *plan, const int *at);

@@ -27,17 +27,17 @@ struct thud_floor_spectra {
     double *peak_mps2; /* (ncases x nfloors) of the floor's acceleration; NaN where an impulse has none */
 };
 
-/* As a part of a name: "no_pounding", "none", "bumper". */
+/* Returns "no_pounding", "none", "bumper": a part of a name. */
 const char *thud_floor_case_column(int which);
-/* In words: "no pounding, links act", "no bumper", "bumper and links". */
+/* Returns it in words: "no pounding, links act", "no bumper", "bumper and links". */
 const char *thud_floor_case_title(const struct thud_scene *scene, int which);
 
-/* `scene` as written. Its runs end no sooner than the longest period after the motion. Errors: THUD_INPUT (another
- * method than the exact one), THUD_MEMORY, those of thud_scene_solve. */
+/* Computes the spectra of `scene` as written. Its runs end no sooner than the longest period after the motion. Errors:
+ * THUD_INPUT (another method than the exact one), THUD_MEMORY, those of thud_scene_solve. */
 enum thud_status thud_floor_spectra_run(const struct thud_scene *scene, const struct thud_record *record,
                                         const struct thud_floor_spectra_ask *ask, struct thud_floor_spectra **out,
                                         struct thud_error *err);
 void thud_floor_spectra_free(struct thud_floor_spectra *spectra);
 
-/* Of a case and a floor's index: (nperiods), and the index of the largest. */
+/* Returns the values of a case and a floor's index, (nperiods), and the index of the largest. */
 const double *thud_floor_spectrum(const struct thud_floor_spectra *spectra, int which, int floor, int *largest);

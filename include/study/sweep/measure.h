@@ -1,12 +1,12 @@
-/* The table of measures: every number that studies report of a run, with its name, its words, how it is read from a
- * finished point, which event asks for it, and where it is reported. Suites, events, `solve`, what lowers a response and
- * uncertainty iterate over it, so a new measure is a line here, a line of the table, and its reader. */
+/* Table of measures: every number that studies report of a run, with its name, words, reader from a finished point,
+ * event, and places of report. Suites, events, `solve`, the list of lowered responses and uncertainty iterate over it,
+ * so a new measure is a line here, a line of the table, and its reader. */
 #pragma once
 
 #include "base/quantity.h"
 #include "study/sweep/sweep.h"
 
-/* Of a run; from the accelerations on by structure. */
+/* Measures of a run; from the accelerations on by structure. */
 enum thud_measure {
     THUD_MEASURE_GAP,          /* the required gap, which no point has: it is found from the motion without pounding */
     THUD_MEASURE_IMPACTS,      /* all contacts */
@@ -39,7 +39,7 @@ enum thud_measure {
     THUD_MEASURES
 };
 
-/* Where measures are reported. */
+/* Documents that report measures. */
 enum thud_measure_document {
     THUD_TOLD_BY_SUITE,       /* suite.csv and its table: fractiles over the ground motions */
     THUD_TOLD_BY_LOWERED,     /* what bumper and links lower: ratios to case none */
@@ -49,7 +49,7 @@ enum thud_measure_document {
     THUD_MEASURE_DOCUMENTS
 };
 
-/* What a scene must have so that there is such a number. */
+/* Features that a scene must have for a measure. */
 enum {
     THUD_HAS_YIELDING = 1,    /* storeys that may yield */
     THUD_HAS_ISOLATORS = 2,   /* a structure on isolators */
@@ -59,7 +59,7 @@ enum {
     THUD_HAS_LINK_FORCES = 32 /* links */
 };
 
-/* A run of a finished point. */
+/* Run of a finished point. */
 struct thud_measured_run {
     const struct thud_scene *scene; /* the point's, before its case */
     const struct thud_sweep_point *point;
@@ -87,22 +87,22 @@ struct thud_measure_info {
 };
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure);
-/* Where a measure stands among the values that a document keeps of a run of so many structures, its first one of
- * several; for THUD_MEASURES how many values that are. */
+/* Returns the index of a measure among the values that a document keeps of a run of this many structures, its first one
+ * of several; of THUD_MEASURES the number of values. */
 int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure);
 /* Lists the measures that a document reports of what has `features`, in its order; returns how many. */
 int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES]);
-/* What the scenes of a plan have, THUD_HAS_COLUMNS aside. */
+/* Returns the features of a plan's scenes, THUD_HAS_COLUMNS aside. */
 unsigned thud_measure_features(const struct thud_sweep_plan *plan);
 
-/* The larger of two values of a measure: not known where one is not, or that one gives way (`unknown`). */
+/* Returns the larger of two values of a measure: unknown if either is, or that one is ignored (`unknown`). */
 double thud_measure_larger(const struct thud_measure_info *info, double a, double b);
-/* One of THUD_TOLD_BY_FLOORS in case k (k = ncases: no pounding) of a variant of a point, on a floor of a structure from
+/* Returns one of THUD_TOLD_BY_FLOORS in case k (k = ncases: no pounding) of a variant of a point, on a floor of a structure from
  * 1; 0: the mean over its floors, of what yielding storeys tell over those that do, of the sizes (permanent drifts to
  * either side would cancel), of a ratio that of the means. NaN: there is none, as for 0/0. */
 double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,
                              const struct thud_measure_info *info, int structure, int floor);
-/* Of a measure of the run `structure` counts for nothing. NaN: there is none, or it is not known. */
+/* Returns a measure; one of the run ignores `structure`. NaN: there is none, or it is not known. */
 static inline double thud_measure_read(const struct thud_measured_run *run, enum thud_measure measure, int structure)
 {
     const struct thud_measure_info *info = thud_measure_info(measure);

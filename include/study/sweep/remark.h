@@ -1,5 +1,5 @@
-/* Remarks on what no single value shows: one list, each a row of remark_list.c with its place, its
- * condition, its sentence and its weight.  Command line, reports and terminal find the remarks of what they have. */
+/* Remarks on combinations of values: one list, each a row of remark_list.c with its place, condition, sentence and
+ * weight. Command line, reports and terminal find the remarks on what they have. */
 #pragma once
 
 #include "core/model/result.h"
@@ -9,23 +9,23 @@
 #include "study/sweep/sensitivity.h"
 #include "study/sweep/sweep.h"
 
-/* theta = W d/(V h) of a storey (from 0) by a run's own peaks: weight of all above it, peak drift, peak shear, height.
- * EN 1998-1 4.4.2.2(2): second-order effects may be left out up to 0.1, and 0.3 is never to be passed. NaN: it did not
- * drift, or there is no such storey. */
+/* Returns theta = W d/(V h) of a storey (from 0) by a run's own peaks: weight of all above it, peak drift, peak shear,
+ * height. EN 1998-1 4.4.2.2(2): second-order effects may be neglected up to 0.1, and 0.3 must not be exceeded. NaN: it
+ * did not drift, or there is no such storey. */
 double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
                                   int storey);
-/* The largest drift of a building's storeys over their height (`elastic`: of those that do not yield), and that storey,
- * from 1; 0: it has none. */
+/* Returns the peak drift ratio of a building's storeys (`elastic`: of those that do not yield), and that storey, from
+ * 1; 0: none. */
 double thud_drift_ratio(const struct thud_structure *structure, const struct thud_structure_result *result,
                         bool elastic, int *storey);
-/* P-Delta: which storey collapsed, when and how far it had drifted; false where none has. */
+/* Writes which storey collapsed under P-Delta, when and at which drift; false: none. */
 bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out);
-/* The same as the status of what ends there: THUD_COLLAPSED with that message, else THUD_OK. */
+/* Returns THUD_COLLAPSED with that message, else THUD_OK. */
 enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
                                       struct thud_error *err);
 
-/* Over the runs of a study: how many collapse, how many drift by more than buildings bear elastically, and how many press a bumper past its
- * largest strain, or by more than its thickness; and where that is worst. Zeros at first. */
+/* Counts over the runs of a study: collapses, drifts beyond the elastic range of buildings, and bumpers compressed past
+ * their ultimate strain, or by more than their thickness; and the worst place of each. Zeros at first. */
 struct thud_sweep_worst {
     double value; /* drift over height; stability coefficient; compression over thickness */
     long point;
@@ -39,13 +39,13 @@ struct thud_sweep_watch {
     struct thud_sweep_worst drift, theta, press;
     double press_m, thickness_m; /* of the worst press */
 };
-/* Errors: THUD_MEMORY, THUD_INPUT. */
+/* Adds a point. Errors: THUD_MEMORY, THUD_INPUT. */
 enum thud_status thud_sweep_watch_add(struct thud_sweep_watch *watch, const struct thud_sweep_plan *plan,
                                       const struct thud_sweep_point *point, struct thud_error *err);
 
 /* ---- the list ---- */
 
-/* What a remark is about; a set of them says which rows are looked at. */
+/* Subject of a remark; a set of them selects the rows. */
 enum thud_remark_about {
     THUD_REMARK_SCENE = 1,     /* values that are allowed but unusual */
     THUD_REMARK_EFFORT = 2,    /* a run that takes long */
@@ -57,12 +57,12 @@ enum thud_remark_about {
     THUD_REMARK_LEDGER = 128,  /* energy of a run that is not balanced */
     THUD_REMARK_SIMPLER = 256  /* what a scene might do without: the command that tells */
 };
-/* What goes into a study, and with what comes of it: those that its JSON ends with. */
+/* Remarks on the input of a study, and with its results: those at the end of its JSON. */
 enum {
     THUD_REMARKS_OF_INPUT = THUD_REMARK_SCENE | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED,
     THUD_REMARKS_OF_STUDY = THUD_REMARKS_OF_INPUT | THUD_REMARK_CHANGE | THUD_REMARK_STUDY
 };
-/* What weighs most stands first where few are shown. */
+/* Weight of a remark; the heaviest come first where few are shown. */
 enum thud_remark_weight {
     THUD_WEIGHT_FAILURE, /* from there on the numbers have no meaning */
     THUD_WEIGHT_MOTION,  /* the ground motion is not one to design by */
@@ -84,7 +84,7 @@ struct thud_remarks {
     struct thud_remark *item; /* (n) in the order of the rows */
 };
 
-/* What is looked at; NULL or 0 where there is none of it, and then its rows say nothing. */
+/* Subjects of the search; NULL or 0: none, and its rows give no remarks. */
 struct thud_remark_scope {
     const struct thud_scene *scene, *before; /* before: as it was written, ahead of its changes */
     const struct thud_result *result;
@@ -97,7 +97,7 @@ struct thud_remark_scope {
     const struct thud_sweep_plan *plan;
     const struct thud_sweep_watch *watch;
 };
-/* The remarks of a set of enum thud_remark_about, to be cleared. Remarks for which there is no memory are omitted. */
+/* Finds the remarks of a set of enum thud_remark_about, to be cleared; without memory for one, it is omitted. */
 struct thud_remarks thud_remarks_find(const struct thud_remark_scope *scope, unsigned about);
 void thud_remarks_clear(struct thud_remarks *remarks);
 /* Returns the remark of the same row and key; NULL: none. */

@@ -1,10 +1,10 @@
-/* Which digits of a peak mean anything: pounding can amplify a small change, so the scene is run again with each of a
- * few inputs a little smaller and a little larger. */
+/* Significant digits of a peak: pounding can amplify a small change, so the scene is run again with each of a few
+ * inputs a little smaller and a little larger. */
 #pragma once
 
 #include "study/scene/solution.h"
 
-/* Stiffnesses of every second structure at a time: a change of all of them together moves no building against its
+/* Changes of stiffness are of every second structure at a time: a common change moves no building relative to its
  * neighbour, which is what makes them pound. */
 enum thud_change {
     THUD_CHANGE_GAP,
@@ -20,8 +20,8 @@ struct thud_spread {
     double by[THUD_CHANGES];
 };
 double thud_spread_most(const struct thud_spread *spread);
-/* How many leading digits of a number mean anything when it changes by this much of itself: the change is below one of
- * the last of them, whatever the number; at most 15. */
+/* Returns the number of significant leading digits under this relative change: the change is below one of the last of
+ * them, whatever the number; at most 15. */
 int thud_spread_digits(double spread);
 
 /* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; the
@@ -34,7 +34,7 @@ enum thud_status thud_change_solve(const struct thud_scene *scene, const struct 
                                    enum thud_change change, double factor, struct thud_solution *solution,
                                    struct thud_error *err);
 
-/* The relative change that the scene's study asks for, else 0.1 %. */
+/* Returns the relative change of the scene's study, by default 0.1 %. */
 double thud_scene_change(const struct thud_scene *scene);
 
 /* Peaks of a floor and of a contact, in this order. */
@@ -49,7 +49,7 @@ struct thud_sensitivity {
     struct thud_spread (*contact)[THUD_CONTACT_SPREADS]; /* (ncontacts) */
 };
 
-/* `result`: of `scene` (that of a case), nominal. Errors: THUD_MEMORY, those of thud_scene_solve. */
+/* Computes it. `result`: of `scene` (of a case), nominal. Errors: THUD_MEMORY, those of thud_scene_solve. */
 enum thud_status thud_sensitivity_run(const struct thud_scene *scene, const struct thud_record *record, double change,
                                       const struct thud_result *result, struct thud_sensitivity **out,
                                       struct thud_error *err);

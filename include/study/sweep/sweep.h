@@ -14,8 +14,8 @@
 #include "study/sweep/sensitivity.h"
 #include "study/sweep/sweep_row.h"
 
-/* None of these changes a result (model.md, section 7). They hold for the exact method; other methods make every run.
- */
+/* Shortcuts, none of which changes a result (model.md, section 7). They hold for the exact method; other methods make
+ * every run. */
 enum thud_sweep_shortcut {
     THUD_SWEEP_FREE =
         1, /* clearances at least as wide as the largest relative displacements take the contact-free result */
@@ -27,7 +27,7 @@ enum thud_sweep_shortcut {
 
 enum { THUD_SWEEP_CASES_MAX = THUD_CASES_MAX };
 
-/* Runs of a case at a point where its spread is asked for: nominal (variant 0), then each change less and more. */
+/* Runs of a case at a point with a spread: nominal (variant 0), then each change less and more. */
 enum { THUD_SWEEP_VARIANTS = 1 + 2 * THUD_CHANGES };
 
 struct thud_sweep_plan {
@@ -46,54 +46,54 @@ struct thud_sweep_plan {
     double sensitivity; /* every run again with gaps, motion and stiffnesses changed by this much; 0: not */
 };
 
-/* A plan of the scene alone: no axes, no records, case as written. */
+/* Makes a plan of the scene only: no axes, no records, case as written. */
 void thud_sweep_plan_init(struct thud_sweep_plan *plan, const struct thud_scene *scene);
 void thud_sweep_plan_clear(struct thud_sweep_plan *plan);
 /* Adds an axis: `KEY=FROM:TO:STEP` or `KEY=V1,V2,...`; a unit at the end stands for all. Errors: THUD_USAGE, THUD_INPUT
  * with key, THUD_MEMORY. */
 enum thud_status thud_sweep_vary(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
-/* Cases by name, `none,bumper`. Errors: THUD_USAGE. */
+/* Sets the cases by name, `none,bumper`. Errors: THUD_USAGE. */
 enum thud_status thud_sweep_cases(struct thud_sweep_plan *plan, const char *text, struct thud_error *err);
-/* Axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
+/* Sets axes and cases of the scene's own study; its sensitivity in any case. Errors: as thud_sweep_vary. */
 enum thud_status thud_sweep_study(struct thud_sweep_plan *plan, bool axes, bool cases, struct thud_error *err);
 
 long thud_sweep_points(const struct thud_sweep_plan *plan);
-/* Groups are numbered like points: point p stands on group p / thud_sweep_points_per_group. */
+/* Return the number of points or groups; point p is in group p / thud_sweep_points_per_group. */
 long thud_sweep_points_per_group(const struct thud_sweep_plan *plan);
-/* Record and index on each axis (naxes) of a point; returns the record. */
+/* Finds the index on each axis (naxes) of a point; returns its record. */
 int thud_sweep_place(const struct thud_sweep_plan *plan, long point, int *at);
-/* "14 cm, 0.3 g", with `keys` "gap 14 cm, record.peak 0.3 g": indices on the first n axes, -1 for none ("-"), but on axis
- * `but` (-1: on all). Returns the text; "nominal" without axes. */
+/* Writes "14 cm, 0.3 g", with `keys` "gap 14 cm, record.peak 0.3 g": indices on the first n axes, -1 for none ("-"),
+ * except on axis `but` (-1: on all). Returns the text; "nominal" without axes. */
 const char *thud_sweep_setting(const struct thud_sweep_plan *plan, int n, const int *at, int but, bool keys, char *text,
                                size_t size);
-/* Whether at[] is, on every axis but `but`, one of at most five evenly spread values or the preset's own: those that a
- * table shows. */
+/* Returns whether a table shows at[]: on every axis except `but` one of at most five evenly spread values or the
+ * preset's own. */
 bool thud_sweep_is_spread(const struct thud_sweep_plan *plan, const int *at, int but);
-/* The same of the i-th of n. */
+/* Does the same for the i-th of n. */
 bool thud_is_spread(int n, int i);
-/* The scene of a point, before its case. Errors: THUD_INPUT. */
+/* Makes the scene of a point, before its case. Errors: THUD_INPUT. */
 enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point, struct thud_scene *out,
                                   struct thud_error *err);
 
-/* What the varied keys of the record ask for at a point of this scene, over a record of the plan. Errors: THUD_INPUT. */
+/* Computes the factor on a record of the plan that varied keys require at a point of this scene. Errors: THUD_INPUT. */
 enum thud_status thud_sweep_motion_factor(const struct thud_sweep_plan *plan, const struct thud_scene *scene,
                                           const struct thud_record *record, double *out, struct thud_error *err);
 
-/* The motion without pounding under a set of points, and what each level needs by it. Plan and records must outlive it.
- * Errors: THUD_INPUT (a scene of its points is not possible), THUD_MEMORY. */
+/* Creates a group: the response without pounding of a set of points, and the required gap of each level. Plan and
+ * records must outlive it. Errors: THUD_INPUT (a scene of its points is not possible), THUD_MEMORY. */
 struct thud_sweep_group;
 enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, long index, struct thud_sweep_group **out,
                                          struct thud_error *err);
-/* Errors: THUD_DIVERGED, THUD_MEMORY. The group may be shared once done. */
+/* Advances a group, which may be shared once done. Errors: THUD_DIVERGED, THUD_MEMORY. */
 enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
                                           struct thud_error *err);
 void thud_sweep_group_free(struct thud_sweep_group *group);
-/* The point that makes case k (k = ncases: `none` for the ratios) of a point; its own one where no other run is the
- * same. The group is done. */
+/* Returns the point that makes case k (k = ncases: `none` for the ratios) of a point; its own one if no other run is
+ * the same. The group is done. */
 long thud_sweep_maker(const struct thud_sweep_group *group, long point, int k);
 enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* most that a group keeps for that */
 
-/* What became of a run. */
+/* Outcome of a run. */
 struct thud_sweep_effort {
     enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
     bool made;               /* false: answered without a run */
@@ -112,13 +112,13 @@ struct thud_sweep_floor {
     double stability; /* coefficient W d/(V h) of that storey; NaN: there is none, or it does not drift */
 };
 
-/* What the changed runs of a point cost. */
+/* Cost of the changed runs of a point. */
 struct thud_sweep_changed {
     int made, free, failed; /* runs; answered without one; without a result */
     long steps, events;
 };
 
-/* A finished point: plain numbers, one allocation (free with free()). */
+/* Finished point: plain numbers, one allocation (free with free()). */
 struct thud_sweep_point {
     long index;
     double gap_m;
@@ -141,40 +141,39 @@ struct thud_sweep_point {
 /* (ncontacts) those of a case. */
 const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which);
 
-/* A point in the making. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
+/* Creates the task of a point. The group (done) and the plan must outlive it. Errors: THUD_INPUT (scene or case is not
  * possible), THUD_MEMORY. */
 struct thud_sweep_task;
 enum thud_status thud_sweep_task_create(const struct thud_sweep_plan *plan, const struct thud_sweep_group *group,
                                         long point, struct thud_sweep_task **out, struct thud_error *err);
-/* A run that fails is a run without a result: `err` is set and tells why, but THUD_OK comes back. Errors: THUD_MEMORY.
- */
+/* Advances a task. A failed run has no result: `err` gives the reason, but THUD_OK is returned. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budget, bool *done, struct thud_error *err);
-/* To a task that has not been advanced yet: leaves out the runs whose result is that of another one which a point of
- * `first`, `first + step`, ... makes, for thud_sweep_group_settle. */
+/* Omits from a task not yet advanced the runs whose result is that of another run, which a point of `first`, `first +
+ * step`, ... makes, for thud_sweep_group_settle. */
 void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
-/* Keeps of a finished point what others have too, and gives it what it left to one before it. For all points of the
- * group, in their order, one at a time. Errors: THUD_MEMORY. */
+/* Settles the shared results of a finished point: keeps those that others need, and fills in those it omitted. For all
+ * points of the group in order, one at a time. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,
                                          struct thud_error *err);
 
-/* Whether a point is the first of its group: what its levels need holds for all of them. */
+/* Returns whether a point is the first of its group, whose required gaps hold for all of them. */
 static inline bool thud_sweep_is_first(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point)
 {
     return point->index % thud_sweep_points_per_group(plan) == 0;
 }
-/* The i-th of the runs of a point that were asked for and have a result: its case; ncases: there are no more. */
+/* Returns the case of the i-th run of a point that was requested and has a result; ncases: there are no more. */
 int thud_sweep_answered(const struct thud_sweep_point *point, int i);
 int thud_sweep_contact_row_count(const struct thud_sweep_point *point);
 void thud_sweep_contact_row_at(const struct thud_sweep_point *point, int i, struct thud_sweep_contact_row *row);
 
-/* A point as one line of text without a newline, and back; one with a spread says so at its start. Reading errors:
- * THUD_INPUT, THUD_MEMORY. */
+/* Write a point as one line of text without a newline, and read it; one with a spread is marked at its start. Reading
+ * errors: THUD_INPUT, THUD_MEMORY. */
 void thud_sweep_point_write(const struct thud_sweep_point *point, struct thud_text *out);
 enum thud_status thud_sweep_point_read(const char *line, struct thud_sweep_point **out, struct thud_error *err);
-/* Likewise a line of n numbers with its place in a study; false: it is damaged. */
+/* Do the same for a line of n numbers with its place in a study; false: damaged. */
 void thud_sweep_numbers_write(long index, const double *x, size_t n, struct thud_text *out);
 bool thud_sweep_numbers_read(const char *line, long *index, double *x, size_t n);
 /* Identifies a plan: equal for equal scenes, records, axes, cases and sensitivity. */

@@ -1,9 +1,9 @@
-/* The best value of one varied key, for each setting of the others. */
+/* Best value of one varied key, for each setting of the others. */
 #pragma once
 
 #include "study/sweep/sweep_table.h"
 
-/* What is made small: the largest, over the structures, of the ratio of the mean peak accelerations. */
+/* Objective to minimize: the largest, over the structures, of the ratio of the mean peak accelerations. */
 struct thud_sweep_best {
     int record; /* from 0; -1: the worst of all records counts */
     enum thud_case which;
@@ -17,7 +17,7 @@ struct thud_sweep_best {
 };
 enum { THUD_SWEEP_BEST_PER_CENT = 5 };
 
-/* Rows for `axis` of the table: by record, case and the other keys in their order, and where there are several records
- * after each group the one for all. *out is to be freed; returns how many, -1 when out of memory. Case `none` has no
+/* Makes rows for `axis` of the table: by record, case and the other keys in their order, and with several records after
+ * each group the one for all. *out is to be freed; returns their number, -1 when out of memory. Case `none` has no
  * rows. */
 long thud_sweep_best(const struct thud_sweep_table *table, int axis, struct thud_sweep_best **out);

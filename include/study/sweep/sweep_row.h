@@ -1,5 +1,5 @@
-/* What a parametric study gives, one row per run and floor and one per run and contact: what the CSV files, the
- * figures and the screens read. SI units. */
+/* Results of a parametric study, one row per run and floor and one per run and contact, as read by CSV files, figures
+ * and screens. SI units. */
 #pragma once
 
 #include <stddef.h>
@@ -8,7 +8,7 @@
 #include "study/scene/gap_rule.h"
 #include "study/scene/scene.h"
 
-/* A varied key with its values, in the order in which they are run. */
+/* Varied key with its values, in the order in which they are run. */
 struct thud_sweep_axis {
     char key[96];
     const struct thud_param *param;
@@ -37,7 +37,7 @@ struct thud_sweep_contact_row {
     double force_low_n, force_high_n, indentation_low_m, indentation_high_m;
 };
 
-/* The gap that a level needs, from the motion without pounding, beside the rules of the codes. */
+/* Required gap of a level, from the response without pounding, and the codes' rules. */
 struct thud_sweep_need_row {
     int record;
     int at[THUD_VARY_MAX]; /* place of its value on each axis; of those that change no motion without pounding 0 */

@@ -1,5 +1,5 @@
-/* A whole study in memory, for figures and tables: of each point no more than these show, so that thousands of runs
- * take little. Files and standard output are written from the points themselves (study/sweep.h). */
+/* Whole study in memory, for figures and tables: only the values they show of each point, so that thousands of runs
+ * take little. Files and standard output are written from the points (study/sweep.h). */
 #pragma once
 
 #include <math.h>
@@ -8,22 +8,21 @@
 #include "study/sweep/measure.h"
 #include "study/sweep/sweep.h"
 
-/* Over case `none`, and over no pounding, as in struct thud_sweep_row. */
+/* Ratios to case `none`, and to no pounding, as in struct thud_sweep_row. */
 struct thud_sweep_ratio {
     double acceleration, drift, acceleration_free, drift_free;
 };
 enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 
-/* Over a suite of ground motions, of a run whose own values are medians: the shares of the
- * motions under which there is contact, and under which the mean acceleration of a structure is larger than in case
- * `none`. */
+/* Shares of a suite's ground motions, for a run whose own values are medians: those with contact, and those with a
+ * larger mean acceleration of a structure than in case `none`. */
 struct thud_sweep_shares {
     double pounding, worse;
     /* Wilson's 90 % bands, low and high, both signs of a motion as one; NaN: of so few motions there are none. */
     double pounding_band[2], worse_band[2];
 };
 
-/* What is kept of a point: one allocation (free with free()), sized to its floors and cases. */
+/* Summary of a point: one allocation (free with free()), sized to its floors and cases. */
 struct thud_sweep_summary {
     int record;                     /* from 0 */
     int at[THUD_VARY_MAX];          /* place of its value on each axis */
@@ -61,9 +60,9 @@ struct thud_sweep_table {
 
 /* Returns the bytes of a summary. */
 size_t thud_sweep_summary_size(int nruns, int nstructures, int nrows, bool spread);
-/* An empty one for structures with so many floors each; NULL when out of memory. */
+/* Creates an empty one for structures with this many floors each; NULL when out of memory. */
 struct thud_sweep_summary *thud_sweep_summary_create(int nruns, int nstructures, const int *floors, bool spread);
-/* Of a finished point; *out is NULL where no case that was asked for has a result. Errors: THUD_MEMORY. */
+/* Makes that of a finished point; *out is NULL if no requested case has a result. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_summary_make(const struct thud_sweep_plan *plan, const struct thud_sweep_point *point,
                                          struct thud_sweep_summary **out, struct thud_error *err);
 
@@ -85,7 +84,7 @@ static inline int thud_sweep_summary_floors(const struct thud_sweep_summary *d, 
     return rows > 0 ? rows - 1 : 0;
 }
 
-/* Of run k and a floor of a structure (0: the mean); NULL where there is no such floor, or no spread. */
+/* Returns the values of run k and a floor of a structure (0: the mean); NULL: no such floor, or no spread. */
 static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thud_sweep_summary *d, int k,
                                                                 int structure, int floor, enum thud_sweep_end end)
 {
@@ -95,7 +94,7 @@ static inline struct thud_sweep_ratio *thud_sweep_summary_ratio(const struct thu
     return &d->ratio[((ptrdiff_t)k * d->nrows + row) * ends + end];
 }
 
-/* A measure of run k, with a spread by its end; `structure` counts for those of structures. */
+/* Returns a measure of run k, with a spread by its end; `structure` is used for those of structures. */
 static inline double *thud_sweep_summary_measure(const struct thud_sweep_summary *d, int k, enum thud_measure measure,
                                                  int structure, enum thud_sweep_end end)
 {
@@ -104,7 +103,7 @@ static inline double *thud_sweep_summary_measure(const struct thud_sweep_summary
     return &d->measure[((ptrdiff_t)k * d->nmeasures + at) * (d->spread ? 3 : 1) + end];
 }
 
-/* The value of one, -1: of all structures. */
+/* Returns the value of one structure, -1: of all. */
 static inline double thud_sweep_summary_value(const struct thud_sweep_summary *d, int k, enum thud_measure measure,
                                               int structure, enum thud_sweep_end end)
 {
@@ -117,7 +116,7 @@ static inline double thud_sweep_summary_value(const struct thud_sweep_summary *d
     return most;
 }
 
-/* The run of a case; -1: there is none. */
+/* Returns the run of a case; -1: none. */
 static inline int thud_sweep_summary_find(const struct thud_sweep_summary *d, enum thud_case which)
 {
     for (int k = 0; k < d->nruns; k++)

@@ -1,4 +1,4 @@
-/* Designs of experiments over the unit cube, and how much of a variance each input explains. */
+/* Designs of experiments over the unit cube, and the share of variance that each input explains. */
 #pragma once
 
 #include <stddef.h>

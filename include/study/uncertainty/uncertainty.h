@@ -1,7 +1,7 @@
-/* Propagation of input uncertainty: the inputs that are not known in practice, each with a size; changed one at a time
- * (tornado) and all together, drawn at random. Stiffness, mass, damping, yield, columns and elevation of every building
- * are inputs of their own, and so is the gap of every interface: it is the difference of two buildings' periods that
- * makes them pound, which a common factor hides. */
+/* Propagation of input uncertainty: inputs not known in practice, each with a size; changed one at a time (tornado) and
+ * all together, drawn at random. Stiffness, mass, damping, yield, columns and elevation of every building are separate
+ * inputs, and so is every gap: it is the difference of two buildings' periods that makes them pound, which a common
+ * factor hides. */
 #pragma once
 
 #include "ground/record.h"
@@ -28,7 +28,7 @@ enum thud_input {
     THUD_INPUT_RECORD,          /* which ground motion of a suite */
     THUD_INPUTS
 };
-/* Which of them there are several of. */
+/* Parts of the scene that an input is separate for. */
 enum thud_input_each { THUD_INPUT_ALL, THUD_INPUT_EACH_STRUCTURE, THUD_INPUT_EACH_INTERFACE };
 enum thud_input_way {
     THUD_INPUT_RELATIVE, /* from x (1 - size) to x (1 + size) */
@@ -46,7 +46,7 @@ struct thud_input_info {
 };
 const struct thud_input_info *thud_input_info(enum thud_input input);
 
-/* Sizes as they were asked for. */
+/* Requested sizes. */
 enum { THUD_INPUTS_OWN_MAX = 64 };
 struct thud_inputs {
     double size[THUD_INPUTS];   /* of each building, or interface, on its own */
@@ -60,11 +60,11 @@ struct thud_inputs {
     } own[THUD_INPUTS_OWN_MAX];
 };
 void thud_inputs_init(struct thud_inputs *inputs);
-/* "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm", "stiffness.A=5 %", "stiffness.common=10 %".
- * Errors: THUD_USAGE. */
+/* Reads "gap=5 %", "contact-stiffness=2", "restitution=0.1", "elevation=5 cm", "stiffness.A=5 %", "stiffness.common=10
+ * %". Errors: THUD_USAGE. */
 enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, struct thud_error *err);
 
-/* An input of a scene. */
+/* Input of a scene. */
 struct thud_drawn_input {
     enum thud_input input;
     int of; /* structure or interface, from 0; -1: all of them together */
@@ -80,7 +80,8 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
 
 /* ---- what is asked of every sample ---- */
 
-/* A measure of a run; of the required gap that of the scene, the widest of all levels, without the projection of a bumper. */
+/* Quantity of a sample: a measure of a run; the required gap is the scene's, the widest level, without a bumper's
+ * projection. */
 struct thud_quantity_of_run {
     char name[160];  /* "bumper: mean acceleration of A over no bumper" */
     char column[96]; /* in CSV: "bumper.A.acceleration_ratio" */
@@ -109,18 +110,18 @@ struct thud_uncertainty {
     struct thud_quantity_of_run *quantity; /* (nquantities) the needed gap first, where neighbours could touch */
 };
 
-/* `which`: THUD_CASE_AS_WRITTEN and a scene without a bumper: that alone; with one: none and bumper; else none and `which`.
- * `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one, and without a `record` the
- * nominal one is that whose required separation is the median. Errors: those of thud_needed_gap_run, THUD_INPUT (nothing is
- * uncertain; a size of what is not there), THUD_MEMORY. */
+/* Creates the study. `which`: THUD_CASE_AS_WRITTEN and a scene without a bumper: only that; with one: none and bumper;
+ * else none and `which`. `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one, and
+ * without a `record` the nominal one is that of the median required separation. Errors: those of thud_needed_gap_run,
+ * THUD_INPUT (nothing is uncertain; a size of what is not there), THUD_MEMORY. */
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_record *const *suite, int nsuite, enum thud_case which,
                                          const struct thud_inputs *inputs, struct thud_uncertainty **out,
                                          struct thud_error *err);
 void thud_uncertainty_free(struct thud_uncertainty *uncertainty);
-/* The ground motion at place u of the choice; NaN: the scene's own. */
+/* Returns the ground motion at place u of the choice; NaN: the scene's own. */
 const struct thud_record *thud_uncertainty_record(const struct thud_uncertainty *uncertainty, double u);
-/* The quantities at place u (ninputs) into value (nquantities); NaN where a run has no result. Several threads may ask at
- * once. Errors: THUD_MEMORY, THUD_INPUT, THUD_COLLAPSED (a storey collapses; there are no values from that run on). */
+/* Computes the quantities at place u (ninputs) into value (nquantities); NaN: a run has no result. Several threads may
+ * call at once. Errors: THUD_MEMORY, THUD_INPUT, THUD_COLLAPSED (a storey collapses; later runs have no values). */
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *uncertainty, const double *u, double *value,
                                            struct thud_error *err);
