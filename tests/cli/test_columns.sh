@@ -33,7 +33,7 @@ for word in "EI MNm2 bending.stiffness" "stiffness MN/m stiffness" "capacity kN 
     in_file "a list of another length" "$1: [1 $2, 2 $2]" 'the structure has 4 storeys'
 done
 refused "a shape that is none" structures.1.column.shape=round 'unknown choice "round" (clamped, linear)'
-refused "a key that is none" structures.1.column.width=1m 'unknown key "width" (EI, stiffness, capacity, shape)'
+refused "a key that is none" structures.1.column.width=1m 'unknown key "width" (EI, stiffness, capacity, shape, source)'
 refused "EI and stiffness" structures.1.column.stiffness=5MN/m 'given together with EI'
 refused "an elevation without a unit" structures.1.base=5 'has no unit; give a length'
 refused "far below the ground" structures.1.base=-201m 'is too small (-200 m to 4000 m)'

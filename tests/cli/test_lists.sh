@@ -135,7 +135,7 @@ is "words of every list${wrong:+:$wrong}" [ -z "$wrong" ]
 wrong=""
 while read -r key; do
     case $key in # whatever the key, a value that is none is refused for its own sake, not because the key is unknown
-    record.file | record.component | record.event | record.station | record.licence | title | *.name | study.vary | study.records | study.events | links.1.sl[ai]* | document.*) continue ;; # any text will do, or it is a list of keys itself
+    record.file | record.component | record.event | record.station | record.licence | title | *.name | source | *.source | study.vary | study.records | study.events | links.1.sl[ai]* | document.*) continue ;; # any text will do, or it is a list of keys itself
     esac
     preset=towers
     case $key in # of buildings by matrix and by modes, and of scenes with links
@@ -146,7 +146,7 @@ while read -r key; do
     esac
     gives 3 run "$preset" --set "$key=@" && ! says "unknown key" || wrong="$wrong $key"
 done <"$tmp/keys"
-is "there are those of every part of a scene" [ "$(sed 's/\..*//' "$tmp/keys" | sort -u | tr '\n' ' ')" = "analysis bumper contact contact-levels document gap gap-by-level levels links p-delta record structures study title " ]
+is "there are those of every part of a scene" [ "$(sed 's/\..*//' "$tmp/keys" | sort -u | tr '\n' ' ')" = "analysis bumper contact contact-levels document gap gap-by-level levels links p-delta record source structures study title " ]
 is "the keys are keys of a scene${wrong:+:$wrong}" [ -z "$wrong" ]
 wrong=""
 while read -r case; do "$THUD" run "$([ "$case" = link ] && echo towers-linked || echo rigid-bumper)" --case "$case" --quiet 2>"$tmp/err" || wrong="$wrong $case"; done <"$tmp/cases"

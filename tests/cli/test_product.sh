@@ -380,7 +380,7 @@ fi
 # over several motions the report tells the factor at which half of them touch
 case $full$name in full* | towers | links-friction | isolated-moat-backfill)
     if [ -n "$motion" ] && command suite-report report $scene $motions --no-pdf --samples 0; then
-        sed -n 's/.*when the motions are scaled by \(.*, \)*\([0-9.]*\) ([0-9]* of the 2).*/\2/p' suite-report/report.md >said-report
+        awk -F' *[|] *' '/ [|] half [|]/ { for (i = 1; i <= NF; i++) if ($i == "half") c = i } c && $3 ~ / of 2$/ && $c != "-" { print $c }' suite-report/report.md >said-report
         "$THUD" fragility $scene $motions $factors --cases $cases --event pounding --no-figures --quiet -o both >/dev/null 2>both.err || complain "fragility of two motions: $(head -c 300 both.err)"
         column both/fragility-curves.csv exact_median | awk '$1 != "-" { printf "%.2f\n", $1 }' >of-fragility
         [ -s said-report ] || complain "the report of two motions tells no factor of first contact"
