@@ -1,10 +1,10 @@
 #include "cli/help.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/param.h"
 #include "core/laws/law.h"
 #include "io/record/record_file.h"
@@ -199,7 +199,7 @@ static void gap_rules(struct thud_text *out)
         thud_text_append(&text, "%s%s%s%s%s: %s.", rule->edition, *rule->edition ? ", " : "", rule->clause,
                          *rule->clause ? ", " : "", rule->title, rule->formula);
         if (text.data)
-            text.data[0] = (char)toupper((unsigned char)text.data[0]);
+            text.data[0] = thud_ascii_upper(text.data[0]);
         if (*rule->lacks)
             thud_text_append(&text, " It has no value if %s.", rule->lacks);
         if (*rule->source)

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "io/file/file_private.h"
+#include "io/file/schema.h"
 
 /* 0, or the errno of what went wrong. */
 static int write_all(int fd, const char *text, size_t size)
@@ -192,4 +193,13 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err)
 enum thud_status thud_folder_check(const char *path, struct thud_error *err)
 {
     return walk_folder(path, false, err);
+}
+
+enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err)
+{
+    struct thud_text text = {0};
+    thud_rows_csv(rows, &text);
+    enum thud_status status = thud_text_write_in(&text, folder, rows->schema->name, err);
+    thud_text_clear(&text);
+    return status;
 }

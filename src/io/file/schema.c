@@ -191,15 +191,6 @@ void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out)
     }
 }
 
-enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err)
-{
-    struct thud_text text = {0};
-    thud_rows_csv(rows, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, rows->schema->name, err);
-    thud_text_clear(&text);
-    return status;
-}
-
 void thud_rows_json(const struct thud_rows *rows, struct thud_text *out)
 {
     struct thud_row_room row;

@@ -12,16 +12,6 @@ static const double rounding_m = 1e-12;
  * stay countable. */
 static const double least_yield_m = 1e-6;
 
-static enum thud_status missing(const struct thud_param *param, struct thud_error *err, const char *key)
-{
-    const char *units = param->kind == THUD_PARAM_QUANTITY ? thud_dimension_units(param->dimension) : "";
-    thud_error_set(err, THUD_INPUT, "%s is not given", param->title);
-    if (*units)
-        thud_error_allow(err, "%s in %s", thud_dimension_name(param->dimension), units);
-    thud_error_key(err, "%s", key);
-    return THUD_INPUT;
-}
-
 static enum thud_status check_names(const struct thud_scene *scene, int s, struct thud_error *err)
 {
     for (int i = 0; i < s; i++)
@@ -30,27 +20,6 @@ static enum thud_status check_names(const struct thud_scene *scene, int s, struc
             return thud_scene_refuse(err, "every structure has its own name", "structures.%d.name", s + 1);
         }
     return THUD_OK;
-}
-
-/* Texts are made for a value that is refused alone: a study checks its scene at every point. */
-static bool is_fine(const struct thud_param *param, double value)
-{
-    return !isnan(value) && thud_param_check(param, value, "", NULL) == THUD_OK;
-}
-
-static enum thud_status check_value(const struct thud_param *param, double value, const char *key,
-                                    struct thud_error *err)
-{
-    char text[96];
-    if (is_fine(param, value))
-        return THUD_OK;
-    if (isnan(value))
-        return missing(param, err, key);
-    thud_quantity_format(value, param->unit, text, sizeof text);
-    enum thud_status status = thud_param_check(param, value, text, err);
-    if (status != THUD_OK)
-        thud_error_key(err, "%s", key);
-    return status;
 }
 
 /* A storey's strength is said once, and is one that its drift can be told from. */
@@ -68,29 +37,6 @@ static enum thud_status check_yield(const struct thud_structure *structure, int 
             thud_error_set(err, THUD_INPUT, "storey %d yields at a drift of %.3g mm", i + 1,
                            1e3 * thud_structure_yield(structure, i));
             return thud_scene_refuse(err, "> 0.001 mm times the stiffness", "structures.%d.yield-shear", s + 1);
-        }
-    }
-    return THUD_OK;
-}
-
-enum thud_status thud_group_check(const void *of, enum thud_group group, unsigned kind, int storeys, bool given,
-                                  const char *prefix, struct thud_error *err)
-{
-    const struct thud_param *param;
-    for (int i = 0; (param = thud_group_param(group, i)); i++) {
-        const struct thud_place *place = thud_group_place(group, i);
-        const double *value = (const double *)(const void *)((const char *)of + place->offset);
-        const int n = place->store == THUD_STORE_FLOORS ? storeys : place->store == THUD_STORE_NUMBER;
-        for (int floor = 0; floor < n && place->kinds & 1u << kind; floor++) {
-            char key[96];
-            const bool lacks = place->store == THUD_STORE_FLOORS
-                                   ? place->optional && value[floor] == 0
-                                   : place->absent != THUD_REQUIRED && (!given || isnan(value[floor]));
-            if (lacks || is_fine(param, value[floor]))
-                continue;
-            snprintf(key, sizeof key, n > 1 && !isnan(value[floor]) ? "%s.%s.%d" : "%s.%s", prefix, param->name,
-                     floor + 1);
-            return check_value(param, value[floor], key, err);
         }
     }
     return THUD_OK;
@@ -173,7 +119,7 @@ static enum thud_status check_isolator(const struct thud_structure *structure, i
             return thud_scene_refuse(err, has[law], "%s", key);
         }
         if (place->needed & 1u << law || !isnan(value)) {
-            enum thud_status status = check_value(param, value, key, err);
+            enum thud_status status = thud_value_check(param, value, key, err);
             if (status != THUD_OK)
                 return status;
         }
@@ -247,12 +193,12 @@ static enum thud_status check_law(const struct thud_law_choice *choice, double t
     }
     for (int i = 0; i < choice->law->nparams; i++) {
         const struct thud_param *param = &choice->law->params[i];
-        if (is_fine(param, choice->value[i]))
+        if (thud_value_fits(param, choice->value[i]))
             continue;
         snprintf(key, sizeof key, "interfaces.%d.%s.%s", interface + 1, part, param->name);
         enum thud_status status = isnan(choice->value[i]) && isnan(param->fallback)
                                       ? THUD_OK
-                                      : check_value(param, choice->value[i], key, err);
+                                      : thud_value_check(param, choice->value[i], key, err);
         if (status != THUD_OK)
             return status;
     }
@@ -273,8 +219,8 @@ static enum thud_status check_bumper(const struct thud_interface *at, int interf
 {
     char key[96], gap[48], thick[48], text[48];
     snprintf(key, sizeof key, "interfaces.%d.bumper.thickness", interface + 1);
-    enum thud_status status = check_value(thud_group_param(THUD_GROUP_BUMPER, 1),
-                                          at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
+    enum thud_status status = thud_value_check(thud_group_param(THUD_GROUP_BUMPER, 1),
+                                               at->bumper_thickness_m > 0 ? at->bumper_thickness_m : NAN, key, err);
     if (status != THUD_OK)
         return status;
     double out = at->bumper_thickness_m - at->bumper_cavity_m;
@@ -322,7 +268,7 @@ static enum thud_status check_interface(const struct thud_scene *scene, int i, s
     const struct thud_interface *at = &scene->interface[i];
     char key[64];
     snprintf(key, sizeof key, "interfaces.%d.gap", i + 1);
-    enum thud_status status = check_value(thud_group_param(THUD_GROUP_INTERFACE, 0), at->gap_m, key, err);
+    enum thud_status status = thud_value_check(thud_group_param(THUD_GROUP_INTERFACE, 0), at->gap_m, key, err);
     if (status == THUD_OK)
         status = check_law(&at->contact, 0, i, "contact", err);
     if (status == THUD_OK && at->has_bumper)

@@ -56,6 +56,12 @@ enum thud_status thud_links_check(const struct thud_scene *scene, struct thud_er
 enum thud_status thud_group_check(const void *of, enum thud_group group, unsigned kind, int storeys, bool given,
                                   const char *prefix, struct thud_error *err);
 
+/* Returns whether a value is given and within its bounds. Makes no text: a study checks its scene at every point. */
+bool thud_value_fits(const struct thud_param *param, double value);
+/* Refuses a value that is not. Errors: THUD_INPUT with key. */
+enum thud_status thud_value_check(const struct thud_param *param, double value, const char *key,
+                                  struct thud_error *err);
+
 /* What must be given. */
 #define THUD_REQUIRED 0.0
 

@@ -79,44 +79,6 @@ static enum thud_status check_method(const char *name, struct thud_error *err)
     return thud_words_unknown(&words, "method", name, err);
 }
 
-void thud_place_clear(const struct thud_param *param, const struct thud_place *place, void *at)
-{
-    switch (place->store) {
-    case THUD_STORE_NUMBER:
-        *(double *)at = place->absent == THUD_REQUIRED ? param->fallback : place->absent;
-        break;
-    case THUD_STORE_COUNT:
-        *(int *)at = place->none;
-        break;
-    case THUD_STORE_SIGN:
-        *(int *)at = 1;
-        break;
-    case THUD_STORE_SWITCH:
-        *(bool *)at = param->fallback == 1;
-        break;
-    case THUD_STORE_TEXT:
-        memset(at, 0, place->size);
-        snprintf(at, place->size, "%s", place->usual ? place->usual : "");
-        break;
-    case THUD_STORE_FLOORS:
-        *(double *)at = place->optional ? 0 : param->fallback;
-        break;
-    case THUD_STORE_LEVELS:
-        *(struct thud_by_level *)at = (struct thud_by_level){0};
-        break;
-    default: /* what it belongs to is made with it */
-        break;
-    }
-}
-
-void thud_group_clear(void *of, enum thud_group group, unsigned kinds)
-{
-    const struct thud_place *place;
-    for (int i = 0; (place = thud_group_place(group, i)); i++)
-        if (!place->kinds || place->kinds & kinds)
-            thud_place_clear(thud_group_param(group, i), place, (char *)of + place->offset);
-}
-
 /* Takes back a list of floors. */
 static bool unset_floors(struct thud_scene *scene, const struct thud_slot *slot)
 {

@@ -91,9 +91,6 @@ static inline struct thud_sweep_contact *thud_sweep_contacts(const struct thud_s
     return point->contact + ((ptrdiff_t)variant * point->ncases + k) * point->ncontacts;
 }
 
-/* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
-int thud_sweep_reference(const struct thud_sweep_point *point);
-
 /* Which runs of a group are the same; NULL: none is shared. Made in slices once the group's model is there. */
 enum thud_status thud_sweep_same_create(const struct thud_sweep_plan *plan, struct thud_sweep_same **out,
                                         struct thud_error *err);

@@ -4,18 +4,6 @@
 #include "study/sweep/measure.h"
 #include "study/sweep/sweep_private.h"
 
-int thud_sweep_reference(const struct thud_sweep_point *point)
-{
-    int written = 0;
-    for (int k = 0; k < point->ncases; k++) {
-        if (point->which[k] == THUD_CASE_NONE)
-            return k;
-        if (point->which[k] == THUD_CASE_AS_WRITTEN)
-            written = k;
-    }
-    return written;
-}
-
 int thud_sweep_answered(const struct thud_sweep_point *point, int i)
 {
     int k = 0;
