@@ -18,13 +18,13 @@ static const struct {
     [THUD_NUMBER] = {"a number", ""},
     [THUD_RATIO] = {"a ratio", "%"},
     [THUD_LENGTH] = {"a length", "m, cm, mm, in, ft"},
-    [THUD_AREA] = {"an area", "m2, cm2, mm2"},
-    [THUD_MASS] = {"a mass", "t, kg, Mg, lb, kip s2/in"},
-    [THUD_FORCE] = {"a force", "N, kN, MN, lbf, kip"},
-    [THUD_STIFFNESS] = {"a stiffness", "N/m, kN/m, MN/m, N/mm, kN/mm, MN/mm, kip/in, kip/ft"},
+    [THUD_AREA] = {"an area", "m2, cm2, mm2, ft2"},
+    [THUD_MASS] = {"a mass", "t, kg, Mg, lb, kip s2/in, tonf s2/m"},
+    [THUD_FORCE] = {"a force", "N, kN, MN, lbf, kip, tonf"},
+    [THUD_STIFFNESS] = {"a stiffness", "N/m, kN/m, MN/m, N/mm, kN/mm, MN/mm, kip/in, kip/ft, tonf/m"},
     [THUD_POWER_STIFFNESS] = {"a stiffness of a power law",
                               "N/m^n, kN/m^n, MN/m^n, N/mm^n, kN/mm^n, MN/mm^n with the number for n"},
-    [THUD_PRESSURE] = {"a pressure", "Pa, kPa, MPa, GPa, N/mm2, kN/mm2, N/m2, kN/m2, MN/m2, psi, ksi"},
+    [THUD_PRESSURE] = {"a pressure", "Pa, kPa, MPa, GPa, N/mm2, kN/mm2, N/m2, kN/m2, MN/m2, psi, ksi, psf"},
     [THUD_TIME] = {"a time", "s, ms"},
     [THUD_VELOCITY] = {"a velocity", "m/s, cm/s, mm/s, in/s, ft/s"},
     [THUD_ACCELERATION] = {"an acceleration", "m/s2, cm/s2, mm/s2, in/s2, ft/s2, g, gal"},
@@ -46,10 +46,32 @@ const char *thud_dimension_name(enum thud_dimension dimension)
     return dimensions[dimension].name;
 }
 
+/* The factors of a product may be joined by *, a blank, a hyphen or nothing, and a power may have its caret or be
+ * raised: kN s2/m, kN-s²/m, kN*s^2/m. */
+static bool is_unit(const char *text, size_t length, const char *listed)
+{
+    const char *end = text + length;
+    for (; *listed; listed++) {
+        if (*listed == '*') {
+            text += text < end && strchr("* -", *text);
+            continue;
+        }
+        const bool digit = *listed == '2' || *listed == '3';
+        text += end - text > 1 && digit && *text == '^';
+        if (end - text > 1 && *listed == '2' && memcmp(text, "\xc2\xb2", 2) == 0) {
+            text += 2;
+            continue;
+        }
+        if (text == end || *text++ != *listed)
+            return false;
+    }
+    return text == end;
+}
+
 static bool find_listed(const char *text, size_t length, struct thud_unit *unit)
 {
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (strlen(units[i].text) == length && memcmp(units[i].text, text, length) == 0) {
+        if (is_unit(text, length, units[i].text)) {
             *unit = units[i].unit;
             return true;
         }
@@ -84,7 +106,7 @@ bool thud_unit_find(const char *text, struct thud_unit *unit)
         *unit = (struct thud_unit){THUD_NUMBER, 0, 1, 0};
         return true;
     }
-    return find_listed(text, strlen(text), unit) || find_power(text, unit);
+    return find_power(text, unit) || find_listed(text, strlen(text), unit);
 }
 
 double thud_unit_factor(const char *unit, enum thud_dimension *dimension, double *exponent)

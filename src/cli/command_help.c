@@ -105,9 +105,10 @@ static void add_words(enum thud_word word, const char *line, struct thud_text *o
         thud_text_append(out, "fig3\nfig4\nfig5\nfig7\nfig8\nfig10\nall\n");
     else if (word == THUD_WORD_RECORD_VERB)
         thud_text_append(out, "info\nimport\nconvert\nlist\nsynthesize\nspectrum\n");
-    else if (word == THUD_WORD_BUILDING_VERB)
+    else if (word == THUD_WORD_BUILDING_VERB) {
         thud_text_append(out, "import\n");
-    else if (word == THUD_WORD_PROGRAM)
+        add_presets(out);
+    } else if (word == THUD_WORD_PROGRAM)
         thud_text_append(out, "opensees\n");
     for (int i = 0; word == THUD_WORD_CASE && i < THUD_CASES; i++)
         thud_text_append(out, "%s\n", thud_case_name((enum thud_case)i));

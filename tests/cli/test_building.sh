@@ -16,7 +16,7 @@ is "how far from orthogonal" shows '^shapes overlap by .* % at most'
 is "all the mass in the end" shows '^   6 .* 100.00$'
 is "masses of another building" gives 3 building import "$wall" --set mass="[300 t, 300 t, 300 t, 300 t, 300 t, 900 t]"
 is "do not go with the shapes" says 'the shapes of modes . and . overlap'
-is "no verb" gives 2 building "$frame"
+is "no verb" gives 3 building "$frame"
 sed 's/kN\/m/kN/g' "$frame" >"$tmp/unit.csv"
 is "a wrong unit" gives 3 building import "$tmp/unit.csv"
 is "the header's place" says 'unit.csv:2: kN is no unit of a stiffness or a flexibility'
@@ -76,7 +76,7 @@ is "uncertainty takes the periods" gives 0 uncertainty beside-unknown --samples 
 is "as an input" shows 'period.B 0.7 to 1.4 times'
 is "not its stiffness besides" [ "$(grep -c 'stiffness\.B' "$tmp/out")" -eq 0 ]
 is "no area" gives 3 run beside-unknown --set structures.2.area=
-is "is asked for" says 'structures.2.area: nothing is given; give an area (m2, cm2, mm2)'
+is "is asked for" says 'structures.2.area: nothing is given; give an area (m2, cm2, mm2, ft2)'
 is "a system that is none" gives 3 run beside-unknown --set structures.2.system=mansory
 is "with the nearest" says 'did you mean "masonry"'
 is "it does not yield" gives 3 run beside-unknown --set structures.2.yield=2cm

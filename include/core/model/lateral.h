@@ -29,7 +29,3 @@ double thud_lateral_overlap(int n, int modes, const double *mass_kg, const doubl
 /* Computes K. Errors: THUD_INPUT (nearly equal shapes), THUD_MEMORY. */
 enum thud_status thud_lateral_from_modes(int n, int modes, const double *mass_kg, const double *row, double *k,
                                          struct thud_error *err);
-/* Computes the periods, longest first, and the modal masses (sum m phi)^2, kg: (n) each. Errors: THUD_INPUT,
- * THUD_MEMORY. */
-enum thud_status thud_lateral_modes(int n, const double *mass_kg, const double *k, double *period_s,
-                                    double *participating_kg, struct thud_error *err);

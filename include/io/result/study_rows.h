@@ -6,9 +6,9 @@
 
 extern const struct thud_schema thud_gap_rule_schema, thud_motion_schema, thud_curve_key_schema, thud_stripe_schema,
     thud_curve_schema, thud_first_contact_schema, thud_best_schema, thud_tried_schema, thud_stiffness_schema,
-    thud_spring_schema, thud_mode_schema, thud_quantity_schema, thud_effect_schema, thud_sample_schema,
-    thud_index_schema, thud_suite_row_schema, thud_median_schema, thud_drawn_schema, thud_gap_fractile_schema,
-    thud_gap_range_schema, thud_gap_row_schema, thud_used_motion_schema;
+    thud_spring_schema, thud_mode_schema, thud_built_schema, thud_quantity_schema, thud_effect_schema,
+    thud_sample_schema, thud_index_schema, thud_suite_row_schema, thud_median_schema, thud_drawn_schema,
+    thud_gap_fractile_schema, thud_gap_range_schema, thud_gap_row_schema, thud_used_motion_schema;
 
 struct thud_gap_rule_row {
     int interface, motions;
@@ -94,6 +94,14 @@ struct thud_used_motion_row {
 struct thud_mode_row {
     int mode;
     double period_s, frequency_hz, mass_kg, mass_ratio, mass_ratio_sum;
+};
+
+/* Row of a storey: its properties, and what follows from them; the marks of the columns of those that yield. */
+enum { THUD_BUILT_YIELDS = 1 };
+struct thud_built_row {
+    const char *structure;
+    int storey;
+    double height_m, mass_kg, stiffness_npm, weight_n, yield_shear_n, yield_m, yield_ratio;
 };
 
 /* Effect of the sampled inputs on a quantity, and of one input alone. */

@@ -50,8 +50,19 @@ struct thud_estimate {
     double height_m, en1998_s, asce7_s; /* the first period is used */
 };
 struct thud_estimate thud_structure_estimate(const struct thud_structure *structure);
-/* Computes masses and stiffnesses of an estimated building from the area, and from EN 1998-1's period times
- * period_factor; or scales the stiffnesses of a shear building to its given first period. */
+/* Returns whether its period is known by an estimate only. */
+static inline bool thud_period_is_estimated(const struct thud_structure *structure)
+{
+    return structure->kind == THUD_ESTIMATED && !(structure->period_s > 0);
+}
+/* Computes masses from area and load, where they are given; of an estimated building masses from the area, and
+ * stiffnesses from its period, given or EN 1998-1's, times period_factor; scales the stiffnesses of a shear building to
+ * its given first period. */
 void thud_structure_fill_estimate(struct thud_structure *structure);
+/* Properties of a storey (from 0): V_y, u_y and V_y/W are NaN where it stays elastic, k too of a matrix or modes. */
+struct thud_storey {
+    double stiffness_npm, weight_n, yield_shear_n, yield_m, yield_ratio; /* W: of this floor and those above */
+};
+struct thud_storey thud_storey_of(const struct thud_structure *structure, int i);
 /* Returns the stiffness of each of this many equal storeys under equal floors, N/m, from the first period. */
 double thud_uniform_stiffness(int storeys, double mass_kg, double period_s);

@@ -92,18 +92,20 @@ struct thud_structure {
     /* By matrix or modes. The data read are a part of the scene's `shape` in SI units, lowest floor first; of a matrix,
      * rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
     char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
-    char unit[16];        /* for files that do not say; empty: not given */
-    double order;         /* enum thud_floor_order */
-    double period_factor; /* multiplies all periods, also of an estimated building */
-    double period_s;      /* shear only: the first one, to which its stiffnesses are scaled; NaN: they are as given */
+    char unit[16];            /* for files that do not say; empty: not given */
+    double order;             /* enum thud_floor_order */
+    double period_factor;     /* multiplies all periods, also of an estimated building */
+    double period_s;          /* the first one, to which its stiffnesses are scaled; NaN or 0: they are as given */
     int shape_at, shape_rows; /* shape_rows 0: it has not been read */
     /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
     double system;                      /* enum thud_system */
-    double area_m2;                     /* of a floor */
+    double area_m2;                     /* of a floor; 0: not given */
     char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. What stands behind it changes
                                            the fingerprint of a scene only where it is given. */
     int modes;                          /* its lowest ones alone; 0: analysis.modes */
     char source[1 + THUD_NESTED_GROUPS][THUD_SOURCE_MAX]; /* of its values, and of those of its nested groups */
+    double cracked;                   /* factor of its storeys' stiffness and its columns' EI; 0: not given */
+    double load_pa[THUD_STOREYS_MAX]; /* weight over area_m2, which gives the masses; 0: not given */
 };
 /* Returns the file of matrix or modes that a structure names; "": none. */
 const char *thud_structure_file(const struct thud_structure *structure);
@@ -267,9 +269,11 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 /* Selects a law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* Lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
- * ratios, of columns EI, stiffness and capacity, and weights. */
-enum { THUD_STRUCTURE_LISTS = 12 };
+ * ratios, of columns EI, stiffness and capacity, weights, coefficients of yield, and loads. */
+enum { THUD_STRUCTURE_LISTS = 13 };
 double *thud_structure_list(struct thud_structure *structure, int which);
+/* Returns the stiffness (N/m) that storey i (from 0) has, cracked if it is. */
+double thud_structure_stiffness(const struct thud_structure *structure, int i);
 /* Returns the drift (m) at which storey i (from 0) yields; INFINITY: elastic. */
 double thud_structure_yield(const struct thud_structure *structure, int i);
 /* Isolators of a building together: V = r k d + (1 - r) k (d - d_p), |d - d_p| <= u_y; linear ones have r = 1 and an
@@ -381,9 +385,9 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* Returns the described parameter of a path, with its floor index in *floor (-1: all); NULL: unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
-/* What else a key's value depends on is set before it: kind, law and varied key, number of storeys, exponent. Returns the
- * rank of a key by its last part, of `length`; keys of the last rank wait for nothing else. */
-enum { THUD_RANK_STOREYS = 3, THUD_RANK_LAST = 5 };
+/* Returns the rank of a key by its last part, of `length`: kind, law and varied key, number of storeys and exponent are set
+ * before the keys whose values depend on them, and period and load, which determine others, after them. */
+enum { THUD_RANK_STOREYS = 3, THUD_RANK_USUAL = 5, THUD_RANK_LAST = 6 };
 int thud_key_rank(const char *name, unsigned long length);
 /* Returns whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
 bool thud_scene_is_words(const struct thud_scene *scene, const char *path);

@@ -10,6 +10,7 @@
 #include "ground/spectrum.h"
 #include "plot/figures/figures_record.h"
 #include "plot/figures/figures_suite.h"
+#include "study/scene/building.h"
 #include "study/sweep/sweep_table.h"
 
 static void add_structure_rows(struct site *site)
@@ -52,7 +53,6 @@ static void add_storeys(struct site *site, int s)
     const struct thud_structure *p = &site->scene->structure[s];
     char caption[THUD_NAME_MAX + 96];
     bool yields = false;
-    double weight_n = 0;
     if (!thud_site_is_building(site, s) || thud_kind_is_read(p->kind))
         return;
     for (int i = 0; i < p->storeys; i++)
@@ -63,13 +63,12 @@ static void add_storeys(struct site *site, int s)
     thud_document_head(d, yields ? "storey|height m|mass t|k MN/m|W MN|V_y MN|u_y mm|V_y/W"
                                  : "storey|height m|mass t|k MN/m|W MN");
     for (int i = p->storeys - 1; i >= 0; i--) {
-        const double yield_m = thud_structure_yield(p, i), shear_n = p->stiffness_npm[i] * yield_m;
-        weight_n += p->gravity_n[i] > 0 ? p->gravity_n[i] : THUD_GRAVITY * p->mass_kg[i];
+        const struct thud_storey of = thud_storey_of(p, i);
         thud_document_cells(d, "%d\t%.4g\t%.5g\t%.5g\t%s", i + 1, p->height_m[i], 1e-3 * p->mass_kg[i],
-                            1e-6 * p->stiffness_npm[i], thud_site_number(1e-6 * weight_n, 3).text);
-        const double of_yield[] = {1e-6 * shear_n, 1e3 * yield_m, shear_n / weight_n};
+                            1e-6 * of.stiffness_npm, thud_site_number(1e-6 * of.weight_n, 3).text);
+        const double of_yield[] = {1e-6 * of.yield_shear_n, 1e3 * of.yield_m, of.yield_ratio};
         for (int k = 0; yields && k < 3; k++)
-            thud_document_cell(d, "%s", thud_site_number(isfinite(of_yield[k]) ? of_yield[k] : NAN, 3).text);
+            thud_document_cell(d, "%s", thud_site_number(of_yield[k], 3).text);
         thud_document_row(d);
     }
 }

@@ -30,7 +30,7 @@ static const struct thud_command commands[THUD_COMMANDS] = {
     [THUD_COMMAND_EXPORT] = {"export", "PROGRAM PRESET", "the scene as a script: opensees", THUD_WORD_PROGRAM,
                              THUD_WORD_PRESET},
     [THUD_COMMAND_STIFFNESS] = COMMAND("stiffness", "PRESET", "contact stiffness from slabs, and its effect", PRESET),
-    [THUD_COMMAND_BUILDING] = {"building", "import FILE", "a stiffness matrix or modes, as read",
+    [THUD_COMMAND_BUILDING] = {"building", "PRESET", "its storeys; import FILE: a matrix, modes, tables",
                                THUD_WORD_BUILDING_VERB, THUD_WORD_FILE},
     [THUD_COMMAND_LAWS] = COMMAND("laws", "[NAME]", "impact laws and the restitution they actually give", NONE),
     [THUD_COMMAND_METHODS] = COMMAND("methods", "", "time-stepping methods, their order and limits", NONE),

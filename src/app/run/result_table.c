@@ -105,14 +105,15 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
     if (r->overturning.value > 0)
         thud_text_append(out, "; overturning moment %s MN m at %.3f s",
                          thud_digits(1e-6 * r->overturning.value, 5, number), r->overturning.time_s);
-    if (p->kind == THUD_ESTIMATED) {
+    if (thud_period_is_estimated(p)) {
         const struct thud_estimate e = thud_structure_estimate(p);
         thud_text_append(
             out,
             "\nestimated: T1 %.4g s by EN 1998-1 4.3.3.2.2(3), taken %.4g times; %.4g s by ASCE 7-16 "
             "12.8.2.1;\nmeasured periods are %.4g to %.4g times such estimates (`thud gap` takes them all); "
-            "floors of %.4g t, 1 t/m2",
-            e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST, 1e-3 * p->mass_kg[0]);
+            "floors of %.4g t, %.4g t/m2",
+            e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST, 1e-3 * p->mass_kg[0],
+            1e-3 * p->mass_kg[0] / p->area_m2);
     }
     if (thud_isolator_slides(p))
         thud_text_append(out, "\nisolators: %s, displaced by %.4g mm at %.3f s, by %.4g mm in the end; %.5g kJ lost",

@@ -74,8 +74,8 @@ static int rank_of(const char *assignment)
     int link = 0;
     while (key && key > assignment && key[-1] != '.')
         key--;
-    const int rank = key ? thud_key_rank(key, (size_t)(sign - key)) : THUD_RANK_LAST;
-    const bool taken = rank < THUD_RANK_LAST && sign[1] == '\0' && thud_scan_word(&number, "links.") &&
+    const int rank = key ? thud_key_rank(key, (size_t)(sign - key)) : THUD_RANK_USUAL;
+    const bool taken = rank < THUD_RANK_USUAL && sign[1] == '\0' && thud_scan_word(&number, "links.") &&
                        thud_scan_count(&number, &link) && link <= THUD_LINKS_MAX;
     return taken ? RANKS - link : rank;
 }

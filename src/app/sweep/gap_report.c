@@ -157,19 +157,19 @@ static void put_ranges(const struct thud_gap_study *study, const struct thud_sce
     for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
         const struct thud_structure *left = &scene->structure[i], *right = left + 1;
         const struct thud_gap_range *x = &study->range[i];
-        const bool both = left->kind == THUD_ESTIMATED && right->kind == THUD_ESTIMATED;
+        const bool both = thud_period_is_estimated(left) && thud_period_is_estimated(right);
         if (isnan(x->most_m))
             continue;
         thud_text_append(out, "\nNeeds %.1f to %.1f cm, depending on the period of ", thud_summary_gap_cm(x->least_m),
                          thud_summary_gap_cm(x->most_m));
-        if (left->kind == THUD_ESTIMATED)
+        if (thud_period_is_estimated(left))
             put_period(left, "", out);
-        if (right->kind == THUD_ESTIMATED)
+        if (thud_period_is_estimated(right))
             put_period(right, both ? "\nand that of " : "", out);
         thud_text_append(out, ",\n%g to %g times as estimated; most at ", THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST);
-        if (left->kind == THUD_ESTIMATED)
+        if (thud_period_is_estimated(left))
             thud_text_append(out, "%.3g", x->left_factor);
-        if (right->kind == THUD_ESTIMATED)
+        if (thud_period_is_estimated(right))
             thud_text_append(out, "%s%.3g", both ? " and " : "", x->right_factor);
         thud_text_append(out, " times.\n");
     }

@@ -164,23 +164,3 @@ enum thud_status thud_lateral_from_modes(int n, int m, const double *mass_kg, co
     free(w);
     return apart ? THUD_OK : thud_error_set(err, THUD_INPUT, "two of the shapes are nearly the same");
 }
-
-enum thud_status thud_lateral_modes(int n, const double *mass_kg, const double *k, double *period_s,
-                                    double *participating_kg, struct thud_error *err)
-{
-    const size_t square = (size_t)n * (size_t)n;
-    double *phi = malloc((2 * square + 4 * (size_t)n) * sizeof *phi);
-    if (!phi)
-        return no_memory(err);
-    double *omega = phi + square;
-    enum thud_status status = thud_modes_matrix(n, mass_kg, k, omega, phi, omega + n, err);
-    for (int j = 0; j < n && status == THUD_OK; j++) {
-        double sum = 0;
-        for (int i = 0; i < n; i++)
-            sum += mass_kg[i] * phi[i * n + j];
-        period_s[j] = 2 * THUD_PI / omega[j];
-        participating_kg[j] = sum * sum;
-    }
-    free(phi);
-    return status;
-}

@@ -12,30 +12,35 @@
 
 enum { BYTES_MAX = 1 << 22 };
 
-double building_unit_stiffness(const char *unit, bool *inverse)
+double building_unit(const char *unit, enum thud_dimension dimension)
 {
-    enum thud_dimension dimension;
-    char turned[40];
-    const char *slash = strchr(unit, '/');
-    double factor = thud_unit_factor(unit, &dimension, NULL);
-    *inverse = false;
-    if (factor > 0 && dimension == THUD_STIFFNESS)
-        return factor;
-    if (!slash || strlen(unit) >= sizeof turned)
-        return 0;
-    snprintf(turned, sizeof turned, "%s/%.*s", slash + 1, (int)(slash - unit), unit);
-    factor = thud_unit_factor(turned, &dimension, NULL);
-    *inverse = true;
-    return factor > 0 && dimension == THUD_STIFFNESS ? 1 / factor : 0;
+    static const char *const words[][2] = {{"kn", "kN"},  {"kip", "kip"},  {"kips", "kip"},  {"tonf", "tonf"},
+                                           {"lb", "lbf"}, {"lbf", "lbf"},  {"kgf", "kgf"},   {"sec", "s"},
+                                           {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"msec", "ms"}};
+    enum thud_dimension is = THUD_NUMBER;
+    double factor = thud_unit_factor(unit, &is, NULL);
+    for (size_t i = 0; i < sizeof words / sizeof *words && !(factor > 0 && is == dimension); i++) {
+        char text[48];
+        const size_t length = strlen(words[i][0]);
+        if (!thud_ascii_begins(unit, strlen(unit), words[i][0]) || thud_ascii_is_alpha(unit[length]))
+            continue;
+        snprintf(text, sizeof text, "%s%.30s", words[i][1], unit + length);
+        factor = thud_unit_factor(text, &is, NULL);
+    }
+    return factor > 0 && is == dimension ? factor : 0;
 }
 
-double building_unit_time(const char *unit)
+double building_unit_stiffness(const char *unit, bool *inverse)
 {
-    static const char *const seconds[] = {"s", "sec", "secs", "second", "seconds"};
-    for (size_t i = 0; i < sizeof seconds / sizeof *seconds; i++)
-        if (thud_ascii_same(unit, seconds[i]))
-            return 1;
-    return thud_ascii_same(unit, "ms") || thud_ascii_same(unit, "msec") ? 1e-3 : 0;
+    char turned[40];
+    const char *slash = strchr(unit, '/');
+    double factor = building_unit(unit, THUD_STIFFNESS);
+    *inverse = !(factor > 0) && slash && strlen(unit) < sizeof turned;
+    if (!*inverse)
+        return factor;
+    snprintf(turned, sizeof turned, "%s/%.*s", slash + 1, (int)(slash - unit), unit);
+    factor = building_unit(turned, THUD_STIFFNESS);
+    return factor > 0 ? 1 / factor : 0;
 }
 
 void building_cells_clear(struct building_cells *cells)
@@ -47,34 +52,60 @@ void building_cells_clear(struct building_cells *cells)
     *cells = (struct building_cells){0};
 }
 
-/* The separator of the table: the first of these that stands in a line behind the comments; else a comma. */
-static char separator_of(const struct record_source *source)
+/* How a line is parted, outside quotes. */
+static int count_in(const struct record_line *line, char separator)
 {
-    struct record_cursor cursor = record_start(source);
-    struct record_line line;
-    char found = '\0';
-    while (record_next(&cursor, &line))
-        for (size_t i = 0; i < line.length && line.at[0] != '#'; i++)
-            if (line.at[i] == ',')
-                return ',';
-            else if (!found && (line.at[i] == ';' || line.at[i] == '\t'))
-                found = line.at[i];
-    return found ? found : ',';
+    int n = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < line->length; i++) {
+        quoted = quoted != (line->at[i] == '"');
+        n += !quoted && line->at[i] == separator;
+    }
+    return n;
 }
 
-int building_cells_column(const struct building_cells *cells, int row, int column)
+/* The separator of the table: what stands in most of its lines; a comma among semicolons is a decimal one. */
+static char separator_of(const struct record_source *source)
+{
+    static const char candidates[] = {';', '\t', ','};
+    int lines[3] = {0}, most = 0;
+    struct record_cursor cursor = record_start(source);
+    struct record_line line;
+    while (record_next(&cursor, &line))
+        for (int i = 0; i < 3 && line.length > 0 && line.at[0] != '#'; i++)
+            lines[i] += count_in(&line, candidates[i]) > 0;
+    for (int i = 1; i < 3; i++)
+        most = lines[i] > lines[most] ? i : most;
+    return lines[most] > 0 ? candidates[most] : ',';
+}
+
+/* Whether numbers have a decimal comma: a comma between digits, and no point behind one, where none parts the cells. */
+static bool has_decimal_commas(const struct building_cells *cells)
+{
+    bool found = false;
+    const char *at = cells->separator == ',' ? NULL : strchr(cells->text, ',');
+    for (; at; at = strchr(at + 1, ',')) {
+        if (at == cells->text || !thud_ascii_is_digit(at[-1]) || !thud_ascii_is_digit(at[1]))
+            continue;
+        if (at[1 + strspn(at + 1, "0123456789")] == '.')
+            return false;
+        found = true;
+    }
+    return found;
+}
+
+int building_cells_place(const struct building_cells *cells, int number, int column)
 {
     struct record_cursor cursor = record_start(&cells->source);
     struct record_line line;
-    const char separator = separator_of(&cells->source);
-    while (record_next(&cursor, &line) && line.number < cells->line[row])
+    while (record_next(&cursor, &line) && line.number < number)
         ;
     bool quoted = false;
     for (size_t i = 0; i < line.length; i++) {
         if (column == 0)
             return (int)i + 1 + (int)strspn(line.at + i, " ");
         quoted = quoted != (line.at[i] == '"');
-        column -= !quoted && line.at[i] == separator;
+        column -= !quoted && line.at[i] == cells->separator;
     }
     return (int)line.length + 1;
 }
@@ -88,7 +119,8 @@ enum thud_status building_cells_refuse(const struct building_cells *cells, int r
     vsnprintf(text, sizeof text, fmt, list);
     va_end(list);
     return record_refuse(&cells->source, row < 0 ? 0 : cells->line[row],
-                         row < 0 || column < 0 ? 0 : building_cells_column(cells, row, column), err, "%s", text);
+                         row < 0 || column < 0 ? 0 : building_cells_place(cells, cells->line[row], column), err, "%s",
+                         text);
 }
 
 /* Keeps a unit that stands in a name: in brackets, behind the last underscore, or the whole of it. */
@@ -103,7 +135,7 @@ static enum thud_status keep_unit(struct building_cells *cells, const struct csv
     if (length == 0 || length >= sizeof part)
         return THUD_OK;
     snprintf(part, sizeof part, "%.*s", (int)length, from);
-    bool stiffness = building_unit_stiffness(part, &inverse) > 0, time = building_unit_time(part) > 0;
+    bool stiffness = building_unit_stiffness(part, &inverse) > 0, time = building_unit(part, THUD_TIME) > 0;
     char *to = time ? cells->of_time : cells->unit;
     enum thud_dimension other;
     const bool some = (strchr(part, '/') || cells->heads > 0) && thud_unit_factor(part, &other, NULL) > 0;
@@ -128,7 +160,7 @@ static enum thud_status read_head(struct building_cells *cells, const struct csv
     for (size_t i = 0; i < lines->fields; i++) {
         const char *name = csv_lines_field(lines, i);
         filled += *name != '\0';
-        units += building_unit_stiffness(name, &inverse) > 0 || building_unit_time(name) > 0;
+        units += building_unit_stiffness(name, &inverse) > 0 || building_unit(name, THUD_TIME) > 0;
         enum thud_status status = keep_unit(cells, lines, name, err);
         if (status != THUD_OK)
             return status;
@@ -150,17 +182,25 @@ static enum thud_status read_head(struct building_cells *cells, const struct csv
     return THUD_OK;
 }
 
-/* A cell: whether it is a number; a label is NaN. */
-static bool read_cell(const char *text, double *out)
+/* Marks of thousands go, if three digits stand behind each; a decimal comma becomes a point. */
+bool building_cells_number(const struct building_cells *cells, const char *text, double *out)
 {
-    const char *end;
+    const char thousands = cells->decimal_comma ? '.' : ',', *end;
+    char plain[64];
+    size_t n = 0;
     text += strspn(text, " ");
     *out = NAN;
-    if (thud_number_parse(text, &end, out) != 0 || end[strspn(end, " ")]) {
-        *out = NAN;
-        return false;
+    for (; *text && n + 1 < sizeof plain; text++) {
+        plain[n] = '\0'; /* of 0.001 the point is none */
+        const bool mark = *text == thousands && strspn(plain, "+-0") < n && strspn(text + 1, "0123456789") == 3;
+        if (!mark)
+            plain[n++] = *text == ',' && cells->decimal_comma ? '.' : *text;
     }
-    return true;
+    plain[n] = '\0';
+    if (!*text && thud_number_parse(plain, &end, out) == 0 && !end[strspn(end, " ")])
+        return true;
+    *out = NAN;
+    return false;
 }
 
 /* A number with an imaginary part behind it. */
@@ -211,7 +251,7 @@ static enum thud_status add_row(struct building_cells *cells, const struct csv_l
     bool numbers = false;
     for (int i = 0; i < columns; i++) {
         const char *text = csv_lines_field(lines, (size_t)i);
-        bool number = read_cell(text, &row[i]);
+        bool number = building_cells_number(cells, text, &row[i]);
         if (!number && is_complex(text)) {
             building_cells_refuse(cells, cells->rows - 1, i, err, "\"%.40s\" is complex", text);
             thud_error_allow(err, "the modes of the undamped building");
@@ -228,12 +268,13 @@ static enum thud_status add_row(struct building_cells *cells, const struct csv_l
 }
 
 /* Numbers that count by one behind a word: names of floors. */
-static bool is_count(const struct csv_lines *lines)
+static bool is_count(const struct building_cells *cells, const struct csv_lines *lines)
 {
     double value, before = NAN;
-    bool counting = lines->fields > 2 && !read_cell(csv_lines_field(lines, 0), &value);
+    bool counting = lines->fields > 2 && !building_cells_number(cells, csv_lines_field(lines, 0), &value);
     for (size_t i = 1; i < lines->fields && counting; i++) {
-        counting = read_cell(csv_lines_field(lines, i), &value) && (i == 1 || fabs(value - before) == 1);
+        counting =
+            building_cells_number(cells, csv_lines_field(lines, i), &value) && (i == 1 || fabs(value - before) == 1);
         before = value;
     }
     return counting;
@@ -247,11 +288,11 @@ static bool is_numbers(const struct building_cells *cells, const struct csv_line
     int numbers = 0, words = 0;
     for (size_t i = 0; i < lines->fields; i++) {
         const char *text = csv_lines_field(lines, i);
-        bool number = read_cell(text, &value) || is_complex(text);
+        bool number = building_cells_number(cells, text, &value) || is_complex(text);
         numbers += number;
         words += !number && *text && i > 0;
     }
-    return numbers > 0 && (cells->heads > 0 || (words == 0 && !is_count(lines)));
+    return numbers > 0 && (cells->heads > 0 || (words == 0 && !is_count(cells, lines)));
 }
 
 static enum thud_status read_rows(struct building_cells *cells, struct csv_lines *lines, struct thud_error *err)
@@ -273,16 +314,28 @@ static enum thud_status read_rows(struct building_cells *cells, struct csv_lines
     return status;
 }
 
-enum thud_status building_cells_read(const char *path, struct building_cells *out, struct thud_error *err)
+enum thud_status building_cells_open(const char *path, struct building_cells *out, struct thud_error *err)
 {
-    struct csv_lines lines;
     *out = (struct building_cells){.source = {.name = path}};
     enum thud_status status = thud_text_read(path, BYTES_MAX, &out->text, err);
     if (status != THUD_OK)
         return status;
+    if (thud_ascii_begins(out->text, strlen(out->text), "TABLE:")) /* a title, whose quotes are no CSV */
+        out->text[0] = '#';
     out->source.text = out->text;
     out->source.size = strlen(out->text);
-    status = csv_lines_open(&lines, record_start(&out->source), separator_of(&out->source), err);
+    out->separator = separator_of(&out->source);
+    out->decimal_comma = has_decimal_commas(out);
+    return THUD_OK;
+}
+
+enum thud_status building_cells_read(const char *path, struct building_cells *out, struct thud_error *err)
+{
+    struct csv_lines lines;
+    enum thud_status status = building_cells_open(path, out, err);
+    if (status != THUD_OK)
+        return status;
+    status = csv_lines_open(&lines, record_start(&out->source), out->separator, err);
     if (status == THUD_OK)
         status = read_rows(out, &lines, err);
     csv_lines_close(&lines);

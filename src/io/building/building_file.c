@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/quantity.h"
 #include "core/model/lateral.h"
 #include "io/building/building_cells.h"
 #include "io/file/file.h"
@@ -85,7 +86,7 @@ static enum thud_status choose_unit(const struct building_cells *cells, const st
 {
     const char *own = periods ? cells->of_time : cells->unit, *said = ask->unit ? ask->unit : "",
                *unit = *own ? own : said;
-    *factor = periods ? building_unit_time(unit) : building_unit_stiffness(unit, inverse);
+    *factor = periods ? building_unit(unit, THUD_TIME) : building_unit_stiffness(unit, inverse);
     snprintf(out->unit, sizeof out->unit, "%.31s", unit);
     if (!(*factor > 0))
         return refuse_unit(cells, unit, periods, err);
@@ -315,7 +316,7 @@ static bool says_periods(const struct building_cells *cells, const struct thud_b
     for (int i = 0; i < cells->heads; i++)
         if (is_period(cells->head[i]))
             return true;
-    return !cells->unit[0] && ask->unit && building_unit_time(ask->unit) > 0;
+    return !cells->unit[0] && ask->unit && building_unit(ask->unit, THUD_TIME) > 0;
 }
 
 enum thud_status thud_building_file_read(const char *path, const struct thud_building_ask *ask,

@@ -182,14 +182,14 @@ static enum thud_status want(const struct thud_preset *preset, int node, const c
                   NULL, err);
 }
 
-/* Sets the keys of a node from a rank on, in the order of the file where the rank is the same; those with keys of their
+/* Sets the keys of a node from one rank to another, in the order of the file where the rank is the same; those with keys of their
  * own are left, and those before the rank are set already. Unknown keys are found on the way. */
-static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud_group group, const char *path,
-                                 int from, struct thud_error *err)
+static enum thud_status set_ranks(struct thud_preset *preset, int node, enum thud_group group, const char *path,
+                                  int from, int to, struct thud_error *err)
 {
     const struct thud_yaml *tree = &preset->tree;
     enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
-    for (int rank = from; rank <= THUD_RANK_LAST && status == THUD_OK; rank++)
+    for (int rank = from; rank <= to && status == THUD_OK; rank++)
         for (int i = tree->node[node].first; i >= 0 && status == THUD_OK; i = tree->node[tree->node[i].next].next) {
             const char *key = thud_yaml_text(tree, i);
             char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
@@ -207,6 +207,12 @@ static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud
             status = own < from ? THUD_OK : set_value(preset, full, tree->node[i].next, err);
         }
     return status;
+}
+
+static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud_group group, const char *path,
+                                 int from, struct thud_error *err)
+{
+    return set_ranks(preset, node, group, path, from, THUD_RANK_LAST, err);
 }
 
 /* ---- structures ---- */

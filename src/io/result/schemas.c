@@ -28,7 +28,7 @@ static const struct thud_schema *const schemas[] = {
     &thud_drawn_schema,          &thud_sampled_motion_schema, &thud_series_schema,
     &thud_gap_fractile_schema,   &thud_gap_range_schema,      &thud_used_motion_schema,
     &thud_first_contact_schema,  &thud_bench_cost_schema,     &thud_stability_summary_schema,
-    &thud_simplify_schema,       &thud_gap_row_schema};
+    &thud_simplify_schema,       &thud_gap_row_schema,        &thud_built_schema};
 
 const struct thud_schema *thud_schema_at(int i)
 {

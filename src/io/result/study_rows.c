@@ -185,6 +185,27 @@ const struct thud_schema thud_mode_schema =
     THUD_SCHEMA("building import --csv",
                 "A row for each mode; with\n.Fl -json\nthe list\n.Va modes ,\nbehind what the file holds.\n", modes);
 
+#define BUILT(member, text)                      THUD_COLUMN(struct thud_built_row, member, #member, text)
+#define SHOWN(head, unit, factor, width, digits) .shown = {head, unit, factor, width, digits, THUD_DIGITS_FREE}
+static const struct thud_column built[] = {
+    {BUILT(structure, "Name of the structure.")},
+    {BUILT(storey, "Its number, from the lowest."), .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
+    {BUILT(height_m, "Height, m."), SHOWN("height", "m", 1, 8, 4)},
+    {BUILT(mass_kg, "Mass of the floor above it, kg."), SHOWN("mass", "t", 1e-3, 9, 5)},
+    {BUILT(stiffness_npm, "Stiffness, N/m, cracked if it is; none of a matrix or modes."),
+     SHOWN("k", "MN/m", 1e-6, 9, 5)},
+    {BUILT(weight_n, "Weight of that floor and those above, N."), SHOWN("W", "MN", 1e-6, 9, 4)},
+    {BUILT(yield_shear_n, "Shear at which it yields, N; none where it is elastic."), .only = THUD_BUILT_YIELDS,
+     SHOWN("V_y", "MN", 1e-6, 9, 4)},
+    {BUILT(yield_m, "Drift at which it yields, m."), .only = THUD_BUILT_YIELDS, SHOWN("u_y", "mm", 1e3, 9, 4)},
+    {BUILT(yield_ratio, "That shear over that weight."), .only = THUD_BUILT_YIELDS, SHOWN("V_y/W", "%", 100, 9, 4)}};
+#undef SHOWN
+const struct thud_schema thud_built_schema = THUD_SCHEMA(
+    "building --csv",
+    "A row for each storey, from the lowest, also of imported tables of storeys; with\n.Fl -json\nthe list\n"
+    ".Va storeys ,\nbehind the periods of each structure.\n",
+    built);
+
 #define QUANTITY(member, key, text) THUD_COLUMN(struct thud_quantity_row, member, key, text)
 static const struct thud_column quantities[] = {
     {QUANTITY(quantity, "quantity", "Case, structure and measure, joined by dots.")},

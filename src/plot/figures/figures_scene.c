@@ -241,7 +241,7 @@ static void in_model(const struct drawing *d, int s)
         } else if (p->kind != THUD_RIGID) {
             spring(d->model, "storey stiffness", FRAME, x, below, x, z, 0.25, 0);
             if (told)
-                number(d, s, 0.5 * (below + z), 1e-6 * p->stiffness_npm[f - slab], "MN/m");
+                number(d, s, 0.5 * (below + z), 1e-6 * thud_structure_stiffness(p, f - slab), "MN/m");
         }
         dot(d->model, "mass", MASS, x, z);
         if (told)

@@ -79,7 +79,7 @@ static void fill_structure(struct assembly *a, int index, const struct thud_stru
     }
     for (int i = base; i < n; i++) {
         mass[i] = s->mass_kg[i - base];
-        stiffness[i] = s->stiffness_npm[i - base];
+        stiffness[i] = thud_structure_stiffness(s, i - base);
     }
     if (thud_wall_gives(s)) {
         mass[0] = s->wall_mass_kg;

@@ -40,10 +40,10 @@ struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
 
 /* omega^2 goes with the stiffnesses: all of them times (2 pi/T)^2/omega^2. Equal ones where they are not given. Those that
  * have this period already keep their bits, so that filling in twice is no change of the scene. */
-static void fill_period(struct thud_structure *s)
+static void fill_period(struct thud_structure *s, double period_s)
 {
     const int n = s->storeys;
-    bool known = s->period_s > 0, given = true;
+    bool known = period_s > 0, given = true;
     for (int i = 0; i < n; i++) {
         known &= s->mass_kg[i] > 0;
         given &= s->stiffness_npm[i] > 0;
@@ -54,24 +54,44 @@ static void fill_period(struct thud_structure *s)
     for (int i = 0; i < n && !given; i++)
         s->stiffness_npm[i] = THUD_GRAVITY * s->mass_kg[0];
     if (thud_modes_shear(n, s->mass_kg, s->stiffness_npm, omega, omega + n, omega + n + n * n, NULL) == THUD_OK) {
-        const double factor = 2 * THUD_PI / s->period_s / omega[0];
+        const double factor = 2 * THUD_PI / period_s / omega[0];
         for (int i = 0; i < n && fabs(factor - 1) > 1e-12; i++)
             s->stiffness_npm[i] *= factor * factor;
     }
     free(omega);
 }
 
+/* The period of an estimated building: given, or by the code. */
+static double estimated_period(const struct thud_structure *s)
+{
+    return s->period_factor * (s->period_s > 0 ? s->period_s : thud_structure_estimate(s).en1998_s);
+}
+
 void thud_structure_fill_estimate(struct thud_structure *s)
 {
+    bool equal = true;
+    for (int i = 0; i < s->storeys && thud_kind_is_building(s->kind); i++) {
+        if (s->area_m2 > 0 && s->load_pa[i] > 0)
+            s->mass_kg[i] = s->area_m2 * s->load_pa[i] / THUD_GRAVITY;
+        else if (s->kind == THUD_ESTIMATED)
+            s->mass_kg[i] = THUD_ESTIMATE_KGPM2 * s->area_m2;
+        equal &= s->mass_kg[i] == s->mass_kg[0];
+    }
     if (s->kind == THUD_SHEAR)
-        fill_period(s);
+        fill_period(s, s->period_s);
     if (s->kind != THUD_ESTIMATED)
         return;
-    const double mass = THUD_ESTIMATE_KGPM2 * s->area_m2,
-                 period = s->period_factor * thud_structure_estimate(s).en1998_s,
-                 stiffness = thud_uniform_stiffness(s->storeys, mass, period);
-    for (int i = 0; i < s->storeys; i++) {
-        s->mass_kg[i] = mass;
+    const double stiffness = thud_uniform_stiffness(s->storeys, s->mass_kg[0], estimated_period(s));
+    for (int i = 0; i < s->storeys; i++)
         s->stiffness_npm[i] = stiffness;
-    }
+    if (!equal)
+        fill_period(s, estimated_period(s));
+}
+
+struct thud_storey thud_storey_of(const struct thud_structure *s, int i)
+{
+    const double stiffness = thud_kind_is_read(s->kind) ? (double)NAN : thud_structure_stiffness(s, i),
+                 yield = thud_structure_yield(s, i), drift = isfinite(yield) ? yield : (double)NAN,
+                 weight = thud_structure_weight(s, i);
+    return (struct thud_storey){stiffness, weight, stiffness * drift, drift, stiffness * drift / weight};
 }

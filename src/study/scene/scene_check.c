@@ -26,6 +26,18 @@ static enum thud_status check_names(const struct thud_scene *scene, int s, struc
 static enum thud_status check_yield(const struct thud_structure *structure, int s, struct thud_error *err)
 {
     bool storeys = thud_kind_is_building(structure->kind);
+    if (structure->cracked > 0 && structure->period_s > 0) {
+        thud_error_set(err, THUD_INPUT, "the period gives the stiffness of the storeys as they are, cracked or not");
+        return thud_scene_refuse(err, "period or cracked", "structures.%d.cracked", s + 1);
+    }
+    bool loads = false;
+    for (int i = 0; i < structure->storeys; i++)
+        loads |= structure->load_pa[i] > 0;
+    if ((structure->area_m2 > 0) != loads && storeys && structure->kind != THUD_ESTIMATED) {
+        thud_error_set(err, THUD_INPUT, "%s is not given", structure->area_m2 > 0 ? "the load" : "the area");
+        return thud_scene_refuse(err, "both give the masses: area: 240 m2, load: 8 kPa", "structures.%d.%s", s + 1,
+                                 structure->area_m2 > 0 ? "load" : "area");
+    }
     for (int i = 0; i < structure->storeys && storeys; i++) {
         const double by_coefficient = structure->yield_coefficient[i], by_shear = structure->yield_shear_n[i];
         if ((structure->yield_m[i] > 0) + (by_shear > 0) + (by_coefficient > 0) > 1) {
@@ -79,7 +91,7 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
         return thud_structure_check_weight(scene, s, err);
     for (int i = 0; i < structure->storeys && scene->p_delta && thud_kind_is_building(structure->kind); i++) {
         double weight = thud_structure_weight(structure, i), geometric = weight / structure->height_m[i];
-        if (structure->stiffness_npm[i] > geometric)
+        if (thud_structure_stiffness(structure, i) > geometric)
             continue;
         thud_error_set(err, THUD_INPUT,
                        "storey %d of %.40s falls under its own weight: %.4g MN above it on a height of %.4g m take off "

@@ -10,7 +10,7 @@ void thud_place_clear(const struct thud_param *param, const struct thud_place *p
 {
     switch (place->store) {
     case THUD_STORE_NUMBER:
-        *(double *)at = place->absent == THUD_REQUIRED ? param->fallback : place->absent;
+        *(double *)at = place->optional ? 0 : place->absent == THUD_REQUIRED ? param->fallback : place->absent;
         break;
     case THUD_STORE_COUNT:
         *(int *)at = place->none;

@@ -18,6 +18,7 @@
      .least = NAN, .most = NAN, .soft_least = NAN, .soft_most = NAN, .choices = (choices_)}
 #define PLACE(store_, member_) .store = THUD_STORE_##store_, .offset = AT(member_)
 #define MAYBE(member_, ...)     {PLACE(NUMBER, member_), .absent = NAN, __VA_ARGS__}
+#define PERHAPS(member_, kinds_) {PLACE(NUMBER, member_), .kinds = (kinds_), .optional = true}
 #define FLOORS(member_, kinds_) {PLACE(FLOORS, member_), .kinds = (kinds_), .optional = true}
 #define TEXT(member_, ...) {.store = THUD_STORE_TEXT, .offset = AT(member_), .size = __VA_ARGS__}
 #define POSITIVE      .least = 0, .least_open = true
@@ -111,6 +112,10 @@ static const struct row structure_rows[] = {
      {PLACE(FLOORS, stiffness_npm), .kinds = SPRINGS}},
     {{NUMBER("period", "first period", "Where it is what is known: the storeys' stiffnesses are multiplied so that it is that of the building; not given, they are equal.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), USUAL(0.05, 10)},
      MAYBE(period_s, .kinds = SHEAR)},
+    {{NUMBER("period", "first period", "First period of an estimated building where it is known, in place of that of the code.", THUD_TIME, "s", NAN), POSITIVE, UP_TO(100), USUAL(0.05, 10)},
+     PERHAPS(period_s, ESTIMATED)},
+    {{NUMBER("cracked", "cracked stiffness", "Factor of the stiffness of the storeys and of the EI of their columns: 0.5 for cracked concrete by EN 1998-1, 4.3.1(7).", THUD_NUMBER, "", NAN), POSITIVE, UP_TO(1), USUAL(0.3, 1)},
+     PERHAPS(cracked, SPRINGS)},
     {WORD("stiffness-matrix", "stiffness matrix",
      "A CSV of the lateral stiffness of the floors, n rows of n values: looked for from the working folder, beside the preset, and in the presets folder."),
      TEXT(stiffness_file, THUD_TEXT_MAX, .kinds = MATRIX, .reads = true)},
@@ -124,8 +129,12 @@ static const struct row structure_rows[] = {
      {PLACE(NUMBER, order), .kinds = READ, .reads = true}},
     {CHOICE("system", "structural system", "Structural system of an estimated building; gives its first period, with the height.", systems, THUD_CONCRETE_FRAME),
      {PLACE(NUMBER, system), .kinds = ESTIMATED}},
-    {{NUMBER("area", "floor area", "Area of each floor of an estimated building, which weighs 1 t/m2.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
+    {{NUMBER("area", "floor area", "Area of each floor of an estimated building, which weighs 1 t/m2 without a load.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
      {PLACE(NUMBER, area_m2), .kinds = ESTIMATED}},
+    {{NUMBER("area", "floor area", "Area of each floor: with `load` it gives the masses, in place of `mass`.", THUD_AREA, "m2", NAN), POSITIVE, UP_TO(1e6), USUAL(30, 5000)},
+     PERHAPS(area_m2, SPRINGS | READ)},
+    {{NUMBER("load", "load of the floors", "Weight of each floor over its area, permanent and the part of the variable load that counts in an earthquake; a list for a lighter roof.", THUD_PRESSURE, "kPa", NAN), POSITIVE, UP_TO(1e6), USUAL(2e3, 2e4)},
+     FLOORS(load_pa, STOREYS)},
     {{NUMBER("period-factor", "factor of the periods", "Multiplies all periods of the building.", THUD_NUMBER, "", 1), POSITIVE, UP_TO(100), USUAL(0.5, 2)},
      {PLACE(NUMBER, period_factor), .kinds = READ | ESTIMATED}},
     {{NUMBER("height", "storey height", "Height of each storey, from floor to floor; gives the elevations of contacts.",

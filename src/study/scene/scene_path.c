@@ -128,11 +128,12 @@ static enum thud_status find_structure(const struct thud_scene *scene, char **pa
                                                      [THUD_MATRIX] = "a building by its matrix",
                                                      [THUD_MODES] = "a building by its modes",
                                                      [THUD_ESTIMATED] = "an estimated building"};
+        const bool yields = strncmp(part[keys], "yield", 5) == 0 || strcmp(part[keys], "hardening") == 0;
         thud_error_set(err, THUD_INPUT, "%s has no %s", what[scene->structure[s - 1].kind],
-                       column                               ? "columns"
-                       : soil                               ? "foundation"
-                       : strcmp(part[keys], "gravity") == 0 ? "storeys"
-                                                            : "storeys that could yield");
+                       column   ? "columns"
+                       : soil   ? "foundation"
+                       : yields ? "storeys that could yield"
+                                : "storeys");
         thud_error_allow(err, column || soil ? "%.40s is of buildings" : "%.40s is of shear and isolated structures",
                          part[keys]);
         return THUD_INPUT;
@@ -297,12 +298,20 @@ enum thud_status thud_slot_find(const struct thud_scene *scene, const char *path
 
 int thud_key_rank(const char *name, unsigned long length)
 {
-    static const char *const first[THUD_RANK_LAST] = {"kind", "law", "vary", [THUD_RANK_STOREYS] = "storeys",
-                                                      "exponent"};
-    for (int i = 0; i < THUD_RANK_LAST; i++)
-        if (strlen(first[i]) == length && strncmp(first[i], name, length) == 0)
-            return i;
-    return THUD_RANK_LAST;
+    static const struct {
+        const char *name;
+        int rank;
+    } known[] = {{"kind", 0},
+                 {"law", 1},
+                 {"vary", 2},
+                 {"storeys", THUD_RANK_STOREYS},
+                 {"exponent", 4},
+                 {"period", THUD_RANK_LAST},
+                 {"load", THUD_RANK_LAST}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strlen(known[i].name) == length && strncmp(known[i].name, name, length) == 0)
+            return known[i].rank;
+    return THUD_RANK_USUAL;
 }
 
 bool thud_scene_by_floor(const struct thud_scene *scene, const char *path)

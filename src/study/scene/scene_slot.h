@@ -31,7 +31,7 @@ struct thud_place {
     unsigned kinds;      /* bit set of structure kinds, of links that of their laws */
     unsigned laws;       /* THUD_GROUP_ISOLATOR: bit set of the isolators' laws that have it */
     unsigned needed;     /* and of those that cannot do without it */
-    bool optional;       /* THUD_STORE_FLOORS: need not be given */
+    bool optional;       /* THUD_STORE_FLOORS and NUMBER: need not be given, and is then 0 */
     bool reads;          /* a structure's file is read again for it */
 };
 

@@ -11,13 +11,30 @@
 
 double *thud_structure_list(struct thud_structure *structure, int which)
 {
-    double *const list[THUD_STRUCTURE_LISTS] = {structure->mass_kg,           structure->stiffness_npm,
-                                                structure->height_m,          structure->yield_m,
-                                                structure->yield_shear_n,     structure->hardening,
-                                                structure->column_ei_nm2,     structure->column_stiffness_npm,
-                                                structure->column_capacity_n, structure->slab_depth_m,
-                                                structure->gravity_n,         structure->yield_coefficient};
+    double *const list[THUD_STRUCTURE_LISTS] = {structure->mass_kg,
+                                                structure->stiffness_npm,
+                                                structure->height_m,
+                                                structure->yield_m,
+                                                structure->yield_shear_n,
+                                                structure->hardening,
+                                                structure->column_ei_nm2,
+                                                structure->column_stiffness_npm,
+                                                structure->column_capacity_n,
+                                                structure->slab_depth_m,
+                                                structure->gravity_n,
+                                                structure->yield_coefficient,
+                                                structure->load_pa};
     return list[which];
+}
+
+static double cracked(const struct thud_structure *structure)
+{
+    return structure->cracked > 0 ? structure->cracked : 1;
+}
+
+double thud_structure_stiffness(const struct thud_structure *structure, int i)
+{
+    return cracked(structure) * structure->stiffness_npm[i];
 }
 
 double thud_structure_yield(const struct thud_structure *structure, int i)
@@ -25,8 +42,10 @@ double thud_structure_yield(const struct thud_structure *structure, int i)
     if (structure->yield_m[i] > 0)
         return structure->yield_m[i];
     if (structure->yield_coefficient[i] > 0)
-        return structure->yield_coefficient[i] * thud_structure_weight(structure, i) / structure->stiffness_npm[i];
-    return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / structure->stiffness_npm[i] : INFINITY;
+        return structure->yield_coefficient[i] * thud_structure_weight(structure, i) /
+               thud_structure_stiffness(structure, i);
+    return structure->yield_shear_n[i] > 0 ? structure->yield_shear_n[i] / thud_structure_stiffness(structure, i)
+                                           : INFINITY;
 }
 
 bool thud_isolator_slides(const struct thud_structure *structure)
@@ -118,6 +137,7 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                 memcpy(thud_structure_list(structure, which), thud_structure_list(&before, which),
                        sizeof before.mass_kg);
             structure->damping = before.damping;
+            structure->area_m2 = before.load_pa[0] > 0 ? before.area_m2 : 0;
             structure->base_m = before.base_m;
             copy_group(&before, structure, THUD_GROUP_FOUNDATION);
             copy_group(&before, structure, THUD_GROUP_COLUMN);
@@ -125,7 +145,7 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
                 change_springs(structure, i);
         }
     }
-    if (kind == THUD_ESTIMATED) /* it keeps its mass */
+    if (kind == THUD_ESTIMATED && !(structure->area_m2 > 0)) /* it keeps its mass */
         structure->area_m2 = structure->mass_kg[0] / THUD_ESTIMATE_KGPM2;
     thud_structure_fill_estimate(structure);
     if (kind == THUD_ISOLATED) {
@@ -187,7 +207,7 @@ double thud_column_ei(const struct thud_structure *structure, int storey)
 {
     double length = thud_clear_height(structure, storey), k = structure->column_stiffness_npm[storey],
            ei = k > 0 ? k * length * length * length / 12 : structure->column_ei_nm2[storey];
-    return ei > 0 ? ei : NAN;
+    return ei > 0 ? cracked(structure) * ei : NAN;
 }
 
 /* One floor's value; `none` where that is allowed. */

@@ -94,7 +94,8 @@ static bool unset(struct thud_scene *scene, const struct thud_slot *slot)
 {
     switch (slot->place.store) {
     case THUD_STORE_NUMBER:
-        if (slot->place.absent == THUD_REQUIRED && isnan(slot->param->fallback) && !slot->choice)
+        if (slot->place.absent == THUD_REQUIRED && isnan(slot->param->fallback) && !slot->choice &&
+            !slot->place.optional)
             return false;
         break;
     case THUD_STORE_COUNT:
@@ -239,11 +240,39 @@ enum thud_status thud_value_trimmed(const char *text, char **out, struct thud_er
     return THUD_OK;
 }
 
+/* What other keys determine takes no value: masses from area and load, the sum of the stiffnesses from a period. */
+static enum thud_status refuse_derived(const struct thud_scene *scene, const struct thud_slot *slot, const char *text,
+                                       struct thud_error *err)
+{
+    const struct thud_structure *s = slot->structure >= 0 ? &scene->structure[slot->structure] : NULL;
+    if (!s || !*text)
+        return THUD_OK;
+    const void *at = thud_slot_in(scene, slot);
+    const bool ratios = slot->floor < 0 ? text[0] == '[' : s->storeys > 1;
+    if (at == s->mass_kg && s->area_m2 > 0 && s->load_pa[slot->floor < 0 ? 0 : slot->floor] > 0) {
+        thud_error_set(err, THUD_INPUT, "area and load of %.40s give the masses of its floors", s->name);
+        thud_error_allow(err, "structures.%d.load; or none: structures.%d.load=", slot->structure + 1,
+                         slot->structure + 1);
+        return THUD_INPUT;
+    }
+    if (at != s->stiffness_npm || !(s->period_s > 0) || ratios)
+        return THUD_OK;
+    thud_error_set(err, THUD_INPUT,
+                   "the period of %.40s, %.4g s, gives the stiffness of its storeys: one value for all of them has no "
+                   "effect",
+                   s->name, s->period_s);
+    thud_error_allow(err, "structures.%d.period; or none: structures.%d.period=", slot->structure + 1,
+                     slot->structure + 1);
+    return THUD_INPUT;
+}
+
 enum thud_status thud_value_set(struct thud_scene *scene, const struct thud_slot *slot, const char *text,
                                 struct thud_error *err)
 {
     char *clean = NULL;
     enum thud_status status = thud_value_trimmed(text, &clean, err);
+    if (status == THUD_OK)
+        status = refuse_derived(scene, slot, clean, err);
     if (status == THUD_OK && (*clean || !unset(scene, slot)))
         status = set(scene, slot, clean, err);
     if (status == THUD_OK && slot->place.reads) {
@@ -310,7 +339,7 @@ void thud_value_get(const struct thud_scene *scene, const struct thud_slot *slot
     switch (slot->place.store) {
     case THUD_STORE_NUMBER: {
         double value = *(const double *)at;
-        if (!isfinite(value))
+        if (!isfinite(value) || (slot->place.optional && value == 0))
             snprintf(text, size, "%s", "");
         else if (param->kind == THUD_PARAM_CHOICE)
             snprintf(text, size, "%s", param->choices[(int)value]);

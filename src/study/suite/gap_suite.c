@@ -143,7 +143,7 @@ static void estimated(const struct thud_scene *scene, bool of[2])
 {
     of[0] = of[1] = false;
     for (int s = 0; s < scene->nstructures; s++)
-        of[s % 2] = of[s % 2] || scene->structure[s].kind == THUD_ESTIMATED;
+        of[s % 2] = of[s % 2] || thud_period_is_estimated(&scene->structure[s]);
 }
 
 /* Periods of one building: steps of 5 and 9 %. */
@@ -166,7 +166,7 @@ static double factor_of(const struct thud_scene *scene, int period, int structur
     bool of[2];
     estimated(scene, of);
     const int n = steps(scene), i = of[0] && of[1] && structure % 2 ? period / n : period % n;
-    if (scene->structure[structure].kind != THUD_ESTIMATED)
+    if (!thud_period_is_estimated(&scene->structure[structure]))
         return NAN;
     return THUD_ESTIMATE_LEAST * pow(THUD_ESTIMATE_MOST / THUD_ESTIMATE_LEAST, i / (n - 1.0));
 }
@@ -180,7 +180,7 @@ enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struc
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     *at = *scene;
     for (int s = 0; s < scene->nstructures; s++)
-        if (scene->structure[s].kind == THUD_ESTIMATED) {
+        if (thud_period_is_estimated(&scene->structure[s])) {
             at->structure[s].period_factor *= factor_of(scene, period, s);
             thud_structure_fill_estimate(&at->structure[s]);
         }
@@ -197,7 +197,7 @@ void thud_gap_period_range(const struct thud_scene *scene, const double *need_m,
     const int n = scene->nstructures - 1;
     for (int i = 0; i < n; i++) {
         out[i] = (struct thud_gap_range){NAN, NAN, NAN, NAN};
-        if (scene->structure[i].kind != THUD_ESTIMATED && scene->structure[i + 1].kind != THUD_ESTIMATED)
+        if (!thud_period_is_estimated(&scene->structure[i]) && !thud_period_is_estimated(&scene->structure[i + 1]))
             continue;
         for (int p = 0; p < thud_gap_periods(scene); p++) {
             const double need = need_m[p * n + i];

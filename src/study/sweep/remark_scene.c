@@ -118,11 +118,12 @@ void thud_remark_columns(const struct thud_remark_scope *scope, int i, struct th
     const struct thud_structure *s = &scope->scene->structure[i];
     for (int k = 0; k < s->storeys && thud_structure_has_group(s, THUD_GROUP_COLUMN); k++) {
         double length = thud_clear_height(s, k), own = 12 * thud_column_ei(s, k) / (length * length * length);
-        if (!(s->stiffness_npm[k] > 0) || !(own > s->stiffness_npm[k] * (1 + 1e-9)))
+        const double storey = thud_structure_stiffness(s, k);
+        if (!(storey > 0) || !(own > storey * (1 + 1e-9)))
             continue;
         struct thud_error *said = thud_remark_add(out);
         thud_error_set(said, THUD_OK, "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g",
-                       k + 1, 1e-6 * own, 1e-6 * s->stiffness_npm[k]);
+                       k + 1, 1e-6 * own, 1e-6 * storey);
         thud_error_allow(said, "usually less than the storey's stiffness");
         thud_error_key(said, "structures.%d.column.%s", i + 1, s->column_stiffness_npm[k] > 0 ? "stiffness" : "EI");
     }

@@ -385,6 +385,8 @@ unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan)
         h = thud_hash(h, p, offsetof(struct thud_structure, file_sha256));
         if (p->modes > 0)
             h = thud_hash(h, &p->modes, sizeof p->modes);
+        if (p->cracked > 0)
+            h = thud_hash(h, &p->cracked, sizeof p->cracked);
         if (shape)
             h = thud_hash(h, shape, (size_t)(p->shape_rows * thud_shape_columns(p)) * sizeof *shape);
     }

@@ -338,9 +338,9 @@ static bool is_there(const struct thud_scene *scene, enum thud_input input, int 
     case THUD_INPUT_MOTION:
         return scene->record.file[0];
     case THUD_INPUT_STIFFNESS:
-        return is_building(scene, of) && own->kind != THUD_ESTIMATED;
+        return is_building(scene, of) && !thud_period_is_estimated(own);
     case THUD_INPUT_PERIOD:
-        return own && own->kind == THUD_ESTIMATED;
+        return own && thud_period_is_estimated(own);
     case THUD_INPUT_SOIL:
         return own && thud_structure_on_soil(own);
     case THUD_INPUT_DAMPING:

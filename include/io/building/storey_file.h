@@ -1,0 +1,29 @@
+/* Tables of storeys and of joints as ETABS and SAP2000 export them (CSV, or a sheet saved as CSV): a title, a row of
+ * names, a row of units, and a row for each storey of each load case. */
+#pragma once
+
+#include "study/scene/scene.h"
+
+/* What is to be taken from them. */
+struct thud_storey_ask {
+    const char *load_case; /* empty: the only one */
+    int direction;         /* 0: X, 1: Y; -1: the only one that has values */
+    enum thud_floor_order order;
+};
+
+/* From the lowest storey up, SI units. */
+struct thud_storeys {
+    int n, direction;
+    char load_case[64];               /* empty: the tables have none */
+    char lowest[48], highest[48];     /* names */
+    double mass_kg[THUD_STOREYS_MAX]; /* NaN: no table has them; height too */
+    double stiffness_npm[THUD_STOREYS_MAX];
+    double height_m[THUD_STOREYS_MAX];
+};
+
+/* Whether a file is such a table, and no matrix and no modes. Errors: those of reading it. */
+enum thud_status thud_storey_file_is(const char *path, bool *is, struct thud_error *err);
+/* Reads one, or two of which the second has what the first lacks. Errors: THUD_INPUT with file, line and column;
+ * THUD_MEMORY. */
+enum thud_status thud_storey_files_read(const char *const *path, int n, const struct thud_storey_ask *ask,
+                                        struct thud_storeys *out, struct thud_error *err);
