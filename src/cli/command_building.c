@@ -232,7 +232,7 @@ static enum thud_status ask_storeys(const struct thud_args *args, struct thud_st
         else if (strcmp(text, "direction=X") == 0 || strcmp(text, "direction=Y") == 0)
             ask->direction = text[10] == 'Y';
         else if (strncmp(text, "direction=", 10) == 0)
-            return thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is no direction", text + 10);
+            return thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is not a direction", text + 10);
     return THUD_OK;
 }
 
@@ -252,7 +252,7 @@ static void put_keys(const struct thud_scene *scene, struct thud_text *out)
     }
 }
 
-/* The first structure has the storeys of the tables, and what --set says besides. */
+/* The first structure has the storeys of the tables, and the other values of --set. */
 static enum thud_status take_storeys(const struct thud_args *args, const struct thud_storeys *from,
                                      struct thud_scene *scene, struct thud_error *err)
 {

@@ -46,7 +46,7 @@ is "too" says 'k.csv:2: there is no load case "WIND" (EQX, EQY)'
 is "the other direction alone has no stiffness" gives 3 building import k.csv m.csv --set case=EQX --set direction=Y
 is "and its storey is named" says 'direction: Story1 has no stiffness in direction Y'
 is "no direction" gives 2 building import k.csv m.csv --set direction=Z
-is "which there are" says 'direction: "Z" is no direction (X, Y)'
+is "which there are" says 'direction: "Z" is not a direction (X, Y)'
 is "no masses" gives 3 building import k.csv --set case=EQX
 is "they are asked for" says 'mass: the tables have no masses'
 is "masses by load, and a strength" gives 0 building import k.csv --set case=EQX --set area=240m2 --set 'load=[8 kPa, 8 kPa, 8 kPa, 6 kPa]' --set yield-coefficient=12%
@@ -55,7 +55,7 @@ is "V_y, u_y and V_y/W" shows '^     1       3   195.79      600      7.2    0.8
 
 sed 's/,UY/,Twist/; 3s/kg/pood/' m.csv >unit.csv
 is "an unknown unit" gives 3 building import k.csv unit.csv --set case=EQX
-is "is told with line, column and name" says 'unit.csv:3:2: UX: "pood" is no unit of a length or a mass (m, cm,.* t, kg'
+is "is told with line, column and name" says 'unit.csv:3:2: UX: "pood" is not a unit of a length or a mass (m, cm,.* t, kg'
 sed 's/Story2,320000/Story2,-320000/' m.csv >minus.csv
 is "a negative mass" gives 3 building import k.csv minus.csv --set case=EQX
 is "too" says 'minus.csv:6:8: UX: the mass of Story2 is -320000 (above 0)'
@@ -73,7 +73,7 @@ is "a storey twice" gives 3 building import twice.csv m.csv --set case=EQX
 is "is told" says 'twice.csv:12:24: Shear X: a second value of Story4 (one row for each storey'
 sed 's/Story2/Level2/' m.csv >other.csv
 is "another building" gives 3 building import k.csv other.csv --set case=EQX
-is "is told" says 'other.csv:6: "Level2" is no storey of the other table'
+is "is told" says 'other.csv:6: "Level2" does not occur in the other table'
 sed '/Story2/d' m.csv >less.csv
 is "a floor without mass" gives 3 building import k.csv less.csv --set case=EQX
 is "is told" says 'less.csv: mass: Story2 has no mass in direction X'

@@ -181,7 +181,8 @@ static enum thud_status take_units(struct reader *r, bool row, struct thud_error
         }
         if (!(c->factor > 0))
             return refuse(r, row ? r->lines.line : r->head_line, (int)j, units, err,
-                          *c->unit ? "\"%s\" is no unit of %s" : "no unit%s stands here or below: it needs that of %s",
+                          *c->unit ? "\"%s\" is not a unit of %s"
+                                   : "no unit%s stands here or below: it needs that of %s",
                           c->unit, kinds);
     }
     return THUD_OK;
@@ -240,7 +241,7 @@ static enum thud_status find_storey(struct reader *r, const char *name, int *out
         if (strncmp(r->name[*out], name, NAME - 1) == 0)
             return THUD_OK;
     if (r->file > 1)
-        return refuse(r, r->lines.line, -1, r->name[0], err, "\"%.40s\" is no storey of the other table", name);
+        return refuse(r, r->lines.line, -1, r->name[0], err, "\"%.40s\" does not occur in the other table", name);
     if (r->n == THUD_STOREYS_MAX)
         return refuse(r, r->lines.line, -1, "one load case: --set case=NAME", err, "more than %d storeys", r->n);
     snprintf(r->name[r->n++], NAME, "%.47s", name);

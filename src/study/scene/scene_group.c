@@ -83,9 +83,9 @@ enum thud_status thud_group_check(const void *of, enum thud_group group, unsigne
         const int n = place->store == THUD_STORE_FLOORS ? storeys : place->store == THUD_STORE_NUMBER;
         for (int floor = 0; floor < n && place->kinds & 1u << kind; floor++) {
             char key[96];
-            const bool lacks = place->store == THUD_STORE_FLOORS
-                                   ? place->optional && value[floor] == 0
-                                   : place->absent != THUD_REQUIRED && (!given || isnan(value[floor]));
+            const bool lacks = place->optional ? value[floor] == 0
+                                               : place->store == THUD_STORE_NUMBER && place->absent != THUD_REQUIRED &&
+                                                     (!given || isnan(value[floor]));
             if (lacks || thud_value_fits(param, value[floor]))
                 continue;
             snprintf(key, sizeof key, n > 1 && !isnan(value[floor]) ? "%s.%s.%d" : "%s.%s", prefix, param->name,

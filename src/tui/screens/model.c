@@ -143,18 +143,12 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
 static const struct {
     const char *key, *head;
     int x, w; /* where all of them have room */
-} column[] = {{"mass", "mass t", 6, 7},
-              {"stiffness", "k MN/m", 13, 7},
-              {"height", "h m", 21, 7},
-              {"yield", "yield mm", 29, 8},
-              {"yield-shear", "yield MN", 40, 8},
-              {"hardening", "hardening %", 49, 11},
-              {"column.EI", "col. EI", 61, 8},
-              {"column.capacity", "cap. kN", 70, 8},
-              {"slab-depth", "slab cm", 79, 8},
-              {"gravity", "weight kN", 88, 9},
-              {"column.stiffness", "col. MN/m", 98, 9},
-              {"yield-coefficient", "yield %", 108, 8}};
+} column[] = {
+    {"mass", "mass t", 6, 7},        {"stiffness", "k MN/m", 13, 7},           {"height", "h m", 21, 7},
+    {"yield", "yield mm", 29, 8},    {"yield-shear", "yield MN", 40, 8},       {"hardening", "hardening %", 49, 11},
+    {"column.EI", "col. EI", 61, 8}, {"column.capacity", "cap. kN", 70, 8},    {"slab-depth", "slab cm", 79, 8},
+    {"gravity", "weight kN", 88, 9}, {"column.stiffness", "col. MN/m", 98, 9}, {"yield-coefficient", "yield %", 108, 8},
+    {"load", "load kPa", 117, 8}};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 /* Beside each floor, where there is room: its acceleration over time in the three cases, all to one scale. */
@@ -384,7 +378,7 @@ static int head_rows(struct thud_tui *tui, int index, const struct thud_pane *pa
     return rows;
 }
 
-enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 5 };
+enum { SHAPE = 13, BUILDING = 14, LEAST_ROWS = 6, BELOW_ROWS = 7 };
 
 /* Whether the scene has so much detail that there is a command to tell what of it is needed. */
 static bool is_detailed(const struct thud_scene *scene)
@@ -509,18 +503,22 @@ static void draw_shapes(struct thud_tui *tui, const struct thud_pane *pane, int 
 /* What few buildings have otherwise: below their periods, so that the floors have the rows above. */
 static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, int y, int s)
 {
-    static const struct thud_labelled row[] = {{"base at", "base"},
-                                               {"soil Vs", "foundation.vs"},
-                                               {"columns", "column.shape"},
-                                               {"lowest modes", "modes"},
-                                               {"given T1", "period"}};
-    const bool soil = thud_structure_on_soil(&tui->doc.scene.structure[s]); /* its values have rows of their own */
+    static const struct thud_labelled row[] = {
+        {"base at", "base"},    {"soil Vs", "foundation.vs"}, {"columns", "column.shape"}, {"lowest modes", "modes"},
+        {"given T1", "period"}, {"cracked", "cracked"},       {"floor area", "area"}};
+    const struct thud_structure *structure = &tui->doc.scene.structure[s];
+    const struct thud_storey storey = thud_storey_of(structure, 0);
+    const bool soil = thud_structure_on_soil(structure); /* its values have rows of their own */
     if (is_detailed(&tui->doc.scene))
         thud_field_note(pane, y++, ":simplify tells what is needed");
+    if (isfinite(storey.yield_m))
+        thud_pane_print(pane, 0, y++, thud_look(THUD_ROLE_MUTED, 0), "storey 1: V_y %.3g MN, %.3g %% of W; u_y %.3g mm",
+                        1e-6 * storey.yield_shear_n, 1e2 * storey.yield_ratio, 1e3 * storey.yield_m);
     for (size_t i = 0; i < BELOW_ROWS; i++) {
         char key[THUD_PATH_MAX];
         snprintf(key, sizeof key, "structures.%d.%s", s + 1, row[i].key);
-        if (!(soil && i == 1) && thud_scene_param(&tui->doc.scene, key, &(int){0}))
+        if (!(soil && i == 1) && !(structure->kind == THUD_ESTIMATED && i == 6) &&
+            thud_scene_param(&tui->doc.scene, key, &(int){0}))
             thud_field_row(tui, index, pane, y++, row[i].label, key);
     }
     return y;
