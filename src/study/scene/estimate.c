@@ -87,11 +87,3 @@ void thud_structure_fill_estimate(struct thud_structure *s)
     if (!equal)
         fill_period(s, estimated_period(s));
 }
-
-struct thud_storey thud_storey_of(const struct thud_structure *s, int i)
-{
-    const double stiffness = thud_kind_is_read(s->kind) ? (double)NAN : thud_structure_stiffness(s, i),
-                 yield = thud_structure_yield(s, i), drift = isfinite(yield) ? yield : (double)NAN,
-                 weight = thud_structure_weight(s, i);
-    return (struct thud_storey){stiffness, weight, stiffness * drift, drift, stiffness * drift / weight};
-}

@@ -61,6 +61,14 @@ double thud_structure_weight(const struct thud_structure *structure, int i)
     return weight;
 }
 
+struct thud_storey thud_storey_of(const struct thud_structure *s, int i)
+{
+    const double stiffness = thud_kind_is_read(s->kind) ? (double)NAN : thud_structure_stiffness(s, i),
+                 yield = thud_structure_yield(s, i), drift = isfinite(yield) ? yield : (double)NAN,
+                 weight = thud_structure_weight(s, i);
+    return (struct thud_storey){stiffness, weight, stiffness * drift, drift, stiffness * drift / weight};
+}
+
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind)
 {
     memset(structure, 0, sizeof *structure);
