@@ -92,7 +92,10 @@ static void find_guesses(const struct thud_text *text, struct thud_text *out)
         while (key > text->data && key[-1] != '\n')
             key--;
         key += strspn(key, " -");
-        thud_text_append(out, "%s%.*s", out->size ? ", " : "", (int)strcspn(key, ":"), key);
+        char name[32];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(key, ":"), key);
+        if (!out->data || !strstr(out->data, name))
+            thud_text_append(out, "%s%s", out->size ? ", " : "", name);
     }
 }
 

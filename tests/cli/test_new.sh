@@ -23,7 +23,7 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "< goes back, and a list is taken" $?
     grep -q 'nope.csv' "$tmp/out" && ! grep -q 'nope.csv' "$tmp/a.yaml"
     ok "a ground motion that is not there is asked for again" $?
-    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: mass, density, poisson, radius, stiffness, restitution' "$tmp/out"
+    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: slab-depth, mass, density, poisson, radius, stiffness, restitution' "$tmp/out"
     ok "what is guessed is marked and said" $?
     ! grep -q '^links' "$tmp/a.yaml" && "$THUD" run "$tmp/a.yaml" --quiet >"$tmp/out" 2>&1
     ok "no damper is written for no, and the file runs" $?

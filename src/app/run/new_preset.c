@@ -21,7 +21,7 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
                        false},
     [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "",
-                            "Of every storey (MN/m, kN/mm, N/m), or the first period (s), from which it follows; of "
+                            "Of every storey (MN/m, kN/mm, N/m), or the first period (s) of a shear building; of "
                             "matrix and modes a file, of estimated the system",
                             false},
     [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "m, ft", false},
@@ -130,27 +130,6 @@ static void value_of(const struct thud_new_preset *preset, enum thud_new_row row
     bool list = strchr(typed, ',') && *typed != '[' && !about[row].single;
     snprintf(text, size, "%s%s%s%s%s", list ? "[" : "", typed, plain && *bare ? " " : "", plain ? bare : "",
              list ? "]" : "");
-}
-
-/* The stiffness as it stands in the preset; from a period where one was typed. */
-static enum thud_status stiffness(const struct thud_new_preset *preset, int side, char *text, size_t size,
-                                  struct thud_error *err)
-{
-    struct thud_quantity period, mass;
-    const char *end;
-    double n;
-    value_of(preset, THUD_NEW_STIFFNESS, side, text, size);
-    if (thud_quantity_parse(text, THUD_TIME, NULL, &period, NULL) != THUD_OK)
-        return THUD_OK;
-    value_of(preset, THUD_NEW_MASS, side, text, size);
-    enum thud_status status = thud_quantity_parse(text, THUD_MASS, NULL, &mass, err);
-    if (status != THUD_OK)
-        return status;
-    if (!(period.value > 0) || thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
-        return thud_error_set(err, THUD_INPUT,
-                              "a first period of more than 0 s, and at least one storey, give a stiffness");
-    thud_quantity_format(thud_uniform_stiffness((int)n, mass.value, period.value), "MN/m", text, size);
-    return THUD_OK;
 }
 
 /* Usual bearings: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there. */
@@ -285,10 +264,13 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     if (is_read(k)) {
         line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");
     } else {
-        enum thud_status status = stiffness(preset, side, text, sizeof text, err);
-        if (status != THUD_OK)
-            return status;
-        line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
+        value_of(preset, THUD_NEW_STIFFNESS, side, text, sizeof text);
+        const bool period = strcmp(k, "shear") == 0 &&
+                            thud_quantity_parse(text, THUD_TIME, NULL, &(struct thud_quantity){0}, NULL) == THUD_OK;
+        line(out, period ? "period" : "stiffness", text,
+             side     ? NULL
+             : period ? "the first one, of equal storeys"
+                      : "of every storey, or a list");
     }
     value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
     line(out, "height", text, side ? NULL : "of every storey, or a list");
@@ -351,6 +333,8 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
         enum thud_status status = structure(preset, side, out, err);
         if (status != THUD_OK)
             return status;
+        if (thud_new_applies(preset, THUD_NEW_HEIGHT, side))
+            line(out, "slab-depth", "30 cm", "a guess: slab and beam at the face");
         soil(preset, side, out);
     }
     value_of(preset, THUD_NEW_GAP, 0, text, sizeof text);
@@ -409,8 +393,6 @@ enum thud_status thud_new_preset_check(const struct thud_new_preset *preset, enu
         for (int i = 0; i < 1 + (row == THUD_NEW_STIFFNESS); i++)
             if (thud_new_applies(preset, THUD_NEW_STOREYS, k) && (k == side || row == THUD_NEW_DAMPER))
                 memcpy(trial.text[with[i]][k], preset->text[with[i]][k], sizeof trial.text[0][0]);
-    if (row == THUD_NEW_STIFFNESS)
-        memcpy(trial.text[THUD_NEW_MASS][side], preset->text[THUD_NEW_MASS][side], sizeof trial.text[0][0]);
     memcpy(trial.text[row][side], answer, sizeof trial.text[0][0]);
     return read_trial(&trial, err);
 }
