@@ -19,90 +19,105 @@
 
 enum { KEY = 160 };
 
-/* ---- storeys ---- */
+/* ---- storeys and modes of a scene ---- */
 
 struct built {
     const struct thud_scene *scene;
+    struct thud_model *model;
     int structure; /* -1: all of them */
 };
 
-static int storeys_of(const struct thud_structure *s)
+static int storeys_of(const struct built *b, int s)
 {
-    return thud_kind_is_building(s->kind) ? s->storeys : 0;
+    return thud_kind_is_building(b->scene->structure[s].kind) ? b->scene->structure[s].storeys : 0;
+}
+
+static int modes_of(const struct built *b, int s)
+{
+    return storeys_of(b, s) > 0 ? b->model->structure[s].modes : 0;
+}
+
+/* The structure of the i-th row of those asked for; *i becomes its row in it. */
+static int structure_of(const struct built *b, int (*count)(const struct built *, int), int *i)
+{
+    int s = b->structure < 0 ? 0 : b->structure;
+    while (b->structure < 0 && *i >= count(b, s))
+        *i -= count(b, s++);
+    return s;
 }
 
 static void make_storey(const void *of, int i, void *row)
 {
-    const struct built *built = of;
-    int s = built->structure < 0 ? 0 : built->structure;
-    while (built->structure < 0 && i >= storeys_of(&built->scene->structure[s]))
-        i -= storeys_of(&built->scene->structure[s++]);
-    const struct thud_structure *p = &built->scene->structure[s];
+    const struct built *b = of;
+    const struct thud_structure *p = &b->scene->structure[structure_of(b, storeys_of, &i)];
     const struct thud_storey x = thud_storey_of(p, i);
     *(struct thud_built_row *)row =
         (struct thud_built_row){p->name,    i + 1,           p->height_m[i], p->mass_kg[i], x.stiffness_npm,
                                 x.weight_n, x.yield_shear_n, x.yield_m,      x.yield_ratio};
 }
 
-static struct thud_rows built_rows(const struct built *built)
+/* Period, and the part of the mass that moves in the mode: gamma^2. */
+static void make_mode(const void *of, int i, void *row)
 {
-    struct thud_rows rows = {&thud_built_schema, 0, 0, make_storey, built};
-    for (int s = 0; s < built->scene->nstructures; s++) {
-        const struct thud_structure *p = &built->scene->structure[s];
-        for (int i = 0; i < storeys_of(p) && (built->structure < 0 || built->structure == s); i++, rows.n++)
-            rows.marks |= isfinite(thud_structure_yield(p, i)) ? THUD_BUILT_YIELDS : 0;
-    }
+    const struct built *b = of;
+    const int s = structure_of(b, modes_of, &i);
+    const struct thud_model_structure *p = &b->model->structure[s];
+    const double period = 2 * THUD_PI / b->model->omega[p->first_mode + i], *gamma = b->model->gamma + p->first_mode;
+    const double total = thud_model_mass_of_system(b->model, s);
+    double sum = 0;
+    for (int j = 0; j <= i; j++)
+        sum += gamma[j] * gamma[j];
+    *(struct thud_mode_row *)row =
+        (struct thud_mode_row){b->scene->structure[s].name, i + 1,      period, 1 / period, gamma[i] * gamma[i],
+                               gamma[i] * gamma[i] / total, sum / total};
+}
+
+static struct thud_rows rows_of(const struct built *b, bool modes)
+{
+    struct thud_rows rows = {modes ? &thud_mode_schema : &thud_built_schema, 0, 0, modes ? make_mode : make_storey, b};
+    for (int s = 0; s < b->scene->nstructures; s++)
+        if (b->structure < 0 || b->structure == s)
+            rows.n += modes ? modes_of(b, s) : storeys_of(b, s);
+    for (int i = 0; !modes && b->structure >= 0 && i < rows.n; i++)
+        if (isfinite(thud_structure_yield(&b->scene->structure[b->structure], i)))
+            rows.marks = THUD_BUILT_YIELDS;
+    if (b->structure < 0)
+        rows.marks = modes ? THUD_MODE_OF_SCENE : THUD_BUILT_YIELDS;
     return rows;
 }
 
 /* "A: T1 0.398 s, T2 ..." and the table of its storeys. */
-static void put_structure(const struct thud_scene *scene, const struct thud_model *model, int s, struct thud_text *out)
+static void put_structure(const struct built *b, struct thud_text *out)
 {
-    const struct built built = {scene, s};
-    const struct thud_rows rows = built_rows(&built);
-    const double *omega = model->structure[s].omega;
-    thud_text_append(out, "\n%s", scene->structure[s].name);
-    for (int i = 0; i < model->structure[s].modes && i < 3; i++)
-        thud_text_append(out, "%s T%d %.4g s", i ? "," : ":", i + 1, 2 * THUD_PI / omega[i]);
+    const struct thud_rows storeys = rows_of(b, false), modes = rows_of(b, true);
+    thud_text_append(out, "\n%s", b->scene->structure[b->structure].name);
+    for (int i = 0; i < modes.n && i < 3; i++) {
+        struct thud_mode_row mode;
+        make_mode(b, i, &mode);
+        thud_text_append(out, "%s T%d %.4g s", i ? "," : ":", i + 1, mode.period_s);
+    }
     thud_text_append(out, "\n");
-    thud_rows_table(&rows, out);
+    thud_rows_table(&storeys, out);
 }
 
 static enum thud_status put_built(const struct thud_scene *scene, enum thud_written form, struct thud_text *out,
                                   struct thud_error *err)
 {
-    const struct built built = {scene, -1};
-    struct thud_rows rows = built_rows(&built);
-    struct thud_model *model = NULL;
-    enum thud_status status = thud_scene_assemble(scene, &model, err);
+    struct built b = {scene, NULL, -1};
+    enum thud_status status = thud_scene_assemble(scene, &b.model, err);
     if (status != THUD_OK)
         return status;
-    rows.marks = THUD_BUILT_YIELDS;
+    const struct thud_rows storeys = rows_of(&b, false), modes = rows_of(&b, true);
     if (form == THUD_AS_CSV)
-        thud_rows_csv(&rows, out);
-    if (form == THUD_AS_JSON)
-        thud_text_append(out, ", \"structures\": [");
-    for (int s = 0, n = 0; s < scene->nstructures && form != THUD_AS_CSV; s++) {
-        if (storeys_of(&scene->structure[s]) == 0)
-            continue;
-        if (form == THUD_AS_TEXT) {
-            put_structure(scene, model, s, out);
-            continue;
-        }
-        thud_text_append(out, "%s\n  {\"name\": ", n++ ? "," : "");
-        thud_json_string(out, scene->structure[s].name);
-        thud_text_append(out, ", \"period_s\": [");
-        for (int i = 0; i < model->structure[s].modes; i++) {
-            thud_text_append(out, i ? ", " : "");
-            thud_json_number(out, 2 * THUD_PI / model->structure[s].omega[i]);
-        }
-        thud_text_append(out, "]}");
-    }
+        thud_rows_csv(&storeys, out);
     if (form == THUD_AS_JSON) {
-        thud_text_append(out, "]");
-        thud_json_list("storeys", &rows, out);
+        thud_json_list("modes", &modes, out);
+        thud_json_list("storeys", &storeys, out);
     }
-    thud_model_free(model);
+    for (int s = 0; s < scene->nstructures && form == THUD_AS_TEXT; s++)
+        if (storeys_of(&b, s) > 0)
+            put_structure(&(struct built){scene, b.model, s}, out);
+    thud_model_free(b.model);
     return THUD_OK;
 }
 
@@ -127,26 +142,34 @@ static enum thud_status of_preset(const struct thud_args *args, struct thud_sess
 
 /* ---- import ---- */
 
-/* The assignments of --set but one, as keys of the structure: unit=kN/m. */
+/* What --set says of the files, and no key of a structure; "": nothing. */
+static const char *said(const struct thud_args *args, const char *name)
+{
+    const char *text, *value = "";
+    const size_t n = strlen(name);
+    for (int i = 0; (text = thud_args_repeated(args, "set", i)) != NULL; i++)
+        value = strncmp(text, name, n) == 0 && text[n] == '=' ? text + n + 1 : value;
+    return value;
+}
+
+/* The assignments of --set as keys of the structure: those of its file, unit and order, or the others. */
 static enum thud_status assign(const struct thud_args *args, struct thud_scene *scene, bool reads,
                                struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     const char *text;
     for (int i = 0; status == THUD_OK && (text = thud_args_repeated(args, "set", i)) != NULL; i++) {
-        const char *sign = strchr(text, '=');
         char key[KEY], name[64];
-        bool of_file = strncmp(text, "unit=", 5) == 0 || strncmp(text, "order=", 6) == 0;
-        if (strncmp(text, "case=", 5) == 0 || strncmp(text, "direction=", 10) == 0)
-            continue; /* of tables of storeys */
-        if (!sign || (size_t)(sign - text) >= sizeof name)
+        const size_t n = strcspn(text, "=");
+        if (!text[n] || n >= sizeof name)
             return thud_error_refuse(err, THUD_USAGE, NULL, "mass=\"320 t\", unit=kN/m, order=roof-first",
                                      "\"%.80s\" changes nothing", text);
-        if (of_file != reads)
+        snprintf(name, sizeof name, "%.*s", (int)n, text);
+        if (strcmp(name, "case") == 0 || strcmp(name, "direction") == 0 ||
+            (strcmp(name, "unit") == 0 || strcmp(name, "order") == 0) != reads)
             continue;
-        snprintf(name, sizeof name, "%.*s", (int)(sign - text), text);
         snprintf(key, sizeof key, "structures.1.%s", name);
-        status = thud_scene_set(scene, key, sign + 1, err);
+        status = thud_scene_set(scene, key, text + n + 1, err);
         if (status != THUD_OK)
             thud_error_key(err, "%s", name);
     }
@@ -181,58 +204,29 @@ static void add_content(const struct thud_building_table *t, const char *path, e
         thud_text_append(out, "symmetric\n");
 }
 
-static void put_modes(const struct thud_rows *rows, double total_kg, int n, double last_s, struct thud_text *out)
-{
-    thud_text_append(out, "mass %.6g t\n\n", 1e-3 * total_kg);
-    thud_rows_table(rows, out);
-    if (rows->n < n)
-        thud_text_append(
-            out, "%d of %d modes: what the shapes omit has a period of %.4g s, a tenth of the shortest of them\n",
-            rows->n, n, last_s);
-}
-
-/* Periods, and the part of the mass that moves in each mode. */
 static enum thud_status add_modes(const struct thud_scene *scene, const struct thud_building_table *t,
                                   enum thud_written form, struct thud_text *out, struct thud_error *err)
 {
-    const int n = t->floors, modes = t->content == THUD_CONTENT_PERIODS ? t->rows : n;
-    struct thud_mode_row *row = calloc((size_t)n, sizeof *row);
-    struct thud_model *model = NULL;
-    double total = 0, sum = 0;
-    if (!row)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = thud_scene_assemble(scene, &model, err);
-    for (int i = 0; i < n; i++)
-        total += scene->structure[0].mass_kg[i];
-    for (int j = 0; j < modes && status == THUD_OK; j++) {
-        const double period = 2 * THUD_PI / model->omega[j], kg = model->gamma[j] * model->gamma[j];
-        sum += kg;
-        row[j] = (struct thud_mode_row){j + 1, period, 1 / period, kg, kg / total, sum / total};
-    }
-    const struct thud_array all = {row, sizeof *row};
-    const struct thud_rows rows = {&thud_mode_schema, 0, status == THUD_OK ? modes : 0, thud_array_row, &all};
+    struct built b = {scene, NULL, 0};
+    enum thud_status status = thud_scene_assemble(scene, &b.model, err);
+    if (status != THUD_OK)
+        return status;
+    struct thud_rows rows = rows_of(&b, true);
+    const int all = rows.n;
+    rows.n = t->content == THUD_CONTENT_PERIODS ? t->rows : all;
     if (form == THUD_AS_JSON)
         thud_json_list("modes", &rows, out);
     else if (form == THUD_AS_CSV)
         thud_rows_csv(&rows, out);
-    else if (status == THUD_OK)
-        put_modes(&rows, total, n, 2 * THUD_PI / model->omega[n - 1], out);
-    thud_model_free(model);
-    free(row);
-    return status;
-}
-
-/* case= and direction= of --set. */
-static enum thud_status ask_storeys(const struct thud_args *args, struct thud_storey_ask *ask, struct thud_error *err)
-{
-    const char *text;
-    for (int i = 0; (text = thud_args_repeated(args, "set", i)) != NULL; i++)
-        if (strncmp(text, "case=", 5) == 0)
-            ask->load_case = text + 5;
-        else if (strcmp(text, "direction=X") == 0 || strcmp(text, "direction=Y") == 0)
-            ask->direction = text[10] == 'Y';
-        else if (strncmp(text, "direction=", 10) == 0)
-            return thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is not a direction", text + 10);
+    else {
+        thud_text_append(out, "mass %.6g t\n\n", 1e-3 * thud_model_mass_of_system(b.model, 0));
+        thud_rows_table(&rows, out);
+    }
+    if (form == THUD_AS_TEXT && rows.n < all)
+        thud_text_append(
+            out, "%d of %d modes: what the shapes omit has a period of %.4g s, a tenth of the shortest of them\n",
+            rows.n, all, 2 * THUD_PI / b.model->omega[all - 1]);
+    thud_model_free(b.model);
     return THUD_OK;
 }
 
@@ -274,8 +268,12 @@ static enum thud_status import_storeys(const struct thud_args *args, struct thud
                                        struct thud_text *out, struct thud_error *err)
 {
     struct thud_storeys *from = calloc(1, sizeof *from);
-    struct thud_storey_ask ask = {"", -1, (enum thud_floor_order)scene->structure[0].order};
-    enum thud_status status = from ? ask_storeys(args, &ask, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
+    const char *way = said(args, "direction");
+    const struct thud_storey_ask ask = {said(args, "case"), *way ? strcmp(way, "Y") == 0 : -1,
+                                        (enum thud_floor_order)scene->structure[0].order};
+    enum thud_status status = from ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (*way && strcmp(way, "X") != 0 && strcmp(way, "Y") != 0)
+        status = thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is not a direction", way);
     if (status == THUD_OK)
         status = thud_storey_files_read((const char *const *)args->operand + 1, args->noperands - 1, &ask, from, err);
     if (status == THUD_OK)

@@ -234,6 +234,9 @@ struct thud_model_input {
 enum thud_status thud_model_create(const struct thud_model_input *input, struct thud_model **out,
                                    struct thud_error *err);
 void thud_model_free(struct thud_model *model);
+/* Returns the mass, kg, of the structures whose modes those of a structure are: with those it is tied to, and with the
+ * foundations'. */
+double thud_model_mass_of_system(const struct thud_model *model, int structure);
 
 /* Returns the yielding storey of a row, NULL for a contact. Rows of yielding storeys follow those of the contacts. */
 static inline const struct thud_model_storey *thud_model_row_storey(const struct thud_model *model, int row)

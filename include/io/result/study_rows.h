@@ -90,8 +90,10 @@ struct thud_used_motion_row {
     bool synthetic;
 };
 
-/* Mode of a building read from a file. */
+/* Mode of a building: of a scene, or read from a file. */
+enum { THUD_MODE_OF_SCENE = 1 };
 struct thud_mode_row {
+    const char *structure; /* of a scene */
     int mode;
     double period_s, frequency_hz, mass_kg, mass_ratio, mass_ratio_sum;
 };

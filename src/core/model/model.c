@@ -837,6 +837,17 @@ enum thud_status thud_model_create(const struct thud_model_input *input, struct 
     return status;
 }
 
+double thud_model_mass_of_system(const struct thud_model *model, int structure)
+{
+    double total = 0;
+    for (int k = 0; k < model->nstructures; k++) {
+        const struct thud_model_structure *p = &model->structure[k];
+        for (int i = 0; p->system == model->structure[structure].system && i < p->n + (p->rise ? 1 : 0); i++)
+            total += model->mass_kg[p->first + i];
+    }
+    return total;
+}
+
 void thud_model_free(struct thud_model *model)
 {
     free(model);

@@ -75,6 +75,7 @@ struct reader {
     char name[THUD_STOREYS_MAX][NAME];
     double value[QUANTITIES][2][THUD_STOREYS_MAX]; /* NaN: not given */
     int from[QUANTITIES][2];                       /* the file that has it, from 1 */
+    bool from_roof;                                /* the rows begin with it */
     bool base_first;                               /* its row stands above those of the storeys */
 };
 
@@ -392,83 +393,68 @@ static bool is_from_roof(const struct reader *r)
     return by ? by > 0 : !r->base_first;
 }
 
-static void reverse(struct reader *r)
+/* Where the i-th storey from below stands. */
+static int at(const struct reader *r, int i)
 {
-    for (int i = 0, j = r->n - 1; i < j; i++, j--) {
-        char name[NAME];
-        memcpy(name, r->name[i], NAME);
-        memcpy(r->name[i], r->name[j], NAME);
-        memcpy(r->name[j], name, NAME);
-        for (int k = 0; k < 2 * QUANTITIES; k++) {
-            double *value = r->value[k / 2][k % 2], other = value[i];
-            value[i] = value[j];
-            value[j] = other;
-        }
-    }
+    return r->from_roof ? r->n - 1 - i : i;
 }
 
-/* 0 or NaN: it is not given in this direction. */
+/* Of the i-th storey from below; 0 or NaN: it is not given in this direction. */
 static double stiffness_of(const struct reader *r, int d, int i)
 {
-    const double *shear = r->value[SHEAR][d], *u = r->value[DISPLACEMENT][d];
-    double v = shear[i], drift = r->value[DRIFT][d][i];
+    const double *u = r->value[DISPLACEMENT][d];
+    double v = r->value[SHEAR][d][at(r, i)], drift = r->value[DRIFT][d][at(r, i)];
     if (r->from[STIFFNESS][d] > 0)
-        return r->value[STIFFNESS][d][i];
-    if (r->from[SHEAR][d] == 0) {
-        v = 0;
-        for (int j = i; j < r->n; j++)
-            v += r->value[FORCE][d][j];
-    }
+        return r->value[STIFFNESS][d][at(r, i)];
     if (r->from[DRIFT][d] == 0)
-        drift = u[i] - (i > 0 ? u[i - 1] : 0);
+        drift = u[at(r, i)] - (i > 0 ? u[at(r, i - 1)] : 0);
+    v = r->from[SHEAR][d] > 0 ? v : 0;
+    for (int j = i; j < r->n && r->from[SHEAR][d] == 0; j++)
+        v += r->value[FORCE][d][at(r, j)];
     return drift != 0 ? fabs(v / drift) : NAN;
 }
 
-static bool has_direction(const struct reader *r, int d)
+/* The first storey from below that has none; -1: all have. */
+static int lacks(const struct reader *r, int d)
 {
-    bool all = true;
     for (int i = 0; i < r->n; i++)
-        all &= stiffness_of(r, d, i) > 0;
-    return all;
+        if (!(stiffness_of(r, d, i) > 0))
+            return i;
+    return -1;
 }
 
 static enum thud_status choose_direction(const struct reader *r, int *d, struct thud_error *err)
 {
-    const bool x = has_direction(r, 0), y = has_direction(r, 1);
+    const bool x = lacks(r, 0) < 0, y = lacks(r, 1) < 0;
     *d = r->ask->direction >= 0 ? r->ask->direction : y && !x;
     if (r->ask->direction < 0 && x && y)
         return thud_error_refuse(err, THUD_INPUT, "direction", "--set direction=X or Y",
                                  "the storeys have a stiffness in both directions");
-    if (*d ? y : x)
-        return THUD_OK;
-    for (int i = 0; i < r->n; i++)
-        if (!(stiffness_of(r, *d, i) > 0) && (x || y || r->from[STIFFNESS][*d] > 0))
-            return thud_error_refuse(err, THUD_INPUT, "direction", NULL, "%s has no stiffness in direction %c",
-                                     r->name[i], "XY"[*d]);
-    return thud_error_refuse(err, THUD_INPUT, NULL,
-                             "stiffnesses, or shears or forces together with drifts or displacements",
-                             "the tables give no stiffness of a storey");
+    return (*d ? y : x)
+               ? THUD_OK
+               : thud_error_refuse(err, THUD_INPUT, "direction",
+                                   "a stiffness, or a shear or forces, and a drift or displacements",
+                                   "%s has no stiffness in direction %c", r->name[at(r, lacks(r, *d))], "XY"[*d]);
 }
 
 static enum thud_status put_storeys(struct reader *r, struct thud_storeys *out, struct thud_error *err)
 {
     int d = 0;
-    if (is_from_roof(r))
-        reverse(r);
+    r->from_roof = is_from_roof(r);
     enum thud_status status = choose_direction(r, &d, err);
     if (status != THUD_OK)
         return status;
     *out = (struct thud_storeys){.n = r->n, .direction = d};
     snprintf(out->load_case, sizeof out->load_case, "%s", r->chosen);
-    memcpy(out->lowest, r->name[0], NAME);
-    memcpy(out->highest, r->name[r->n - 1], NAME);
+    memcpy(out->lowest, r->name[at(r, 0)], NAME);
+    memcpy(out->highest, r->name[at(r, r->n - 1)], NAME);
     for (int i = 0; i < r->n; i++) {
         out->stiffness_npm[i] = stiffness_of(r, d, i);
-        out->mass_kg[i] = r->value[MASS][d][i];
-        out->height_m[i] = r->value[HEIGHT][d][i];
+        out->mass_kg[i] = r->value[MASS][d][at(r, i)];
+        out->height_m[i] = r->value[HEIGHT][d][at(r, i)];
         if (r->from[MASS][d] > 0 && !(out->mass_kg[i] > 0))
             return thud_error_refuse(err, THUD_INPUT, "mass", "a row of the mass table with a mass above 0",
-                                     "%s has no mass in direction %c", r->name[i], "XY"[d]);
+                                     "%s has no mass in direction %c", r->name[at(r, i)], "XY"[d]);
     }
     return THUD_OK;
 }

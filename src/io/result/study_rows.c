@@ -173,6 +173,7 @@ const struct thud_schema thud_spring_schema =
 
 #define MODE(member, text) THUD_COLUMN(struct thud_mode_row, member, #member, text)
 static const struct thud_column modes[] = {
+    {MODE(structure, "Name of its structure, of a preset or of tables of storeys."), .only = THUD_MODE_OF_SCENE},
     {MODE(mode, "Its number, from 1."), .shown = {"mode", NULL, 0, 4, 0, THUD_DIGITS_WORD}},
     {MODE(period_s, "Period, s."), .shown = {"period", "s", 1, 10, 5, THUD_DIGITS_FREE}},
     {MODE(frequency_hz, "Frequency, Hz."), .shown = {"frequency", "Hz", 1, 13, 5, THUD_DIGITS_FREE}},
@@ -203,7 +204,7 @@ static const struct thud_column built[] = {
 const struct thud_schema thud_built_schema = THUD_SCHEMA(
     "building --csv",
     "A row for each storey, from the lowest, also of imported tables of storeys; with\n.Fl -json\nthe list\n"
-    ".Va storeys ,\nbehind the periods of each structure.\n",
+    ".Va storeys ,\nbehind the list\n.Va modes\nof all structures.\n",
     built);
 
 #define QUANTITY(member, key, text) THUD_COLUMN(struct thud_quantity_row, member, key, text)

@@ -88,18 +88,6 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         snprintf(text, size, "no structure");
 }
 
-/* Mass of the structures whose modes these are: with those it is tied to, and with the foundations'. */
-static double mass_of_system(const struct thud_model *model, int s)
-{
-    double total = 0.0;
-    for (int k = 0; k < model->nstructures; k++) {
-        const struct thud_model_structure *p = &model->structure[k];
-        for (int i = 0; p->system == model->structure[s].system && i < p->n + (p->rise ? 1 : 0); i++)
-            total += model->mass_kg[p->first + i];
-    }
-    return total;
-}
-
 /* Periods and effective masses. */
 static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int s)
 {
@@ -107,7 +95,7 @@ static int modes(struct thud_tui *tui, const struct thud_pane *pane, int y, int 
     if (!model || s >= model->nstructures || model->structure[s].n == 0)
         return y;
     const struct thud_model_structure *structure = &model->structure[s];
-    const double total = mass_of_system(model, s);
+    const double total = thud_model_mass_of_system(model, s);
     char periods[160] = " T", masses[160] = " M*", number[24];
     for (int j = 0; j < structure->modes && j < (pane->w - 6) / 8; j++) {
         double omega = model->omega[structure->first_mode + j], gamma = model->gamma[structure->first_mode + j];
