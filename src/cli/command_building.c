@@ -265,7 +265,7 @@ static enum thud_status take_storeys(const struct thud_args *args, const struct 
 }
 
 static enum thud_status import_storeys(const struct thud_args *args, struct thud_scene *scene, enum thud_written form,
-                                       struct thud_text *out, struct thud_error *err)
+                                       bool *tables, struct thud_text *out, struct thud_error *err)
 {
     struct thud_storeys *from = calloc(1, sizeof *from);
     const char *way = said(args, "direction");
@@ -276,8 +276,12 @@ static enum thud_status import_storeys(const struct thud_args *args, struct thud
         status = thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is not a direction", way);
     if (status == THUD_OK)
         status = thud_storey_files_read((const char *const *)args->operand + 1, args->noperands - 1, &ask, from, err);
-    if (status == THUD_OK)
-        status = take_storeys(args, from, scene, err);
+    *tables = status == THUD_OK && from->n > 0;
+    if (status != THUD_OK || !*tables) {
+        free(from);
+        return status;
+    }
+    status = take_storeys(args, from, scene, err);
     if (status == THUD_OK && form == THUD_AS_JSON) {
         thud_text_append(out, "{");
         thud_json_head(out, NULL);
@@ -310,11 +314,11 @@ static enum thud_status work(const struct thud_args *args, struct thud_scene *sc
     scene->nstructures = 1;
     thud_structure_init(s, THUD_MATRIX);
     enum thud_status status = assign(args, scene, true, err);
-    bool storeys_in = args->noperands > 2;                          /* they alone are read together */
-    if (status == THUD_OK && !storeys_in && strcmp(path, "-") != 0) /* which is read once */
-        status = thud_storey_file_is(path, &storeys_in, err);
-    if (status == THUD_OK && storeys_in)
-        return import_storeys(args, scene, form, out, err);
+    bool tables = false;
+    if (status == THUD_OK && (args->noperands > 2 || strcmp(path, "-") != 0)) /* which is read once */
+        status = import_storeys(args, scene, form, &tables, out, err);
+    if (tables)
+        return status;
     const struct thud_building_ask ask = {.any = true, .unit = s->unit, .order = (enum thud_floor_order)s->order};
     if (status == THUD_OK)
         status = thud_building_file_read(path, &ask, t, err);

@@ -21,9 +21,8 @@ struct thud_storeys {
     double height_m[THUD_STOREYS_MAX];
 };
 
-/* Whether a file is such a table, and no matrix and no modes. Errors: those of reading it. */
-enum thud_status thud_storey_file_is(const char *path, bool *is, struct thud_error *err);
-/* Reads one, or two of which the second has what the first lacks. Errors: THUD_INPUT with file, line and column;
+/* Reads one, or two of which the second has what the first lacks; out->n is 0 where the only one is no such table, but
+ * perhaps a matrix. Errors: THUD_INPUT with file, line and column;
  * THUD_MEMORY. */
 enum thud_status thud_storey_files_read(const char *const *path, int n, const struct thud_storey_ask *ask,
                                         struct thud_storeys *out, struct thud_error *err);

@@ -350,13 +350,17 @@ static enum thud_status choose_case(struct reader *r, struct thud_error *err)
     return n > 1 ? refuse(r, r->head_line, -1, some, err, "%d load cases: name one with --set case=NAME", n) : THUD_OK;
 }
 
-static enum thud_status read_file(struct reader *r, const char *path, struct thud_error *err)
+static enum thud_status read_file(struct reader *r, const char *path, bool may_be_another, struct thud_error *err)
 {
     r->file++;
     thud_text_clear(&r->labels);
     enum thud_status status = building_cells_open(path, &r->cells, err);
     if (status == THUD_OK)
         status = scan(r, FIND_NAMES, err);
+    if (status == THUD_OK && r->head_line == 0 && may_be_another) {
+        building_cells_clear(&r->cells);
+        return THUD_OK;
+    }
     if (status == THUD_OK && r->head_line == 0)
         status = refuse(r, 0, -1, "Story or Joint, and Stiff X, Shear X and Drift X, UX, U1, F1 or Height", err,
                         "no row names the columns of a table of storeys");
@@ -459,20 +463,6 @@ static enum thud_status put_storeys(struct reader *r, struct thud_storeys *out, 
     return THUD_OK;
 }
 
-enum thud_status thud_storey_file_is(const char *path, bool *is, struct thud_error *err)
-{
-    struct reader *r = calloc(1, sizeof *r);
-    *is = false;
-    if (!r)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    enum thud_status status = building_cells_open(path, &r->cells, err);
-    if (status == THUD_OK)
-        *is = scan(r, FIND_NAMES, NULL) == THUD_OK && r->head_line > 0;
-    building_cells_clear(&r->cells);
-    free(r);
-    return status;
-}
-
 enum thud_status thud_storey_files_read(const char *const *path, int n, const struct thud_storey_ask *ask,
                                         struct thud_storeys *out, struct thud_error *err)
 {
@@ -482,18 +472,19 @@ enum thud_status thud_storey_files_read(const char *const *path, int n, const st
     enum thud_status status = THUD_OK;
     char used[NAME] = "";
     r->ask = ask;
+    out->n = 0;
     for (int k = 0; k < 2 * QUANTITIES; k++)
         for (int i = 0; i < THUD_STOREYS_MAX; i++)
             r->value[k / 2][k % 2][i] = NAN;
     for (int i = 0; i < n && status == THUD_OK; i++) {
-        status = read_file(r, path[i], err);
+        status = read_file(r, path[i], n == 1, err);
         if (*r->chosen)
             memcpy(used, r->chosen, NAME);
     }
     memcpy(r->chosen, used, NAME);
-    if (status == THUD_OK && r->n == 0)
+    if (status == THUD_OK && r->n == 0 && r->head_line > 0)
         status = thud_error_in(err, THUD_INPUT, path[0], 0, "there is no row of a storey");
-    if (status == THUD_OK)
+    if (status == THUD_OK && r->n > 0)
         status = put_storeys(r, out, err);
     if (status != THUD_OK && err && !err->file[0])
         thud_error_place(err, path[n - 1], 0, 0);

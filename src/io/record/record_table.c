@@ -267,7 +267,7 @@ static enum thud_status ask_column(const struct record_table *table, int time, s
         thud_error_allow(
             err, "`record.column: N`, or `record.column: all` when each line goes on where the one before ended");
     else
-        thud_error_allow(err, "`record.column: N`");
+        thud_error_allow(err, "`record.column: N`, or `record.component: NS`");
     return THUD_INPUT;
 }
 
