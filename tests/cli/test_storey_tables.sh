@@ -130,6 +130,10 @@ printf 'Story;S1;S2\n;kN/m;kN/m\nS1;700.000,5;-350.000,0\nS2;-350.000,0;350.000,
 is "a matrix with decimal commas" gives 0 building import comma.csv --set mass=320t
 is "has its two periods" shows '^   2  '
 
+printf 'Story,F1,F2\nkN/m,,\nF1,700000,-350000\nF2,-350000,350000\n' >floors.csv
+is "a matrix whose floors are called as forces are" gives 0 building import floors.csv
+is "is a matrix" shows '^stiffness matrix, kN/m; 2 floors'
+
 # what is known: T of A is 0.39791 s, and goes with the root of the stiffness
 is "cracked storeys" gives 0 building towers --set structures.1.cracked=0.5
 is "half the stiffness" shows '^A: T1 0.5627 s'

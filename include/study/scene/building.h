@@ -64,5 +64,3 @@ struct thud_storey {
     double stiffness_npm, weight_n, yield_shear_n, yield_m, yield_ratio; /* W: of this floor and those above */
 };
 struct thud_storey thud_storey_of(const struct thud_structure *structure, int i);
-/* Returns the stiffness of each of this many equal storeys under equal floors, N/m, from the first period. */
-double thud_uniform_stiffness(int storeys, double mass_kg, double period_s);

@@ -58,7 +58,7 @@ static const struct known {
 
 struct column {
     const struct known *is; /* NULL: of no use here */
-    int direction;          /* 0, 1; -1: of both, or of the one that its row names */
+    int direction;          /* 0, 1; -1: of both */
     double factor;
     char name[24], unit[24]; /* as they stand in the file */
 };
@@ -68,7 +68,8 @@ struct reader {
     struct building_cells cells; /* of the file: its text alone */
     struct csv_lines lines;
     struct column column[CSV_FIELDS_MAX];
-    int file, head_line;
+    int file, head_line;            /* head_line 0: no names yet; -1: they are those of a matrix */
+    bool optional;                  /* a file of something else is no error */
     struct thud_text labels;        /* the cases of the file, a line each */
     char label[NAME], chosen[NAME]; /* of the row; of the rows that count */
     int n;
@@ -180,6 +181,10 @@ static enum thud_status take_units(struct reader *r, bool row, struct thud_error
             snprintf(kinds + a, sizeof kinds - a, "%s%s", a ? " or " : "", thud_dimension_name(of));
             snprintf(units + b, sizeof units - b, "%s%s", b ? ", " : "", thud_dimension_units(of));
         }
+        if (!(c->factor > 0) && r->optional && !is->name[1]) { /* floors called F1, F2 */
+            r->head_line = -1;
+            return THUD_OK;
+        }
         if (!(c->factor > 0))
             return refuse(r, row ? r->lines.line : r->head_line, (int)j, units, err,
                           *c->unit ? "\"%s\" is not a unit of %s"
@@ -229,7 +234,7 @@ static bool has_line(const struct thud_text *text, const char *line)
     return false;
 }
 
-/* A row that counts names the base, and no storey: sums too. */
+/* A row of the base or of sums, and of no storey. */
 static bool is_beside(const char *name)
 {
     return thud_ascii_same(name, "base") || thud_ascii_same(name, "total") ||
@@ -293,39 +298,41 @@ static enum thud_status take_row(struct reader *r, struct thud_error *err)
 
 /* ---- files ---- */
 
-enum pass { FIND_NAMES, FIND_CASES, TAKE_ROWS };
 enum { LABELS_MOST = 4000 };
 
-static enum thud_status next_row(struct reader *r, enum pass pass, bool *units, struct thud_error *err)
+/* Names and units of the columns, and then the rows of the chosen case, or before it is chosen the cases. */
+static enum thud_status next_row(struct reader *r, bool cases, bool *units, struct thud_error *err)
 {
     if (r->head_line == 0) {
         take_names(r);
         return THUD_OK;
     }
-    if (!*units) {
+    if (!*units && r->head_line > 0) {
         const bool row = is_units(r);
         enum thud_status status = take_units(r, row, err);
         *units = true;
         if (status != THUD_OK || row)
             return status;
     }
+    if (r->head_line < 0)
+        return THUD_OK;
     label_row(r);
-    if (pass == FIND_CASES && r->labels.size < LABELS_MOST && !has_line(&r->labels, r->label))
+    if (cases && r->labels.size < LABELS_MOST && !has_line(&r->labels, r->label))
         thud_text_append(&r->labels, "%s\n", r->label);
-    return pass == TAKE_ROWS ? take_row(r, err) : THUD_OK;
+    return cases ? THUD_OK : take_row(r, err);
 }
 
-static enum thud_status scan(struct reader *r, enum pass pass, struct thud_error *err)
+static enum thud_status scan(struct reader *r, bool cases, struct thud_error *err)
 {
     struct record_line line;
     enum csv_what what = CSV_COMMENT;
     bool units = false;
     r->head_line = 0;
     enum thud_status status = csv_lines_open(&r->lines, record_start(&r->cells.source), r->cells.separator, err);
-    while (status == THUD_OK && what != CSV_END && !(pass == FIND_NAMES && r->head_line > 0)) {
+    while (status == THUD_OK && what != CSV_END) {
         status = csv_lines_next(&r->lines, &what, &line, err);
         if (status == THUD_OK && what == CSV_ROW)
-            status = next_row(r, pass, &units, err);
+            status = next_row(r, cases, &units, err);
     }
     csv_lines_close(&r->lines);
     return status;
@@ -334,42 +341,35 @@ static enum thud_status scan(struct reader *r, enum pass pass, struct thud_error
 /* The one case of the file, or of those asked for. */
 static enum thud_status choose_case(struct reader *r, struct thud_error *err)
 {
-    char all[sizeof err->allowed] = "", some[sizeof err->allowed] = "";
+    char all[sizeof err->allowed] = "";
     int n = 0;
     for (const char *at = r->labels.data; at && *at; at += strcspn(at, "\n") + 1) {
-        const size_t length = strcspn(at, "\n"), a = strlen(all), b = strlen(some);
+        const size_t length = strcspn(at, "\n"), a = strlen(all);
         snprintf(all + a, sizeof all - a, "%s%.*s", a ? ", " : "", (int)length, at);
-        if (!is_asked(r, at))
-            continue;
-        snprintf(some + b, sizeof some - b, "%s%.*s", b ? ", " : "", (int)length, at);
-        if (n++ == 0)
+        if (is_asked(r, at) && n++ == 0)
             snprintf(r->chosen, NAME, "%.*s", (int)length, at);
     }
-    if (n == 0 && *all)
-        return refuse(r, r->head_line, -1, all, err, "there is no load case \"%.40s\"", r->ask->load_case);
-    return n > 1 ? refuse(r, r->head_line, -1, some, err, "%d load cases: name one with --set case=NAME", n) : THUD_OK;
+    if (n > 1)
+        return refuse(r, r->head_line, -1, all, err, "%d load cases: name one with --set case=NAME", n);
+    return n == 1 || !*all
+               ? THUD_OK
+               : refuse(r, r->head_line, -1, all, err, "there is no load case \"%.40s\"", r->ask->load_case);
 }
 
-static enum thud_status read_file(struct reader *r, const char *path, bool may_be_another, struct thud_error *err)
+static enum thud_status read_file(struct reader *r, const char *path, struct thud_error *err)
 {
     r->file++;
     thud_text_clear(&r->labels);
     enum thud_status status = building_cells_open(path, &r->cells, err);
     if (status == THUD_OK)
-        status = scan(r, FIND_NAMES, err);
-    if (status == THUD_OK && r->head_line == 0 && may_be_another) {
-        building_cells_clear(&r->cells);
-        return THUD_OK;
-    }
-    if (status == THUD_OK && r->head_line == 0)
+        status = scan(r, true, err);
+    if (status == THUD_OK && r->head_line <= 0 && !r->optional)
         status = refuse(r, 0, -1, "Story or Joint, and Stiff X, Shear X and Drift X, UX, U1, F1 or Height", err,
                         "no row names the columns of a table of storeys");
-    if (status == THUD_OK)
-        status = scan(r, FIND_CASES, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK && r->head_line > 0)
         status = choose_case(r, err);
-    if (status == THUD_OK)
-        status = scan(r, TAKE_ROWS, err);
+    if (status == THUD_OK && r->head_line > 0)
+        status = scan(r, false, err);
     building_cells_clear(&r->cells);
     return status;
 }
@@ -472,12 +472,13 @@ enum thud_status thud_storey_files_read(const char *const *path, int n, const st
     enum thud_status status = THUD_OK;
     char used[NAME] = "";
     r->ask = ask;
+    r->optional = n == 1;
     out->n = 0;
     for (int k = 0; k < 2 * QUANTITIES; k++)
         for (int i = 0; i < THUD_STOREYS_MAX; i++)
             r->value[k / 2][k % 2][i] = NAN;
     for (int i = 0; i < n && status == THUD_OK; i++) {
-        status = read_file(r, path[i], n == 1, err);
+        status = read_file(r, path[i], err);
         if (*r->chosen)
             memcpy(used, r->chosen, NAME);
     }

@@ -21,7 +21,8 @@ static const struct {
     double en1998_ct, asce7_ct, asce7_x;
 } systems[] = {{0.075, 0.0466, 0.9}, {0.085, 0.0724, 0.8}, {0.050, 0.0488, 0.75}, {0.050, 0.0488, 0.75}};
 
-double thud_uniform_stiffness(int storeys, double mass_kg, double period_s)
+/* Of each of so many equal storeys under equal floors, N/m, from the first period. */
+static double uniform_stiffness(int storeys, double mass_kg, double period_s)
 {
     const double half = THUD_PI / period_s / sin(THUD_PI / (2 * (2 * storeys + 1)));
     return mass_kg * half * half;
@@ -81,7 +82,7 @@ void thud_structure_fill_estimate(struct thud_structure *s)
         fill_period(s, s->period_s);
     if (s->kind != THUD_ESTIMATED)
         return;
-    const double stiffness = thud_uniform_stiffness(s->storeys, s->mass_kg[0], estimated_period(s));
+    const double stiffness = uniform_stiffness(s->storeys, s->mass_kg[0], estimated_period(s));
     for (int i = 0; i < s->storeys; i++)
         s->stiffness_npm[i] = stiffness;
     if (!equal)
