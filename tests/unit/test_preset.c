@@ -150,7 +150,8 @@ static const struct {
      "matrix, modes, estimated)"},
     {"kind: shear", "kind: wall", "p:10:11: structures.1.mass: a list stands where one value is wanted"},
     {"kind: shear", "kind: isolated",
-     "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg, lb, kip s2/in, tonf s2/m)"},
+     "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg, lb, kip s2/in, tonf "
+     "s2/m)"},
     {"name: B", "name: A", "p:14:11: structures.2.name: \"A\" is the name of structure 1 too"},
     {"    stiffness: 600 MN/m\n", "",
      "p:8:5: structures.1.stiffness: storey stiffness is not given (a stiffness in N/m"},
