@@ -43,6 +43,15 @@ START_TEST(units_are_what_they_are_defined_to_be)
         {"1 kip/ft", THUD_STIFFNESS, 4448.2216152605 / 0.3048},
         {"1000 lbf", THUD_FORCE, 4448.2216152605},
         {"2 kip s2/in", THUD_MASS, 2 * (4448.2216152605 / 0.0254)},
+        {"2 kN-s\xc2\xb2/m", THUD_MASS, 2000},
+        {"2 kN*s^2/m", THUD_MASS, 2000},
+        {"1 tonf s2/m", THUD_MASS, 9806.65},
+        {"3 tonf/m", THUD_STIFFNESS, 3 * 9806.65},
+        {"1 kips/in", THUD_STIFFNESS, 4448.2216152605 / 0.0254},
+        {"1 ft2", THUD_AREA, 0.3048 * 0.3048},
+        {"7 MNm^2", THUD_BENDING, 7e6},
+        {"7 MN m2", THUD_BENDING, 7e6},
+        {"4 kN s/m", THUD_DASHPOT, 4000},
         {"1 ksi", THUD_PRESSURE, 4448.2216152605 / 0.0254 / 0.0254},
         {"1 ft/s2", THUD_ACCELERATION, 0.3048},
         {"600 N/mm", THUD_STIFFNESS, 6e5},
@@ -105,6 +114,8 @@ static void refused(const char *text, enum thud_dimension dimension, const char 
 START_TEST(refusals_name_the_remedy)
 {
     refused("320 kN", THUD_MASS, "is a force; give a mass", "t, kg");
+    refused("5 m m", THUD_LENGTH, "has no known unit", "mm");
+    refused("5 kN  s2/m", THUD_MASS, "has no known unit", "t, kg");
     refused("320", THUD_MASS, "has no unit; give a mass", "t, kg");
     refused("0", THUD_LENGTH, "has no unit; give a length", "cm");
     refused("0,5 m", THUD_LENGTH, "decimal comma", "write 0.5 m");

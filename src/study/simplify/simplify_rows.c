@@ -24,7 +24,10 @@ static bool make_equal(const struct thud_simplify_from *from, struct thud_scene 
     for (int i = 0; i < s->storeys; i++) {
         s->mass_kg[i] = mass;
         s->stiffness_npm[i] = stiffness;
+        s->load_pa[i] = 0;
     }
+    s->area_m2 = 0; /* neither a load nor a period gives these any more */
+    s->period_s = s->kind == THUD_SHEAR ? (double)NAN : 0;
     return true;
 }
 
