@@ -145,7 +145,7 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
     }
     if (status == THUD_OK)
         status = thud_scene_check(&session->scene, err);
-    if (status == THUD_OK)
+    if (status == THUD_OK && session->scene.record.file[0]) /* "no" is an answer */
         status = thud_session_read_record(session, err);
     if (status == THUD_OK)
         status = thud_preset_text(session->preset, &session->scene, &out, &size, err);

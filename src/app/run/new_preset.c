@@ -132,36 +132,43 @@ static void value_of(const struct thud_new_preset *preset, enum thud_new_row row
              list ? "]" : "");
 }
 
-/* Usual bearings: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there. */
-static enum thud_status bearings(const struct thud_new_preset *preset, int side, struct thud_text *out,
-                                 struct thud_error *err)
+/* The mean mass of a floor, and how many there are. */
+static enum thud_status mean_mass(const struct thud_new_preset *preset, int side, double *kg, double *storeys,
+                                  struct thud_error *err)
+{
+    char item[THUD_NEW_TEXT];
+    const char *at = preset->text[THUD_NEW_MASS][side], *end;
+    int n = 0;
+    if (thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, storeys) != 0 || !(*storeys >= 1))
+        return thud_error_set(err, THUD_INPUT, "a building has at least one storey");
+    for (*kg = 0; *(at += strspn(at, " ,[]")); n++) {
+        struct thud_quantity mass;
+        const size_t length = strcspn(at, ",]");
+        snprintf(item, sizeof item, "%.*s", (int)length, at);
+        enum thud_status status = thud_quantity_parse(item, THUD_MASS, about[THUD_NEW_MASS].unit, &mass, err);
+        if (status != THUD_OK)
+            return status;
+        *kg += mass.value;
+        at += length;
+    }
+    *kg /= n > 0 ? n : 1;
+    return THUD_OK;
+}
+
+/* Usual bearings: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there; the slab is as heavy as a floor. */
+static void bearings(const char *kind, double floor_kg, double storeys, struct thud_text *out)
 {
     static const double period_s = 2.5, ratio = 0.05;
-    const char *end;
-    char text[THUD_NEW_TEXT + 16], value[64];
-    struct thud_quantity mass;
-    double n, omega = 2 * THUD_PI / period_s;
-    if (strcmp(preset->text[THUD_NEW_KIND][side], "pendulum") == 0) {
-        thud_quantity_format(THUD_GRAVITY / (omega * omega), "m", value, sizeof value);
+    const double omega = 2 * THUD_PI / period_s, all = floor_kg * (storeys + 1);
+    thud_text_append(out, "    isolator: # a guess: usual bearings\n");
+    if (strcmp(kind, "pendulum") == 0)
+        thud_text_append(out, "      law: pendulum\n      radius: %.2f m\n      friction: 5 %%\n",
+                         THUD_GRAVITY / (omega * omega));
+    else
         thud_text_append(out,
-                         "    isolator: # a guess: usual bearings\n      law: pendulum\n      radius: %.4s m\n      "
-                         "friction: 5 %%\n",
-                         value);
-        return THUD_OK;
-    }
-    value_of(preset, THUD_NEW_MASS, side, text, sizeof text);
-    enum thud_status status = thud_quantity_parse(text, THUD_MASS, NULL, &mass, err);
-    if (status != THUD_OK)
-        return status;
-    if (thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, &n) != 0 || !(n >= 1))
-        return thud_error_set(err, THUD_INPUT, "bearings stand below at least one storey");
-    double all = mass.value * (n + 1);
-    thud_text_append(out,
-                     "    isolator: # a guess: usual bearings\n      law: lead-rubber\n      strength: %.4g kN\n      "
-                     "post-yield: %.4g MN/m\n"
-                     "      yield: 10 mm\n",
-                     1e-3 * ratio * all * THUD_GRAVITY, 1e-6 * all * omega * omega);
-    return THUD_OK;
+                         "      law: lead-rubber\n      strength: %.4g kN\n      post-yield: %.4g MN/m\n"
+                         "      yield: 10 mm\n",
+                         1e-3 * ratio * all * THUD_GRAVITY, 1e-6 * all * omega * omega);
 }
 
 /* KEY: VALUE, and what is to be said of it. */
@@ -185,27 +192,31 @@ static void moat_wall(struct thud_text *out)
 }
 
 /* From the mass of its floors their area; in the place of the stiffness one of the systems. */
-static enum thud_status estimated(const struct thud_new_preset *preset, int side, const char *mass,
-                                  struct thud_text *out, struct thud_error *err)
+static void estimated(const struct thud_new_preset *preset, int side, double floor_kg, struct thud_text *out)
 {
     char text[THUD_NEW_TEXT + 16];
-    struct thud_quantity q;
     const char *system = preset->text[THUD_NEW_STIFFNESS][side];
-    if (thud_quantity_parse(mass, THUD_AREA, NULL, &q, NULL) != THUD_OK) {
-        enum thud_status status = thud_quantity_parse(mass, THUD_MASS, NULL, &q, err);
-        if (status != THUD_OK)
-            return status;
-        q.value /= THUD_ESTIMATE_KGPM2;
-    }
     line(out, "system", system[0] >= 'a' && system[0] <= 'z' ? system : "concrete-frame",
          "concrete-frame | steel-frame | wall | masonry");
-    thud_quantity_format(q.value, "m2", text, sizeof text);
+    thud_quantity_format(floor_kg / THUD_ESTIMATE_KGPM2, "m2", text, sizeof text);
     line(out, "area", text, "of a floor: 1 t/m2");
-    value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
-    line(out, "height", text, "of every storey, or a list");
-    value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
-    line(out, "damping", text, NULL);
-    return THUD_OK;
+}
+
+/* What a building's mass and stiffness are given by. */
+static void springs(const struct thud_new_preset *preset, int side, struct thud_text *out)
+{
+    const char *k = preset->text[THUD_NEW_KIND][side];
+    char text[THUD_NEW_TEXT + 16];
+    value_of(preset, THUD_NEW_MASS, side, text, sizeof text);
+    line(out, "mass", text, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
+    value_of(preset, THUD_NEW_STIFFNESS, side, text, sizeof text);
+    if (is_read(k))
+        line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");
+    else if (strcmp(k, "shear") == 0 &&
+             thud_quantity_parse(text, THUD_TIME, NULL, &(struct thud_quantity){0}, NULL) == THUD_OK)
+        line(out, "period", text, "the first one, of equal storeys");
+    else
+        line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
 }
 
 /* Of a surface foundation on a half-space, with usual values of the rest. */
@@ -239,7 +250,8 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
                                   struct thud_error *err)
 {
     const char *k = preset->text[THUD_NEW_KIND][side];
-    char mass[THUD_NEW_TEXT + 16], text[THUD_NEW_TEXT + 16];
+    char text[THUD_NEW_TEXT + 16];
+    double floor_kg, storeys;
     thud_text_append(out, "  - name: %s\n", side ? "B" : "A");
     line(out, "kind",
          is_isolated(k) ? "isolated"
@@ -251,39 +263,35 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
             moat_wall(out);
         return THUD_OK;
     }
-    value_of(preset, THUD_NEW_MASS, side, mass, sizeof mass);
     if (strcmp(k, "rigid") == 0) {
-        line(out, "mass", mass, NULL);
+        value_of(preset, THUD_NEW_MASS, side, text, sizeof text);
+        line(out, "mass", text, NULL);
         line(out, "height", "3 m", "a guess: its elevation");
         return THUD_OK;
     }
+    enum thud_status status = mean_mass(preset, side, &floor_kg, &storeys, err);
+    if (status != THUD_OK)
+        return status;
     line(out, "storeys", preset->text[THUD_NEW_STOREYS][side], NULL);
     if (is_estimated(k))
-        return estimated(preset, side, mass, out, err);
-    line(out, "mass", mass, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
-    if (is_read(k)) {
-        line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");
-    } else {
-        value_of(preset, THUD_NEW_STIFFNESS, side, text, sizeof text);
-        const bool period = strcmp(k, "shear") == 0 &&
-                            thud_quantity_parse(text, THUD_TIME, NULL, &(struct thud_quantity){0}, NULL) == THUD_OK;
-        line(out, period ? "period" : "stiffness", text,
-             side     ? NULL
-             : period ? "the first one, of equal storeys"
-                      : "of every storey, or a list");
-    }
+        estimated(preset, side, floor_kg, out);
+    else
+        springs(preset, side, out);
     value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
     line(out, "height", text, side ? NULL : "of every storey, or a list");
     value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
     line(out, "damping", text, side ? NULL : "of every mode");
-    if (is_isolated(k))
-        line(out, "base-mass", mass, "a guess: as a floor");
-    if (is_isolated(k) && strcmp(k, "isolated") != 0)
-        return bearings(preset, side, out, err);
-    if (is_isolated(k)) {
-        line(out, "isolation-stiffness", "12.5 MN/m", "a guess");
-        line(out, "isolation-damping", "15 %", "a guess");
+    line(out, "slab-depth", "30 cm", "a guess: slab and beam at the face");
+    if (!is_isolated(k))
+        return THUD_OK;
+    thud_quantity_format(floor_kg, "t", text, sizeof text);
+    line(out, "base-mass", text, "a guess: as a floor");
+    if (strcmp(k, "isolated") != 0) {
+        bearings(k, floor_kg, storeys, out);
+        return THUD_OK;
     }
+    line(out, "isolation-stiffness", "12.5 MN/m", "a guess");
+    line(out, "isolation-damping", "15 %", "a guess");
     return THUD_OK;
 }
 
@@ -333,8 +341,6 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
         enum thud_status status = structure(preset, side, out, err);
         if (status != THUD_OK)
             return status;
-        if (thud_new_applies(preset, THUD_NEW_HEIGHT, side))
-            line(out, "slab-depth", "30 cm", "a guess: slab and beam at the face");
         soil(preset, side, out);
     }
     value_of(preset, THUD_NEW_GAP, 0, text, sizeof text);
