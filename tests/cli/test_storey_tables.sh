@@ -157,6 +157,9 @@ is "one stiffness of all storeys under a period" gives 3 sweep towers --set stru
 is "changes nothing" says 'structures.1.stiffness: the period of A, 0.9 s, gives the stiffness of its storeys: one value for all of them has no effect (structures.1.period'
 is "that of one storey does" gives 0 building towers --set structures.1.period=0.9s --set structures.1.stiffness.1=300MN/m
 is "at the same period" shows '^A: T1 0.9 s'
+printf 'structures:\n  - {name: A, storeys: 2, mass: 300 t, stiffness: 500 MN/m, load: 8 kPa, area: 100 m2}\n' >both.yaml
+is "a mass beside area and load in a preset" gives 3 building both.yaml
+is "contradicts them, in its place" says 'both.yaml:2:33: structures.1.mass: area and load give another mass (mass, or area and load)'
 cat >known.yaml <<'END'
 structures:
   - {name: A, kind: shear, storeys: 3, period: 0.6 s, stiffness: 100 MN/m, load: [8 kPa, 8 kPa, 6 kPa], area: 200 m2, yield-coefficient: 10 %}

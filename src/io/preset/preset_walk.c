@@ -238,6 +238,23 @@ static enum thud_status set_storeys(struct thud_preset *preset, int node, const 
                   err);
 }
 
+/* Masses that stand beside area and load have to be those: as a result's own scene has them. */
+static enum thud_status set_determined(struct thud_preset *preset, int s, int node, const char *path,
+                                       struct thud_error *err)
+{
+    const struct thud_structure *structure = &preset->scene.structure[s];
+    double mass_kg[THUD_STOREYS_MAX];
+    char full[PATH_BYTES + 8];
+    memcpy(mass_kg, structure->mass_kg, sizeof mass_kg);
+    enum thud_status status = set_keys(preset, node, THUD_GROUP_STRUCTURE, path, THUD_RANK_LAST, err);
+    const int given = thud_yaml_find(&preset->tree, node, "mass", NULL);
+    snprintf(full, sizeof full, "%s.mass", path);
+    for (int i = 0; i < structure->storeys && given >= 0 && status == THUD_OK; i++)
+        if (fabs(structure->mass_kg[i] - mass_kg[i]) > 1e-6 * mass_kg[i])
+            return refuse(preset, given, full, "area and load give another mass", "mass, or area and load", err);
+    return status;
+}
+
 static enum thud_status walk_structure(struct thud_preset *preset, int s, int node, struct thud_error *err)
 {
     struct thud_structure *structure = &preset->scene.structure[s];
@@ -255,7 +272,9 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     if (thud_kind_is_building(structure->kind))
         status = set_storeys(preset, node, path, err);
     if (status == THUD_OK)
-        status = set_keys(preset, node, THUD_GROUP_STRUCTURE, path, THUD_RANK_STOREYS + 1, err);
+        status = set_ranks(preset, node, THUD_GROUP_STRUCTURE, path, THUD_RANK_STOREYS + 1, THUD_RANK_USUAL, err);
+    if (status == THUD_OK)
+        status = set_determined(preset, s, node, path, err);
     for (int i = 0; i < THUD_NESTED_GROUPS && status == THUD_OK; i++) {
         const char *group = thud_group_key(thud_nested_group(i));
         int nested = thud_yaml_find(&preset->tree, node, group, NULL);
