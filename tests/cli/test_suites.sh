@@ -217,6 +217,7 @@ again --shard 2/2 -o "$tmp/p2"
 # no words of the scene: the parts hold them
 "$THUD" fragility --merge "$tmp/p1" "$tmp/p2" -o "$tmp/merged" --hazard "$tmp/hazard.csv" --quiet >"$tmp/out" 2>"$tmp/err"
 is "and of parts joined" same "$tmp/merged"
+is "with remarks, of which none is on a factor that nobody knows" sh -c "grep -q '\"weight\"' '$tmp/merged/fragility.json' && ! grep -q 'is scaled by' '$tmp/merged/fragility.json'"
 # four files of two stations, as their list says: of two recordings there are no fractiles, in parts joined neither
 pairs=kobe-surrogate.csv:event=one:station=s,northridge-surrogate.csv:event=one:station=s,san-fernando-surrogate.csv:event=two:station=s,kaikoura-wtmc.csv:event=two:station=s
 # shellcheck disable=SC2046 # two words or none

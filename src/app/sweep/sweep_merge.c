@@ -51,6 +51,7 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
         snprintf(record->file, sizeof record->file, "%s", said->name);
         snprintf(record->event, sizeof record->event, "%s", said->event ? said->event : "");
         snprintf(record->station, sizeof record->station, "%s", said->station ? said->station : "");
+        record->scale = 1; /* its samples are those that were used: a head does not say what they were in a file */
         parts->record[i] = record->file[0] ? record : NULL;
     }
     plan->record = parts->record;

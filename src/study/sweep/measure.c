@@ -45,6 +45,19 @@ static double largest_of_floors(const struct thud_measured_run *run, const struc
     return most;
 }
 
+/* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
+static int reference_of(const struct thud_sweep_point *point)
+{
+    int written = 0;
+    for (int k = 0; k < point->ncases; k++) {
+        if (point->which[k] == THUD_CASE_NONE)
+            return k;
+        if (point->which[k] == THUD_CASE_AS_WRITTEN)
+            written = k;
+    }
+    return written;
+}
+
 static double floor_of(const struct thud_sweep_point *p, int variant, int k, const struct thud_measure_info *info,
                        int structure, int floor)
 {
@@ -75,26 +88,13 @@ static bool collapses_free(const struct thud_sweep_point *p)
     return p->fall[thud_sweep_linkage(p->nlinkages, alone)].happened;
 }
 
-/* What the ratios are to: case `none`, or the scene as written where that has no bumper. */
-static int reference_case(const struct thud_sweep_point *point)
-{
-    int written = 0;
-    for (int k = 0; k < point->ncases; k++) {
-        if (point->which[k] == THUD_CASE_NONE)
-            return k;
-        if (point->which[k] == THUD_CASE_AS_WRITTEN)
-            written = k;
-    }
-    return written;
-}
-
 double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,
                              const struct thud_measure_info *info, int structure, int floor)
 {
     const double own = floor_of(point, variant, k, info, structure, floor);
     if (!info->ratio_of)
         return own;
-    const int reference = info->free ? point->ncases : reference_case(point);
+    const int reference = info->free ? point->ncases : reference_of(point);
     const double other = floor_of(point, variant, reference, info, structure, floor);
     const bool cut =
         point->effort[k].collapsed || (info->free ? collapses_free(point) : point->effort[reference].collapsed);
