@@ -83,7 +83,7 @@ add_measure() { # in suites, and an event
     awk '/^    THUD_MEASURES$/ { print "    THUD_MEASURE_STRANGER," } { print }' include/study/sweep/measure.h >"$copy/new" &&
         cat "$copy/new" >include/study/sweep/measure.h
     after src/study/sweep/measure.c 'static const struct thud_measure_info infos[THUD_MEASURES] = {' <<'END'
-    [THUD_MEASURE_STRANGER] = {"stranger_m", "largest indentation of a stranger", THUD_LENGTH, TOLD(11, 0, 0, 0),
+    [THUD_MEASURE_STRANGER] = {"stranger_m", "largest indentation of a stranger", THUD_LENGTH, TOLD(12, 0, 0, 0, 0),
                                .event.word = "stranger", .event.example = "1mm", .read = largest_of_contacts,
                                CONTACT(indentation_m)},
 END
