@@ -291,6 +291,38 @@ START_TEST(a_wall_that_gives_is_drawn_with_what_holds_it)
 }
 END_TEST
 
+/* Masses and stiffnesses of a tall building stand apart from each other: 14 lines have room in the height of the drawing. */
+START_TEST(numbers_of_a_tall_building_stand_apart)
+{
+    struct sample *s = make();
+    static struct thud_scene scene;
+    scene = *s->source.scene;
+    struct thud_error err;
+    for (int storeys = 3; storeys <= 40; storeys += 37) {
+        char text[8];
+        snprintf(text, sizeof text, "%d", storeys);
+        ck_assert_int_eq(thud_scene_set(&scene, "structures.1.storeys", text, &err), THUD_OK);
+        ck_assert_int_eq(thud_scene_set(&scene, "structures.2.storeys", text, &err), THUD_OK);
+        struct thud_figure *figure = thud_figure_of_scene(&scene, "scene", "");
+        const struct thud_panel *model = &figure->panel[1];
+        double nearest = INFINITY, low = INFINITY, high = -INFINITY;
+        int of_first = 0;
+        for (int i = 0; i < model->nlabels; i++) {
+            low = fmin(low, model->label[i].y), high = fmax(high, model->label[i].y);
+            of_first += model->label[i].x == model->label[0].x;
+            for (int k = 0; k < i; k++)
+                if (model->label[i].x == model->label[k].x)
+                    nearest = fmin(nearest, fabs(model->label[i].y - model->label[k].y));
+        }
+        ck_assert_int_ge(of_first, 6);
+        ck_assert_double_ge(nearest, 0.05 * (high - low));
+        ck_assert_int_le(of_first, 14);
+        thud_figure_free(figure);
+    }
+    drop(s);
+}
+END_TEST
+
 START_TEST(forces_and_loops_show_contacts)
 {
     struct sample *s = make();
@@ -491,6 +523,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, walls_do_not_set_the_scale_of_floors);
     tcase_add_test(tcase, walls_do_not_set_the_scale_of_spectra);
     tcase_add_test(tcase, a_wall_that_gives_is_drawn_with_what_holds_it);
+    tcase_add_test(tcase, numbers_of_a_tall_building_stand_apart);
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_keep_their_colours);
     tcase_add_test(tcase, cases_differ_without_their_colours);

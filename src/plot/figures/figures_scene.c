@@ -218,11 +218,20 @@ static void in_elevation(const struct drawing *d, int s)
                      0, p->name);
 }
 
+/* Mass and stiffness are a line each: the floors that are told stand this part of the drawing's height apart. */
+static const double told_apart = 0.15;
+
+static int floors_told(const struct drawing *d, int s)
+{
+    const int floors = thud_structure_floors(&d->scene->structure[s]);
+    const double high = floors > 0 ? elevation(d, s, floors - 1) - d->scene->structure[s].base_m : 0;
+    return high > 0 ? (int)ceil(told_apart * (d->high - d->low) * floors / high) : 1;
+}
+
 static void in_model(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];
-    const int floors = thud_structure_floors(p), slab = p->kind == THUD_ISOLATED,
-              every = 1 + (floors - 1) / LABELS_MOST;
+    const int floors = thud_structure_floors(p), slab = p->kind == THUD_ISOLATED, every = floors_told(d, s);
     const double x = d->at[s];
     if (thud_structure_on_soil(p))
         foundation(d, s);
@@ -241,7 +250,8 @@ static void in_model(const struct drawing *d, int s)
         } else if (p->kind != THUD_RIGID) {
             spring(d->model, "storey stiffness", FRAME, x, below, x, z, 0.25, 0);
             if (told)
-                number(d, s, 0.5 * (below + z), 1e-6 * thud_structure_stiffness(p, f - slab), "MN/m");
+                number(d, s, fmin(0.5 * (below + z), z - 0.4 * told_apart * (d->high - d->low)),
+                       1e-6 * thud_structure_stiffness(p, f - slab), "MN/m");
         }
         dot(d->model, "mass", MASS, x, z);
         if (told)
