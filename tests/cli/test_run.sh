@@ -290,7 +290,7 @@ table="--unit g --dt 0.01s"
     is "wrong column" gives 3 run towers --record "$tmp/table.txt" $table --column 9
     is "names --column, and the file" says 'table.txt:1: --column: there is no column 9 (1 to 3)'
     is "a column that nobody gave" gives 3 run towers --record "$tmp/table.txt" $table
-    is "is asked for" says 'table.txt:1: column: .*(--column N)'
+    is "is asked for" says 'table.txt:1: column: .*(--column N, or --component NS)'
 }
 printf '%s\n' "0.1 0.2" "-0.3 0.4" "0.1 0.0" >"$tmp/lines.txt"
 is "lines that go on where the one before ended" gives 0 run towers --record "$tmp/lines.txt" --unit g --dt 0.01s --column all --json

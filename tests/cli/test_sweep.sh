@@ -331,9 +331,8 @@ status 0 "$THUD" sweep towers --vary gap=10cm,30cm --vary bumper.thickness=3cm:5
 check "a best value at the end of its range is said to be there" grep -q "10 cm  *[35] cm .*at the end of its range$" "$tmp/out"
 check "none where there is no contact" grep -q "30 cm  *-  *1[.]000  *1[.]000  *- .*is struck by nothing, or hardly$" "$tmp/out"
 check "thickness without its stiffness is remarked on" grep -q "bumper.thickness: the stiffness is 0.36 kN/mm^2.65 at every thickness" "$tmp/err"
-status 0 "$THUD" sweep towers --set structures.1.period=0.4s --vary structures.1.stiffness=300MN/m,600MN/m --vary gap=60cm --cases none --csv
-check "a stiffness scaled to a given period is remarked on" grep -q "structures.1.stiffness: .*scaled to its given first period, so this value changes nothing" "$tmp/err"
-check "and indeed changes nothing" test "$(sed "1d; s/,[36]00000000,/,/" "$tmp/out" | sort -u | wc -l)" -eq 12
+status 3 "$THUD" sweep towers --set structures.1.period=0.4s --vary structures.1.stiffness=300MN/m,600MN/m --vary gap=60cm --cases none --csv
+check "a stiffness that the period gives is not varied" grep -q "structures.1.stiffness: the period of A, 0.4 s, gives the stiffness of its storeys: one value for all of them has no effect" "$tmp/err"
 cp records/kobe-surrogate.csv "$tmp/a-name-of-more-than-twenty-letters.csv"
 status 0 "$THUD" sweep towers --vary gap=10cm --vary bumper.thickness=4cm,5cm --cases bumper --best bumper.thickness --record "$tmp/a-name-of-more-than-twenty-letters.csv"
 check "the whole name of a record" grep -q "^  a-name-of-more-than-twenty-letters.csv bumper" "$tmp/out"

@@ -47,9 +47,9 @@ void thud_sweep_journal_close(struct thud_sweep_journal *journal, bool remove);
 
 /* Head of a journal, as text. */
 struct thud_sweep_head_record {
-    const char *name;            /* empty: no ground motion */
-    const char *event, *station; /* NULL: none */
-    const char *step, *motion;   /* lines of numbers: its step, its samples; NULL: they are not there */
+    const char *name;                                /* empty: no ground motion */
+    const char *event, *station, *synthetic, *scale; /* NULL: none, not synthetic, 1 */
+    const char *step, *motion; /* lines of numbers: its step, its samples; NULL: they are not there */
 };
 struct thud_sweep_head {
     unsigned long long fingerprint;

@@ -77,7 +77,9 @@ static int rank_of(const char *assignment)
     const int rank = key ? thud_key_rank(key, (size_t)(sign - key)) : THUD_RANK_USUAL;
     const bool taken = rank < THUD_RANK_USUAL && sign[1] == '\0' && thud_scan_word(&number, "links.") &&
                        thud_scan_count(&number, &link) && link <= THUD_LINKS_MAX;
-    return taken ? RANKS - link : rank;
+    return taken                    ? RANKS - link
+           : rank < THUD_RANK_USUAL ? rank
+                                    : THUD_RANK_USUAL; /* what comes last is in the user's order */
 }
 
 enum thud_status thud_session_assign_all(struct thud_session *session, const char *const *assignment, int n,

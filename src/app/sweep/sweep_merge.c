@@ -51,7 +51,10 @@ static enum thud_status fill_plan(struct thud_sweep_parts *parts, const struct t
         snprintf(record->file, sizeof record->file, "%s", said->name);
         snprintf(record->event, sizeof record->event, "%s", said->event ? said->event : "");
         snprintf(record->station, sizeof record->station, "%s", said->station ? said->station : "");
-        record->scale = 1; /* its samples are those that were used: a head does not say what they were in a file */
+        record->synthetic = said->synthetic != NULL;
+        record->scale = 1;
+        if (said->scale)
+            (void)thud_sweep_numbers_read(said->scale, &(long){0}, &record->scale, 1);
         parts->record[i] = record->file[0] ? record : NULL;
     }
     plan->record = parts->record;

@@ -1,6 +1,6 @@
 /* The head of a study's journal: lines `name` (of the preset), `cases`, `vary`, `record`, `sensitivity` where it is asked for,
  * then the preset. Behind each record of a part stand its samples, by which who joins the parts runs motions too, and its
- * event and station, by which it is one recording with others. */
+ * event and station, by which it is one recording with others, and what else remarks on motions read. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,6 +46,10 @@ static void put_motion(const struct thud_record *record, struct thud_text *out)
         put_line("event", record->event, out);
     if (record->station[0])
         put_line("station", record->station, out);
+    if (record->synthetic)
+        thud_text_append(out, "\nsynthetic yes");
+    thud_text_append(out, "\nscale ");
+    thud_sweep_numbers_write(0, &record->scale, 1, out);
     thud_text_append(out, "\nstep ");
     thud_sweep_numbers_write((long)record->samples, &record->dt_s, 1, out);
     thud_text_append(out, "\nmotion ");
@@ -201,6 +205,7 @@ static bool split(struct thud_sweep_head *head)
         else if (!take(line, "cases", &head->cases) && !take(line, "name", &head->name) &&
                  !take(line, "sensitivity", &head->sensitivity) &&
                  !(r && (take(line, "event", &r->event) || take(line, "station", &r->station) ||
+                         take(line, "synthetic", &r->synthetic) || take(line, "scale", &r->scale) ||
                          take(line, "step", &r->step) || take(line, "motion", &r->motion))))
             return false;
     }

@@ -41,7 +41,6 @@ static const struct row {
     SCENE(ONCE, step, "step_s"),
     ROW(SIMPLER, ONCE, UNUSUAL, simpler, ""),
     ROW(CHANGE, VARIED, UNUSUAL, kept_key, ""),
-    ROW(CHANGE, VARIED, UNUSUAL, scaled_key, ""),
     ROW(CHANGE, INTERFACE, UNUSUAL, kept_stiffness, ""),
     ROW(RESULT, INTERFACE, MODEL, bumper,
         "thickness_m indentation_m indentation_time_s max-strain*thickness_m impacts"),

@@ -107,24 +107,6 @@ static bool varies(const struct thud_sweep_plan *plan, const char *end)
     return false;
 }
 
-/* The varied key i, a stiffness common to all storeys of a building whose first period is given: it is scaled away. */
-void thud_remark_scaled_key(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
-{
-    const char *key = scope->plan->axis[i].key, *rest = key;
-    const struct thud_scene *scene = &scope->plan->scene;
-    int at = 0;
-    if (!thud_scan_word(&rest, "structures.") || !thud_scan_count(&rest, &at) || strcmp(rest, ".stiffness") != 0 ||
-        at < 1 || at > scene->nstructures || !(scene->structure[at - 1].period_s > 0))
-        return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK,
-                   "the stiffness of all storeys of %.40s is scaled to its given first period, so this value changes "
-                   "nothing",
-                   scene->structure[at - 1].name);
-    thud_error_allow(said, "vary structures.%d.period, or omit it", at);
-    thud_error_key(said, "%s", key);
-}
-
 /* The varied key i, of a bumper whose stiffness is a number. */
 void thud_remark_kept_key(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {

@@ -17,6 +17,5 @@ thud_remark_row thud_remark_one_event, thud_remark_recordings, thud_remark_targe
     thud_remark_vertical, thud_remark_twice, thud_remark_synthetic; /* remark_motion.c */
 thud_remark_row thud_remark_bumper, thud_remark_drift, thud_remark_struck, thud_remark_overturning,
     thud_remark_collapse, thud_remark_yielding, thud_remark_theta, thud_remark_collapses, thud_remark_presses,
-    thud_remark_drifts, thud_remark_thetas, thud_remark_energy, thud_remark_digits; /* remark_run.c */
-thud_remark_row thud_remark_effort, thud_remark_kept_stiffness, thud_remark_kept_key,
-    thud_remark_scaled_key; /* remark_plan.c */
+    thud_remark_drifts, thud_remark_thetas, thud_remark_energy, thud_remark_digits;   /* remark_run.c */
+thud_remark_row thud_remark_effort, thud_remark_kept_stiffness, thud_remark_kept_key; /* remark_plan.c */
