@@ -204,7 +204,8 @@ static enum thud_status check_bounds(void *own, const struct thud_state *state, 
                     const double second = fabs(derivative(state->model, seg, floor, 2, (double)i / POINTS)) * h2 / 8,
                                  fourth = fabs(derivative(state->model, seg, floor, 4, (double)i / POINTS)) * h2 * h2;
                     ck_assert_double_le(second, f->margin[0] * (1 + 1e-9));
-                    ck_assert_double_le(fourth / 384, f->cubic_margin[0] * (1 + 1e-9));
+                    ck_assert_double_le(fourth, h2 * h2 * thud_free_vibration_floor_bend(f, state->model, 0, 0, 4) *
+                                                    (1 + 1e-9));
                     *nearest = fmax(*nearest, second / f->margin[0]);
                 }
         }

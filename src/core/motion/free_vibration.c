@@ -41,7 +41,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     by_mode[count++] = &f->shift;
     double *next = f->block =
         calloc(count * rows + (ends * rows + THUD_FLOOR_QUANTITIES * floors + singles) * (size_t)ENDS +
-                   2 * THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + BOUNDS * ns,
+                   THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + BOUNDS * ns,
                sizeof *next);
     f->valued = calloc(THUD_FLOOR_QUANTITIES * ns + (size_t)m->ncontacts + 1, sizeof *f->valued);
     f->series.has = calloc(ns + 1, sizeof *f->series.has);
@@ -57,8 +57,7 @@ static bool allocate(struct thud_free_vibration *f, const struct thud_model *m)
     for (size_t i = 0; i < singles; i++, next += ENDS)
         *single[i] = next;
     f->margin = next;
-    f->cubic_margin = f->margin + THUD_FLOOR_QUANTITIES * ns;
-    f->limit = f->cubic_margin + THUD_FLOOR_QUANTITIES * ns;
+    f->limit = f->margin + THUD_FLOOR_QUANTITIES * ns;
     f->bound = f->limit + m->ncontacts;
     f->near = f->valued + THUD_FLOOR_QUANTITIES * ns;
     return true;

@@ -62,15 +62,14 @@ struct thud_free_vibration {
     bool *valued;                         /* (QUANTITIES x nstructures) */
     double *gap;                          /* (ENDS) */
     double *ground, *after;               /* (ENDS) ground acceleration at the start and at the end of each interval */
-    double ground_most;                   /* its largest size in the block */
+    double ground_most, slope;            /* largest sizes in the block of it and of its rate */
     double *margin; /* (QUANTITIES x nstructures): how far a value inside an interval may lie above those at its ends */
-    double *cubic_margin; /* the same, how far from the cubic through values and rates at them */
-    double *speed;        /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
-    double *limit;        /* (ncontacts) gap above which a contact may close in an interval of the block */
-    bool *near;           /* (ncontacts) whether it may in the interval looked at */
-    int ends;             /* in the block */
-    int size;             /* intervals to try next */
-    long made;            /* series so far: what the work is measured by */
+    double *speed;  /* (n) largest sqrt(q'^2 + omega^2 (q - s)^2) of a mode in the block */
+    double *limit;  /* (ncontacts) gap above which a contact may close in an interval of the block */
+    bool *near;     /* (ncontacts) whether it may in the interval looked at */
+    int ends;       /* in the block */
+    int size;       /* intervals to try next */
+    long made;      /* series so far: what the work is measured by */
     double *block;
 };
 
@@ -92,9 +91,13 @@ void thud_free_vibration_end(const struct thud_free_vibration *f, int intervals,
 /* One quantity of a structure's floors into f->value, which is made only when asked for. */
 void thud_free_vibration_values(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 int quantity);
-/* Bound of the derivative of order 2 or 3 of a sum over a structure's modes (modes) in the block. */
-double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *model, int structure,
+/* Bound of the derivative of order 2 to 6 of a sum over a structure's modes (modes) in the block. */
+double thud_free_vibration_bend(struct thud_free_vibration *f, const struct thud_model *model, int structure,
                                 const double *row, int order);
+/* The same of a quantity of any floor, `more` orders (2 or 4) above its own: an acceleration is omega^2 q + 2 zeta omega q'
+ * (or + D q'), whose derivatives have the bounds of two orders more. */
+double thud_free_vibration_floor_bend(struct thud_free_vibration *f, const struct thud_model *model, int structure,
+                                      int quantity, int more);
 /* Left less right displacement of contact c at the ends into f->gap; returns the largest, *margin: how far one inside
  * an interval may lie above those at its ends. */
 double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_model *model, int c, int ends,

@@ -25,34 +25,45 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 
-enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS };
+enum { BOUNDS = THUD_FREE_VIBRATION_BOUNDS, LAZY = 5 }; /* orders from LAZY on are made when asked for */
 
-/* Bounds of a mode's derivatives in the block, by order from 2 on. */
-static void mode_bounds(const struct thud_free_vibration *f, const struct thud_model *m, int j, double slope,
-                        double bound[BOUNDS])
+/* Bounds of the derivatives of order 2 or more of two modes, or one, in the block. */
+static thud_vec2 mode_bounds(const struct thud_free_vibration *f, const struct thud_model *m, int j, bool single,
+                             int order)
 {
-    double w2 = m->spring[j], z = m->dashpot[j], gamma = fabs(m->gamma[j]);
-    const double speed = f->speed[j] + f->dt_s * gamma * f->ground_most; /* S_j inside the intervals */
-    bound[2] = (m->omega[j] + z) * speed + gamma * f->ground_most;
-    bound[3] = w2 * speed + z * bound[2] + gamma * slope;
-    for (int k = 4; k < BOUNDS; k++)
-        bound[k] = w2 * bound[k - 2] + z * bound[k - 1];
+    const thud_vec2 w2 = thud_vec2_some(m->spring + j, single), z = thud_vec2_some(m->dashpot + j, single),
+                    gamma = thud_vec2_abs(thud_vec2_some(m->gamma + j, single)), ground = gamma * f->ground_most,
+                    speed = thud_vec2_some(f->speed + j, single) + f->dt_s * ground; /* S_j inside the intervals */
+    thud_vec2 bound = (thud_vec2_some(m->omega + j, single) + z) * speed + ground,
+              next = w2 * speed + z * bound + gamma * f->slope;
+    for (int k = 2; k < order; k++) {
+        const thud_vec2 after = w2 * bound + z * next;
+        bound = next;
+        next = after;
+    }
+    return bound;
 }
 
 /* The same of a system whose damping couples its modes, by the energy norm of each derivative: with a_g a straight line
  *
  *     y_k = (Omega d^k q, d^(k+1) q),   d|y_k|/dt <= |gamma da_g/dt| for k = 1, and 0 from there on,
  *
- * whatever the damping, as that only takes energy. So the norms at the starts of the intervals are all that is needed. */
-static void system_bounds(struct thud_free_vibration *f, const struct thud_model *m, int system, int intervals,
-                          double slope)
+ * whatever the damping, as that only takes energy. So the norms at the starts of the intervals are all that is needed.
+ * Orders from..to - 1; no number yet of those above. */
+static void system_bounds(struct thud_free_vibration *f, const struct thud_model *m, int system, int from, int to)
 {
     const struct thud_model_structure *p = &m->structure[m->system[system]];
-    const double *gamma = m->gamma + p->first_mode;
-    double *x = f->q, *v = f->qd;
-    for (int k = 2; k < BOUNDS; k++) {
+    const int intervals = f->ends - 1;
+    for (int k = from; k < BOUNDS; k++) {
         const double level = k == 2, slopes = k == 3 ? 1 / f->dt_s : 0; /* how the ground enters */
+        const double *x = k == 2   ? f->q
+                          : k == 3 ? f->qd
+                                   : f->work[(k - 2) % 3],
+                     *v = k == 2 ? f->qd : f->work[(k - 1) % 3];
         double *out = f->work[k % 3], norm[ENDS] = {0};
+        f->bound[system * BOUNDS + k] = NAN;
+        if (k >= to)
+            continue;
         thud_free_vibration_spring(f, m, p, x, v, k == 2, out);
         for (int j = p->first_mode; j < p->first_mode + p->modes; j++)
             for (int t = 0; t < intervals; t += 2) {
@@ -64,64 +75,50 @@ static void system_bounds(struct thud_free_vibration *f, const struct thud_model
                 thud_vec2_put(thud_vec2_at(norm + t) + second * second + m->spring[j] * rate * rate, norm + t);
             }
         f->bound[system * BOUNDS + k] = sqrt(thud_largest(norm, intervals));
-        x = v;
-        v = out;
-    }
-    f->bound[system * BOUNDS + 2] += sqrt(thud_dot(p->modes, gamma, gamma)) * f->dt_s * slope;
-}
-
-/* Bounds of the derivatives of the modes of one structure in the block, summed into margins: dt^2/8 times the second
- * derivative of a value bounds how far it may lie above its ends, and dt^4/384 times the fourth how far from the cubic
- * through values and rates at them. An acceleration is omega^2 q + 2 zeta omega q' (or + D q'): its derivatives have the
- * bounds of two orders more. */
-static void structure_margins(struct thud_free_vibration *f, const struct thud_model *m, int s, double slope)
-{
-    const struct thud_model_structure *p = &m->structure[s];
-    const double *most = m->mode_max + p->first_mode, *drift = most + f->n;
-    double sum[2][BOUNDS] = {0}, bound[BOUNDS]; /* of displacements, and of drifts */
-    for (int j = 0; j < p->modes && !p->damping; j++) {
-        mode_bounds(f, m, p->first_mode + j, slope, bound);
-        for (int k = 2; k < BOUNDS; k++) {
-            sum[0][k] += most[j] * bound[k];
-            sum[1][k] += drift[j] * bound[k];
-        }
-    }
-    for (int k = 2; k < BOUNDS && p->damping; k++) {
-        sum[0][k] = sqrt(thud_dot(p->modes, most, most)) * f->bound[p->system * BOUNDS + k];
-        sum[1][k] = sqrt(thud_dot(p->modes, drift, drift)) * f->bound[p->system * BOUNDS + k];
-    }
-    for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++) {
-        const int order = x == THUD_FLOOR_DRIFT ? 2 : 2 + x;
-        const double second = f->dt_s * f->dt_s, *of = sum[x == THUD_FLOOR_DRIFT];
-        f->margin[x * m->nstructures + s] = of[order] * second / 8;
-        f->cubic_margin[x * m->nstructures + s] = of[order + 2] * second * second / 384;
     }
 }
 
-double thud_free_vibration_bend(const struct thud_free_vibration *f, const struct thud_model *m, int structure,
+double thud_free_vibration_bend(struct thud_free_vibration *f, const struct thud_model *m, int structure,
                                 const double *row, int order)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    double bound[BOUNDS], sum = 0;
+    const double *bound = f->bound + p->system * BOUNDS;
+    thud_vec2 sum = {0, 0};
+    if (p->damping && isnan(bound[order]))
+        system_bounds(f, m, p->system, LAZY, BOUNDS);
     if (p->damping)
-        return sqrt(thud_dot(p->modes, row, row)) * f->bound[p->system * BOUNDS + order];
-    for (int j = 0; j < p->modes; j++) {
-        mode_bounds(f, m, p->first_mode + j, 2 * f->ground_most / f->dt_s, bound);
-        sum += fabs(row[j]) * bound[order];
+        return sqrt(thud_dot(p->modes, row, row)) * bound[order];
+    for (int j = 0; j < p->modes; j += 2) {
+        const bool single = j + 1 == p->modes;
+        sum += thud_vec2_abs(thud_vec2_some(row + j, single)) * mode_bounds(f, m, p->first_mode + j, single, order);
     }
-    return sum;
+    return thud_vec2_sum(sum);
+}
+
+double thud_free_vibration_floor_bend(struct thud_free_vibration *f, const struct thud_model *m, int structure,
+                                      int quantity, int more)
+{
+    const bool drift = quantity == THUD_FLOOR_DRIFT;
+    const double *most = m->mode_max + (drift ? m->nmodes : 0) + m->structure[structure].first_mode;
+    return thud_free_vibration_bend(f, m, structure, most, more + (drift ? 0 : quantity));
 }
 
 void thud_free_vibration_margins(struct thud_free_vibration *f, const struct thud_model *m, int intervals)
 {
-    double slope = 0;
+    f->slope = 0;
     for (int t = 0; t < intervals; t++)
-        slope = thud_larger(slope, fabs(f->after[t] - f->ground[t]));
-    for (int s = 0; s < m->nsystems; s++)
-        if (m->structure[m->system[s]].damping)
-            system_bounds(f, m, s, intervals, slope / f->dt_s);
+        f->slope = thud_larger(f->slope, fabs(f->after[t] - f->ground[t]) / f->dt_s);
+    for (int s = 0; s < m->nsystems; s++) {
+        const struct thud_model_structure *p = &m->structure[m->system[s]];
+        const double *gamma = m->gamma + p->first_mode;
+        if (!p->damping)
+            continue;
+        system_bounds(f, m, s, 2, LAZY);
+        f->bound[s * BOUNDS + 2] += sqrt(thud_dot(p->modes, gamma, gamma)) * f->dt_s * f->slope;
+    }
     for (int s = 0; s < m->nstructures; s++)
-        structure_margins(f, m, s, slope / f->dt_s);
+        for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
+            f->margin[x * m->nstructures + s] = thud_free_vibration_floor_bend(f, m, s, x, 2) * f->dt_s * f->dt_s / 8;
 }
 
 /* Whether contact c closes in the piece of the segment. At the very start of the block a contact may have just opened: so

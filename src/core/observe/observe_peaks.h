@@ -14,8 +14,7 @@ struct thud_peak_row {
     int structure, floor, quantity;
     const double *x;
     struct thud_peak *peak;
-    double margin;       /* how far it may lie above its ends inside an interval, and */
-    double cubic_margin; /* from the cubic through values and rates at them */
+    double margin; /* how far it may lie above its ends inside an interval */
 };
 
 /* A contact or a yielding storey in a segment: bound of its force, of a storey's of how far it strays from that at the

@@ -1,7 +1,7 @@
 /* Peaks of a block of free vibration. Bounds show in which intervals the peak of a floor's value x can lie: inside one,
  *
  *     |x| <= max(|x_0|, |x_1|) + margin           by a bound of its second derivative,
- *     |x| <= max |cubic| + cubic_margin           by a bound of its fourth: the cubic through values and rates at both ends
+ *     |x| <= max |cubic| + its margin              by a bound of its fourth: the cubic through values and rates at both ends
  *
  * Of the intervals that are left the power series is made, and the peak read from it.
  *
@@ -103,6 +103,9 @@ static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f,
         return 0;
     double limit = thud_larger(row->peak->value, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
     int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
+    const double square = f->dt_s * f->dt_s,
+                 fourth = near > 0 ? thud_free_vibration_floor_bend(f, m, row->structure, row->quantity, 4) : 0,
+                 margin = square * square / 384 * fourth; /* from the cubic */
     memset(upper, 0, (size_t)intervals * sizeof *upper);
     for (int i = 0; i < near; i++) {
         const int t = list[i];
@@ -110,8 +113,8 @@ static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f,
         rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
         rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
         double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
-        upper[t] = (cubic + row->cubic_margin) * (1 + THUD_TOL_PEAK_BOUND);
-        limit = thud_larger(limit, (cubic - row->cubic_margin) * (1 - THUD_TOL_PEAK_BOUND));
+        upper[t] = (cubic + margin) * (1 + THUD_TOL_PEAK_BOUND);
+        limit = thud_larger(limit, (cubic - margin) * (1 - THUD_TOL_PEAK_BOUND));
     }
     for (int i = 0; i < near; i++) {
         const int t = list[i];
@@ -153,13 +156,7 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
             thud_free_vibration_values(f, m, structure, x);
             struct thud_peak_row *row = &peaks->row[rows];
             double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
-            *row = (struct thud_peak_row){structure,
-                                          i,
-                                          x,
-                                          f->value[x] + (size_t)(p->first + i) * ENDS,
-                                          peak,
-                                          margin,
-                                          f->cubic_margin[x * m->nstructures + structure]};
+            *row = (struct thud_peak_row){structure, i, x, f->value[x] + (size_t)(p->first + i) * ENDS, peak, margin};
             int count = row_bounds(m, f, row, intervals, upper, list);
             for (int k = 0; k < count; k++)
                 due[list[k]] = true;

@@ -116,7 +116,7 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
 
 /* Largest size that the modes of the block can give the sum, without the forces of storeys, at the ends of its intervals;
  * *margin: how far one inside an interval may lie above. */
-static double largest_sum(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum,
+static double largest_sum(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum,
                           double *margin)
 {
     const struct thud_model_structure *p = &m->structure[sum->structure];
