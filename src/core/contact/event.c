@@ -27,21 +27,22 @@
 
 enum watched { INDENTATION, FORCE, RATE, BRANCH, CONSTRAINT_LOW, CONSTRAINT_HIGH };
 
-static const struct guard {
-    enum thud_contact_mode mode;
-    enum watched watched;
-    int sign; /* that the function takes at the event; 0: by the phase, or the side of the branch, of the contact */
-    enum thud_event event;
-} guards[] = {
-    {THUD_OPEN, INDENTATION, 1, THUD_EVENT_ONSET},
-    {THUD_CLOSED, FORCE, -1, THUD_EVENT_RELEASE},
-    {THUD_CLOSED, INDENTATION, -1, THUD_EVENT_SEPARATION},
-    {THUD_CLOSED, RATE, 0, THUD_EVENT_REVERSAL},
-    {THUD_CLOSED, BRANCH, 0, THUD_EVENT_BRANCH},
-    {THUD_CLOSED_NO_FORCE, FORCE, 1, THUD_EVENT_REENGAGE},
-    {THUD_CLOSED_NO_FORCE, INDENTATION, -1, THUD_EVENT_SEPARATION},
-    {THUD_STICKING, CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT},
-    {THUD_STICKING, CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN},
+static const struct guards {
+    int count;
+    struct guard {
+        enum watched watched;
+        int sign; /* that the function takes at the event; 0: by the phase, or the side of the branch, of the contact */
+        enum thud_event event;
+    } guard[4];
+} guards_of[] = {
+    [THUD_OPEN] = {1, {{INDENTATION, 1, THUD_EVENT_ONSET}}},
+    [THUD_CLOSED] = {4,
+                     {{FORCE, -1, THUD_EVENT_RELEASE},
+                      {INDENTATION, -1, THUD_EVENT_SEPARATION},
+                      {RATE, 0, THUD_EVENT_REVERSAL},
+                      {BRANCH, 0, THUD_EVENT_BRANCH}}},
+    [THUD_CLOSED_NO_FORCE] = {2, {{FORCE, 1, THUD_EVENT_REENGAGE}, {INDENTATION, -1, THUD_EVENT_SEPARATION}}},
+    [THUD_STICKING] = {2, {{CONSTRAINT_LOW, -1, THUD_EVENT_UNSTICK_OUT}, {CONSTRAINT_HIGH, 1, THUD_EVENT_UNSTICK_IN}}},
 };
 
 static const struct {
@@ -187,7 +188,7 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     double p[THUD_SEGMENT_TERMS + 1];
     struct line line = {0};
     *order = 0;
-    if (guard->mode == THUD_STICKING) {
+    if (s->mode == THUD_STICKING) {
         if (high && s->constraint_high_n == INFINITY)
             return INFINITY;
         constraint_function(v, high, p);
@@ -203,10 +204,9 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     p[0] += line.f;
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, &line, p, n, s_end, sign);
-    if (guard->mode == THUD_OPEN && line.suppressed >= n)
+    if (s->mode == THUD_OPEN && line.suppressed >= n)
         return INFINITY;
-    return thud_poly_first_above(p, n, s_end, sign, line.suppressed,
-                                 guard->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0);
+    return thud_poly_first_above(p, n, s_end, sign, line.suppressed, s->mode == THUD_OPEN ? THUD_TOL_INDENTATION_M : 0);
 }
 
 /* Contact onset without speed, and only then pushed together: how many of the lowest orders the accuracy of the contact
@@ -295,14 +295,17 @@ static bool may_close(const struct thud_state *state, const struct thud_segment 
             (p->right.modes > 0 ? seg->notes->floors[p->right.structure] : 0) <=
         0)
         return false; /* whatever floors they are */
-    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes;
+    const double *g = m->jacobian + (size_t)c * (size_t)m->nmodes, *q1 = seg->q + m->nmodes;
+    double way = 0; /* at the rate now; the rest of the series has any sign */
     int structure[2], n = thud_model_row_structures(m, c, structure);
     for (int i = 0; i < n; i++) {
         const struct thud_model_structure *s = &m->structure[structure[i]];
-        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
-            most += fabs(g[j]) * seg->notes->bound[j];
+        for (int j = s->first_mode; j < s->first_mode + s->modes; j++) {
+            most += fabs(g[j]) * (seg->notes->bound[j] - fabs(q1[j]));
+            way += g[j] * q1[j];
+        }
     }
-    return most > 0;
+    return most + thud_larger(way, 0) > 0;
 }
 
 /* When the drift of the storey below a floor comes to where it has collapsed, on either side. */
@@ -397,13 +400,14 @@ double thud_event_first(const struct thud_state *state, const struct thud_segmen
         if (mode == THUD_OPEN && !may_close(state, seg, c))
             continue;
         struct view v = view_of(state, seg, c, copy);
-        double limit = fmin(s_end, first);
-        for (size_t i = 0; i < sizeof guards / sizeof *guards; i++) {
-            double s = guards[i].mode == mode ? guard_fires(&v, &guards[i], limit, &suppressed) : INFINITY;
+        const double limit = thud_smaller(s_end, first);
+        const struct guards *guards = &guards_of[mode];
+        for (const struct guard *guard = guards->guard; guard < guards->guard + guards->count; guard++) {
+            const double s = guard_fires(&v, guard, limit, &suppressed);
             if (s < first) {
                 first = s;
                 *contact = c;
-                *event = guards[i].event;
+                *event = guard->event;
                 *order = suppressed;
             }
         }

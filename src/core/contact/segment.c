@@ -238,8 +238,13 @@ static void couple_modes(const struct thud_model *m, const struct slice *of, dou
 {
     for (int s = of->system; s < of->system + of->systems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
-        for (int i = 0; p->damping && i < p->modes; i++)
-            q2[p->first_mode + i] += by_q1 * thud_dot(p->modes, p->damping + i * p->modes, q1 + p->first_mode);
+        for (int i = 0; p->damping && i < p->modes; i += 4) {
+            const int some = p->modes - i < 4 ? p->modes - i : 4;
+            double by_rate[4];
+            thud_dots(p->modes, q1 + p->first_mode, p->damping + i * p->modes, p->modes, some, by_rate);
+            for (int k = 0; k < some; k++)
+                q2[p->first_mode + i + k] += by_q1 * by_rate[k];
+        }
     }
 }
 
@@ -436,19 +441,23 @@ int thud_segment_indentation(const struct thud_state *state, const struct thud_s
 {
     const struct thud_model *m = state->model;
     const struct thud_model_side *l = &m->contact[c].left, *r = &m->contact[c].right;
-    double left[THUD_SEGMENT_TERMS], right[THUD_SEGMENT_TERMS], size[THUD_SEGMENT_TERMS], largest = 0;
+    double size[THUD_SEGMENT_TERMS], largest = 0;
+    const bool at_zero = thud_row_starts_at_zero(state, c);
     int suppressed = 0;
-    thud_dots(l->modes, l->row, seg->q + l->first_mode, m->nmodes, seg->terms, left);
-    thud_dots(r->modes, r->row, seg->q + r->first_mode, m->nmodes, seg->terms, right);
-    for (int k = 0; k < seg->terms; k++)
-        out[k] = left[k] - right[k];
-    out[0] -= thud_state_clearance(state, c);
-    if (!thud_row_starts_at_zero(state, c))
-        return 0;
-    for (int k = 0; k < seg->terms; k++) {
-        size[k] = fabs(left[k]) + fabs(right[k]);
-        largest = size[k] > largest ? size[k] : largest;
+    for (int k = 0; k < seg->terms; k += 4) { /* neighbours that move alike have exactly no relative motion */
+        thud_vec2 left[4] = {0}, right[4] = {0};
+        thud_add_dots(l->modes, l->row, seg->q + k * m->nmodes + l->first_mode, m->nmodes, 4, left);
+        thud_add_dots(r->modes, r->row, seg->q + k * m->nmodes + r->first_mode, m->nmodes, 4, right);
+        for (int i = 0; i < 4; i++)
+            out[k + i] = thud_vec2_sum(left[i]) - thud_vec2_sum(right[i]);
+        for (int i = 0; i < 4 && at_zero; i++)
+            size[k + i] = fabs(thud_vec2_sum(left[i])) + fabs(thud_vec2_sum(right[i]));
     }
+    out[0] -= thud_state_clearance(state, c);
+    if (!at_zero)
+        return 0;
+    for (int k = 0; k < seg->terms; k++)
+        largest = thud_larger(largest, size[k]);
     while (suppressed < seg->terms && fabs(out[suppressed]) <= term_noise(seg->interpolates, suppressed, size, largest))
         suppressed++;
     return suppressed;

@@ -132,9 +132,9 @@ double thud_row_force(const struct thud_state *state, int row, double d, double 
 void thud_model_acceleration(const struct thud_model *m, const double *q, const double *qd, double ground,
                              double *restrict out)
 {
-    const double *omega = m->omega, *zeta = m->zeta, *gamma = m->gamma;
+    const double *spring = m->spring, *dashpot = m->dashpot, *gamma = m->gamma;
     for (int j = 0; j < m->nmodes; j++)
-        out[j] = -omega[j] * (omega[j] * q[j] + 2 * zeta[j] * qd[j]) - gamma[j] * ground;
+        out[j] = -spring[j] * q[j] - dashpot[j] * qd[j] - gamma[j] * ground;
     for (int s = 0; s < m->nsystems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         for (int i = 0; p->damping && i < p->modes; i++)

@@ -72,14 +72,14 @@ double thud_power(const struct thud_powers *t, double d)
     bits = (bits & 0xfffffffffffff) | (uint64_t)1023 << 52;
     double m, sum = 0;
     memcpy(&m, &bits, sizeof m);
-    const double x = (m - middle_of(cell)) * t->inverse[cell];
+    const double x = m * t->inverse[cell] - 1;
     for (int k = THUD_POWER_TERMS - 1; k >= 0; k--)
         sum = sum * x + t->binomial[k];
     return t->octave[octave] * t->cell[cell] * sum;
 }
 
 /* d^p for d > 0, without pow for the exponents of the published laws. */
-static double power(const struct thud_powers *powers, double d, double p)
+static inline double power(const struct thud_powers *powers, double d, double p)
 {
     if (powers && p == powers->p)
         return thud_power(powers, d);

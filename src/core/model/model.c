@@ -877,9 +877,11 @@ void thud_model_sides(const struct thud_model *model, int c, const double *modal
 /* The two sums are made apart, so that neighbours moving alike have exactly no relative motion. */
 double thud_model_gap_sum(const struct thud_model *model, int c, const double *modal)
 {
-    double left, right;
-    thud_model_sides(model, c, modal, &left, &right);
-    return left - right;
+    const struct thud_model_side *l = &model->contact[c].left, *r = &model->contact[c].right;
+    thud_vec2 left = {0, 0}, right = {0, 0};
+    thud_add_dots(l->modes, l->row, modal + l->first_mode, 0, 1, &left);
+    thud_add_dots(r->modes, r->row, modal + r->first_mode, 0, 1, &right);
+    return thud_vec2_sum(left) - thud_vec2_sum(right);
 }
 
 double thud_model_link(const struct thud_model *model, int link, const double *modal)

@@ -252,11 +252,10 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
     for (int t = 0; t < intervals; t++) {
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
-        for (int i = 0; i < 2 * n; i++)
-            next[i] = thud_dot(size, c->step + i * size, now) + c->shift[i];
+        thud_dots(size, now, c->step, size, 2 * n, next);
         for (int j = 0; j < n; j++) {
-            q[j * apart + t + 1] = now[j] = next[j];
-            qd[j * apart + t + 1] = now[n + j] = next[n + j];
+            q[j * apart + t + 1] = now[j] = next[j] + c->shift[j];
+            qd[j * apart + t + 1] = now[n + j] = next[n + j] + c->shift[n + j];
         }
     }
 }

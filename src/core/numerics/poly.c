@@ -43,15 +43,19 @@ void thud_poly_value3(const double *c, int n, double s, double out[3])
     out[2] = 2 * d[0] + 6 * s * d[1] + 8 * square * (dd[0] + s * dd[1]);
 }
 
-/* Bound of the third derivative on [0, 1]. */
-static double third_bound(const double *c, int n)
+/* Bounds on [0, 1] of how far p'' may be from its value at 0, and of |p'''|. */
+static double bend_bound(const double *c, int n, double *third)
 {
-    thud_vec2 sum = {0, 0}, k = {0, 1};
-    int i = 0;
-    for (; i + 2 <= n; i += 2, k += 2)
-        sum += k * (k - 1) * (k - 2) * thud_vec2_abs(thud_vec2_at(c + i));
-    double last = i < n ? (double)(i * (i - 1) * (i - 2)) * fabs(c[i]) : 0;
-    return thud_vec2_sum(sum) + last;
+    thud_vec2 bend = {0, 0}, sum = {0, 0}, k = {3, 4};
+    int i = 3;
+    for (; i + 2 <= n; i += 2, k += 2) {
+        thud_vec2 size = k * (k - 1) * thud_vec2_abs(thud_vec2_at(c + i));
+        bend += size;
+        sum += (k - 2) * size;
+    }
+    double last = i < n ? (double)(i * (i - 1)) * fabs(c[i]) : 0;
+    *third = thud_vec2_sum(sum) + (double)(i - 2) * last;
+    return thud_vec2_sum(bend) + last;
 }
 
 double thud_poly_move(const double *c, int n, double *slope)
@@ -146,7 +150,8 @@ double thud_poly_first_above(const double *c, int n, double s_end, double sign, 
         return INFINITY;
     if (n > 1 && sign * c[1] <= -slope) /* falls all the way */
         return INFINITY;
-    struct search f = {c, n, sign, noise, third_bound(c, n), 0};
+    struct search f = {.c = c, .n = n, .sign = sign, .noise = noise};
+    bend_bound(c, n, &f.third);
     return first_above(&f, 0, s_end, 0);
 }
 
@@ -238,21 +243,6 @@ static void largest(struct peak *f, double a, double b, double slope_a, double s
         return;
     largest(f, a, m, slope_a, v[1], depth + 1);
     largest(f, m, b, v[1], slope_b, depth + 1);
-}
-
-/* Bounds on [0, 1] of how far p'' may be from its value at 0, and of |p'''|. */
-static double bend_bound(const double *c, int n, double *third)
-{
-    thud_vec2 bend = {0, 0}, sum = {0, 0}, k = {3, 4};
-    int i = 3;
-    for (; i + 2 <= n; i += 2, k += 2) {
-        thud_vec2 size = k * (k - 1) * thud_vec2_abs(thud_vec2_at(c + i));
-        bend += size;
-        sum += (k - 2) * size;
-    }
-    double last = i < n ? (double)(i * (i - 1)) * fabs(c[i]) : 0;
-    *third = thud_vec2_sum(sum) + (double)(i - 2) * last;
-    return thud_vec2_sum(bend) + last;
 }
 
 /* An extremum may lie inside. */

@@ -78,25 +78,26 @@ static inline double thud_dot(int n, const double *a, const double *b)
     return j < n ? sum + a[j] * b[j] : sum;
 }
 
-/* out[k] = a . b_k of rows b_k that stand `apart` from each other, to the bits of thud_dot: four rows at once, for which a
- * is read once. */
+/* Adds a . b_k of a few rows that stand `apart` from each other to sum[k], in two parts. */
+static inline void thud_add_dots(int n, const double *a, const double *b, int apart, const int count, thud_vec2 *sum)
+{
+    int j = 0;
+    for (; j + 2 <= n; j += 2)
+        for (int k = 0; k < count; k++)
+            sum[k] += thud_vec2_at(a + j) * thud_vec2_at(b + k * apart + j);
+    for (int k = 0; k < count && j < n; k++)
+        sum[k] += thud_vec2_set(a[j] * b[k * apart + j], 0);
+}
+
+/* out[k] = a . b_k of such rows: four at once, for which a is read once. */
 static inline void thud_dots(int n, const double *a, const double *b, int apart, int count, double *out)
 {
-    enum { N = 4 };
     int k = 0;
-    for (; k + N <= count; k += N, b += N * apart) {
-        thud_vec2 even[N] = {0}, odd[N] = {0};
-        int j = 0;
-        for (; j + 4 <= n; j += 4)
-            for (int i = 0; i < N; i++) {
-                even[i] += thud_vec2_at(a + j) * thud_vec2_at(b + i * apart + j);
-                odd[i] += thud_vec2_at(a + j + 2) * thud_vec2_at(b + i * apart + j + 2);
-            }
-        for (int i = 0; i < N && j + 2 <= n; i++)
-            even[i] += thud_vec2_at(a + j) * thud_vec2_at(b + i * apart + j);
-        j += j + 2 <= n ? 2 : 0;
-        for (int i = 0; i < N; i++)
-            out[k + i] = thud_vec2_sum(even[i] + odd[i]) + (j < n ? a[j] * b[i * apart + j] : 0);
+    for (; k + 4 <= count; k += 4, b += 4 * apart) {
+        thud_vec2 sum[4] = {0};
+        thud_add_dots(n, a, b, apart, 4, sum);
+        for (int i = 0; i < 4; i++)
+            out[k + i] = thud_vec2_sum(sum[i]);
     }
     for (; k < count; k++, b += apart)
         out[k] = thud_dot(n, a, b);

@@ -6,20 +6,18 @@
 #include "core/numerics/poly.h"
 
 /* Raises the largest value of the impact that goes on, and with it that of the contact. */
-static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact, const double *p,
-                       int terms, double s_end)
-{
-    double where = 0;
-    *of_impact = thud_poly_peak(p, terms, s_end, *of_impact, &where);
-    if (*of_impact > peak->value)
-        *peak = (struct thud_peak){*of_impact, seg->start_s + where * seg->h_s};
-}
-
 static void raise_to(struct thud_peak *peak, double *of_impact, double value, double time_s)
 {
     *of_impact = fmax(*of_impact, value);
     if (value > peak->value)
         *peak = (struct thud_peak){value, time_s};
+}
+
+static void raise_both(const struct thud_segment *seg, struct thud_peak *peak, double *of_impact, const double *p,
+                       int terms, double s_end)
+{
+    double where = 0, value = thud_poly_peak(p, terms, s_end, *of_impact, &where);
+    raise_to(peak, of_impact, value, seg->start_s + where * seg->h_s);
 }
 
 static void indentation_peak(struct thud_contact_log *log, const struct thud_observation *o, int c)

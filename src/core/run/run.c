@@ -33,13 +33,6 @@ static enum thud_status observe(struct thud_run *run, const struct thud_proposal
     return status;
 }
 
-static void show_switched(const struct thud_run *run, int row, enum thud_event event)
-{
-    for (int i = 0; i < run->observers; i++)
-        if (run->observer[i].table->switched)
-            run->observer[i].table->switched(run->observer[i].own, &run->state, row, event);
-}
-
 /* Puts the run where the segment was taken to. */
 static void commit(struct thud_run *run, const struct thud_proposal *p)
 {
@@ -89,8 +82,9 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
         status = thud_contact_log_event(&run->log, &run->state, p.contact, p.event, p.order, err);
     if (status == THUD_OK && !run->state.locates)
         status = thud_contact_update(&run->state, &run->log, run->seg.end && run->seg.end->apart, &switched, err);
-    if (switched && !falls)
-        show_switched(run, p.contact, p.event);
+    for (int i = 0; i < run->observers && switched && !falls; i++)
+        if (run->observer[i].table->switched)
+            run->observer[i].table->switched(run->observer[i].own, &run->state, p.contact, p.event);
     if (status == THUD_OK && run->method->committed)
         run->method->committed(&run->state, run->own, &run->seg, p.s * run->seg.h_s, switched || p.passed);
     return status;
