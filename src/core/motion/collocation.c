@@ -26,6 +26,7 @@
  *
  * The equations are F_a(s_i) = law_a(d_a(s_i), v_a(s_i)), and v_a(s_i) = 0 where a sticks. */
 enum { NODES_MAX = THUD_NODES_MAX, POINTS_MAX = THUD_POINTS_MAX, CHECKS = POINTS_MAX - NODES_MAX, LEVELS = 48 };
+enum { ROW = NODES_MAX + 1 }; /* an even number */
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
 enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
 enum { REPEATS = 2 };                    /* shorter steps with no smaller error: it is rounding */
@@ -37,13 +38,14 @@ static const double step_part = 0.1;           /* of the run's tolerance, for th
 static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
 static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
+static const double small_error = 1e-2; /* of the tolerance: one place is enough to measure it */
 static const double same_error = 0.95, near_tolerance = 100;
 
 /* The last step: the forces as polynomials over h from the state that it began at. */
 struct step {
     double h, done_s;    /* length, and how far the state has come since its start */
     int n;               /* nodes */
-    double *coefficient; /* (nc x NODES_MAX) by order */
+    double *coefficient; /* (nc x ROW) by order */
     struct branch_name { /* (nc) what each force belongs to */
         bool known;      /* it is in the step and nothing has switched there since */
         enum thud_contact_mode mode;
@@ -57,8 +59,7 @@ struct scheme {
     int n, points; /* nodes; and with those behind them where the error is measured */
     int row;       /* forces of a contact: n, and a 0 where that is odd */
     double point[POINTS_MAX], weight[NODES_MAX + 1];
-    double lagrange[NODES_MAX]
-                   [NODES_MAX];        /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
+    double lagrange[NODES_MAX][ROW];   /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
     double between[NODES_MAX][CHECKS]; /* and its values where the error is measured */
     double back
         [NODES_MAX]; /* [k]: value at the start of the polynomial that is 1 at node k, 0 at the others but the first */
@@ -70,16 +71,18 @@ struct thud_collocation {
     struct scheme few, many, *by; /* the one at hand */
     double h_top;                 /* step of level 0 */
     double h, h_onset;
-    int steady;         /* steps since one that let the next be longer */
-    double contraction; /* of the fixed-point iteration, as last measured and with a margin */
-    bool at_onset;
+    int steady;             /* steps since one that let the next be longer */
+    double contraction;     /* of the fixed-point iteration, as last measured and with a margin */
+    bool at_onset, goes_on; /* all forces of the step go on from the last one's */
     struct step step;
     int nc;
     /* The system: unknowns are the forces of the active contacts at the nodes but the first */
     double *largest_n; /* (nc) force so far: scale on which errors count */
     int *active, *at;  /* (nc); place of a row among them, or -1 */
     int nactive, capacity;
-    const struct thud_response **response; /* (nactive x nactive) of one to the force of the other */
+    const struct thud_response **response; /* (nactive x nactive) of one to the force of the other: of */
+    const struct scheme *made_by;          /* this scheme, NULL: of another set of rows, and */
+    int made_level;                        /* this level */
     double *force;                         /* (nactive x row) */
     thud_vec2 *free, *motion;              /* (nactive x points); of the motion, at the start already */
     struct beginning {
@@ -105,13 +108,15 @@ static bool is_approach(const struct thud_contact_state *contact)
 static double force_scale(const struct thud_state *state, const struct thud_collocation *x, int a)
 {
     int c = x->active[a];
-    double scale = x->largest_n[c];
-    for (int i = 0; i < x->by->n; i++)
-        scale = thud_larger(scale, fabs(x->force[a * x->by->row + i]));
+    thud_vec2 most = {x->largest_n[c], thud_contact_least_force(state, c)};
+    for (int i = 0; i < x->by->n; i += 2) {
+        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->row + i, i + 1 == x->by->n));
+        most = thud_vec2_choose((thud_vec2_bits)(size > most), size, most);
+    }
     const struct thud_contact_state *contact = thud_row_contact(state, c);
     if (contact && contact->phase == THUD_APPROACH)
-        scale = thud_larger(scale, contact->expected_force_n);
-    return thud_larger(scale, thud_contact_least_force(state, c));
+        most[0] = thud_larger(most[0], contact->expected_force_n);
+    return thud_larger(most[0], most[1]);
 }
 
 /* The law (N) and its derivatives at a motion. At d <= 0 the linear part alone counts: a power below 1 has no slope at
@@ -143,42 +148,33 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
     return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
 }
 
-/* Largest difference between the polynomial of contact a's force and the law, between the nodes; of one above `small`,
+/* Difference between the polynomial of contact a's force and the law at place i between the nodes; of one above `small`,
  * what rounding may have made is taken off. */
-static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
+static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, int i, double h,
                                double small)
 {
-    int c = x->active[a];
-    double worst = 0, mass = state->model->contact[c].setup.mass_kg;
-    const thud_vec2 *motion = x->motion + a * x->by->points + x->by->n;
+    const int c = x->active[a], n = x->by->n;
+    const thud_vec2 motion = x->motion[a * x->by->points + i];
     const double *force = x->force + a * x->by->row;
-    for (int i = 0; i < CHECKS; i++) {
-        double by_d, by_v, most;
-        if (thud_row_sticks(state, c)) { /* the force that would undo the rate in one step, but for rounding */
-            most = mass * thud_larger(fabs(motion[i][1]) - THUD_TOL_STICKING_M / h, 0) / h;
-        } else {
-            most = law_at(thud_row_branch(state, c), motion[i], &by_d, &by_v);
-            for (int k = 0; k < x->by->n; k++)
-                most -= force[k] * x->by->between[k][i];
-            most = fabs(most);
-            if (most > thud_larger(worst, small))
-                most -= force_noise(state, c, by_d, by_v);
-        }
-        worst = thud_larger(worst, most);
-    }
-    return worst;
+    if (thud_row_sticks(state, c)) /* the force that would undo the rate in one step, but for rounding */
+        return state->model->contact[c].setup.mass_kg * thud_larger(fabs(motion[1]) - THUD_TOL_STICKING_M / h, 0) / h;
+    double by_d, by_v, difference = law_at(thud_row_branch(state, c), motion, &by_d, &by_v);
+    for (int k = 0; k < n; k++)
+        difference -= force[k] * x->by->between[k][i - n];
+    difference = fabs(difference);
+    return difference > small ? difference - force_noise(state, c, by_d, by_v) : difference;
 }
 
 /* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
  * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
  * what counts is the impulse that the difference makes up. */
-static double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
+static double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, int i, double h,
                             double tolerance)
 {
     int c = x->active[a];
     const struct thud_contact_state *s = thud_row_contact(state, c);
     double mass = state->model->contact[c].setup.mass_kg, scale = force_scale(state, x, a),
-           difference = force_difference(state, x, a, h, 1e-2 * tolerance * scale);
+           difference = force_difference(state, x, a, i, h, 1e-2 * tolerance * scale);
     double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
     if (is_approach(s) && has_just_begun(x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
@@ -207,17 +203,20 @@ static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i
 static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
                             double tolerance)
 {
+    const double enough = x->goes_on ? small_error * tolerance : -1;
     double worst = 0;
-    for (int a = 0; a < x->nactive; a++) {
-        for (int i = x->by->n; i < x->by->points; i++)
+    for (int i = x->by->points - 1; i >= x->by->n && (worst > enough || i + 1 == x->by->points); i--) {
+        for (int a = 0; a < x->nactive; a++) {
             x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
-        worst = thud_larger(worst, contact_error(state, x, a, h, tolerance));
+            worst = thud_larger(worst, contact_error(state, x, a, i, h, tolerance));
+        }
+        state->work->force_evaluations += x->nactive;
     }
-    state->work->force_evaluations += x->nactive * CHECKS;
     return worst;
 }
 
-/* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. */
+/* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. Where
+ * nothing has switched and the latter is small, that is enough. */
 static enum thud_status set_points(const struct thud_state *state, const struct thud_collocation *x, int n,
                                    struct scheme *by, struct thud_error *err)
 {
@@ -271,7 +270,7 @@ enum thud_status thud_collocation_create(const struct thud_state *state, struct 
     x->h = x->h_top = longest_step(state);
     x->contraction = slowest_contraction;
     size_t nc = (size_t)m->nrows;
-    x->step.coefficient = calloc(NODES_MAX * nc + 1, sizeof(double));
+    x->step.coefficient = calloc(ROW * nc + 1, sizeof(double));
     x->step.of = calloc(nc + 1, sizeof *x->step.of);
     x->active = calloc(2 * nc + 1, sizeof(int));
     x->at = x->active + nc;
@@ -483,7 +482,7 @@ static void extrapolate(const struct thud_collocation *x, int c, double h, doubl
     const struct step *last = &x->step;
     const double from = last->done_s / last->h, part = h / last->h;
     for (int i = 1; i < x->by->n; i++)
-        force[i] = thud_poly_value(last->coefficient + c * NODES_MAX, last->n, from + part * x->by->point[i]);
+        force[i] = thud_poly_value(last->coefficient + c * ROW, last->n, from + part * x->by->point[i]);
 }
 
 /* Where the contact goes deeper, at least half of what the law makes of the indentation going on at half its rate; else
@@ -544,8 +543,10 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
 {
     static const double farthest = 32; /* times the last step: its sixth power is 1e9 */
     const struct step *last = &x->step;
+    x->goes_on = true;
     for (int a = 0; a < x->nactive; a++) {
         const int c = x->active[a];
+        x->goes_on &= last->of[c].known;
         if (last->of[c].known && last->done_s + h <= farthest * last->h)
             extrapolate(x, c, h, x->force + a * x->by->row);
         else
@@ -559,12 +560,13 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
     for (int c = 0; c < x->nc; c++)
         x->step.of[c] = name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
-        double *to = x->step.coefficient + x->active[a] * NODES_MAX;
-        for (int p = 0; p < x->by->n; p++)
-            to[p] = 0;
-        for (int k = 0; k < x->by->n; k++)
-            for (int p = 0; p < x->by->n; p++)
-                to[p] += x->force[a * x->by->row + k] * x->by->lagrange[k][p];
+        const double *force = x->force + a * x->by->row;
+        for (int p = 0; p < x->by->n; p += 2) {
+            thud_vec2 sum = {0, 0};
+            for (int k = 0; k < x->by->n; k++)
+                sum += force[k] * thud_vec2_at(&x->by->lagrange[k][p]);
+            thud_vec2_put(sum, x->step.coefficient + x->active[a] * ROW + p);
+        }
     }
     x->step.n = x->by->n;
     x->step.h = h;
@@ -580,7 +582,7 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
     seg->loaded = x->by->n;
     for (int a = 0; a < x->nactive; a++)
         for (int k = 0; k < x->by->n; k++)
-            seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * NODES_MAX + k];
+            seg->force[k * x->nc + x->active[a]] = x->step.coefficient[x->active[a] * ROW + k];
     thud_taylor_given(state->model, seg, state->q, state->qd);
     x->by->nodes.motion = x->motion;
     x->by->nodes.force = x->force;
@@ -589,13 +591,16 @@ static void write_segment(const struct thud_state *state, struct thud_segment *s
 
 static void find_active(const struct thud_state *state, struct thud_collocation *x)
 {
-    x->nactive = 0;
+    int n = 0;
     for (int c = 0; c < x->nc; c++) {
         const bool acts = thud_row_acts(state, c);
-        x->at[c] = acts ? x->nactive : -1;
-        x->active[x->nactive] = c;
-        x->nactive += acts;
+        if (acts != (x->at[c] >= 0))
+            x->made_by = NULL;
+        x->at[c] = acts ? n : -1;
+        x->active[n] = c;
+        n += acts;
     }
+    x->nactive = n;
 }
 
 /* Smallest level whose step is at most `want`, but no shorter than needed to reach what ends the step. */
@@ -649,9 +654,13 @@ static enum thud_status solve_level(const struct thud_state *state, struct thud_
 {
     const double h = ldexp(x->h_top, -level), least = solution_part * tolerance;
     *error = INFINITY;
-    enum thud_status status = thud_responses_make(x->by->responses, level, x->active, x->nactive, x->response, err);
+    enum thud_status status = THUD_OK;
+    if (x->made_by != x->by || x->made_level != level)
+        status = thud_responses_make(x->by->responses, level, x->active, x->nactive, x->response, err);
     if (status != THUD_OK)
         return status;
+    x->made_by = x->by;
+    x->made_level = level;
     thud_responses_unforced(x->by->responses, state, level, x->active, x->nactive, x->motion, x->free);
     judge_starts(state, x, h);
     guess(state, x, h);
