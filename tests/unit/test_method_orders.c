@@ -92,12 +92,15 @@ static struct thud_model *bouncing(const char *name)
     return march_mass_and_wall(1, 10, 0.01, 1, 0.02, &law);
 }
 
+/* The fourth order is seen over larger steps: at 3e-5 s its error is rounding. There amplitudes, whose error is of the fifth
+ * order, still count. */
 START_TEST(through_impacts_at_a_linear_wall)
 {
     struct thud_model *model = bouncing("linear");
     for (int i = 0; i < LOCATING; i++) {
-        double order = thud_method_find(locating[i])->order;
-        check_order(locating[i], order_seen(model, NULL, locating[i], 5e-4, 4, true, 6.3), order - 0.15, order + 0.3);
+        const double order = thud_method_find(locating[i])->order, h = order > 2 ? 2e-3 : 5e-4;
+        check_order(locating[i], order_seen(model, NULL, locating[i], h, 4, true, 6.3), order - 0.15,
+                    order > 2 ? 5 : order + 0.3);
     }
     thud_model_free(model);
 }
