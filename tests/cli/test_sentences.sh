@@ -2,6 +2,7 @@
 # Sentences of `thud run`, `thud run --cases` and `thud gap` against the JSON beside them, key by key: eight scenes of the more
 # than forty of tests/soak/sentences.py (`make soak` does all): towers, also under a weak motion and another record; a slab
 # against columns; a row of three, reversed; lead-rubber bearings; links; storeys that yield.  TAP.
+# shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 if [ -n "$python" ]; then
     "$python" tests/soak/sentences.py "$THUD" 8

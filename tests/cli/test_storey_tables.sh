@@ -95,7 +95,8 @@ is "and above" shows '^A,2,3,320000,\(59999[0-9.]*\|6000[0-9.]*\),'
 is "shears alone" gives 3 building import v.csv --set mass=320t
 is "are no stiffness" says 'v.csv: direction: Story1 has no stiffness in direction X (a stiffness, or a shear or forces, and a drift or displacements)'
 sed 's/COMB1;Combination/COMB1;Combination;Max/; s/Case Type/&;Step Type/; 3s/;;/;;;/' v.csv >max.csv
-sed -n '/Bottom/s/;Max;/;Min;/p' max.csv >>max.csv
+sed -n '/Bottom/s/;Max;/;Min;/p' max.csv >min.csv
+cat min.csv >>max.csv
 sed 's/D1;COMB1/D1;COMB1;Max/; s/Output Case/&;Step Type/; 2s/;;;/;;;;/' u.csv >umax.csv
 is "largest and least of a combination" gives 3 building import max.csv umax.csv --set case=COMB1 --set mass=320t
 is "are two" says '2 load cases: name one with --set case=NAME (COMB1 Max, COMB1 Min)'

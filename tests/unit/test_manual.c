@@ -147,9 +147,10 @@ START_TEST(pages_say_what_the_tables_say)
         thud_text_append(&part, ".\\\" begin %s\n", name);
         ck_assert(thud_manual_part(&part, name));
         thud_text_append(&part, ".\\\" end %s\n", name);
-        ck_assert_msg(
-            strstr(page, part.data) != NULL,
-            "thud(1), thud-preset(5), thud-output(5): the part `%s` is out of date (tests/tools/manual.sh makes it anew)", name);
+        ck_assert_msg(strstr(page, part.data) != NULL,
+                      "thud(1), thud-preset(5), thud-output(5): the part `%s` is out of date (tests/tools/manual.sh "
+                      "makes it anew)",
+                      name);
         thud_text_clear(&part);
     }
     struct thud_text none = {0};

@@ -10,6 +10,7 @@ struct bench_row {
     struct thud_bench_point own;
 };
 #define BENCH(member, name, text) THUD_FIELD(struct bench_row, member, name, text)
+#define ERROR(member, name, text) BENCH(own.error.member, name, text)
 static const struct thud_column bench_columns[] = {
     BENCH(method, "method", "Name of the method."),
     BENCH(located, "located", "1 where events are located."),
@@ -18,13 +19,13 @@ static const struct thud_column bench_columns[] = {
     BENCH(own.seconds, "seconds", "Wall time, s."),
     BENCH(own.spread, "spread_s", "Its spread, s; no value of one timing."),
     BENCH(own.repeats, "repeats", "Repetitions."),
-    BENCH(own.error.all, "error", "Largest relative error."),
-    BENCH(own.error.acceleration, "error_acceleration", "Of the peak accelerations."),
-    BENCH(own.error.drift, "error_drift", "Of the drifts."),
-    BENCH(own.error.force, "error_force", "Of the forces."),
-    BENCH(own.error.impact_time_s, "impact_time_s", "Largest error of an impact's time, s."),
-    BENCH(own.error.missed, "missed", "Impacts missed."),
-    BENCH(own.error.extra, "extra", "Impacts added."),
+    ERROR(all, "error", "Largest relative error."),
+    ERROR(acceleration, "error_acceleration", "Of the peak accelerations."),
+    ERROR(drift, "error_drift", "Of the drifts."),
+    ERROR(force, "error_force", "Of the forces."),
+    ERROR(impact_time_s, "impact_time_s", "Largest error of an impact's time, s."),
+    ERROR(missed, "missed", "Impacts missed."),
+    ERROR(extra, "extra", "Impacts added."),
     BENCH(own.work.steps, "steps", "Steps."),
     BENCH(own.work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
     BENCH(own.work.events, "events", "Events."),

@@ -218,7 +218,7 @@ static void in_elevation(const struct drawing *d, int s)
                      0, p->name);
 }
 
-/* Mass and stiffness are a line each: the floors that are told stand this part of the drawing's height apart. */
+/* Mass and stiffness are a line each: the floors with numbers stand this part of the drawing's height apart. */
 static const double told_apart = 0.15;
 
 static int floors_told(const struct drawing *d, int s)
