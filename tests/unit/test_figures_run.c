@@ -299,7 +299,7 @@ START_TEST(numbers_of_a_tall_building_stand_apart)
     scene = *s->source.scene;
     struct thud_error err;
     for (int storeys = 3; storeys <= 40; storeys += 37) {
-        char text[8];
+        char text[16];
         snprintf(text, sizeof text, "%d", storeys);
         ck_assert_int_eq(thud_scene_set(&scene, "structures.1.storeys", text, &err), THUD_OK);
         ck_assert_int_eq(thud_scene_set(&scene, "structures.2.storeys", text, &err), THUD_OK);

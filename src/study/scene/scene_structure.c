@@ -188,7 +188,7 @@ bool thud_wall_has_backfill(const struct thud_structure *structure)
 
 enum thud_group thud_nested_group(int i)
 {
-    return THUD_GROUP_COLUMN + i;
+    return (enum thud_group)((int)THUD_GROUP_COLUMN + i);
 }
 
 bool thud_structure_has_group(const struct thud_structure *s, enum thud_group group)
@@ -354,6 +354,6 @@ void thud_scene_init(struct thud_scene *scene)
 {
     memset(scene, 0, sizeof *scene);
     thud_record_choice_init(&scene->record);
-    for (int group = THUD_GROUP_ANALYSIS; group <= THUD_GROUP_DOCUMENT; group++)
+    for (enum thud_group group = THUD_GROUP_ANALYSIS; group <= THUD_GROUP_DOCUMENT; group++)
         thud_group_clear((char *)scene + thud_group_base(group), group, 0);
 }
