@@ -1,7 +1,11 @@
 /* thud export: a scene for another program. */
+#include <errno.h>
+#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -9,6 +13,57 @@
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/opensees.h"
+
+extern char **environ;
+
+/* Its standard input is `script`, its output is thud's. Returns how it ended, 127 where there is no such program. */
+static int run_python(FILE *script)
+{
+    char *argv[] = {"python3", "-", NULL};
+    posix_spawn_file_actions_t actions;
+    pid_t pid = 0;
+    int status = 0;
+    if (posix_spawn_file_actions_init(&actions) != 0)
+        return -1;
+    int number = posix_spawn_file_actions_adddup2(&actions, fileno(script), 0);
+    if (number == 0)
+        number = posix_spawnp(&pid, argv[0], &actions, NULL, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    while (number == 0 && waitpid(pid, &status, 0) < 0)
+        number = errno == EINTR ? 0 : errno;
+    return number == ENOENT ? 127 : number || !WIFEXITED(status) ? -1 : WEXITSTATUS(status);
+}
+
+/* --check: OpenSeesPy's peaks beside thud's. */
+static enum thud_status check(const struct thud_text *script, struct thud_error *err)
+{
+    FILE *file = script->failed ? NULL : tmpfile();
+    const bool written = file && fwrite(script->data, 1, script->size, file) == script->size && fflush(file) == 0;
+    int ended = -1;
+    if (written) {
+        rewind(file);
+        fflush(stdout);
+        ended = run_python(file);
+    }
+    if (file)
+        fclose(file);
+    switch (ended) {
+    case 0:
+        return THUD_OK;
+    case THUD_OPENSEES_DIFFERS:
+        return thud_error_set(err, THUD_CHECK, "OpenSees and thud differ by more than 1 %% in an acceleration");
+    case THUD_OPENSEES_DIVERGED:
+        return thud_error_set(err, THUD_DIVERGED, "OpenSees found no equilibrium of a step");
+    case THUD_OPENSEES_MISSING:
+        return thud_error_refuse(err, THUD_OUTPUT, "--check", "python3 -m pip install openseespy",
+                                 "the scene was not checked: python3 has no OpenSeesPy");
+    case 127:
+        return thud_error_refuse(err, THUD_OUTPUT, "--check", "a Python with OpenSeesPy",
+                                 "the scene was not checked: there is no python3");
+    default:
+        return thud_error_set(err, THUD_OUTPUT, "the scene was not checked: python3 did not finish");
+    }
+}
 
 /* The script as a member of an object. */
 static enum thud_status print_json(const struct thud_scene *scene, struct thud_text *script, struct thud_error *err)
@@ -31,6 +86,10 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     struct thud_made_by by;
     const char *folder = thud_args_value(args, "o");
     char name[THUD_NAME_MAX + 16];
+    if (thud_args_has(args, "check") && thud_cli_form(args) == THUD_AS_JSON)
+        return thud_error_refuse(err, THUD_USAGE, "--check", "without --json", "prints a table");
+    if (!folder && thud_args_has(args, "check"))
+        return check(text, err);
     if (!folder && thud_cli_form(args) == THUD_AS_JSON)
         return print_json(scene, text, err);
     if (!folder)
@@ -42,9 +101,11 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         status = thud_made_by_begin(&by, err);
     if (status == THUD_OK)
         status = thud_text_write_in(text, folder, name, err);
-    thud_text_clear(text);
     if (status == THUD_OK)
         status = thud_made_by_keep(&by, err);
+    if (status == THUD_OK && thud_args_has(args, "check"))
+        status = check(text, err);
+    thud_text_clear(text);
     thud_text_append(text, "%s/%s\n", folder, name);
     if (status == THUD_OK && thud_cli_form(args) == THUD_AS_JSON)
         return thud_cli_print_files(args, text, err);
@@ -53,7 +114,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
 }
 
 /* The scene and its run by the nearest that OpenSees has; what that is stands at the head of the script and on standard
- * error. What cannot be replaced is refused. */
+ * error. */
 static enum thud_status replace(const struct thud_args *args, const struct thud_session *session,
                                 struct thud_scene *scene, const struct thud_run_options *options,
                                 struct thud_solution *solution, struct thud_text *head, struct thud_error *err)
@@ -67,8 +128,6 @@ static enum thud_status replace(const struct thud_args *args, const struct thud_
                 : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (status == THUD_OK)
         status = thud_scene_solve(nearest, session->record, options, solution, err);
-    if (status == THUD_OK)
-        status = thud_opensees_check(nearest, solution->model, err);
     if (status == THUD_OK) {
         thud_opensees_compare(scene, thud_run_result(full.run), thud_run_result(solution->run), &what);
         if (what.failed)

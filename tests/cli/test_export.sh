@@ -72,9 +72,15 @@ is "the README's options make it work" gives 0 export opensees towers $(advertis
 refused "a row of bumpers and contacts" '^thud: interfaces.1.bumper.law: ' three-in-a-row --strict
 # shellcheck disable=SC2046 # options
 is "the message's options do" gives 0 export opensees three-in-a-row $(sed 's/.*(\(--case none --set [^:]*\): .*/\1/' "$tmp/err")
-refused "an impulse" 'OpenSees knows no impulse' rigid-concrete --set contact.law=stereomechanical
-refused "a building on soil" 'structures.1.foundation: OpenSees has modal damping' towers-on-soil
-refused "a slab that strikes columns" 'interfaces.1: OpenSees has springs between two nodes.*levels: aligned' slab-against-columns --case none
+refused "an impulse" 'OpenSees knows no impulse' rigid-concrete --set contact.law=stereomechanical --strict
+is "without that it is a contact" gives 0 export opensees rigid-concrete --set contact.law=stereomechanical
+is "which is told" says 'interface 1: the stereomechanical is a Kelvin-Voigt contact of 2500 MN/m and restitution 0.6'
+is "a force where there was none has no percentage" says 'largest force, MN  *0  *8[.]38  *-  WARNING'
+refused "a building on soil" 'structures.1.foundation: OpenSees has modal damping' towers-on-soil --case none --set contact.law=linear --strict
+refused "a slab that strikes columns" 'interfaces.1: OpenSees has springs between two nodes.*levels: aligned' slab-against-columns --case none --strict
+for preset in presets/*.yaml; do
+    is "the nearest of $(basename "$preset" .yaml)" gives 0 export opensees "$preset" --quiet
+done
 is "which aligned levels leave out" gives 0 export opensees mixed-row --case none --set interfaces.1.levels=aligned --set interfaces.1.contact.law=linear --set interfaces.2.contact.law=linear
 is "a program there is not" gives 2 export sap towers
 is "is told" says 'no export to "sap" (opensees)'
@@ -124,7 +130,36 @@ tied="--case link --set contact.law=linear --from 6s --to 8s --set analysis.tail
 
 if [ -z "$python" ]; then
     echo "ok - the scripts are Python # SKIP no python3"
+    echo "ok - a script is run by --check # SKIP no python3"
 else
+    # a module in place of OpenSeesPy prints the modes of the springs and dashpots that are built, and ends as asked
+    checked() { # HOW PRESET...
+        STAND_IN=$1 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/tests/cli "$THUD" export opensees "$2" --check --quiet >"$tmp/out" 2>"$tmp/err"
+    }
+    checked 1 towers-on-soil
+    is "--check: peaks that agree" [ $? -eq 0 ]
+    sed -n 's/^mode: T \([0-9.]*\) s, .*/\1/p' "$tmp/out" >"$tmp/built"
+    "$THUD" run towers-on-soil --json --quiet 2>/dev/null | grep -o '"periods_s": \[[^]]*' | sed 's/.*\[//' | tr ',' '\n' >"$tmp/own"
+    # shellcheck disable=SC2016 # a program of awk
+    is "each period of both buildings on their soil is one of the springs'" awk 'NR == FNR { built[NR] = $1; n = NR; next }
+        { for (i = 1; i <= n; i++) if ((built[i] - $1) ^ 2 < 1e-10) { found++; next } } END { exit found != 10 || n != 14 }' "$tmp/built" "$tmp/own"
+    checked 1 slab-against-columns
+    # where slabs strike columns, the floors above and below hold the place by parts that make 1; of the lowest storey the ground the rest
+    # shellcheck disable=SC2016 # a program of awk
+    is "a place on columns moves with the floors at its ends" awk '/^place / && NF == 6 { n++; d = $4 + $6 - 1; bad += d * d > 1e-10 }
+        /^place / && NF == 4 { ground++; bad += !($4 > 0 && $4 < 1) } END { exit bad || n != 7 || ground != 1 }' "$tmp/out"
+    checked 1.02 towers-on-soil
+    is "--check: peaks that differ by 2 %" [ $? -eq 1 ]
+    is "are told" says 'OpenSees and thud differ by more than 1 % in an acceleration'
+    checked stuck towers-on-soil
+    is "--check: no equilibrium" [ $? -eq 4 ]
+    checked none towers-on-soil
+    is "--check without OpenSeesPy" [ $? -eq 6 ]
+    is "says how to get it" says '^thud: --check: the scene was not checked: python3 has no OpenSeesPy (.* pip install openseespy)'
+    is "with --json" gives 2 export opensees rigid-concrete --check --json
+    PATH=/nowhere "$THUD" export opensees rigid-concrete --check --quiet >"$tmp/out" 2>"$tmp/err"
+    is "without Python" [ $? -eq 6 ]
+    is "too" says 'there is no pytho[n]3'
     PYTHONPYCACHEPREFIX=$tmp/cache
     export PYTHONPYCACHEPREFIX
     "$python" -m py_compile "$tmp/rigid.py" "$tmp/towers.py" "$tmp/yielding.py" "$tmp/words.py" "$tmp/rubber.py" "$tmp/isolated-moat-backfill.py" "$tmp/friction.py" >"$tmp/out" 2>"$tmp/err"

@@ -13,9 +13,10 @@
 enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
                                      struct thud_error *err);
 
-/* Makes the nearest scene whose contacts OpenSees has, by a run of the full one; `what` lists each replacement.
- * Contacts of other laws, soil and struck columns stay, and thud_opensees_check refuses them. Errors: those of
- * thud_scene_set. */
+/* Returns whether OpenSees has a material of this law. */
+bool thud_opensees_has_law(const struct thud_law *law);
+/* Makes the nearest scene whose contacts OpenSees has, by a run of the full one; `what` gets a line for each that is
+ * replaced. Soil and struck columns stay: the script has them in another form. Errors: those of thud_scene_set. */
 enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const struct thud_model *model,
                                        const struct thud_result *result, struct thud_scene *out, struct thud_text *what,
                                        struct thud_error *err);
@@ -23,6 +24,9 @@ enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const str
 void thud_opensees_compare(const struct thud_scene *scene, const struct thud_result *full,
                            const struct thud_result *replaced, struct thud_text *what);
 
-/* Writes the script of a checked scene. `record` NULL: no ground motion; `result`: of the exact method. */
+/* Ways in which the script ends other than with 0. DIFFERS: by more than 1 % in an acceleration. */
+enum { THUD_OPENSEES_DIFFERS = 3, THUD_OPENSEES_DIVERGED, THUD_OPENSEES_MISSING };
+/* Writes the script of a scene that passed the check, or of the nearest one. `record` NULL: no ground motion; `result`: of
+ * the exact method. */
 void thud_opensees_script(const struct thud_scene *scene, const struct thud_model *model,
                           const struct thud_record *record, const struct thud_result *result, struct thud_text *out);

@@ -130,6 +130,7 @@ static const struct thud_option options[] = {
     {"seed", "N", "seed of the random samples, default 1", THUD_WORD_TEXT, false, FRAGILITY | UNCERTAINTY | REPORT},
     {"uncertain", "INPUT=SIZE", "gap=5%, stiffness.A=9%, restitution=0.1", THUD_WORD_TEXT, true, UNCERTAINTY | REPORT},
     {"indices", NULL, "Sobol indices, first and total", THUD_WORD_NONE, false, UNCERTAINTY},
+    {"check", NULL, "run the script and compare its peaks", THUD_WORD_NONE, false, EXPORT},
     {"strict", NULL, "refuse what the other program cannot represent", THUD_WORD_NONE, false, EXPORT},
     {"best", "KEY", "best value of a varied key, for each other setting", THUD_WORD_VARIED, false,
      1 << THUD_COMMAND_SWEEP},

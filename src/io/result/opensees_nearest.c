@@ -11,6 +11,10 @@
 
 #include "base/quantity.h"
 #include "io/result/opensees.h"
+#include "study/scene/level.h"
+
+/* Of a contact that is never pressed, m; and of one whose law has no stiffness, that of the paper's concrete, N/m. */
+static const double usual_depth_m = 0.01, usual_npm = 2.5e9;
 
 /* The contact of an interface (from 1) that was pressed hardest; -1: none was. */
 static int hardest(const struct thud_result *result, int interface)
@@ -41,39 +45,93 @@ static enum thud_status set(struct thud_scene *scene, int interface, const char 
     return thud_scene_set(scene, path, value, err);
 }
 
-static enum thud_status replace_rubber(struct thud_scene *scene, const struct thud_model *model,
-                                       const struct thud_result *result, int i, struct thud_text *what,
-                                       struct thud_error *err)
+/* Of a linear contact with the same force and energy; the columns that it strikes are in series with it. */
+static double own_stiffness(const struct thud_model_contact *c, double depth_m)
+{
+    const double whole_npm = equivalent_stiffness(c, depth_m);
+    return c->setup.column_npm > whole_npm ? whole_npm / (1 - whole_npm / c->setup.column_npm) : whole_npm;
+}
+
+/* Whether what an interface has can stay: a power of the indentation finds no balance with columns that give. */
+static bool stays(const struct thud_law *law, const struct thud_model *model, int i)
+{
+    bool struck = false;
+    for (int k = 0; k < model->npairs; k++)
+        struck = struck || (model->contact[k].interface == i + 1 && model->contact[k].struck != 0);
+    return !law || law->flags & THUD_LAW_NO_FORCE ||
+           (thud_opensees_has_law(law) && (!struck || law->flags & THUD_LAW_LINEAR));
+}
+
+/* One clearance for each level, without bumpers. */
+static void take_bumper_off(struct thud_interface *interface)
+{
+    struct thud_by_level *gap = &interface->gap;
+    const int levels = gap->n > interface->thickness.n ? gap->n : interface->thickness.n;
+    for (int l = 0; l < levels; l++) {
+        const struct thud_level_values at = thud_interface_level(interface, l);
+        gap->value_m[l] = thud_level_clearance(&at);
+    }
+    gap->n = levels;
+    interface->thickness.n = 0;
+    interface->gap_m -= interface->bumper_thickness_m - interface->bumper_cavity_m;
+    interface->has_bumper = false;
+}
+
+/* `law`: that of bumper or contact. An impulse has no stiffness of its own. */
+static enum thud_status replace_law(struct thud_scene *scene, const struct thud_law *law,
+                                    const struct thud_model *model, const struct thud_result *result, int i,
+                                    struct thud_text *what, struct thud_error *err)
 {
     struct thud_interface *interface = &scene->interface[i];
-    char key[64], restitution[64], stiffness[64];
+    const bool impulse = law->flags & THUD_LAW_IMPULSIVE;
+    char key[64], restitution[64] = "1", stiffness[64];
     int c = hardest(result, i + 1);
-    double depth_m = c >= 0 ? result->contact[c].indentation.value : 0.5 * interface->bumper_thickness_m;
+    double depth_m = c >= 0 ? result->contact[c].indentation.value : usual_depth_m;
     for (int k = 0; c < 0 && k < model->npairs; k++)
         c = model->contact[k].interface == i + 1 ? k : c;
-    if (c < 0 || interface->thickness.n > 0)
+    if (c < 0)
         return THUD_OK;
-    const double stiffness_npm = equivalent_stiffness(&model->contact[c], depth_m);
-    snprintf(key, sizeof key, "interfaces.%d.bumper.restitution", i + 1);
+    const double stiffness_npm = impulse ? usual_npm : own_stiffness(&model->contact[c], depth_m);
+    snprintf(key, sizeof key, "interfaces.%d.%s.restitution", i + 1, interface->has_bumper ? "bumper" : "contact");
     snprintf(stiffness, sizeof stiffness, "%.9g N/m", stiffness_npm);
-    enum thud_status status = thud_scene_get(scene, key, restitution, sizeof restitution, err);
+    enum thud_status status = THUD_OK;
+    if (thud_law_param(law, "restitution") >= 0)
+        status = thud_scene_get(scene, key, restitution, sizeof restitution, err);
     if (status == THUD_OK)
         status = set(scene, i + 1, "law", "kelvin-voigt", err);
     if (status == THUD_OK)
         status = set(scene, i + 1, "stiffness", stiffness, err);
     if (status == THUD_OK)
         status = set(scene, i + 1, "restitution", restitution, err);
-    const double clearance_less_m = interface->bumper_thickness_m - interface->bumper_cavity_m;
-    interface->has_bumper = false;
-    interface->gap_m -= clearance_less_m;
-    for (int k = 0; k < interface->gap.n; k++)
-        interface->gap.value_m[k] -= clearance_less_m;
     thud_text_append(
-        what,
-        "interface %d: the rubber bumper is a Kelvin-Voigt contact of %.4g MN/m and restitution %s at the same "
-        "clearance, with the force and energy of the rubber at %.3g mm\n",
-        i + 1, 1e-6 * stiffness_npm, restitution, 1e3 * depth_m);
+        what, "interface %d: the %s is a Kelvin-Voigt contact of %.4g MN/m and restitution %s at the same clearance",
+        i + 1, interface->has_bumper ? "rubber bumper" : law->name, 1e-6 * stiffness_npm, restitution);
+    if (impulse)
+        thud_text_append(what, ": time steps need a force\n");
+    else
+        thud_text_append(what, ", with the same force and energy at %.3g mm\n", 1e3 * depth_m);
+    if (interface->has_bumper)
+        take_bumper_off(interface);
     return status;
+}
+
+/* What thud's own scene keeps, and the script has in another form. */
+static void tell_forms(const struct thud_scene *scene, const struct thud_model *model, struct thud_text *what)
+{
+    for (int s = 0; s < scene->nstructures; s++)
+        if (thud_structure_on_soil(&scene->structure[s]))
+            thud_text_append(what,
+                             "structure %d: foundation and building are springs and dashpots between floors, sway and "
+                             "rotation, by its matrices of stiffness and damping\n",
+                             s + 1);
+    for (int i = 0, told = 0; i < model->npairs; i++)
+        if (model->contact[i].struck != 0 && model->contact[i].interface != told) {
+            told = model->contact[i].interface;
+            thud_text_append(what,
+                             "interface %d: the place at which a slab strikes columns is held by stiff springs to the "
+                             "floors above and below, by their shares\n",
+                             told);
+        }
 }
 
 enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const struct thud_model *model,
@@ -82,12 +140,19 @@ enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const str
 {
     enum thud_status status = THUD_OK;
     *out = *scene;
+    if (model->left_out > 0)
+        thud_text_append(what, "every mode is integrated, also those that are left out\n");
+    out->analysis.modes = 0;
+    for (int s = 0; s < scene->nstructures; s++)
+        out->structure[s].modes = 0;
     for (int i = 0; i + 1 < scene->nstructures && status == THUD_OK; i++) {
         const struct thud_interface *interface = &scene->interface[i];
         const struct thud_law *law = interface->has_bumper ? interface->bumper.law : interface->contact.law;
-        if (law && strcmp(law->name, "rubber") == 0) {
-            status = replace_rubber(out, model, result, i, what, err);
-        } else if (law && strcmp(law->name, "kelvin-voigt-no-tension") == 0 && !interface->has_bumper) {
+        if (stays(law, model, i))
+            continue;
+        if (strcmp(law->name, "kelvin-voigt-no-tension") != 0 || interface->has_bumper) {
+            status = replace_law(out, law, model, result, i, what, err);
+        } else {
             status = set(out, i + 1, "law", "kelvin-voigt", err);
             thud_text_append(
                 what,
@@ -96,14 +161,16 @@ enum thud_status thud_opensees_nearest(const struct thud_scene *scene, const str
                 i + 1);
         }
     }
+    tell_forms(scene, model, what);
     return status;
 }
 
 static void row(struct thud_text *what, const char *name, double full, double replaced)
 {
     const double moved = full > 0 ? 100 * (replaced / full - 1) : replaced > 0 ? (double)INFINITY : 0;
-    thud_text_append(what, "%-32s %10.4g %10.4g  %+.1f %%%s\n", name, full, replaced, moved,
-                     fabs(moved) > 10 ? "  WARNING: moved by more than 10 %" : "");
+    thud_text_append(what, isinf(moved) ? "%-32s %10.4g %10.4g       -" : "%-32s %10.4g %10.4g  %+.1f %%", name, full,
+                     replaced, moved);
+    thud_text_append(what, "%s\n", fabs(moved) > 10 ? "  WARNING: moved by more than 10 %" : "");
 }
 
 void thud_opensees_compare(const struct thud_scene *scene, const struct thud_result *full,
