@@ -155,7 +155,7 @@ else
     is "--check: no equilibrium" [ $? -eq 4 ]
     checked none towers-on-soil
     is "--check without OpenSeesPy" [ $? -eq 6 ]
-    is "says how to get it" says '^thud: --check: the scene was not checked: python3 has no OpenSeesPy (.* pip install openseespy)'
+    is "says how to get it" says '^thud: --check: the scene was not checked: pytho[n]3 has no OpenSeesPy (.* pip install openseespy)'
     is "with --json" gives 2 export opensees rigid-concrete --check --json
     PATH=/nowhere "$THUD" export opensees rigid-concrete --check --quiet >"$tmp/out" 2>"$tmp/err"
     is "without Python" [ $? -eq 6 ]
