@@ -65,7 +65,7 @@ START_TEST(stability_limits_from_both_sides)
         ck_assert_msg(bounded_in_contact(method->name, below), "%s", method->name);
         ck_assert_msg(!bounded_in_contact(method->name, above), "%s", method->name);
     }
-    ck_assert_int_eq(limited, 3);
+    ck_assert_int_ge(limited, 3); /* and those that are added */
 }
 END_TEST
 

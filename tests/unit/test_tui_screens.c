@@ -596,7 +596,8 @@ START_TEST(a_screen_of_its_own)
     ck_assert_int_eq(thud_tui_create(&options, &f.backend, &f.tui, &err), THUD_OK);
     if (THUD_SCREENS > 8)
         return; /* no digit is left for this one */
-    fixture_keys(&f, (char[]){'1' + THUD_SCREENS, '\0'});
+    const char own = '1' + THUD_SCREENS;
+    fixture_keys(&f, (char[]){own, '\0'});
     fixture_expect(&f, "Pane 0 of a test");
     ck_assert_int_eq(counter(f.tui)->begun, 7);
     fixture_keys(&f, "rr<Down><Enter>3 cm<Enter>"); /* its own action; the loop's on its field */
@@ -606,9 +607,10 @@ START_TEST(a_screen_of_its_own)
     ck_assert_uint_eq(f.tui->run.revision, f.tui->doc.revision); /* and it was run again */
     fixture_keys(&f, "4/interfaces.1.gap<Enter>");               /* the field is found on it */
     ck_assert_int_eq(f.tui->screen, THUD_SCREENS);
-    fixture_keys(&f, "58y"); /* it is left for the screen before */
+    fixture_keys(&f, (char[]){'5', own, 'y', '\0'}); /* it is left for the screen before */
     ck_assert_int_eq(f.tui->screen, THUD_SCREEN_PLOTS);
-    fixture_keys(&f, "<lt>:open bodies<Enter>y8"); /* and begins anew with every preset */
+    fixture_keys(&f, "<lt>:open bodies<Enter>y"); /* and begins anew with every preset */
+    fixture_keys(&f, (char[]){own, '\0'});
     fixture_expect(&f, "asked 0 times");
     ck_assert_int_eq(counter(f.tui)->begun, 7);
 }
