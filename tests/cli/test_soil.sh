@@ -51,6 +51,6 @@
     is "its drawing" grep -q 'a drawing of foundation on soil, soil against rocking, soil against sway' "$tmp/r/report.md"
     is "soil that is not known" gives 0 uncertainty towers-on-soil --samples 0 --case none
     is "is an input" shows 'soil-stiffness.B by a factor of 1.5'
-    is "OpenSees is refused" gives 3 export opensees towers-on-soil
+    is "OpenSees is refused" gives 3 export opensees towers-on-soil --strict
     is "with the reason" says 'structures.1.foundation: OpenSees has modal damping of whole models alone'
 }
