@@ -260,7 +260,7 @@ START_TEST(remarks)
     /* each code's own numbers: of 8 recordings EN 1998-1 takes the mean, ASCE 7 asks for 11, NZS 1170.5 for the largest */
     struct thud_record *many[8];
     for (int i = 0; i < 8; i++) {
-        char name[2][8];
+        char name[2][16];
         snprintf(name[0], sizeof name[0], "E%d", i);
         snprintf(name[1], sizeof name[1], "S%d", i);
         many[i] = motion(3 + (unsigned)i, 5, name[0], name[1]);

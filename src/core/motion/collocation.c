@@ -38,7 +38,6 @@ static const double step_part = 0.1;           /* of the run's tolerance, for th
 static const double solution_part = 1e-2;      /* of that, for the solution of the equations */
 static const double safety = 0.85, unsolved = 0.25, most_growth = 4, most_shrink = 0.1; /* factors of the step size */
 static const double least_error = 1e-5; /* of the tolerance: below it the error says nothing of the next step */
-static const double small_error = 1e-2; /* of the tolerance: one place is enough to measure it */
 static const double same_error = 0.95, near_tolerance = 100;
 
 /* The last step: the forces as polynomials over h from the state that it began at. */
@@ -71,9 +70,9 @@ struct thud_collocation {
     struct scheme few, many, *by; /* the one at hand */
     double h_top;                 /* step of level 0 */
     double h, h_onset;
-    int steady;             /* steps since one that let the next be longer */
-    double contraction;     /* of the fixed-point iteration, as last measured and with a margin */
-    bool at_onset, goes_on; /* all forces of the step go on from the last one's */
+    int steady;         /* steps since one that let the next be longer */
+    double contraction; /* of the fixed-point iteration, as last measured and with a margin */
+    bool at_onset;
     struct step step;
     int nc;
     /* The system: unknowns are the forces of the active contacts at the nodes but the first */
@@ -203,9 +202,8 @@ static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i
 static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
                             double tolerance)
 {
-    const double enough = x->goes_on ? small_error * tolerance : -1;
     double worst = 0;
-    for (int i = x->by->points - 1; i >= x->by->n && (worst > enough || i + 1 == x->by->points); i--) {
+    for (int i = x->by->n; i < x->by->points; i++) {
         for (int a = 0; a < x->nactive; a++) {
             x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
             worst = thud_larger(worst, contact_error(state, x, a, i, h, tolerance));
@@ -215,8 +213,7 @@ static double error_of_step(const struct thud_state *state, const struct thud_co
     return worst;
 }
 
-/* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. Where
- * nothing has switched and the latter is small, that is enough. */
+/* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. */
 static enum thud_status set_points(const struct thud_state *state, const struct thud_collocation *x, int n,
                                    struct scheme *by, struct thud_error *err)
 {
@@ -543,10 +540,8 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
 {
     static const double farthest = 32; /* times the last step: its sixth power is 1e9 */
     const struct step *last = &x->step;
-    x->goes_on = true;
     for (int a = 0; a < x->nactive; a++) {
         const int c = x->active[a];
-        x->goes_on &= last->of[c].known;
         if (last->of[c].known && last->done_s + h <= farthest * last->h)
             extrapolate(x, c, h, x->force + a * x->by->row);
         else
