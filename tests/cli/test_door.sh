@@ -37,6 +37,14 @@ sed -n 's/^\.Fn \(thud_[a-z_]*\).*/\1/p; s/^\.Fo \(thud_[a-z_]*\).*/\1/p' man/th
 diff "$tmp/exported" "$tmp/described" >"$tmp/out" 2>&1
 ok "thud(3) describes every function and no other" $?
 if nm "$BUILD/libthud.a" 2>/dev/null | grep -q -E '__(asan|tsan|gcov|ubsan|sanitizer)_'; then
+    asan=$($CC -print-file-name=libasan.so)
+    if [ -n "$python" ] && [ -f "$asan" ] && nm -D "$BUILD/libthud.so" 2>/dev/null | grep -q __asan_; then
+        LD_PRELOAD=$asan ASAN_OPTIONS=detect_leaks=0 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=src/python:tests/door THUD_LIBRARY=$PWD/$BUILD/libthud.so \
+            THUD=$THUD SCENES=6 "$python" tests/door/scenes.py >"$tmp/out" 2>&1 && ! grep -q '^not ok' "$tmp/out"
+        ok "Python against the library with sanitizers" $?
+    else
+        echo "ok - Python against the library with sanitizers # SKIP no python3, or no such library"
+    fi
     echo "ok - the libraries and their examples # SKIP built with instruments"
     exit 0
 fi
