@@ -222,11 +222,13 @@ enum thud_status thud_study_set(struct thud_scene *scene, const struct thud_slot
 
 static void get_item(const struct thud_scene *scene, const char *name, int i, char *text, size_t size)
 {
+    if (strcmp(name, "cases") == 0) { /* there may be more of them than of varied keys */
+        snprintf(text, size, "%s", thud_case_name(scene->study.cases[i]));
+        return;
+    }
     struct thud_vary vary = scene->study.vary[i];
     struct thud_slot slot;
-    if (strcmp(name, "cases") == 0)
-        snprintf(text, size, "%s", thud_case_name(scene->study.cases[i]));
-    else if (strcmp(name, "vary") == 0)
+    if (strcmp(name, "vary") == 0)
         snprintf(text, size, "%s", vary.key);
     else if (strcmp(name, "values") == 0)
         snprintf(text, size, "[%s]", vary.values);
