@@ -16,7 +16,7 @@ ok() { # WHAT STATUS
 
 tests/tools/install.sh install "$prefix" >"$tmp/out" 2>&1
 ok "it installs" $?
-MAKEFLAGS='' THUD=/nowhere make -n -o all install PREFIX=/p >"$tmp/out" 2>&1
+MAKEFLAGS='' VARIANT=release THUD=/nowhere make -n -o all install PREFIX=/p >"$tmp/out" 2>&1
 grep -q "THUD=./thud BUILD=build/release tests/tools/install.sh install '/p'" "$tmp/out"
 ok "make install takes the program that make made, whatever the environment calls THUD" $?
 (cd "$tmp" && "$prefix/bin/thud" run rigid-concrete --json) >"$tmp/there" 2>"$tmp/out"
