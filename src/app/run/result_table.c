@@ -196,7 +196,7 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
     const struct thud_energy *e = &r->energy;
     thud_text_append(out,
                      "\nenergy         input %.5g kJ, initial %.5g, kinetic %.5g, strain %.5g,\n"
-                     "               viscous %.5g, contact %.5g, stored in contacts %.5g;",
+                     "               damping %.5g, contact %.5g, stored in contacts %.5g;",
                      1e-3 * e->input_j, 1e-3 * e->initial_j, 1e-3 * e->kinetic_j, 1e-3 * e->strain_j,
                      1e-3 * e->viscous_j, 1e-3 * e->contact_j, 1e-3 * e->stored_j);
     char where[80];

@@ -78,7 +78,7 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     thud_remarks_clear(&found);
     const struct thud_energy *e = &result->energy;
     char a[24], b[24], c[24];
-    snprintf(text, sizeof text, "energy: input %s kJ, viscous %s, contacts %s; unaccounted for %.1e of the largest",
+    snprintf(text, sizeof text, "energy: input %s kJ, damping %s, contacts %s; unaccounted for %.1e of the largest",
              thud_tui_number(1e-3 * (e->input_j + e->initial_j), a), thud_tui_number(1e-3 * e->viscous_j, b),
              thud_tui_number(1e-3 * e->contact_j, c), e->error_ratio);
     add(tui, "analysis.tolerance", text);

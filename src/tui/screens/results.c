@@ -331,7 +331,7 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
         bool shown;
         double value;
     } row[] = {{"input", true, e->input_j + e->initial_j},
-               {"viscous", true, e->viscous_j},
+               {"damping", true, e->viscous_j},
                {"contacts", true, e->contact_j},
                {"kinetic", true, e->kinetic_j},
                {"strain", true, e->strain_j + e->stored_j},
