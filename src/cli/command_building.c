@@ -143,7 +143,7 @@ static enum thud_status of_preset(const struct thud_args *args, struct thud_sess
 /* ---- import ---- */
 
 /* What --set says of the files, and no key of a structure; "": nothing. */
-static const char *said(const struct thud_args *args, const char *name)
+static const char *value_of_set(const struct thud_args *args, const char *name)
 {
     const char *text, *value = "";
     const size_t n = strlen(name);
@@ -268,8 +268,8 @@ static enum thud_status import_storeys(const struct thud_args *args, struct thud
                                        bool *tables, struct thud_text *out, struct thud_error *err)
 {
     struct thud_storeys *from = calloc(1, sizeof *from);
-    const char *way = said(args, "direction");
-    const struct thud_storey_ask ask = {said(args, "case"), *way ? strcmp(way, "Y") == 0 : -1,
+    const char *way = value_of_set(args, "direction");
+    const struct thud_storey_ask ask = {value_of_set(args, "case"), *way ? strcmp(way, "Y") == 0 : -1,
                                         (enum thud_floor_order)scene->structure[0].order};
     enum thud_status status = from ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
     if (*way && strcmp(way, "X") != 0 && strcmp(way, "Y") != 0)

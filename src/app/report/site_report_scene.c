@@ -141,7 +141,7 @@ void thud_site_scene(struct site *site)
 /* ---- load cases ---- */
 
 /* What is known of a ground motion, "-" where it says nothing. */
-static const char *said(const char *text)
+static const char *or_dash(const char *text)
 {
     return *text ? text : "-";
 }
@@ -160,7 +160,7 @@ static void add_case_row(struct site *site, int number, const struct thud_record
     double sd_m;
     thud_document_cells(d, "%d\t%s\t%s\t%s\t%.4g\t%.3g", number,
                         *record->event ? record->event : thud_path_name(record->file),
-                        record->synthetic ? "none: synthetic" : said(record->station), said(record->component),
+                        record->synthetic ? "none: synthetic" : or_dash(record->station), or_dash(record->component),
                         record->scale, thud_record_peak(record) / THUD_GRAVITY);
     for (int s = 0; s < site->scene->nstructures; s++)
         if (thud_site_is_building(site, s))
@@ -187,8 +187,9 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
         if (r > 0 && thud_motion_is_turned(record[r]->file, record[r - 1]->file))
             continue;
         thud_document_line(d, "%d\t%s\t%s\t%s", r + 1, thud_path_name(record[r]->file),
-                           *record[r]->licence || !record[r]->synthetic ? said(record[r]->licence) : "none: synthetic",
-                           said(record[r]->sha256));
+                           *record[r]->licence || !record[r]->synthetic ? or_dash(record[r]->licence)
+                                                                        : "none: synthetic",
+                           or_dash(record[r]->sha256));
     }
 }
 

@@ -76,8 +76,8 @@ static bool has_control(const char *text)
     return false;
 }
 
-static enum thud_status take(const struct csv_lines *lines, const struct record_line *line,
-                             struct thud_expectations *out, struct thud_error *err)
+static enum thud_status add_expectation(const struct csv_lines *lines, const struct record_line *line,
+                                        struct thud_expectations *out, struct thud_error *err)
 {
     struct thud_expectation one = {.other = NAN};
     if (lines->fields != FIELDS) {
@@ -110,7 +110,7 @@ static enum thud_status read_rows(struct csv_lines *lines, struct thud_expectati
         bool is_header = first && lines->fields == FIELDS && strcmp(csv_lines_field(lines, 0), "case") == 0;
         first = false;
         if (!is_header)
-            status = take(lines, &line, out, err);
+            status = add_expectation(lines, &line, out, err);
     }
     if (status == THUD_OK && out->n == 0) {
         record_refuse(lines->cursor.source, 0, 0, err, "there is no expectation in it");

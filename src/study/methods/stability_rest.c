@@ -159,7 +159,7 @@ static enum thud_status zeno(struct thud_test_case *out, struct thud_error *err)
     return pushed(&b, 9.80665, 0, out, false, thud_stepping_of("rk4", 1e-2, false), err);
 }
 
-static enum thud_status rest(int index, struct thud_test_case *out, struct thud_error *err)
+static enum thud_status make_at_rest(int index, struct thud_test_case *out, struct thud_error *err)
 {
     static thud_test_case_fn *const show[THUD_TEST_CASES_REST] = {slow_onset, stiff_restitution, sticking, zeno};
     return show[index](out, err);
@@ -178,5 +178,5 @@ enum thud_status thud_test_case_run(int index, struct thud_test_case *out, struc
         return thud_test_case_yield(out, err);
     index -= THUD_TEST_CASES_ENERGY;
     return index < THUD_TEST_CASES_ONSET ? thud_test_case_onset(index, out, err)
-                                         : rest(index - THUD_TEST_CASES_ONSET, out, err);
+                                         : make_at_rest(index - THUD_TEST_CASES_ONSET, out, err);
 }

@@ -37,7 +37,7 @@ static void forget_record(struct thud_doc *doc)
 }
 
 /* The preset as read becomes the base: what saving starts from. */
-static void take(struct thud_doc *doc, struct thud_preset *preset, const char *path)
+static void base_on(struct thud_doc *doc, struct thud_preset *preset, const char *path)
 {
     thud_preset_free(doc->preset);
     doc->preset = preset;
@@ -49,7 +49,7 @@ static void take(struct thud_doc *doc, struct thud_preset *preset, const char *p
 
 static void begin(struct thud_doc *doc, struct thud_preset *preset, const char *path)
 {
-    take(doc, preset, path);
+    base_on(doc, preset, path);
     doc->scene = doc->saved;
     thud_undo_clear(&doc->undo);
     forget_record(doc);
@@ -131,7 +131,7 @@ enum thud_status thud_doc_save(struct thud_doc *doc, const char *path, struct th
     status = thud_preset_read(to, &preset, err);
     if (status != THUD_OK)
         return status;
-    take(doc, preset, to);
+    base_on(doc, preset, to);
     snprintf(doc->scene.name, sizeof doc->scene.name, "%s", doc->saved.name);
     return THUD_OK;
 }

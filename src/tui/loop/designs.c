@@ -136,7 +136,7 @@ void thud_tui_name_design(struct thud_tui *tui, const char *name)
         thud_tui_log(tui, "name %s", name);
 }
 
-static void named(struct thud_tui *tui, const char *text)
+static void name_chosen(struct thud_tui *tui, const char *text)
 {
     struct thud_design *d = thud_designs_named(&tui->designs, tui->dialog.target);
     if (d && *text)
@@ -387,7 +387,7 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
 
 static void take_key(struct thud_tui *tui, int key)
 {
-    static const struct thud_prompt prompt = {.words = "name of the design, and of its preset: ", .done = named};
+    static const struct thud_prompt prompt = {.words = "name of the design, and of its preset: ", .done = name_chosen};
     struct list *list = tui->dialog.own;
     struct thud_design *d = row_at(tui, list->at);
     char name[40] = "";

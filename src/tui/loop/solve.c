@@ -10,7 +10,7 @@
 #include "tui/loop/loop.h"
 
 /* `value` is "KEY=VALUE". */
-static void take(struct thud_tui *tui, const char *value)
+static void set_value(struct thud_tui *tui, const char *value)
 {
     char key[sizeof tui->dialog.target];
     snprintf(key, sizeof key, "%s", value);
@@ -24,7 +24,7 @@ static void take(struct thud_tui *tui, const char *value)
 /* "CRITERION; KEY=FROM:TO"; `ask`: before the value is taken. */
 static void solve(struct thud_tui *tui, const char *text, bool ask)
 {
-    static const struct thud_question question = {.enter = true, .yes = take};
+    static const struct thud_question question = {.enter = true, .yes = set_value};
     char what[THUD_LINE_MAX], value[sizeof tui->dialog.target];
     struct thud_error err = {0};
     struct thud_criterion criterion;
@@ -66,7 +66,7 @@ static void solve(struct thud_tui *tui, const char *text, bool ask)
         thud_tui_ask(tui, &question, value, "%s. Enter takes it", words.data ? words.data : "");
     else {
         if (answer)
-            take(tui, value);
+            set_value(tui, value);
         thud_tui_log(tui, "solve %s; %s", what, by);
         thud_tui_say(tui, answer ? THUD_ROLE_GOOD : THUD_ROLE_WARN, "%s", words.data ? words.data : "");
     }

@@ -282,7 +282,7 @@ static bool comparing(const struct thud_tui *tui)
 }
 
 /* The live run has ended: does what waited for it, and reports a failure. */
-static void ran(struct thud_tui *tui)
+static void end_live_run(struct thud_tui *tui)
 {
     enum thud_action action = tui->files.whole_wanted;
     const char *what = thud_undo_what(&tui->doc.undo, 0);
@@ -350,7 +350,7 @@ static void work(struct thud_tui *tui)
         tui->run.elapsed_s = now - tui->run.started_s;
         if (!tui->run.live.history)
             tui->run.plain_s = tui->run.elapsed_s;
-        ran(tui);
+        end_live_run(tui);
         thud_tui_redraw(tui, false);
     }
     tui->run.was_running = tui->run.live.running;

@@ -236,7 +236,7 @@ static bool read_on(struct thud_tui *tui, const struct thud_sweep_state *s, int 
 }
 
 /* The scene gets the value that the cursor reads. */
-static bool take(struct thud_tui *tui)
+static bool set_to_cursor(struct thud_tui *tui)
 {
     const struct thud_sweep_state *s = thud_sweep_state(tui);
     const struct thud_sweep_axis *axis = along_x(s);
@@ -381,5 +381,5 @@ static void release(struct thud_tui *tui)
 THUD_VIEW(sweep, "Sweep", SWEEP, .keys = "study.", .many = true, .size = sizeof(struct thud_sweep_state),
           .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
           .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
-          .next_figure = next_figure, .read = read_panel, .take = take, .live = live, .busy = busy, .work = work,
-          .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);
+          .next_figure = next_figure, .read = read_panel, .take = set_to_cursor, .live = live, .busy = busy,
+          .work = work, .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);
