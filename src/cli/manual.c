@@ -161,22 +161,23 @@ static void laws(struct thud_text *out)
     }
 }
 
-static void events(struct thud_text *out)
+static void put_events(const char *before, enum thud_event_form form, const char *after, struct thud_text *out)
 {
     struct thud_text text = {0};
-    thud_text_append(&text, "One of ");
-    thud_events_list(THUD_FORM_EVENT, &text);
-    thud_text_append(&text, ": there is contact, or a measure is above its limit.");
+    thud_text_append(&text, "%s", before);
+    thud_events_list(form, &text);
+    thud_text_append(&text, "%s", after);
     fill_made(out, &text);
+}
+
+static void events(struct thud_text *out)
+{
+    put_events("One of ", THUD_FORM_EVENT, ": there is contact, or a measure is above its limit.", out);
 }
 
 static void criteria(struct thud_text *out)
 {
-    struct thud_text text = {0};
-    thud_text_append(&text, "The criterion: one of ");
-    thud_events_list(THUD_FORM_CRITERION, &text);
-    thud_text_append(&text, ", with a limit of your own.");
-    fill_made(out, &text);
+    put_events("The criterion: one of ", THUD_FORM_CRITERION, ", with a limit of your own.", out);
 }
 
 static void formats(struct thud_text *out)

@@ -449,7 +449,7 @@ START_TEST(messages_and_next_steps)
     fixture_keys(&f, "1");
     fixture_expect_not(&f, ":simplify tells");
     fixture_keys(&f, ":set p-delta yes<Enter>"); /* more than a scene may need */
-    fixture_expect(&f, ":simplify tells what is needed");
+    fixture_expect(&f, ":simplify shows what is needed");
 }
 END_TEST
 

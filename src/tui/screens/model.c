@@ -498,7 +498,7 @@ static int below(struct thud_tui *tui, int index, const struct thud_pane *pane, 
     const struct thud_storey storey = thud_storey_of(structure, 0);
     const bool soil = thud_structure_on_soil(structure); /* its values have rows of their own */
     if (is_detailed(&tui->doc.scene))
-        thud_field_note(pane, y++, ":simplify tells what is needed");
+        thud_field_note(pane, y++, ":simplify shows what is needed");
     if (isfinite(storey.yield_m))
         thud_pane_print(pane, 0, y++, thud_look(THUD_ROLE_MUTED, 0), "storey 1: V_y %.3g MN, %.3g %% of W; u_y %.3g mm",
                         1e-6 * storey.yield_shear_n, 1e2 * storey.yield_ratio, 1e3 * storey.yield_m);
