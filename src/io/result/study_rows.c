@@ -276,7 +276,9 @@ static const struct thud_column of_suite[] = {
     THUD_STANDS_FOR("pounding", "How many of them make contact."),
     THUD_STANDS_FOR("amplified", "How many of them give an acceleration ratio above 1."),
     THUD_STANDS_FOR("MEASURE_p16", "16 % of the motions are below; empty: fewer than three independent motions."),
-    THUD_STANDS_FOR("MEASURE_median", "Half of them are."),
+    THUD_STANDS_FOR("MEASURE_median",
+                    "Half of them are; empty where the structure lacks what is measured: storeys that "
+                    "yield, isolators, columns with a capacity, links."),
     THUD_STANDS_FOR("MEASURE_p84", "84 % of them are."),
     THUD_STANDS_FOR("MEASURE_lower", "Of ratios: under how many motions it is below 1."),
     THUD_STANDS_FOR("MEASURE_equal", "Under how many it is 1."),
