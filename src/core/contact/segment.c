@@ -223,12 +223,13 @@ static void push_rows(const struct thud_model *m, const struct thud_segment *seg
     const double *force = seg->force + k * m->nrows, by_load = load_factor(seg, k);
     for (int i = 0; i < seg->rows; i++) {
         const double by_g = by_load * force[seg->row[i]], *g = m->jacobian + (size_t)seg->row[i] * (size_t)m->nmodes;
+        const int end = of->mode + of->modes;
         int j = of->mode;
         if (by_g == 0)
             continue;
-        for (; j + 2 <= of->mode + of->modes; j += 2)
+        for (; j + 2 <= end; j += 2)
             thud_vec2_put(thud_vec2_at(q2 + j) + by_g * thud_vec2_at(g + j), q2 + j);
-        if (j < of->mode + of->modes)
+        if (j < end)
             q2[j] += by_g * g[j];
     }
 }

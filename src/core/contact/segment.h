@@ -29,13 +29,15 @@ struct thud_segment_notes {
 /* Rows at the nodes of a collocated step: the first at its start, the last at its end. */
 struct thud_segment_nodes {
     int count;
-    const double *point, *weight; /* (row) of their quadrature, and a weight of 0 where count is odd; weight NULL: it is
-                                     not good enough for works */
-    double widest;                /* distance between two of them */
-    const int *at;                /* (nrows) place of a row in what follows; -1: it has no force */
-    const thud_vec2 *motion;      /* (points apart) indentation and its rate */
-    const double *force;          /* (row apart) */
-    int points, row;
+    const double *point, *weight; /* of their quadrature; weight NULL: it is not good enough for works */
+    const double
+        *lagrange; /* (apart apart) coefficients of the polynomials that are 1 at one of them, 0 at the others */
+    int apart;
+    double widest;           /* distance between two of them */
+    const int *at;           /* (nrows) place of a row in what follows; -1: it has no force */
+    const thud_vec2 *motion; /* (points apart) indentation and its rate */
+    const double *force;     /* (count apart) */
+    int points;
 };
 
 /* A value, of one time: who makes it, from thud_segment_begin on, changes it; once proposed it stays unchanged. */

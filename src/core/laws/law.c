@@ -61,21 +61,28 @@ void thud_powers_fill(struct thud_powers *t, double p)
 }
 
 /* With d = 2^e c (1 + x), c the middle of a cell and |x| <= 1/256: (2^e)^p c^p (1 + x)^p, the last by the binomial series,
- * whose next term is below 1e-16 for the powers that occur. */
-double thud_power(const struct thud_powers *t, double d)
+ * whose next term is below 1e-16 for the powers that occur. Returns -1 where 2^e is not in the tables. */
+static inline double tabled_power(const struct thud_powers *t, double d)
 {
     uint64_t bits;
     memcpy(&bits, &d, sizeof bits);
-    const int octave = (int)(bits >> 52) - 1023 - THUD_POWER_LEAST, cell = (bits >> 45) % THUD_POWER_CELLS;
-    if (octave < 0 || octave >= THUD_POWER_OCTAVES)
-        return pow(d, t->p);
+    const unsigned octave = (unsigned)((int)(bits >> 52) - 1023 - THUD_POWER_LEAST);
+    const int cell = (bits >> 45) % THUD_POWER_CELLS;
+    if (octave >= THUD_POWER_OCTAVES)
+        return -1;
     bits = (bits & 0xfffffffffffff) | (uint64_t)1023 << 52;
-    double m, sum = 0;
+    double m, sum = t->binomial[THUD_POWER_TERMS - 1];
     memcpy(&m, &bits, sizeof m);
     const double x = m * t->inverse[cell] - 1;
-    for (int k = THUD_POWER_TERMS - 1; k >= 0; k--)
+    for (int k = THUD_POWER_TERMS - 2; k >= 0; k--)
         sum = sum * x + t->binomial[k];
     return t->octave[octave] * t->cell[cell] * sum;
+}
+
+double thud_power(const struct thud_powers *t, double d)
+{
+    const double power = tabled_power(t, d);
+    return power < 0 ? pow(d, t->p) : power;
 }
 
 /* d^p for d > 0, without pow for the exponents of the published laws. */
@@ -174,26 +181,43 @@ static double soft_force(const struct thud_branch *b, double d, double v, double
     return b->f0_n + b->k_npm * d + b->c_nspm * v + b->K * x * over;
 }
 
+/* f0 + k d + c v + K d^p + D d^r v, of which dp and dr are the powers, 0 at d <= 0. */
+static inline double power_force(const struct thud_branch *b, double d, double v, double dp, double dr, double *df_dd,
+                                 double *df_dv)
+{
+    const double elastic = b->K * dp, damper = b->D * dr;
+    if (df_dd)
+        *df_dd = b->k_npm + (d > 0 ? (b->p * elastic + b->r * damper * v) / d : 0);
+    if (df_dv)
+        *df_dv = b->c_nspm + damper;
+    return b->f0_n + b->k_npm * d + b->c_nspm * v + (elastic + damper * v);
+}
+
+/* Of branches whose power is not tabled. */
+static double other_force(const struct thud_branch *b, double d, double v, double *df_dd, double *df_dv)
+{
+    if (b->soft_m > 0 && d >= 0)
+        return soft_force(b, d, v, df_dd, df_dv);
+    if (b->column_npm > 0 && d > 0)
+        return series_force(b, d, v, df_dd, df_dv);
+    const bool by_power = d > 0 && (b->K != 0 || b->D != 0);
+    const double dp = by_power ? power(b->powers, d, b->p) : 0,
+                 force =
+                     power_force(b, d, v, dp, by_power && b->r != b->p ? power(b->powers, d, b->r) : dp, df_dd, df_dv);
+    if (df_dd && d == 0)
+        *df_dd += slope_at_zero(b->K, b->p) + slope_at_zero(b->D * v, b->r);
+    return force;
+}
+
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv)
 {
-    if (branch->soft_m > 0 && d_m >= 0)
-        return soft_force(branch, d_m, v_mps, df_dd, df_dv);
-    if (branch->column_npm > 0 && d_m > 0)
-        return series_force(branch, d_m, v_mps, df_dd, df_dv);
-    const bool by_power = d_m > 0 && (branch->K != 0 || branch->D != 0);
-    const double dp = by_power ? power(branch->powers, d_m, branch->p) : 0,
-                 dr = by_power && branch->r != branch->p ? power(branch->powers, d_m, branch->r) : dp,
-                 elastic = branch->K * dp, damper = branch->D * dr;
-    if (df_dd) {
-        *df_dd = branch->k_npm;
-        if (by_power)
-            *df_dd += (branch->p * elastic + branch->r * damper * v_mps) / d_m;
-        else if (d_m == 0)
-            *df_dd += slope_at_zero(branch->K, branch->p) + slope_at_zero(branch->D * v_mps, branch->r);
-    }
-    if (df_dv)
-        *df_dv = branch->c_nspm + damper;
-    return branch->f0_n + branch->k_npm * d_m + branch->c_nspm * v_mps + (elastic + damper * v_mps);
+    const struct thud_powers *powers = branch->powers;
+    if (!powers || !(d_m > 0) || branch->p != powers->p || branch->r != powers->p || branch->column_npm > 0 ||
+        branch->soft_m > 0)
+        return other_force(branch, d_m, v_mps, df_dd, df_dv);
+    const double dp = tabled_power(powers, d_m);
+    return dp < 0 ? other_force(branch, d_m, v_mps, df_dd, df_dv)
+                  : power_force(branch, d_m, v_mps, dp, dp, df_dd, df_dv);
 }
 
 double thud_law_nominal(const struct thud_law *law, const struct thud_law_setup *setup)

@@ -56,8 +56,7 @@ struct step {
 /* Points of a step, and the tables for them. */
 struct scheme {
     int n, points; /* nodes; and with those behind them where the error is measured */
-    int row;       /* forces of a contact: n, and a 0 where that is odd */
-    double point[POINTS_MAX], weight[NODES_MAX + 1];
+    double point[POINTS_MAX], weight[NODES_MAX];
     double lagrange[NODES_MAX][ROW];   /* [k]: coefficients of the polynomial that is 1 at node k, 0 at the others */
     double between[NODES_MAX][CHECKS]; /* and its values where the error is measured */
     double back
@@ -79,11 +78,11 @@ struct thud_collocation {
     double *largest_n; /* (nc) force so far: scale on which errors count */
     int *active, *at;  /* (nc); place of a row among them, or -1 */
     int nactive, capacity;
-    const struct thud_response **response; /* (nactive x nactive) of one to the force of the other: of */
-    const struct scheme *made_by;          /* this scheme, NULL: of another set of rows, and */
-    int made_level;                        /* this level */
-    double *force;                         /* (nactive x row) */
-    thud_vec2 *free, *motion;              /* (nactive x points); of the motion, at the start already */
+    const thud_vec2 **response;   /* (nactive x nactive) of one to the force of the other: of */
+    const struct scheme *made_by; /* this scheme, NULL: of another set of rows, and */
+    int made_level;               /* this level */
+    double *force;                /* (nactive x n) */
+    thud_vec2 *free, *motion;     /* (nactive x points), of the motion at the nodes alone; at the start already */
     struct beginning {
         double force, by_d, by_v; /* the law at the start */
         bool rough;               /* what follows does not go on smoothly from there */
@@ -109,7 +108,7 @@ static double force_scale(const struct thud_state *state, const struct thud_coll
     int c = x->active[a];
     thud_vec2 most = {x->largest_n[c], thud_contact_least_force(state, c)};
     for (int i = 0; i < x->by->n; i += 2) {
-        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->row + i, i + 1 == x->by->n));
+        const thud_vec2 size = thud_vec2_abs(thud_vec2_some(x->force + a * x->by->n + i, i + 1 == x->by->n));
         most = thud_vec2_choose((thud_vec2_bits)(size > most), size, most);
     }
     const struct thud_contact_state *contact = thud_row_contact(state, c);
@@ -147,70 +146,78 @@ static double force_noise(const struct thud_state *state, int c, double fd, doub
     return THUD_TOL_STATE * (fabs(fd) * d + fabs(fv) * v);
 }
 
-/* Difference between the polynomial of contact a's force and the law at place i between the nodes; of one above `small`,
- * what rounding may have made is taken off. */
-static double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, int i, double h,
-                               double small)
+/* Difference between the polynomial of contact a's force and the law where i of the checks finds this motion; of one above
+ * `small`, what rounding may have made is taken off. */
+static inline double force_difference(const struct thud_state *state, const struct thud_collocation *x, int a, int i,
+                                      thud_vec2 motion, double h, double small, const int n)
 {
-    const int c = x->active[a], n = x->by->n;
-    const thud_vec2 motion = x->motion[a * x->by->points + i];
-    const double *force = x->force + a * x->by->row;
+    const int c = x->active[a];
+    const double *force = x->force + a * n;
     if (thud_row_sticks(state, c)) /* the force that would undo the rate in one step, but for rounding */
         return state->model->contact[c].setup.mass_kg * thud_larger(fabs(motion[1]) - THUD_TOL_STICKING_M / h, 0) / h;
     double by_d, by_v, difference = law_at(thud_row_branch(state, c), motion, &by_d, &by_v);
     for (int k = 0; k < n; k++)
-        difference -= force[k] * x->by->between[k][i - n];
+        difference -= force[k] * x->by->between[k][i];
     difference = fabs(difference);
     return difference > small ? difference - force_noise(state, c, by_d, by_v) : difference;
+}
+
+/* Motion of contact a at a point under all forces. */
+static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i, const int n)
+{
+    const thud_vec2 *const *response = x->response + a * x->nactive;
+    const double *force = x->force;
+    thud_vec2 even = x->free[a * x->by->points + i], odd = {0, 0};
+    for (int b = 0; b < x->nactive; b++, force += n) {
+        const thud_vec2 *r = response[b] + i * n;
+        for (int k = 0; k + 2 <= n; k += 2) {
+            even += force[k] * r[k];
+            odd += force[k + 1] * r[k + 1];
+        }
+        if (n % 2)
+            even += force[n - 1] * r[n - 1];
+    }
+    return even + odd;
 }
 
 /* Error of contact a's force: the largest difference between its polynomial and the law between the nodes, over the
  * force scale. Where a force begins without a smooth start (d^(1/4), d^(3/2)) no step is short enough for that; there
  * what counts is the impulse that the difference makes up. */
-static double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, int i, double h,
-                            double tolerance)
+static inline double contact_error(const struct thud_state *state, const struct thud_collocation *x, int a, double h,
+                                   double tolerance, const int n)
 {
-    int c = x->active[a];
-    const struct thud_contact_state *s = thud_row_contact(state, c);
-    double mass = state->model->contact[c].setup.mass_kg, scale = force_scale(state, x, a),
-           difference = force_difference(state, x, a, i, h, 1e-2 * tolerance * scale);
-    double error = thud_larger(difference / scale - THUD_TOL_POLYNOMIAL, 0);
+    const struct thud_contact_state *s = thud_row_contact(state, x->active[a]);
+    const double mass = state->model->contact[x->active[a]].setup.mass_kg, scale = force_scale(state, x, a),
+                 small = 1e-2 * tolerance * scale;
+    double most = 0;
+    for (int i = 0; i < CHECKS; i++)
+        most = thud_larger(most, force_difference(state, x, a, i, motion_at(x, a, n + i, n), h, small, n));
+    double error = thud_larger(most / scale - THUD_TOL_POLYNOMIAL, 0);
     if (is_approach(s) && has_just_begun(x, a)) {
         double ground = state->fastest_radps > 0 ? state->ground_mps2 / state->fastest_radps : 0;
         double speed = s->onset_mps < 1e-7 * ground ? ground : s->onset_mps; /* pushed, or thrown */
         if (speed > 0)
-            error = fmin(error, 10 * difference * h / (mass * speed));
+            error = fmin(error, 10 * most * h / (mass * speed));
     }
     return error;
 }
 
-/* Motion of contact a at a point under all forces. */
-static inline thud_vec2 motion_at(const struct thud_collocation *x, int a, int i, const int row)
+static inline double contact_errors(const struct thud_state *state, const struct thud_collocation *x, double h,
+                                    double tolerance, const int n)
 {
-    const struct thud_response *const *r = x->response + a * x->nactive;
-    thud_vec2 d = {0, 0}, v = {0, 0};
-    for (int b = 0; b < x->nactive; b++) {
-        const double *by_d = r[b]->motion + 2 * i * row, *by_v = by_d + row, *force = x->force + b * row;
-        for (int k = 0; k < row; k += 2) {
-            d += thud_vec2_at(force + k) * thud_vec2_at(by_d + k);
-            v += thud_vec2_at(force + k) * thud_vec2_at(by_v + k);
-        }
-    }
-    return x->free[a * x->by->points + i] + thud_vec2_set(thud_vec2_sum(d), thud_vec2_sum(v));
+    double worst = 0;
+    for (int a = 0; a < x->nactive; a++)
+        worst = thud_larger(worst, contact_error(state, x, a, h, tolerance, n));
+    state->work->force_evaluations += CHECKS * x->nactive;
+    return worst;
 }
 
 static double error_of_step(const struct thud_state *state, const struct thud_collocation *x, double h,
                             double tolerance)
 {
-    double worst = 0;
-    for (int i = x->by->n; i < x->by->points; i++) {
-        for (int a = 0; a < x->nactive; a++) {
-            x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
-            worst = thud_larger(worst, contact_error(state, x, a, i, h, tolerance));
-        }
-        state->work->force_evaluations += x->nactive;
-    }
-    return worst;
+    return x->by->n == 4   ? contact_errors(state, x, h, tolerance, 4)
+           : x->by->n == 5 ? contact_errors(state, x, h, tolerance, 5)
+                           : contact_errors(state, x, h, tolerance, NODES_MAX);
 }
 
 /* The error is measured in the middle of two intervals between nodes, the first and one about the middle: a law is dear. */
@@ -219,14 +226,15 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
 {
     const int last = n - 1, interval[CHECKS] = {0, last / 2};
     double lagrange[NODES_MAX * NODES_MAX];
-    *by = (struct scheme){.n = n, .points = n + CHECKS, .row = (n + 1) / 2 * 2};
+    *by = (struct scheme){.n = n, .points = n + CHECKS};
     const struct thud_lobatto *rule = thud_lobatto_of(n);
     by->nodes = (struct thud_segment_nodes){.count = n,
                                             .point = by->point,
                                             .weight = n < NODES_MAX ? by->weight : NULL,
+                                            .lagrange = by->lagrange[0],
+                                            .apart = ROW,
                                             .at = x->at,
-                                            .points = by->points,
-                                            .row = by->row};
+                                            .points = by->points};
     for (int i = 1; i < last; i++) {
         by->point[i] = rule->node[i - 1];
         by->weight[i] = rule->weight[i - 1];
@@ -335,7 +343,7 @@ static bool reserve(struct thud_collocation *x, int n)
     if (n <= x->capacity)
         return true;
     const size_t contacts = (size_t)n, unknowns = contacts * (NODES_MAX - 1), motions = contacts * POINTS_MAX,
-                 forces = contacts * (NODES_MAX + 1);
+                 forces = contacts * NODES_MAX + 1;
     struct thud_arena arena;
     if (!thud_arena_open(&arena, 2 * thud_arena_room(motions, sizeof *x->motion) +
                                      thud_arena_room(forces + unknowns + contacts, sizeof(double)) +
@@ -363,7 +371,7 @@ static bool reserve(struct thud_collocation *x, int n)
 static void set_starts(struct thud_collocation *x)
 {
     for (int a = 0; a < x->nactive; a++) {
-        double *force = x->force + a * x->by->row, at_start = 0;
+        double *force = x->force + a * x->by->n, at_start = 0;
         for (int k = 1; k < x->by->n; k++)
             at_start += x->by->back[k] * force[k];
         force[0] = x->begins[a].rough ? at_start : x->begins[a].force;
@@ -378,18 +386,16 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     for (int row = 0; row < all; row++) {
         const int a = row / each, i = row % each + 1;
         const bool sticks = thud_row_sticks(state, x->active[a]);
-        const thud_vec2 motion = x->motion[a * x->by->points + i] = motion_at(x, a, i, x->by->row);
+        const thud_vec2 motion = x->motion[a * x->by->points + i] = motion_at(x, a, i, n);
         double by_d = 0, by_v = -1;
         x->residual[row] =
             sticks ? motion[1]
-                   : x->force[a * x->by->row + i] - law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
+                   : x->force[a * x->by->n + i] - law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
         for (int column = 0; column < all; column++) {
             const int b = column / each, k = column % each + 1;
-            const double *r = x->response[a * x->nactive + b]->motion + 2 * i * x->by->row,
-                         back = x->begins[b].rough ? x->by->back[k] : 0;
-            x->matrix[column * all + row] = -by_d * (r[k] + back * r[0]) -
-                                            by_v * (r[x->by->row + k] + back * r[x->by->row]) +
-                                            (column == row && !sticks);
+            const thud_vec2 *r = x->response[a * x->nactive + b] + i * n,
+                            by = r[k] + (x->begins[b].rough ? x->by->back[k] : 0) * r[0];
+            x->matrix[column * all + row] = -by_d * by[0] - by_v * by[1] + (column == row && !sticks);
         }
     }
     state->work->force_evaluations += all;
@@ -399,14 +405,12 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
  * newest of the others (nonlinear Gauss-Seidel). Returns the largest change of a force, over the force scale. */
 static inline double sweep_nodes(const struct thud_state *state, struct thud_collocation *x, const int n)
 {
-    const int row = (n + 1) / 2 * 2;
     double most = 0;
     set_starts(x);
     for (int j = 1; j < n; j++)
         for (int a = 0; a < x->nactive; a++) {
-            double by_d, by_v, *force = &x->force[a * row + j];
-            const double *r = x->response[a * x->nactive + a]->motion + 2 * j * row + j;
-            const thud_vec2 own = thud_vec2_set(r[0], r[row]), motion = motion_at(x, a, j, row);
+            double by_d, by_v, *force = &x->force[a * n + j];
+            const thud_vec2 own = x->response[a * x->nactive + a][j * n + j], motion = motion_at(x, a, j, n);
             const double law = law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
             const double change = (law - *force) / (1 - by_d * own[0] - by_v * own[1]);
             *force += change;
@@ -459,7 +463,7 @@ static bool solve(const struct thud_state *state, struct thud_collocation *x, do
         for (int a = 0; a < x->nactive; a++) {
             double scale = force_scale(state, x, a);
             for (int i = 0; i < each; i++) {
-                x->force[a * x->by->row + i + 1] -= x->residual[a * each + i];
+                x->force[a * x->by->n + i + 1] -= x->residual[a * each + i];
                 change = thud_larger(change, fabs(x->residual[a * each + i]) / scale);
             }
         }
@@ -487,7 +491,7 @@ static void extrapolate(const struct thud_collocation *x, int c, double h, doubl
 static void begin_force(const struct thud_state *state, const struct thud_collocation *x, int a, double h)
 {
     const int c = x->active[a];
-    double *force = x->force + a * x->by->row;
+    double *force = x->force + a * x->by->n;
     const double now = x->begins[a].force, place = x->motion[a * x->by->points][0],
                  rate = x->motion[a * x->by->points][1];
     const bool deeper = is_approach(thud_row_contact(state, c));
@@ -543,7 +547,7 @@ static void guess(const struct thud_state *state, struct thud_collocation *x, do
     for (int a = 0; a < x->nactive; a++) {
         const int c = x->active[a];
         if (last->of[c].known && last->done_s + h <= farthest * last->h)
-            extrapolate(x, c, h, x->force + a * x->by->row);
+            extrapolate(x, c, h, x->force + a * x->by->n);
         else
             begin_force(state, x, a, h);
     }
@@ -555,7 +559,7 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
     for (int c = 0; c < x->nc; c++)
         x->step.of[c] = name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
-        const double *force = x->force + a * x->by->row;
+        const double *force = x->force + a * x->by->n;
         for (int p = 0; p < x->by->n; p += 2) {
             thud_vec2 sum = {0, 0};
             for (int k = 0; k < x->by->n; k++)

@@ -22,20 +22,22 @@
  *     level          h = h_top/2^level; the tables of a level are made when it is first needed
  *     x_p            motion from rest of a mode under the load s^p alone: level->load, one table for all rows where modes
  *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b)
- *     R_ab, R'_ab    thud_response.motion: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
+ *     R_ab, R'_ab    pair.motion: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
  *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
  *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1 */
 enum { LEVELS = 48 };
 
 struct level {
-    thud_vec2 *load;            /* (loads x n x nmodes x points) x_p and its rate */
-    struct thud_response *pair; /* (nrows x nrows) R_ab and R'_ab; NULL inside where not yet made */
+    thud_vec2 *load; /* (loads x n x nmodes x points) x_p and its rate */
+    struct pair {
+        thud_vec2 *motion; /* (points x n) R_ab and R'_ab; NULL: not yet made */
+        bool shared;       /* the memory is another's */
+    } * pair;              /* (nrows x nrows) */
 };
 
 struct thud_responses {
     const struct thud_model *model;
     int n, points, loads; /* nodes; points in all; tables in level->load */
-    int row;              /* entries of a row of R_ab: n, and a 0 where that is odd */
     double h_top;
     double lagrange[THUD_NODES_MAX * THUD_NODES_MAX], point[THUD_POINTS_MAX];
     struct level level[LEVELS];
@@ -52,12 +54,8 @@ enum thud_status thud_responses_create(const struct thud_model *m, int n, int po
     const size_t modes = (size_t)m->nmodes, size = modes * (size_t)points;
     struct thud_responses *x = *out = calloc(1, sizeof *x);
     if (x) {
-        *x = (struct thud_responses){.model = m,
-                                     .n = n,
-                                     .points = points,
-                                     .loads = m->couples ? m->nrows : 1,
-                                     .row = (n + 1) / 2 * 2,
-                                     .h_top = h_top};
+        *x = (struct thud_responses){
+            .model = m, .n = n, .points = points, .loads = m->couples ? m->nrows : 1, .h_top = h_top};
         memcpy(x->lagrange, lagrange, (size_t)(n * n) * sizeof *lagrange);
         memcpy(x->point, point, (size_t)points * sizeof *point);
         x->at_start = calloc(4 * modes + 1, sizeof *x->at_start);
@@ -146,16 +144,20 @@ static const thud_vec2 *table_of(const struct thud_responses *x, const struct le
 static inline void sum_at(const struct thud_model *m, int row, const double *weight, const thud_vec2 *modes,
                           thud_vec2 *out, const int points)
 {
-    thud_vec2 sum[THUD_POINTS_MAX] = {0};
+    thud_vec2 sum[THUD_POINTS_MAX];
     int structure[2], structures = thud_model_row_structures(m, row, structure);
+    for (int i = 0; i < points; i++)
+        sum[i] = out[i];
     for (int k = 0; k < structures; k++) {
         const struct thud_model_structure *s = &m->structure[structure[k]];
-        for (int j = s->first_mode; j < s->first_mode + s->modes; j++)
+        const int end = s->first_mode + s->modes;
+        const thud_vec2 *mode = modes + s->first_mode * points;
+        for (int j = s->first_mode; j < end; j++, mode += points)
             for (int i = 0; i < points; i++)
-                sum[i] += weight[j] * modes[j * points + i];
+                sum[i] += weight[j] * mode[i];
     }
     for (int i = 0; i < points; i++)
-        out[i] += sum[i];
+        out[i] = sum[i];
 }
 
 static void sum_modes(const struct thud_responses *x, int row, const double *weight, const thud_vec2 *modes,
@@ -175,15 +177,15 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, int a
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
     const thud_vec2 *table = table_of(x, level, b);
-    double *motion = level->pair[a * m->nrows + b].motion = calloc((size_t)(2 * x->points * x->row), sizeof *motion);
+    thud_vec2 *motion = level->pair[a * m->nrows + b].motion = calloc((size_t)(x->points * x->n), sizeof *motion);
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
     for (int p = 0; p < x->n && motion; p++, table += x->points * m->nmodes) {
         thud_vec2 power[THUD_POINTS_MAX] = {0};
         sum_modes(x, a, x->rise, table, power);
-        for (int i = 0; i < 2 * x->points; i++)
+        for (int i = 0; i < x->points; i++)
             for (int k = 0; k < x->n; k++)
-                motion[i * x->row + k] += x->lagrange[p * x->n + k] * power[i / 2][i % 2];
+                motion[i * x->n + k] += x->lagrange[p * x->n + k] * power[i];
     }
     return motion != NULL;
 }
@@ -191,24 +193,24 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, int a
 /* R_ab = R_ba, as stiffness and damping are symmetric (Betti and Maxwell). */
 static bool mirror_pair(const struct thud_responses *x, const struct level *level, int a, int b)
 {
-    const struct thud_response *other = &level->pair[b * x->model->nrows + a];
+    const struct pair *other = &level->pair[b * x->model->nrows + a];
     if (!other->motion)
         return false;
-    level->pair[a * x->model->nrows + b] = (struct thud_response){other->motion, true};
+    level->pair[a * x->model->nrows + b] = (struct pair){other->motion, true};
     return true;
 }
 
-enum thud_status thud_responses_make(struct thud_responses *x, int at, const int *contact, int n,
-                                     const struct thud_response **out, struct thud_error *err)
+enum thud_status thud_responses_make(struct thud_responses *x, int at, const int *contact, int n, const thud_vec2 **out,
+                                     struct thud_error *err)
 {
     struct level *level = &x->level[at];
     bool made = level->pair || fill_level(x, level, ldexp(x->h_top, -at));
     for (int a = 0; a < n && made; a++) {
-        const struct thud_response *row = level->pair + contact[a] * x->model->nrows;
-        for (int b = 0; b < n && made; b++, out++) {
-            *out = row + contact[b];
-            made = (*out)->motion || mirror_pair(x, level, contact[a], contact[b]) ||
+        const struct pair *row = level->pair + contact[a] * x->model->nrows;
+        for (int b = 0; b < n && made; b++) {
+            made = row[contact[b]].motion || mirror_pair(x, level, contact[a], contact[b]) ||
                    fill_pair(x, level, contact[a], contact[b]);
+            *out++ = row[contact[b]].motion;
         }
     }
     return made ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -236,12 +238,13 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
 /* r0 x_0 + rise x_1 of all modes, by the loads of row c, into x->unforced. */
 static void move_modes(struct thud_responses *x, const struct level *level, int c)
 {
-    const int points = x->points, size = points * x->model->nmodes;
-    const thud_vec2 *table = table_of(x, level, c);
-    for (int j = 0; j < x->model->nmodes; j++) {
+    const int points = x->points, n = x->model->nmodes;
+    const thud_vec2 *table = table_of(x, level, c), *rising = table + n * points;
+    thud_vec2 *restrict out = x->unforced;
+    for (int j = 0; j < n; j++) {
         const double start = x->at_start[j], rise = x->rise[j];
-        for (int i = j * points; i < (j + 1) * points; i++)
-            x->unforced[i] = start * table[i] + rise * table[size + i];
+        for (int i = 0; i < points; i++)
+            *out++ = start * *table++ + rise * *rising++;
     }
 }
 

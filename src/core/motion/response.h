@@ -10,13 +10,6 @@ struct thud_responses;
 /* Points of a step: n nodes, at which its forces are given, the first at its start, and others behind them. */
 enum { THUD_NODES_MAX = 7, THUD_POINTS_MAX = THUD_NODES_MAX + 2 };
 
-/* To the force at each node of another contact, or of the contact itself: (points x 2 x n, an even number), of the
- * indentation and of its rate. */
-struct thud_response {
-    double *motion;
-    bool shared; /* the memory is another's */
-};
-
 /* point (points); lagrange (n x n): coefficients of the polynomials through the nodes. Steps: h_top / 2^level. Errors:
  * THUD_MEMORY. */
 enum thud_status thud_responses_create(const struct thud_model *model, int n, int points, const double *point,
@@ -24,10 +17,10 @@ enum thud_status thud_responses_create(const struct thud_model *model, int n, in
                                        struct thud_error *err);
 void thud_responses_free(struct thud_responses *responses);
 
-/* Makes the responses of these contacts to each other at this step size: out (n x n), of one to the force of the other.
- * Errors: THUD_MEMORY. */
+/* Makes the responses of these contacts to each other at this step size: out (n x n), of one to the force of the other at
+ * each node (points x nodes). Errors: THUD_MEMORY. */
 enum thud_status thud_responses_make(struct thud_responses *responses, int level, const int *contact, int n,
-                                     const struct thud_response **out, struct thud_error *err);
+                                     const thud_vec2 **out, struct thud_error *err);
 
 /* Motions of these contacts at the points of a step from the state on, if no contact force acted and the ground went on as
  * it does now: out (n x points), of which start has those at its start. Only once responses of the level are made. */

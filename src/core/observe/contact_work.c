@@ -1,18 +1,37 @@
 #include "core/observe/contact_work.h"
 
+#include "core/numerics/poly.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 
-/* Work of a whole collocated step, by its nodes, where its force is the law's. */
-static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, double *impulse)
+/* Of a collocated step up to s: how force and rate at places s times as far as its nodes follow from those at the nodes,
+ * (count x count); of a whole step not asked. */
+struct places {
+    double by[THUD_LOBATTO_INNER + 2][THUD_LOBATTO_INNER + 2];
+};
+
+static void place_nodes(const struct thud_segment_nodes *nodes, double s, struct places *out)
+{
+    for (int i = 0; i < nodes->count; i++)
+        for (int k = 0; k < nodes->count; k++)
+            out->by[i][k] = thud_poly_value(nodes->lagrange + k * nodes->apart, nodes->count, s * nodes->point[i]);
+}
+
+/* Work of a collocated step by its nodes, where its force is the law's. */
+static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, const struct places *places, double *impulse)
 {
     const thud_vec2 *motion = nodes->motion + nodes->at[c] * nodes->points;
-    const double *force = nodes->force + nodes->at[c] * nodes->row;
+    const double *force = nodes->force + nodes->at[c] * nodes->count;
     double work = 0;
     for (int i = 0; i < nodes->count; i++) {
-        const double part = force[i] * nodes->weight[i];
-        work += part * motion[i][1];
-        *impulse += part;
+        thud_vec2 at = {force[i], motion[i][1]};
+        if (places) {
+            at = thud_vec2_set(0, 0);
+            for (int k = 0; k < nodes->count; k++)
+                at += places->by[i][k] * thud_vec2_set(force[k], motion[k][1]);
+        }
+        work += nodes->weight[i] * at[0] * at[1];
+        *impulse += nodes->weight[i] * at[0];
     }
     return work;
 }
@@ -53,7 +72,7 @@ static double force_work(const struct thud_observation *o, int c, const struct p
 /* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
  * that was applied, and of what the law's differs from it by; that is of the size of the tolerance, and laws are dear: two
  * points are enough. */
-static double contact_work(const struct thud_observation *o, int c, double *impulse)
+static double contact_work(const struct thud_observation *o, int c, const struct places *places, double *impulse)
 {
     static const double node[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
     static const struct points all = {THUD_QUADRATURE_POINTS, thud_quadrature_node, thud_quadrature_weight},
@@ -61,12 +80,8 @@ static double contact_work(const struct thud_observation *o, int c, double *impu
     const struct thud_segment *seg = o->seg;
     const bool asks = o->state->contact[c].mode != THUD_STICKING && o->state->locates;
     const int orders = asks && seg->loaded < seg->terms ? seg->loaded : seg->terms;
-    if (seg->nodes && seg->nodes->weight && o->s == 1)
-        return work_at_nodes(seg->nodes, c, impulse);
-    if (seg->nodes && seg->nodes->weight && asks) {
-        const struct points nodes = {seg->nodes->row, seg->nodes->point, seg->nodes->weight};
-        return force_work(o, c, &nodes, 0, 0, true, impulse);
-    }
+    if (seg->nodes && seg->nodes->weight)
+        return work_at_nodes(seg->nodes, c, o->s == 1 ? NULL : places, impulse);
     if (asks && seg->interpolates)
         return force_work(o, c, &all, 0, 0, true, impulse);
     const double work = force_work(o, c, &all, 1, orders, false, impulse);
@@ -93,12 +108,15 @@ int thud_contact_works(const struct thud_observation *o, struct thud_contact_wor
 {
     int n = 0;
     double dt = o->s * o->seg->h_s;
+    struct places places;
     if (o->seg->end)
         return end_works(o, out);
+    if (o->seg->nodes && o->s != 1)
+        place_nodes(o->seg->nodes, o->s, &places);
     for (int c = 0; c < o->state->model->ncontacts; c++) {
         if (!thud_segment_has_force(o->state, o->seg, c))
             continue;
-        double impulse = 0, work = contact_work(o, c, &impulse);
+        double impulse = 0, work = contact_work(o, c, &places, &impulse);
         out[n++] = (struct thud_contact_work){c, work * dt, impulse * dt};
     }
     return n;
