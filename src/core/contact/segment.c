@@ -234,18 +234,13 @@ static void push_rows(const struct thud_model *m, const struct thud_segment *seg
     }
 }
 
-/* The part of damping that couples modes in q2 = by_q1 D q1. */
+/* The part of damping that couples modes in q2 = by_q1 D q1; D is symmetric. */
 static void couple_modes(const struct thud_model *m, const struct slice *of, double by_q1, const double *q1, double *q2)
 {
     for (int s = of->system; s < of->system + of->systems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
-        for (int i = 0; p->damping && i < p->modes; i += 4) {
-            const int some = p->modes - i < 4 ? p->modes - i : 4;
-            double by_rate[4];
-            thud_dots(p->modes, q1 + p->first_mode, p->damping + i * p->modes, p->modes, some, by_rate);
-            for (int k = 0; k < some; k++)
-                q2[p->first_mode + i + k] += by_q1 * by_rate[k];
-        }
+        if (p->damping)
+            thud_add_rows(p->modes, p->modes, by_q1, q1 + p->first_mode, p->damping, q2 + p->first_mode);
     }
 }
 

@@ -217,7 +217,9 @@ enum thud_status thud_coupled_motion_init(struct thud_coupled_motion *motion, co
     add_forms(motion, &part, m, p);
     for (int i = 0; i < doublings; i++)
         double_part(motion, &part);
-    memcpy(motion->step, part.flow, 2 * (size_t)motion->n * (size_t)motion->size * sizeof(double));
+    for (int i = 0; i < 2 * motion->n; i++)
+        for (int j = 0; j < motion->size; j++)
+            motion->step[j * 2 * motion->n + i] = part.flow[i * motion->size + j];
     memset(motion->now, 0, 2 * (size_t)motion->size * sizeof(double));
     add_product(floors_of(m, p), p->modes, p->modes, 1, p->phi, false, p->damping, motion->by_floor);
     finish_forms(motion);
@@ -235,15 +237,16 @@ void thud_coupled_motion_clear(struct thud_coupled_motion *motion)
 
 void thud_coupled_motion_shift(struct thud_coupled_motion *c, const double *s)
 {
-    for (int i = 0; i < 2 * c->n; i++)
-        c->shift[i] = (i < c->n ? s[i] : 0) - thud_dot(c->n, c->step + i * c->size, s);
+    memset(c->shift, 0, 2 * (size_t)c->n * sizeof *c->shift);
+    memcpy(c->shift, s, (size_t)c->n * sizeof *s);
+    thud_add_rows(2 * c->n, c->n, -1, s, c->step, c->shift);
 }
 
 void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, double *qd, int apart, const double *ground,
                                  const double *after, int intervals)
 {
-    const int n = c->n, size = c->size;
-    double *now = c->now, *next = now + size;
+    const int n = c->n;
+    double *now = c->now, *next = now + c->size;
     c->summed = 0;
     for (int j = 0; j < n; j++) {
         now[j] = q[j * apart];
@@ -252,10 +255,11 @@ void thud_coupled_motion_advance(struct thud_coupled_motion *c, double *q, doubl
     for (int t = 0; t < intervals; t++) {
         now[2 * n] = ground[t];
         now[2 * n + 1] = after[t] - ground[t];
-        thud_dots(size, now, c->step, size, 2 * n, next);
+        memcpy(next, c->shift, 2 * (size_t)n * sizeof *next);
+        thud_add_rows(2 * n, c->size, 1, now, c->step, next);
         for (int j = 0; j < n; j++) {
-            q[j * apart + t + 1] = now[j] = next[j] + c->shift[j];
-            qd[j * apart + t + 1] = now[n + j] = next[n + j] + c->shift[n + j];
+            q[j * apart + t + 1] = now[j] = next[j];
+            qd[j * apart + t + 1] = now[n + j] = next[n + j];
         }
     }
 }

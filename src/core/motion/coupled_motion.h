@@ -19,7 +19,7 @@
 struct thud_coupled_motion {
     int n, size; /* modes, and of x: 2 n + 2 */
     int first_mode;
-    double *step;     /* (2 n x size) to q and q' an interval later */
+    double *step;     /* (size x 2 n) to q and q' an interval later, by each entry of x */
     double *loss;     /* ((1 + links) x size x size) upper part of L, and of x^T L_l x of links with a dashpot, by the
                          accelerations at both ends */
     double *input;    /* (size x size) upper part of W, as a form by the accelerations at both ends */

@@ -103,6 +103,34 @@ static inline void thud_dots(int n, const double *a, const double *b, int apart,
         out[k] = thud_dot(n, a, b);
 }
 
+/* Adds factor x[k] a_k, of rows that stand `apart`, to as many pairs of out. */
+static inline void thud_add_pairs(int apart, int count, double factor, const double *x, const double *a, double *out,
+                                  const int pairs)
+{
+    thud_vec2 sum[4] = {0};
+    for (int k = 0; k < count; k++, a += apart)
+        for (int i = 0; i < pairs; i++)
+            sum[i] += x[k] * thud_vec2_at(a + 2 * i);
+    for (int i = 0; i < pairs; i++)
+        thud_vec2_put(thud_vec2_at(out + 2 * i) + factor * sum[i], out + 2 * i);
+}
+
+/* The same of whole rows (n) that stand one after the other. */
+static inline void thud_add_rows(int n, int count, double factor, const double *x, const double *a, double *out)
+{
+    int i = 0;
+    for (; i + 8 <= n; i += 8)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 4);
+    if (i + 6 <= n)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 3);
+    else if (i + 4 <= n)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 2);
+    else if (i + 2 <= n)
+        thud_add_pairs(n, count, factor, x, a + i, out + i, 1);
+    for (int k = 0; k < count && n % 2; k++)
+        out[n - 1] += factor * x[k] * a[k * n + n - 1];
+}
+
 /* Sum of w q^2 + v^2: twice the energy of n modes with w = omega^2. */
 static inline double thud_energy_sum(int n, const double *w, const double *q, const double *v)
 {

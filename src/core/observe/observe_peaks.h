@@ -49,6 +49,9 @@ struct thud_peaks {
     double *block;
 };
 
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+double thud_peak_cubic(double x0, double x1, double r0, double r1);
+
 extern const struct thud_observer thud_observe_peaks;
 
 /* Errors: THUD_MEMORY; nothing stays allocated then. */

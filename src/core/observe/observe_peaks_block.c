@@ -52,8 +52,7 @@ static void bound_floors(const struct thud_peaks *peaks, const struct thud_model
     }
 }
 
-/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
-static double cubic_peak(double x0, double x1, double r0, double r1)
+double thud_peak_cubic(double x0, double x1, double r0, double r1)
 {
     double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
     double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
@@ -112,7 +111,7 @@ static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f,
         const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
         rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
         rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
-        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
+        double cubic = thud_peak_cubic(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
         upper[t] = (cubic + margin) * (1 + THUD_TOL_PEAK_BOUND);
         limit = thud_larger(limit, (cubic - margin) * (1 - THUD_TOL_PEAK_BOUND));
     }

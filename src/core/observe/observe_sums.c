@@ -9,6 +9,7 @@
 #include "core/numerics/quadrature.h"
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
+#include "core/observe/observe_peaks.h"
 #include "core/observe/rest.h"
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
@@ -98,6 +99,19 @@ static bool slips(const struct thud_state *state, const struct thud_sum *sum)
     return sum->limit < INFINITY && state->storey[sum->force->row - state->model->ncontacts].direction != 0;
 }
 
+/* Whether the sum may pass its peak in a segment whose events have been looked for, by the bounds of its modes. */
+static bool may_pass(const struct thud_observation *o, const struct thud_sum *sum)
+{
+    const struct thud_model_structure *p = &o->state->model->structure[sum->structure];
+    const double *bound = o->seg->notes->bound + p->first_mode;
+    double most = fabs(thud_dot(p->modes, sum->row, o->state->q + p->first_mode));
+    if (!o->state->locates || sum->rate || sum->forces > 0)
+        return true;
+    for (int j = 0; j < p->modes; j++)
+        most += fabs(sum->row[j]) * bound[j];
+    return !(fabs(sum->by_row) * most <= sum->peak->value);
+}
+
 static enum thud_status segment(void *own, const struct thud_observation *o, struct thud_error *err)
 {
     const struct thud_sums *sums = own;
@@ -107,11 +121,22 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
         const struct thud_sum *sum = &sums->sum[i];
         if (slips(o->state, sum) && sum->peak->value < sum->limit)
             *sum->peak = (struct thud_peak){sum->limit, o->seg->start_s};
-        look(o->state, o->seg, sum, o->s, &kept);
+        if (may_pass(o, sum))
+            look(o->state, o->seg, sum, o->s, &kept);
         if (sum->lost_j)
             *sum->lost_j += loss(o->state->model, o, sum, &kept);
     }
     return THUD_OK;
+}
+
+/* Rate of a sum without rates at an end of the block's intervals. */
+static double rate_of(const struct thud_free_vibration *f, const struct thud_model_structure *p,
+                      const struct thud_sum *sum, int t)
+{
+    double rate = 0;
+    for (int j = 0; j < p->modes; j++)
+        rate += sum->row[j] * f->qd[(p->first_mode + j) * ENDS + t];
+    return sum->by_row * rate;
 }
 
 /* Largest size that the modes of the block can give the sum, without the forces of storeys, at the ends of its intervals;
@@ -161,9 +186,22 @@ static void sum_block(const struct thud_state *state, struct thud_free_vibration
     double most = values(f, &m->structure[sum->structure], sum, held, intervals + 1);
     if (most + margin <= sum->peak->value)
         return;
-    double limit = fmax(sum->peak->value, most) - margin;
+    double limit = fmax(sum->peak->value, most) - margin, upper[THUD_FREE_VIBRATION_BLOCK];
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    const double square = f->dt_s * f->dt_s,
+                 fourth =
+                     sum->rate ? 0 : fabs(sum->by_row) * thud_free_vibration_bend(f, m, sum->structure, sum->row, 4);
+    for (int t = 0; t < intervals; t++) { /* as peaks of floors: observe_peaks_block.c */
+        upper[t] = thud_larger(fabs(f->gap[t]), fabs(f->gap[t + 1]));
+        if (upper[t] < limit || sum->rate)
+            continue;
+        const double cubic = thud_peak_cubic(f->gap[t], f->gap[t + 1], f->dt_s * rate_of(f, p, sum, t),
+                                             f->dt_s * rate_of(f, p, sum, t + 1));
+        upper[t] = (cubic + square * square / 384 * fourth) * (1 + THUD_TOL_PEAK_BOUND) - margin;
+        limit = thud_larger(limit, (cubic - square * square / 384 * fourth) * (1 - THUD_TOL_PEAK_BOUND) - margin);
+    }
     for (int t = 0; t < intervals; t++)
-        for (int piece = 0; piece < f->pieces && fmax(fabs(f->gap[t]), fabs(f->gap[t + 1])) >= limit; piece++)
+        for (int piece = 0; piece < f->pieces && upper[t] >= limit && upper[t] + margin > sum->peak->value; piece++)
             look(state, thud_free_vibration_series(f, state, sum->structure, t, piece), sum, 1,
                  &(struct reading){.row = NULL});
 }
