@@ -104,11 +104,11 @@ END_TEST
 /* A study of the screen to its end, and the lines of its files. */
 static void make_study(struct thud_sweep_data *data, unsigned shortcuts, char *text[THUD_SWEEP_CSVS])
 {
-    static const struct thud_study_words words = {.vary = {"bumper.thickness=1 cm,2 cm,3 cm", "gap=3 cm,6 cm,400 cm"},
-                                                  .cases = "none,bumper"};
+    static char vary[THUD_VARY_MAX][THUD_VARY_TEXT] = {"bumper.thickness=1 cm,2 cm,3 cm", "gap=3 cm,6 cm,400 cm"};
     static const char *const name[THUD_SWEEP_CSVS] = {"s.csv", "s-contacts.csv", "s-needed-gaps.csv"};
     struct thud_error err = {0};
-    ck_assert_int_eq(thud_sweep_data_prepare(data, &f.tui->doc, &words, &err), THUD_OK);
+    ck_assert_int_eq(thud_study_vary_keep(vary, &f.tui->doc.scene, &err), THUD_OK);
+    ck_assert_int_eq(thud_sweep_data_prepare(data, &f.tui->doc, &err), THUD_OK);
     data->plan.shortcuts = shortcuts;
     ck_assert_int_eq(thud_sweep_data_start(data, &err), THUD_OK);
     while (data->running)
@@ -448,7 +448,7 @@ START_TEST(motions_signs_and_events_are_kept)
 END_TEST
 
 /* Lists in brackets are taken, and stay so in the file. */
-START_TEST(lists_in_brackets_are_shown_without_them)
+START_TEST(lists_in_brackets_are_taken)
 {
     static char text[8192];
     snprintf(text, sizeof text,
@@ -458,10 +458,8 @@ START_TEST(lists_in_brackets_are_shown_without_them)
     fixture_write(&f, "listed.yaml", text);
     snprintf(text, sizeof text, ":open %s/listed.yaml<Enter><A-6>", f.folder);
     fixture_keys(&f, text);
-    struct thud_study_words words;
-    thud_study_words_of(&f.tui->doc.scene, &words);
-    ck_assert_str_eq(words.records, "pulse.csv, pulse.csv:peak=0.2 g");
-    ck_assert_str_eq(words.events, "worse, force:5 MN");
+    ck_assert_int_eq(thud_sweep_state(f.tui)->data.records.n, 2);
+    ck_assert_str_eq(thud_sweep_state(f.tui)->data.fragility.event[1].text, "force:5 MN");
     fixture_expect(&f, "4 of 4 points");
     fixture_keys(&f, ":signs both<Enter>w");
     fixture_expect(&f, "Saved");
@@ -568,16 +566,15 @@ END_TEST
 START_TEST(cases_keep_the_proposed_range)
 {
     struct thud_scene scene = f.tui->doc.scene;
-    struct thud_study_words words;
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
     memset(&scene.study, 0, sizeof scene.study);
     ck_assert_int_eq(thud_scene_set(&scene, "study.cases", "none", NULL), THUD_OK);
-    thud_study_words_of(&scene, &words);
-    ck_assert_str_eq(words.vary[0], "gap=5 cm:25 cm:1 cm");
-    ck_assert_str_eq(words.cases, "none");
+    thud_study_vary_texts(&scene, vary);
+    ck_assert_str_eq(vary[0], "gap=5 cm:25 cm:1 cm");
+    ck_assert_ptr_null(thud_study_proposed_cases(&scene));
     ck_assert_int_eq(thud_scene_set(&scene, "study.records", "motions.list", NULL), THUD_OK);
-    thud_study_words_of(&scene, &words);
-    ck_assert_str_eq(words.vary[0], "");
-    ck_assert_str_eq(words.cases, "none");
+    thud_study_vary_texts(&scene, vary);
+    ck_assert_str_eq(vary[0], "");
 }
 END_TEST
 
@@ -604,7 +601,7 @@ Suite *thud_suite(void)
     tcase_add_test(words, motions_signs_and_events_are_kept);
     tcase_add_test(words, a_suite_is_put_together_on_the_record_screen);
     tcase_add_test(words, a_fragility_fills_as_the_motions_come_in);
-    tcase_add_test(words, lists_in_brackets_are_shown_without_them);
+    tcase_add_test(words, lists_in_brackets_are_taken);
     tcase_add_test(words, a_structure_more_names_the_studys_interface);
     tcase_add_test(words, a_study_that_cannot_begin_says_why);
     tcase_add_test(words, unreadable_motions_are_skipped);

@@ -16,6 +16,7 @@ struct thud_sweep_axis {
     bool words;                  /* of choices, texts or lists, which no number says */
     double *value;               /* (n) SI; of words their places in the list, from 0 */
     char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
+    double range[3];             /* from, to, step, SI; NaN: the values were listed */
     double period_s;             /* of a spectral acceleration; NaN: the mean first period of each point's buildings */
 };
 

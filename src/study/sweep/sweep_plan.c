@@ -157,6 +157,7 @@ static enum thud_status list(struct thud_sweep_axis *axis, const char *text, str
             return refuse(err, axis->key, "a value is empty or too long", how);
         axis->n++;
     }
+    axis->range[0] = axis->range[1] = axis->range[2] = NAN;
     const char *unit = unit_of(axis->text[axis->n - 1]);
     for (int i = 0; i < axis->n; i++) {
         char *t = axis->text[i];
@@ -205,6 +206,8 @@ static enum thud_status range(struct thud_sweep_axis *axis, const char *text, st
     }
     if ((dimension[0] != dimension[1] || dimension[2] != dimension[1]) && check_parts(axis, part, err) != THUD_OK)
         return THUD_INPUT;
+    for (int i = 0; i < 3; i++)
+        axis->range[i] = number[i] * factor[i];
     double from = number[0] * factor[0] / factor[1], step = number[2] * factor[2] / factor[1];
     double count = floor((number[1] - from) / step + 1e-9) + 1;
     if (count > VALUES_MAX && step != 0)

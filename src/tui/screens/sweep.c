@@ -133,18 +133,17 @@ static long runs_of(const struct thud_sweep_data *data)
 static void begin(struct thud_tui *tui, bool by_itself);
 static const char skipped[] = ":unreadable=skip";
 
-/* The motions without those that cannot be read. */
+/* The motions without those that cannot be read; they may stand in brackets. */
 static void skip(struct thud_tui *tui, const char *records)
 {
     char text[THUD_VARY_TEXT] = "";
-    size_t n = 0;
-    for (const char *at = records; n < sizeof text; at += strcspn(at, ",") + 1) {
-        int length = (int)strcspn(at, ",");
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s%.*s%s", at > records ? "," : "", length, at, skipped);
-        if (!at[length])
-            break;
+    size_t used = 0;
+    for (const char *at = records + strspn(records, "["); *at && used < sizeof text; at += strspn(at, ",]")) {
+        const int length = (int)strcspn(at, ",]");
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%.*s%s", used ? "," : "", length, at, skipped);
+        at += length;
     }
-    if (n >= sizeof text) {
+    if (used >= sizeof text) {
         thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no room for that in the preset: a NAME.list names the others");
         return;
     }
@@ -173,9 +172,8 @@ static void begin(struct thud_tui *tui, bool by_itself)
         s->shown = NULL;
     }
     s->why[0] = '\0';
-    struct thud_study_words words;
-    thud_study_words_of(&tui->doc.scene, &words);
-    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &words, &err);
+    const char *records = tui->doc.scene.study.records;
+    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &err);
     /* two of the live cases have contacts, and the runs of a study share much: a tenth was measured on the towers */
     double expected_s = 0.2 * tui->run.plain_s * (double)runs_of(&s->data);
     if (status == THUD_OK && by_itself && expected_s > wait_s)
@@ -184,9 +182,9 @@ static void begin(struct thud_tui *tui, bool by_itself)
         status = thud_sweep_data_start(&s->data, &err);
     if (status != THUD_OK)
         thud_error_text(&err, s->why, sizeof s->why);
-    bool unread = status == THUD_INPUT && several(words.records) && !s->data.names && !strstr(words.records, skipped);
+    bool unread = status == THUD_INPUT && several(records) && !s->data.names && !strstr(records, skipped);
     if (unread && !by_itself)
-        thud_tui_ask(tui, &ask_skip, words.records,
+        thud_tui_ask(tui, &ask_skip, records,
                      "%.300s. Skip what cannot be read? (DIR:dt=0.01 s:unit=g in records says for all what is missing)",
                      s->why);
     else if (status != THUD_OK && !by_itself)

@@ -56,16 +56,11 @@ void thud_sweep_data_clear(struct thud_sweep_data *data)
     memset(data, 0, sizeof *data);
 }
 
-static enum thud_status read_records(struct thud_sweep_data *data, const struct thud_doc *doc,
-                                     const struct thud_study_words *words, struct thud_error *err)
+static enum thud_status read_records(struct thud_sweep_data *data, const struct thud_doc *doc, struct thud_error *err)
 {
-    bool both = strcmp(words->signs, "both") == 0;
-    enum thud_status status = THUD_OK;
+    const struct thud_study_choice *study = &doc->scene.study;
     clear_records(data);
-    if (*words->signs && !both)
-        status = thud_error_set(err, THUD_USAGE, "signs: \"%.20s\" is not understood; both, or nothing", words->signs);
-    else
-        status = thud_doc_motions(doc, words->records, both, &data->records, err);
+    enum thud_status status = thud_doc_motions(doc, study->records, study->both_signs, &data->records, err);
     int n = data->records.n > 0 ? data->records.n : 1;
     if (status == THUD_OK && !(data->names = calloc((size_t)n, sizeof *data->names)))
         status = thud_error_set(err, THUD_MEMORY, "no memory for the motions");
@@ -77,50 +72,33 @@ static enum thud_status read_records(struct thud_sweep_data *data, const struct 
     for (int i = 0; i < data->records.n; i++)
         data->names[i] = thud_path_name(data->records.record[i]->file);
     data->records_of = doc->scene.record;
-    memcpy(data->records_words, words->records, sizeof data->records_words);
-    memcpy(data->signs, words->signs, sizeof data->signs);
+    memcpy(data->records_words, study->records, sizeof data->records_words);
+    data->both_signs = study->both_signs;
     return status;
 }
 
 /* Folders are not looked into again at every edit; `r` does, by way of thud_sweep_data_clear. */
-static bool has_records(const struct thud_sweep_data *data, const struct thud_doc *doc,
-                        const struct thud_study_words *words)
+static bool has_records(const struct thud_sweep_data *data, const struct thud_doc *doc)
 {
-    return data->names && strcmp(data->records_words, words->records) == 0 && strcmp(data->signs, words->signs) == 0 &&
-           (*words->records || memcmp(&data->records_of, &doc->scene.record, sizeof data->records_of) == 0);
-}
-
-static enum thud_status make_plan(struct thud_sweep_data *data, const struct thud_scene *scene,
-                                  const struct thud_study_words *words, struct thud_error *err)
-{
-    enum thud_status status = thud_study_words_plan(words, scene, &data->plan, err);
-    if (status == THUD_OK && *words->sensitivity)
-        status = thud_scene_set(&data->plan.scene, "study.sensitivity", words->sensitivity, err);
-    data->plan.sensitivity = *words->sensitivity ? data->plan.scene.study.sensitivity : 0;
-    data->plan.nrecords = data->records.n;
-    data->plan.record = data->records.n ? (const struct thud_record *const *)data->records.record : NULL;
-    return status;
-}
-
-/* What is asked of every run. */
-static enum thud_status read_events(struct thud_sweep_data *data, const struct thud_study_words *words,
-                                    struct thud_error *err)
-{
-    data->fragility.samples = SAMPLES;
-    data->fragility.seed = 1;
-    return thud_events_parse(words->events, data->fragility.event, &data->fragility.nevents, err);
+    const struct thud_study_choice *study = &doc->scene.study;
+    return data->names && strcmp(data->records_words, study->records) == 0 && data->both_signs == study->both_signs &&
+           (*study->records || memcmp(&data->records_of, &doc->scene.record, sizeof data->records_of) == 0);
 }
 
 enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,
-                                         const struct thud_study_words *words, struct thud_error *err)
+                                         struct thud_error *err)
 {
     clear_points(data);
     thud_sweep_total_init(&data->total);
-    enum thud_status status = has_records(data, doc, words) ? THUD_OK : read_records(data, doc, words, err);
+    enum thud_status status = has_records(data, doc) ? THUD_OK : read_records(data, doc, err);
     if (status == THUD_OK)
-        status = make_plan(data, &doc->scene, words, err);
+        status = thud_study_plan(&doc->scene, &data->plan, err);
+    data->plan.nrecords = data->records.n;
+    data->plan.record = data->records.n ? (const struct thud_record *const *)data->records.record : NULL;
+    data->fragility.samples = SAMPLES;
+    data->fragility.seed = 1;
     if (status == THUD_OK)
-        status = read_events(data, words, err);
+        status = thud_events_parse(doc->scene.study.events, data->fragility.event, &data->fragility.nevents, err);
     if (status == THUD_OK && data->plan.nrecords > 1)
         status = thud_suite_create(&data->plan, &data->suite, err);
     data->fragility.suite = data->suite;

@@ -15,7 +15,8 @@ struct thud_sweep_data {
     struct thud_sweep_plan plan;
     struct thud_record_list records;
     struct thud_record_choice records_of; /* the scene's choice and the words the motions were read by */
-    char records_words[sizeof((struct thud_study_words *)0)->records], signs[16];
+    char records_words[sizeof((struct thud_study_choice *)0)->records];
+    bool both_signs;
     const char **names;               /* (records.n, at least 1) last parts of the motions' names */
     struct thud_sweep_work *work;     /* NULL: nothing is running */
     struct thud_sweep_collector rows; /* of what is done */
@@ -32,7 +33,7 @@ struct thud_sweep_data {
 /* Starts again: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY; there is no study then. */
 enum thud_status thud_sweep_data_prepare(struct thud_sweep_data *data, const struct thud_doc *doc,
-                                         const struct thud_study_words *words, struct thud_error *err);
+                                         struct thud_error *err);
 /* Starts the threads. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_data_start(struct thud_sweep_data *data, struct thud_error *err);
 /* Takes the points that are finished, waiting a few milliseconds for one; `running` goes false at the end. Errors end

@@ -18,20 +18,6 @@ static const char *name_of(int index)
     return index == 0 ? "vary" : "vary too";
 }
 
-/* Axes behind one that was emptied move up. */
-static void close_up(struct thud_study_words *words)
-{
-    for (int i = 0, n = 0; i < THUD_VARY_MAX; i++) {
-        if (!*words->vary[i])
-            continue;
-        if (i != n) {
-            memcpy(words->vary[n], words->vary[i], sizeof words->vary[n]);
-            words->vary[i][0] = '\0';
-        }
-        n++;
-    }
-}
-
 static void typed(struct thud_tui *tui, const char *text);
 static const struct thud_prompt prompt = {.done = typed};
 
@@ -39,15 +25,13 @@ static const struct thud_prompt prompt = {.done = typed};
 static void typed(struct thud_tui *tui, const char *text)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    struct thud_study_words words;
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
-    char what[200];
-    thud_study_words_of(&tui->doc.scene, &words);
-    snprintf(words.vary[s->typed], sizeof words.vary[s->typed], "%s", text);
-    close_up(&words);
+    char what[200], vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    thud_study_vary_texts(&tui->doc.scene, vary);
+    snprintf(vary[s->typed], sizeof vary[s->typed], "%s", text);
     snprintf(what, sizeof what, "study: %s %.120s", name_of(s->typed), *text ? text : "(none)");
-    enum thud_status status = thud_study_words_keep(&words, &next, &err);
+    enum thud_status status = thud_study_vary_keep(vary, &next, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
@@ -63,12 +47,12 @@ static void typed(struct thud_tui *tui, const char *text)
 
 void thud_sweep_offer(struct thud_tui *tui)
 {
-    struct thud_study_words words;
-    thud_study_words_of(&tui->doc.scene, &words);
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    thud_study_vary_texts(&tui->doc.scene, vary);
     for (int i = 0; i < THUD_VARY_MAX; i++) {
         char command[32];
         snprintf(command, sizeof command, "line %d", i);
-        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s", name_of(i), words.vary[i]);
+        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s", name_of(i), vary[i]);
     }
 }
 
@@ -157,26 +141,28 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
                                                  {"events", "study.events"},
                                                  {"spread", "study.sensitivity"}};
     enum { LABEL = 10 };
-    struct thud_study_words words;
+    const struct thud_study_choice *study = &tui->doc.scene.study;
+    const char *cases = thud_study_proposed_cases(&tui->doc.scene);
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
     int y = 0;
-    thud_study_words_of(&tui->doc.scene, &words);
-    for (int i = 0; i < THUD_VARY_MAX && (i < 2 || *words.vary[i - 1]); i++) {
+    thud_study_vary_texts(&tui->doc.scene, vary);
+    for (int i = 0; i < THUD_VARY_MAX && (i < 2 || *vary[i - 1]); i++) {
         char key[32], text[THUD_VARY_TEXT + 8];
         snprintf(key, sizeof key, "study %d", i);
-        snprintf(text, sizeof text, " %s", *words.vary[i] ? words.vary[i] : "-");
+        snprintf(text, sizeof text, " %.*s", THUD_VARY_TEXT, *vary[i] ? vary[i] : "-");
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), name_of(i));
         thud_field_line(tui, index, pane, y++, i, key, text);
     }
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         const char *key = field[i].key + strlen("study.");
-        if (!*words.records && (strcmp(key, "signs") == 0 || strcmp(key, "events") == 0) &&
-            !tui->doc.scene.study.both_signs && !*words.events)
+        if (!*study->records && (strcmp(key, "signs") == 0 || strcmp(key, "events") == 0) && !study->both_signs &&
+            !*study->events)
             continue;
         thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), field[i].label);
         thud_field_value(tui, index, pane, LABEL, y++, pane->w - LABEL - 1, field[i].key, true);
     }
-    if (tui->doc.scene.study.nvary == 0 && tui->doc.scene.study.ncases == 0)
-        thud_field_note(pane, y++, "by default, cases %s", words.cases);
+    if (cases)
+        thud_field_note(pane, y++, "by default, cases %s", cases);
     return draw_progress(tui, thud_sweep_state(tui), pane, y + 1);
 }
 
@@ -188,10 +174,10 @@ const char *thud_sweep_form_hint(const struct thud_field *field)
 
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
 {
-    struct thud_study_words words;
-    thud_study_words_of(&tui->doc.scene, &words);
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    thud_study_vary_texts(&tui->doc.scene, vary);
     thud_sweep_state(tui)->typed = field->index;
     snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", name_of(field->index));
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", thud_sweep_form_hint(field));
-    thud_tui_prompt(tui, &prompt, words.vary[field->index]);
+    thud_tui_prompt(tui, &prompt, vary[field->index]);
 }

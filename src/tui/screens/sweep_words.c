@@ -1,176 +1,91 @@
 #include "tui/screens/sweep_words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FROM, TO, STEP, PARTS, VARY = PARTS, VALUES, KEYS, LIST = THUD_VARY_MAX * THUD_VARY_VALUES };
-
-/* A list of a preset without its brackets. */
-static void without_brackets(const char *from, char *to, size_t size)
-{
-    size_t n = strlen(from);
-    bool brackets = n > 1 && *from == '[' && from[n - 1] == ']';
-    snprintf(to, size, "%.*s", (int)(n - 2 * brackets), from + brackets);
-}
-
-void thud_study_words_of(const struct thud_scene *scene, struct thud_study_words *words)
+void thud_study_vary_texts(const struct thud_scene *scene, char text[THUD_VARY_MAX][THUD_VARY_TEXT])
 {
     const struct thud_study_choice *study = &scene->study;
-    memset(words->vary, 0, sizeof words->vary);
-    words->cases[0] = words->sensitivity[0] = '\0';
-    without_brackets(study->records, words->records, sizeof words->records);
-    without_brackets(study->events, words->events, sizeof words->events);
-    snprintf(words->signs, sizeof words->signs, "%s", study->both_signs ? "both" : "");
-    if (study->sensitivity > 0)
-        thud_quantity_format(study->sensitivity, "%", words->sensitivity, sizeof words->sensitivity);
+    memset(text, 0, THUD_VARY_MAX * sizeof *text);
     for (int i = 0; i < study->nvary; i++)
-        thud_study_vary_text(scene, i, words->vary[i], sizeof words->vary[i]);
-    for (int i = 0; i < study->ncases; i++) {
-        size_t n = strlen(words->cases);
-        snprintf(words->cases + n, sizeof words->cases - n, "%s%s", i ? "," : "", thud_case_name(study->cases[i]));
-    }
-    if (study->nvary > 0)
-        return;
-    if (study->ncases == 0 || !*study->records) /* cases over ground motions are a study without a range */
-        snprintf(words->vary[0], sizeof words->vary[0], "%s=5 cm:25 cm:1 cm",
-                 scene->nstructures > 2 ? "interfaces.1.gap" : "gap");
-    if (study->ncases == 0)
-        snprintf(words->cases, sizeof words->cases, "%s", thud_scene_has_bumper(scene) ? "none,bumper" : "none");
+        thud_study_vary_text(scene, i, text[i], sizeof text[i]);
+    if (study->nvary == 0 && (study->ncases == 0 || !*study->records))
+        snprintf(text[0], sizeof text[0], "%s=5 cm:25 cm:1 cm", scene->nstructures > 2 ? "interfaces.1.gap" : "gap");
 }
 
-/* Appends an item to a list in brackets. */
-static void add_item(char *list, size_t size, const char *item, int length)
+const char *thud_study_proposed_cases(const struct thud_scene *scene)
 {
-    size_t n = strlen(list);
-    snprintf(list + n, size - n, "%s%.*s", n ? ", " : "[", length, item);
+    if (scene->study.nvary > 0 || scene->study.ncases > 0)
+        return NULL;
+    return thud_scene_has_bumper(scene) ? "none,bumper" : "none";
 }
 
-/* "KEY=FROM:TO:STEP" into four lists; a part without a unit takes that of the last one, as on the command line. */
-static void split(const char *vary, char list[KEYS][LIST])
-{
-    char part[PARTS][64] = {"", "", ""};
-    const char *at = strchr(vary, '=') + 1, *end;
-    double number;
-    for (int i = 0; i < PARTS; i++) {
-        at += strspn(at, " ");
-        size_t n = strcspn(at, ":");
-        snprintf(part[i], sizeof part[i], "%.*s", (int)n, at);
-        at += n + (at[n] == ':');
-    }
-    const char *unit = thud_number_parse(part[STEP], &end, &number) == 0 ? end : "";
-    for (int i = 0; i < PARTS; i++) {
-        if (thud_number_parse(part[i], &end, &number) == 0 && !end[strspn(end, " ")] && *unit) {
-            char whole[160];
-            snprintf(whole, sizeof whole, "%.*s %s", (int)(end - part[i]), part[i], unit + strspn(unit, " "));
-            add_item(list[i], sizeof list[i], whole, (int)strlen(whole));
-        } else {
-            add_item(list[i], sizeof list[i], part[i], (int)strlen(part[i]));
-        }
-    }
-}
-
-enum thud_status thud_study_words_plan(const struct thud_study_words *words, const struct thud_scene *scene,
-                                       struct thud_sweep_plan *plan, struct thud_error *err)
+static enum thud_status plan_of(const struct thud_scene *scene, char text[THUD_VARY_MAX][THUD_VARY_TEXT],
+                                struct thud_sweep_plan *plan, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     thud_sweep_plan_init(plan, scene);
     for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++)
-        if (*words->vary[i])
-            status = thud_sweep_vary(plan, words->vary[i], err);
-    if (status == THUD_OK && *words->cases)
-        status = thud_sweep_cases(plan, words->cases, err);
+        if (*text[i])
+            status = thud_sweep_vary(plan, text[i], err);
     return status;
 }
 
-/* The values of a key with their units, as a list in brackets; false when it is longer than a preset has room for. */
-static bool list_values(const struct thud_sweep_plan *plan, const char *key, size_t length, char *list, size_t size)
+enum thud_status thud_study_plan(const struct thud_scene *scene, struct thud_sweep_plan *plan, struct thud_error *err)
 {
-    char values[THUD_VARY_VALUES] = "";
-    for (int i = 0; i < plan->naxes; i++) {
-        const struct thud_sweep_axis *axis = &plan->axis[i];
-        if (strncmp(axis->key, key, length) != 0 || axis->key[length])
-            continue;
-        for (int v = 0; v < axis->n; v++) {
-            if (strlen(values) + strlen(axis->text[v]) + 4 > sizeof values)
-                return false;
-            add_item(values, sizeof values, axis->text[v], (int)strlen(axis->text[v]));
-        }
-    }
-    size_t n = strlen(values);
-    if (n == 0)
-        return false;
-    memcpy(values + n, "]", 2);
-    add_item(list, size, values, (int)strlen(values));
-    return true;
+    char text[THUD_VARY_MAX][THUD_VARY_TEXT];
+    const char *cases = thud_study_proposed_cases(scene);
+    thud_study_vary_texts(scene, text);
+    enum thud_status status = plan_of(scene, text, plan, err);
+    if (status == THUD_OK)
+        status = thud_sweep_study(plan, false, true, err);
+    return status == THUD_OK && cases ? thud_sweep_cases(plan, cases, err) : status;
 }
 
-/* The words as lists for the keys of the preset's study; false when a preset has no room for them. */
-static bool write_lists(const struct thud_study_words *words, const struct thud_sweep_plan *plan, char list[KEYS][LIST])
+/* False where a preset has no room for so many values. */
+static bool keep_axis(const struct thud_sweep_axis *axis, bool ranges, struct thud_vary *vary)
 {
-    bool ranges = true, room = true;
-    for (int i = 0; i < THUD_VARY_MAX; i++)
-        ranges = ranges && (!*words->vary[i] || strchr(words->vary[i], ':'));
-    for (int i = 0; i < THUD_VARY_MAX; i++) {
-        const char *vary = words->vary[i];
-        if (!*vary)
-            continue;
-        size_t length = strcspn(vary, "=");
-        add_item(list[VARY], LIST, vary, (int)length);
-        if (ranges)
-            split(vary, list);
-        else
-            room = room && list_values(plan, vary, length, list[VALUES], LIST);
-    }
-    for (int k = 0; k < KEYS; k++) {
-        size_t n = strlen(list[k]);
-        if (k == VALUES && n > 0 && plan->naxes == 1)
-            memmove(list[k], list[k] + 1, n); /* one key has a list, several a list of lists */
-        else if (n > 0 && n + 1 < LIST)
-            memcpy(list[k] + n, "]", 2);
-    }
-    return room;
+    size_t n = 0;
+    memset(vary, 0, sizeof *vary);
+    snprintf(vary->key, sizeof vary->key, "%s", axis->key);
+    vary->from = ranges ? axis->range[0] : NAN;
+    vary->to = ranges ? axis->range[1] : NAN;
+    vary->step = ranges ? axis->range[2] : NAN;
+    for (int i = 0; i < axis->n && !ranges && n < sizeof vary->values; i++)
+        n += (size_t)snprintf(vary->values + n, sizeof vary->values - n, "%s%s", i ? ", " : "", axis->text[i]);
+    return n < sizeof vary->values;
 }
 
-static enum thud_status set_study(struct thud_scene *scene, const struct thud_study_words *words, char list[KEYS][LIST],
-                                  struct thud_error *err)
+enum thud_status thud_study_vary_keep(char text[THUD_VARY_MAX][THUD_VARY_TEXT], struct thud_scene *scene,
+                                      struct thud_error *err)
 {
-    static const char *const key[KEYS] = {"study.from", "study.to", "study.step", "study.vary", "study.values"};
-    static const int order[KEYS] = {VARY, FROM, TO, STEP, VALUES}; /* the keys before their ranges */
-    char cases[128] = "";
-    enum thud_status status = THUD_OK;
-    if (*words->cases)
-        snprintf(cases, sizeof cases, "[%s]", words->cases);
-    scene->study.nvary = scene->study.ncases = 0;
-    memset(scene->study.vary, 0, sizeof scene->study.vary);
-    memset(scene->study.cases, 0, sizeof scene->study.cases);
-    for (int i = 0; i < KEYS && status == THUD_OK; i++)
-        if (*list[order[i]])
-            status = thud_scene_set(scene, key[order[i]], list[order[i]], err);
-    if (status == THUD_OK && *cases)
-        status = thud_scene_set(scene, "study.cases", cases, err);
-    return status;
-}
-
-enum thud_status thud_study_words_keep(const struct thud_study_words *words, struct thud_scene *scene,
-                                       struct thud_error *err)
-{
-    char list[KEYS][LIST] = {"", "", "", "", ""};
-    struct thud_scene *next = malloc(sizeof *next);
+    const char *cases = thud_study_proposed_cases(scene);
+    struct thud_study_choice study = scene->study;
     struct thud_sweep_plan *plan = malloc(sizeof *plan);
-    enum thud_status status = THUD_MEMORY;
-    if (next && plan) {
-        status = thud_study_words_plan(words, scene, plan, err);
-        *next = *scene;
-        if (status == THUD_OK && !write_lists(words, plan, list))
-            status = thud_error_set(err, THUD_USAGE, "a preset has no room for so many values: KEY=FROM:TO:STEP has");
-        thud_sweep_plan_clear(plan);
-    } else {
-        thud_error_set(err, THUD_MEMORY, "no memory for the study");
+    bool ranges = true, room = true;
+    if (!plan)
+        return thud_error_set(err, THUD_MEMORY, "no memory for the study");
+    enum thud_status status = plan_of(scene, text, plan, err);
+    if (status == THUD_OK && cases && (status = thud_sweep_cases(plan, cases, err)) == THUD_OK) {
+        study.ncases = plan->ncases;
+        memcpy(study.cases, plan->cases, sizeof study.cases);
     }
-    if (status == THUD_OK && (status = set_study(next, words, list, err)) == THUD_OK)
-        scene->study = next->study;
+    for (int i = 0; i < plan->naxes; i++)
+        ranges = ranges && !isnan(plan->axis[i].range[0]);
+    memset(study.vary, 0, sizeof study.vary);
+    study.nvary = 0;
+    for (int i = 0; i < THUD_VARY_MAX && status == THUD_OK; i++) /* in the order of the texts */
+        for (int a = 0; a < plan->naxes; a++)
+            if (strncmp(text[i], plan->axis[a].key, strcspn(text[i], "=")) == 0 &&
+                !plan->axis[a].key[strcspn(text[i], "=")])
+                room = keep_axis(&plan->axis[a], ranges, &study.vary[study.nvary++]) && room;
+    if (status == THUD_OK && !room)
+        status = thud_error_set(err, THUD_USAGE, "a preset has no room for so many values: KEY=FROM:TO:STEP has");
+    if (status == THUD_OK)
+        scene->study = study;
+    thud_sweep_plan_clear(plan);
     free(plan);
-    free(next);
     return status;
 }
