@@ -932,7 +932,7 @@ START_TEST(what_is_wrong_is_said)
     fixture_keys(&f, keys);
     fixture_expect(&f, "is not a number; give a length");
     fixture_keys(&f, ":storey add 9 9<Enter>");
-    fixture_expect(&f, "add|delete STRUCTURE FLOOR");
+    fixture_expect(&f, "storey add STRUCTURE FLOOR, counted from 1");
     fixture_keys(&f, "3<Home><Enter>");
     fixture_expect(&f, "Record: Enter on a ground motion");
     fixture_expect_not(&f, "--record");

@@ -76,6 +76,11 @@ double thud_live_progress(const struct thud_live *live); /* 0 to 1 */
 void thud_live_stop(struct thud_live *live);
 void thud_live_clear(struct thud_live *live);
 
+/* Returns the case of the scene as written; a scene with neither a bumper nor a link has the bare one alone. */
+static inline enum thud_live_which thud_live_written(const struct thud_live *live)
+{
+    return live->which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+}
 /* The motions of a case; NULL unless it is DONE and they were kept. */
 const struct thud_history *thud_live_motions(const struct thud_live *live, enum thud_live_which which);
 /* What a case found, NULL unless it is DONE. */

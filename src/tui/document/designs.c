@@ -12,8 +12,7 @@
 
 void thud_design_measure(const struct thud_scene *scene, const struct thud_live *live, struct thud_design_result *out)
 {
-    const enum thud_live_which written =
-        live->which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const enum thud_live_which written = thud_live_written(live);
     *out = (struct thud_design_result){.known = thud_live_result(live, written) != NULL};
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         out->force_n[i] = thud_live_force(live, written, i + 1, &out->impacts[i]);

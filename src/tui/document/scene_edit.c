@@ -7,8 +7,7 @@
 #include "base/ascii.h"
 #include "base/scan.h"
 #include "io/record/record_file.h"
-#include "study/scene/building.h"
-#include "study/scene/level.h"
+#include "study/scene/scene_edit.h"
 #include "tui/document/scene_edit.h"
 #include "tui/document/session_log.h"
 
@@ -237,156 +236,31 @@ void thud_tui_all_floors(struct thud_tui *tui)
     thud_tui_set(tui, key, text);
 }
 
-/* What ties neighbours no more goes with them. */
-static void drop_loose_links(struct thud_scene *scene)
-{
-    for (int i = scene->nlinks - 1; i >= 0; i--)
-        if (!thud_link_stands(scene, i))
-            thud_link_remove(scene, i);
-}
-
-/* The command follows that a log has for it. */
-THUD_PRINTF(4, 5)
-static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *fmt, ...)
+/* The words are the command that a log has for it. */
+static void change(struct thud_tui *tui, const struct thud_scene *next, const char *what, const char *words)
 {
     struct thud_error err;
-    char command[64];
-    va_list args;
-    va_start(args, fmt);
-    vsnprintf(command, sizeof command, fmt, args);
-    va_end(args);
     if (thud_doc_change(&tui->doc, next, what, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }
-    thud_tui_log(tui, "%s", command);
+    thud_tui_log(tui, "%s", words);
     thud_tui_say(tui, THUD_ROLE_PLAIN, "%s (u undoes)", what);
 }
 
-static void move_floors(struct thud_structure *structure, int to, int from, int n)
-{
-    for (int i = 0; i < THUD_STRUCTURE_LISTS; i++) {
-        double *list = thud_structure_list(structure, i);
-        memmove(list + to, list + from, (size_t)n * sizeof *list);
-    }
-}
-
-void thud_tui_add_storey(struct thud_tui *tui, int s, int floor)
+void thud_tui_edit_scene(struct thud_tui *tui, const char *fmt, ...)
 {
     struct thud_scene next = tui->doc.scene;
-    struct thud_structure *structure = &next.structure[s];
-    char what[160];
-    if (floor < 1 || floor > structure->storeys)
-        floor = structure->storeys;
-    move_floors(structure, floor, floor - 1, structure->storeys - floor + 1);
-    structure->storeys++;
-    thud_structure_fill_estimate(structure);
-    snprintf(what, sizeof what, "%s: storey added above floor %d, like it", structure->name, floor);
-    change(tui, &next, what, "storey add %d %d", s + 1, floor);
-}
-
-void thud_tui_delete_storey(struct thud_tui *tui, int s, int floor)
-{
-    struct thud_scene next = tui->doc.scene;
-    struct thud_structure *structure = &next.structure[s];
-    char what[160];
-    move_floors(structure, floor - 1, floor, structure->storeys - floor);
-    structure->storeys--;
-    drop_loose_links(&next);
-    /* what lies past the top is zero in every scene, so that equal scenes compare equal */
-    for (int i = 0; i < THUD_STRUCTURE_LISTS; i++)
-        thud_structure_list(structure, i)[structure->storeys] = 0.0;
-    thud_structure_fill_estimate(structure);
-    snprintf(what, sizeof what, "%s: storey %d deleted", structure->name, floor);
-    change(tui, &next, what, "storey delete %d %d", s + 1, floor);
-}
-
-/* The first letter no structure is called by. */
-static void new_name(const struct thud_scene *scene, char *name)
-{
-    for (int letter = 'A'; letter <= 'Z'; letter++) {
-        bool taken = false;
-        for (int i = 0; i < scene->nstructures; i++)
-            taken = taken || (scene->structure[i].name[0] == letter && scene->structure[i].name[1] == '\0');
-        if (taken)
-            continue;
-        memset(name, 0, THUD_NAME_MAX);
-        name[0] = (char)letter;
-        return;
-    }
-}
-
-/* With more than one interface, keys of the study that stood for the only one have to say so. True: some had to. */
-static bool rename_varied(struct thud_scene *scene)
-{
-    static const char only[] = "interfaces.1.";
-    bool renamed = false;
-    for (int i = 0; i < scene->study.nvary; i++) {
-        char *key = scene->study.vary[i].key, whole[THUD_VARY_KEY + sizeof only] = "";
-        int floor;
-        snprintf(whole, sizeof whole, "%s%s", only, key);
-        if (thud_scene_param(scene, key, &floor) || !thud_scene_param(scene, whole, &floor) ||
-            strlen(whole) >= THUD_VARY_KEY)
-            continue;
-        memcpy(key, whole, strlen(whole) + 1);
-        renamed = true;
-    }
-    return renamed;
-}
-
-void thud_tui_add_structure(struct thud_tui *tui, int s)
-{
-    struct thud_scene next = tui->doc.scene;
-    char name[THUD_NAME_MAX] = "", what[160];
-    int n = next.nstructures, from = s < n - 1 ? s : n - 2;
-    new_name(&next, name);
-    memmove(&next.structure[s + 1], &next.structure[s], (size_t)(n - s) * sizeof *next.structure);
-    if (from >= 0)
-        memmove(&next.interface[from + 1], &next.interface[from], (size_t)(n - 1 - from) * sizeof *next.interface);
-    memcpy(next.structure[s + 1].name, name, sizeof name);
-    next.nstructures++;
-    drop_loose_links(&next);
-    snprintf(what, sizeof what, "%s added to the right of %s, like it%s", name, next.structure[s].name,
-             rename_varied(&next) ? "; the study varies interfaces.1" : "");
-    change(tui, &next, what, "structure add %d", s + 1);
-}
-
-void thud_tui_remove_structure(struct thud_tui *tui, int s)
-{
-    struct thud_scene next = tui->doc.scene;
-    char what[160];
-    int n = next.nstructures, gone = s < n - 1 ? s : n - 2;
-    snprintf(what, sizeof what, "%s removed", next.structure[s].name);
-    memmove(&next.structure[s], &next.structure[s + 1], (size_t)(n - 1 - s) * sizeof *next.structure);
-    memmove(&next.interface[gone], &next.interface[gone + 1], (size_t)(n - 2 - gone) * sizeof *next.interface);
-    memset(&next.structure[n - 1], 0, sizeof *next.structure);
-    memset(&next.interface[n - 2], 0, sizeof *next.interface);
-    next.nstructures--;
-    drop_loose_links(&next);
-    change(tui, &next, what, "structure remove %d", s + 1);
-}
-
-void thud_tui_swap(struct thud_tui *tui, int s)
-{
-    struct thud_scene next = tui->doc.scene;
-    char what[160];
-    next.structure[s] = tui->doc.scene.structure[s + 1];
-    next.structure[s + 1] = tui->doc.scene.structure[s];
-    drop_loose_links(&next);
-    snprintf(what, sizeof what, "%s and %s swapped", next.structure[s + 1].name, next.structure[s].name);
-    change(tui, &next, what, "swap %d", s + 1);
-}
-
-void thud_tui_toggle_bumper(struct thud_tui *tui, int i)
-{
-    struct thud_scene next = tui->doc.scene;
-    struct thud_interface *interface = &next.interface[i];
-    interface->has_bumper = !interface->has_bumper;
-    if (interface->has_bumper && !interface->bumper.law) /* there has been none yet: the paper's */
-        thud_interface_add_bumper(interface);
-    char what[80];
-    snprintf(what, sizeof what, "bumper %s", interface->has_bumper ? "off -> on" : "on -> off");
-    change(tui, &next, what, "bumper %d", i + 1);
+    struct thud_error err;
+    char words[96], what[300];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(words, sizeof words, fmt, args);
+    va_end(args);
+    if (thud_scene_edit(&next, words, what, sizeof what, &err) != THUD_OK)
+        thud_tui_say_error(tui, &err);
+    else
+        change(tui, &next, what, words);
 }
 
 void thud_tui_keep_force(struct thud_tui *tui)
@@ -417,43 +291,4 @@ const char *thud_tui_cannot_change_interface(struct thud_tui *tui, enum thud_act
     if (action == THUD_DO_PREVIOUS_PAIR)
         return tui->interface > 0 ? NULL : "This is the first pair on the left";
     return NULL;
-}
-
-/* An end of a new link: the floor of a building, or a body or wall by its name. */
-static void name_end(const struct thud_structure *structure, int floor, char end[THUD_NAME_MAX + 8])
-{
-    char name[THUD_NAME_MAX];
-    memcpy(name, structure->name, sizeof name);
-    if (thud_structure_floors(structure) > 1)
-        snprintf(end, THUD_NAME_MAX + 8, "%s.%d", name, floor);
-    else
-        snprintf(end, THUD_NAME_MAX + 8, "%s", name);
-}
-
-void thud_tui_add_link(struct thud_tui *tui, int interface)
-{
-    struct thud_scene next = tui->doc.scene;
-    const struct thud_structure *left = &next.structure[interface], *right = left + 1;
-    int a = thud_structure_floors(left), b = thud_structure_floors(right);
-    if (next.nlinks == THUD_LINKS_MAX) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "There are %d links, and no more can be added", THUD_LINKS_MAX);
-        return;
-    }
-    struct thud_link *link = &next.link[next.nlinks++];
-    thud_link_init(link, THUD_LINK_DASHPOT);
-    link->damping_nspm = 1e6;
-    name_end(left, b > 1 && b < a ? b : a, link->from);
-    name_end(right, a > 1 && a < b ? a : b, link->to);
-    char what[256];
-    snprintf(what, sizeof what, "a dashpot ties %s and %s", link->from, link->to);
-    change(tui, &next, what, "link add %d", interface + 1);
-}
-
-void thud_tui_delete_link(struct thud_tui *tui, int link)
-{
-    struct thud_scene next = tui->doc.scene;
-    char what[256];
-    snprintf(what, sizeof what, "the link of %s and %s is gone", next.link[link].from, next.link[link].to);
-    thud_link_remove(&next, link);
-    change(tui, &next, what, "link remove %d", link + 1);
 }

@@ -130,43 +130,9 @@ static void run_log(struct thud_tui *tui, char *rest)
         thud_tui_show_log(tui);
 }
 
-static const struct command *find(const char *word);
-
-/* "storey add 1 3", "structure remove 2", "swap 1", "bumper 1", "link add 1", "link remove 2": structures, floors,
- * interfaces and links from 1. */
 static void edit_scene(struct thud_tui *tui, const char *word, char *rest)
 {
-    const struct thud_scene *scene = &tui->doc.scene;
-    int number[2] = {0, 0}, n = scene->nstructures;
-    bool add = strncmp(rest, "add ", 4) == 0,
-         other = strncmp(rest, "delete ", 7) == 0 || strncmp(rest, "remove ", 7) == 0;
-    const char *at = strcmp(word, "bumper") == 0 && !*rest ? "1" : rest + (add ? 4 : other ? 7 : 0);
-    if (thud_scan_count(&at, &number[0]) && *at == ' ') {
-        at++;
-        thud_scan_count(&at, &number[1]);
-    }
-    const struct thud_structure *s = number[0] >= 1 && number[0] <= n ? &scene->structure[number[0] - 1] : NULL;
-    bool storeys = s && thud_kind_is_building(s->kind);
-    if (strcmp(word, "storey") == 0 && storeys && add && s->storeys < THUD_STOREYS_MAX)
-        thud_tui_add_storey(tui, number[0] - 1, number[1]);
-    else if (strcmp(word, "storey") == 0 && storeys && other && number[1] >= 1 && number[1] <= s->storeys &&
-             s->storeys > 1)
-        thud_tui_delete_storey(tui, number[0] - 1, number[1]);
-    else if (strcmp(word, "structure") == 0 && s && add && n < THUD_STRUCTURES_MAX)
-        thud_tui_add_structure(tui, number[0] - 1);
-    else if (strcmp(word, "structure") == 0 && s && other && n > 2)
-        thud_tui_remove_structure(tui, number[0] - 1);
-    else if (strcmp(word, "swap") == 0 && s && number[0] < n)
-        thud_tui_swap(tui, number[0] - 1);
-    else if (strcmp(word, "bumper") == 0 && s && number[0] < n)
-        thud_tui_toggle_bumper(tui, number[0] - 1);
-    else if (strcmp(word, "link") == 0 && add && s && number[0] < n)
-        thud_tui_add_link(tui, number[0] - 1);
-    else if (strcmp(word, "link") == 0 && other && number[0] >= 1 && number[0] <= scene->nlinks)
-        thud_tui_delete_link(tui, number[0] - 1);
-    else
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s %.40s: %s; numbers from 1 that the scene has", word, rest,
-                     find(word)->usage);
+    thud_tui_edit_scene(tui, "%s%s%.60s", word, *rest ? " " : "", rest);
 }
 
 static void run_solve(struct thud_tui *tui, char *rest)

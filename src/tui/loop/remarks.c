@@ -6,15 +6,10 @@
 #include "tui/loop/loop.h"
 
 /* Of the case as written. */
-static enum thud_live_which as_written(const struct thud_tui *tui)
-{
-    return tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
-}
-
 static const struct thud_result *own_result(const struct thud_tui *tui)
 {
     bool current = !tui->run.live.running && tui->run.revision == tui->doc.revision;
-    return current ? thud_live_result(&tui->run.live, as_written(tui)) : NULL;
+    return current ? thud_live_result(&tui->run.live, thud_live_written(&tui->run.live)) : NULL;
 }
 
 /* None without a result. */
@@ -25,7 +20,7 @@ static struct thud_remarks find(const struct thud_tui *tui)
     scope.record = &record;
     scope.nrecords = record != NULL;
     if (scope.result)
-        scope.impact = thud_run_impacts(tui->run.live.which[as_written(tui)].run, &scope.nimpacts);
+        scope.impact = thud_run_impacts(tui->run.live.which[thud_live_written(&tui->run.live)].run, &scope.nimpacts);
     return thud_remarks_find(
         &scope, scope.result ? THUD_REMARK_RESULT | THUD_REMARK_MOTIONS | THUD_REMARK_COMPUTED | THUD_REMARK_SCENE : 0);
 }
@@ -67,7 +62,7 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     struct thud_remarks found = find(tui);
     const int n = found.n;
     snprintf(title, sizeof title, "%d remark%s, %s; Enter goes to the field", n, n == 1 ? "" : "s",
-             thud_live_name(thud_scene_measures(&tui->doc.scene), as_written(tui)));
+             thud_live_name(thud_scene_measures(&tui->doc.scene), thud_live_written(&tui->run.live)));
     thud_tui_choose(tui, thud_tui_go_to_field, title);
     for (int i = 0; i < n; i++) {
         const struct thud_error *said = &found.item[i].said;

@@ -308,11 +308,11 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
     else if (action == THUD_DO_QUANTITY)
         state(tui)->moves = !state(tui)->moves;
     else if (action == THUD_DO_TOGGLE_BUMPER)
-        thud_tui_toggle_bumper(tui, tui->interface);
+        thud_tui_edit_scene(tui, "bumper %d", tui->interface + 1);
     else if (action == THUD_DO_ADD_LINK)
-        thud_tui_add_link(tui, tui->interface);
+        thud_tui_edit_scene(tui, "link add %d", tui->interface + 1);
     else if (action == THUD_DO_DELETE_LINK)
-        thud_tui_delete_link(tui, link_here(tui));
+        thud_tui_edit_scene(tui, "link remove %d", link_here(tui) + 1);
     else
         return thud_tui_change_interface(tui, action) ? THUD_DONE : THUD_NOT_MINE;
     return THUD_DONE;

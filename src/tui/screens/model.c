@@ -577,19 +577,19 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
         thud_tui_all_floors(tui);
         return THUD_DONE;
     case THUD_DO_ADD_STOREY:
-        thud_tui_add_storey(tui, current(tui), current_floor(tui));
+        thud_tui_edit_scene(tui, "storey add %d %d", current(tui) + 1, current_floor(tui));
         return THUD_DONE;
     case THUD_DO_DELETE_STOREY:
-        thud_tui_delete_storey(tui, current(tui), current_floor(tui));
+        thud_tui_edit_scene(tui, "storey delete %d %d", current(tui) + 1, current_floor(tui));
         return THUD_DONE;
     case THUD_DO_ADD_STRUCTURE:
-        thud_tui_add_structure(tui, current(tui));
+        thud_tui_edit_scene(tui, "structure add %d", current(tui) + 1);
         return THUD_DONE;
     case THUD_DO_REMOVE_STRUCTURE:
-        thud_tui_remove_structure(tui, current(tui));
+        thud_tui_edit_scene(tui, "structure remove %d", current(tui) + 1);
         return THUD_DONE;
     case THUD_DO_SWAP:
-        thud_tui_swap(tui, tui->interface);
+        thud_tui_edit_scene(tui, "swap %d", tui->interface + 1);
         return THUD_DONE;
     default:
         return thud_tui_change_interface(tui, action) ? THUD_DONE : THUD_NOT_MINE;

@@ -9,7 +9,7 @@
 static const struct thud_run *shown_run(const struct thud_tui *tui, enum thud_live_which *which,
                                         const struct thud_model **model)
 {
-    *which = tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    *which = thud_live_written(&tui->run.live);
     const struct thud_live_case *c = &tui->run.live.which[*which];
     const bool old = thud_live_is_old(&tui->run.live, *which);
     const struct thud_run *run = old ? c->old : c->state == THUD_LIVE_DONE ? c->run : NULL;

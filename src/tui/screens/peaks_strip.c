@@ -81,8 +81,7 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
     const int *column_x = strip->column;
     thud_pane_put(pane, 1, y, thud_look(THUD_ROLE_PLAIN, 0), label);
     thud_pane_put(pane, column_x[0] - 6, y, thud_look(THUD_ROLE_MUTED, 0), unit);
-    enum thud_live_which last =
-        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const enum thud_live_which last = thud_live_written(&tui->run.live);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24], old[24], text[64];
         bool absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT,
@@ -152,8 +151,7 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     double value[THUD_LIVE_CASES];
     int y = 0, impacts[THUD_LIVE_CASES];
     const struct thud_live *compared = thud_tui_compared(tui);
-    enum thud_live_which last =
-        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const enum thud_live_which last = thud_live_written(&tui->run.live);
     int unused;
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->interface + s < tui->doc.scene.nstructures; s++, y++) {

@@ -270,7 +270,7 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
 {
     struct thud_plots_state *p = thud_plots(tui);
     if (action == THUD_DO_TOGGLE_BUMPER)
-        thud_tui_toggle_bumper(tui, tui->interface);
+        thud_tui_edit_scene(tui, "bumper %d", tui->interface + 1);
     if (action == THUD_DO_TOGGLE_BUMPER || place(tui) == THUD_AT_SIDE)
         return action == THUD_DO_TOGGLE_BUMPER ? THUD_DONE : THUD_NOT_MINE;
     if (thud_plots_act_on_time(tui, action))

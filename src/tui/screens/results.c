@@ -132,8 +132,7 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
 static void compared_quantity(struct thud_tui *tui, const struct thud_live *compared, const struct thud_pane *pane,
                               int x, int y, int s, int floor, enum thud_peak_kind kind, double factor)
 {
-    enum thud_live_which last =
-        tui->run.live.which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const enum thud_live_which last = thud_live_written(&tui->run.live);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
         double value = factor * thud_live_floor(compared, (enum thud_live_which)i, s, floor, kind);
@@ -163,8 +162,7 @@ static struct place *list_places(struct thud_tui *tui, enum thud_peak_kind kind,
 {
     const struct thud_scene *scene = &tui->doc.scene;
     const struct thud_live *live = &tui->run.live;
-    enum thud_live_which last =
-        live->which[THUD_LIVE_BUMPER].state == THUD_LIVE_ABSENT ? THUD_LIVE_NONE : THUD_LIVE_BUMPER;
+    const enum thud_live_which last = thud_live_written(live);
     int all = count_floors(scene);
     *n = 0;
     struct place *place = malloc((size_t)(all > 0 ? all : 1) * sizeof *place);

@@ -133,7 +133,7 @@ static long runs_of(const struct thud_sweep_data *data)
 static void begin(struct thud_tui *tui, bool by_itself);
 static const char skipped[] = ":unreadable=skip";
 
-/* The motions without those that cannot be read; they may stand in brackets. */
+/* The motions without those that cannot be read; brackets around the list are left out. */
 static void skip(struct thud_tui *tui, const char *records)
 {
     char text[THUD_VARY_TEXT] = "";
