@@ -297,6 +297,18 @@ bool thud_wall_gives(const struct thud_structure *structure);
 /* Usual values, each under its key, up to an empty key: a concrete wall that stands on its foot, 15 m long, 1.5 m high
  * and 0.5 m thick, and the soil of bridge abutments behind it, 20.3 MN/m and 326 kN per metre. */
 extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
+/* Usual bearings under so much mass, up to an empty key: 2.5 s beyond yielding or sliding, and 5 % of the weight to get
+ * there. */
+enum { THUD_USUAL_BEARINGS = 4 };
+struct thud_usual {
+    const char *key;
+    char value[32];
+};
+void thud_usual_bearings(enum thud_isolator_law law, double all_kg, struct thud_usual out[THUD_USUAL_BEARINGS]);
+/* Sets what belongs together with a value of a structure, before that value is set: the first value of a foundation, of a
+ * flexible wall or of the soil behind it, and another law of isolators, bring usual values for the rest; without its mass
+ * a foundation or a flexible wall has none of them. */
+void thud_usual_set(struct thud_scene *scene, const char *key, const char *text);
 bool thud_wall_has_backfill(const struct thud_structure *structure);
 double thud_wall_damping(const struct thud_structure *structure);
 /* Returns the weight (N) above storey i (from 0) of a building. */

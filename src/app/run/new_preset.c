@@ -155,20 +155,15 @@ static enum thud_status mean_mass(const struct thud_new_preset *preset, int side
     return THUD_OK;
 }
 
-/* Usual bearings: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there; the slab is as heavy as a floor. */
+/* The slab is as heavy as a floor. */
 static void bearings(const char *kind, double floor_kg, double storeys, struct thud_text *out)
 {
-    static const double period_s = 2.5, ratio = 0.05;
-    const double omega = 2 * THUD_PI / period_s, all = floor_kg * (storeys + 1);
+    struct thud_usual usual[THUD_USUAL_BEARINGS];
+    thud_usual_bearings(strcmp(kind, "pendulum") == 0 ? THUD_ISOLATOR_PENDULUM : THUD_ISOLATOR_LEAD_RUBBER,
+                        floor_kg * (storeys + 1), usual);
     thud_text_append(out, "    isolator: # a guess: usual bearings\n");
-    if (strcmp(kind, "pendulum") == 0)
-        thud_text_append(out, "      law: pendulum\n      radius: %.2f m\n      friction: 5 %%\n",
-                         THUD_GRAVITY / (omega * omega));
-    else
-        thud_text_append(out,
-                         "      law: lead-rubber\n      strength: %.4g kN\n      post-yield: %.4g MN/m\n"
-                         "      yield: 10 mm\n",
-                         1e-3 * ratio * all * THUD_GRAVITY, 1e-6 * all * omega * omega);
+    for (int i = 0; i < THUD_USUAL_BEARINGS && usual[i].key; i++)
+        thud_text_append(out, "      %s: %s\n", strchr(usual[i].key, '.') + 1, usual[i].value);
 }
 
 /* KEY: VALUE, and what is to be said of it. */

@@ -166,10 +166,6 @@ enum thud_status thud_kind_set(struct thud_structure *structure, enum thud_struc
     return THUD_OK;
 }
 
-const char *const thud_usual_wall[][2] = {{"mass", "27 t"}, {"stiffness", "40 MN/m"}, {"damping", "5 %"}, {NULL}};
-const char *const thud_usual_backfill[][2] = {
-    {"stiffness", "304.5 MN/m"}, {"strength", "4890 kN"}, {"ratio", "0.7"}, {NULL}};
-
 bool thud_wall_gives(const struct thud_structure *structure)
 {
     return structure->kind == THUD_WALL && isfinite(structure->wall_mass_kg);

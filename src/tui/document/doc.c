@@ -190,92 +190,6 @@ enum thud_status thud_doc_change(struct thud_doc *doc, const struct thud_scene *
     return THUD_OK;
 }
 
-/* Sets values of a structure, each under its key; up to an empty key. */
-static void set_each(struct thud_scene *next, int s, const char *prefix, const char *const values[][2])
-{
-    char path[THUD_PATH_MAX];
-    for (int i = 0; values[i][0]; i++) {
-        snprintf(path, sizeof path, "structures.%d.%s%s", s, prefix, values[i][0]);
-        thud_scene_set(next, path, values[i][1], NULL);
-    }
-}
-
-static void clear_group(struct thud_scene *next, int s, enum thud_group group, const char *prefix)
-{
-    const struct thud_param *param;
-    for (int i = 0; (param = thud_group_param(group, i)); i++)
-        set_each(next, s, prefix, (const char *const[][2]){{param->name, ""}, {NULL}});
-}
-
-/* A foundation has values that belong together, and so have a flexible wall and the soil behind it: the first one that
- * is typed brings usual ones for the rest, and without the mass there is none. */
-static void set_foundation(struct thud_scene *next, int s, const char *name, const char *text)
-{
-    const struct thud_structure *structure = &next->structure[s - 1];
-    const bool there = thud_structure_on_soil(structure);
-    char mass[64];
-    snprintf(mass, sizeof mass, "%.17g kg", structure->mass_kg[0]);
-    if (there && !*text && strcmp(name, "mass") == 0)
-        clear_group(next, s, THUD_GROUP_FOUNDATION, "foundation.");
-    else if (!there && *text)
-        set_each(next, s, "foundation.",
-                 (const char *const[][2]){
-                     {"mass", mass}, {"vs", "250 m/s"}, {"density", "1.9 t/m3"}, {"radius", "9 m"}, {NULL}});
-}
-
-static void set_wall(struct thud_scene *next, int s, const char *name, const char *text)
-{
-    static const char *const no_wall[][2] = {{"mass", ""}, {"stiffness", ""}, {"damping", ""}, {NULL}};
-    const struct thud_structure *structure = &next->structure[s - 1];
-    const bool of_soil = thud_scan_word(&name, "backfill."), mass = strcmp(name, "mass") == 0;
-    if (!*text && (mass || (of_soil && (strcmp(name, "stiffness") == 0 || strcmp(name, "strength") == 0))))
-        clear_group(next, s, THUD_GROUP_BACKFILL, "backfill.");
-    if (!*text && mass)
-        set_each(next, s, "", no_wall);
-    else if (*text && !thud_wall_gives(structure) &&
-             (of_soil || mass || strcmp(name, "stiffness") == 0 || strcmp(name, "damping") == 0))
-        set_each(next, s, "", thud_usual_wall);
-    if (*text && of_soil && !thud_wall_has_backfill(structure))
-        set_each(next, s, "backfill.", thud_usual_backfill);
-}
-
-/* Bearings of another law get usual values: 2.5 s beyond yielding or sliding, and 5 % of the weight to get there. */
-static void set_isolators(struct thud_scene *next, int s, const char *text)
-{
-    const struct thud_structure *structure = &next->structure[s - 1];
-    double all_kg = structure->base_mass_kg, omega = 2 * THUD_PI / 2.5;
-    char strength[64], stiffness[64];
-    for (int i = 0; i < structure->storeys; i++)
-        all_kg += structure->mass_kg[i];
-    snprintf(strength, sizeof strength, "%.4g kN", 1e-3 * 0.05 * all_kg * THUD_GRAVITY);
-    snprintf(stiffness, sizeof stiffness, "%.4g MN/m", 1e-6 * all_kg * omega * omega);
-    clear_group(next, s, THUD_GROUP_ISOLATOR, "isolator.");
-    set_each(next, s, "",
-             (const char *const[][2]){{"isolation-stiffness", strcmp(text, "linear") == 0 ? stiffness : ""}, {NULL}});
-    if (strcmp(text, "lead-rubber") == 0)
-        set_each(next, s, "isolator.",
-                 (const char *const[][2]){
-                     {"law", text}, {"strength", strength}, {"post-yield", stiffness}, {"yield", "10 mm"}, {NULL}});
-    else if (strcmp(text, "pendulum") == 0)
-        set_each(next, s, "isolator.",
-                 (const char *const[][2]){{"law", text}, {"radius", "1.55 m"}, {"friction", "5 %"}, {NULL}});
-}
-
-static void set_together(struct thud_scene *next, const char *key, const char *text)
-{
-    int s = 0;
-    const char *name = key;
-    if (!thud_scan_word(&name, "structures.") || !thud_scan_count(&name, &s) || s < 1 || s > next->nstructures ||
-        !thud_scan_word(&name, "."))
-        return;
-    if (next->structure[s - 1].kind == THUD_WALL)
-        set_wall(next, s, name, text);
-    else if (next->structure[s - 1].kind == THUD_ISOLATED && strcmp(name, "isolator.law") == 0)
-        set_isolators(next, s, text);
-    else if (thud_kind_is_building(next->structure[s - 1].kind) && thud_scan_word(&name, "foundation."))
-        set_foundation(next, s, name, text);
-}
-
 /* A body or a wall that becomes a building is the one it was before, if it was one in this session. */
 static void bring_back_building(const struct thud_doc *doc, struct thud_scene *next, const char *key, const char *text)
 {
@@ -301,7 +215,7 @@ static void bring_back_building(const struct thud_doc *doc, struct thud_scene *n
 static enum thud_status set_value(struct thud_scene *next, const char *key, const char *text, struct thud_error *err)
 {
     char structure[THUD_PATH_MAX], kind[16];
-    set_together(next, key, text);
+    thud_usual_set(next, key, text);
     const char *end = strrchr(key, '.'), *file = strchr(text, ' ');
     if (!file || !end || strcmp(end, ".kind") != 0 || (size_t)(file - text) >= sizeof kind)
         return thud_scene_set(next, key, text, err);
