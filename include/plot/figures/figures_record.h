@@ -9,6 +9,11 @@
  * thud_figure_check. */
 struct thud_figure *thud_figure_of_motion(const struct thud_record *record, const char *name, const char *title);
 
+/* Draws the acceleration of a whole recording in its own time: the part from `from_s` to `to_s` (NaN: its ends) that is
+ * used, and what is cut off. Ask thud_figure_check. */
+struct thud_figure *thud_figure_of_parts(const struct thud_record *whole, double from_s, double to_s, const char *name,
+                                         const char *title);
+
 /* Period to be marked. */
 struct thud_period_mark {
     double period_s;

@@ -30,6 +30,28 @@ struct thud_figure *thud_figure_of_motion(const struct thud_record *record, cons
     return figure;
 }
 
+struct thud_figure *thud_figure_of_parts(const struct thud_record *whole, double from_s, double to_s, const char *name,
+                                         const char *title)
+{
+    const double edge[2] = {from_s, to_s}, rounding_s = 1e-6 * whole->dt_s;
+    struct thud_figure *figure = thud_figure_create(name, title, 1, 1);
+    struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
+    thud_panel_axis(panel, THUD_X, "Time in the file", "s");
+    thud_panel_axis(panel, THUD_Y, "Acceleration", "g");
+    for (int cut = 0; cut < 2; cut++) {
+        struct thud_style style = {.kind = THUD_LINES, .color = cut, .thin = cut == 1};
+        struct thud_series *series = thud_panel_add(panel, style, cut ? "cut off" : "used", whole->samples, NULL, NULL);
+        for (size_t i = 0; series && i < whole->samples; i++) {
+            series->x[i] = (double)i * whole->dt_s;
+            const bool outside = series->x[i] < from_s - rounding_s || series->x[i] > to_s + rounding_s;
+            series->y[i] = outside == (cut == 1) ? whole->a_mps2[i] / THUD_GRAVITY : NAN;
+        }
+        if (!isnan(edge[cut]))
+            thud_panel_mark(panel, THUD_X, edge[cut], edge[cut], "");
+    }
+    return figure;
+}
+
 static double value(const struct thud_spectrum_point *point, int k)
 {
     return k == 0 ? point->acceleration_mps2 / THUD_GRAVITY : k == 1 ? point->velocity_mps : point->displacement_m;

@@ -263,6 +263,14 @@ const char *thud_doc_redo(struct thud_doc *doc)
     return step(doc, thud_undo_forward);
 }
 
+/* Whether the part that is used holds a time of the file. NaN bounds hold everything. */
+static bool uses(const struct thud_doc *doc, double time_s)
+{
+    const struct thud_record_choice *choice = &doc->record_choice;
+    const double rounding_s = 1e-6 * (doc->record ? doc->record->dt_s : 0.0);
+    return !(time_s < choice->from_s - rounding_s) && !(time_s > choice->to_s + rounding_s);
+}
+
 /* The whole motion behind the part that is used, for showing; without it only the part is shown. */
 static void read_whole(struct thud_doc *doc, const char *path)
 {
@@ -276,17 +284,10 @@ static void read_whole(struct thud_doc *doc, const char *path)
         return;
     double most = 0.0;
     for (size_t i = 0; i < doc->whole->samples; i++)
-        if (thud_doc_uses(doc, (double)i * doc->whole->dt_s))
+        if (uses(doc, (double)i * doc->whole->dt_s))
             most = fmax(most, fabs(doc->whole->a_mps2[i]));
     if (most > 0.0)
         thud_record_scale(doc->whole, thud_record_peak(part) / most);
-}
-
-bool thud_doc_uses(const struct thud_doc *doc, double time_s)
-{
-    const struct thud_record_choice *choice = &doc->record_choice;
-    const double rounding_s = 1e-6 * (doc->record ? doc->record->dt_s : 0.0);
-    return !(time_s < choice->from_s - rounding_s) && !(time_s > choice->to_s + rounding_s);
 }
 
 /* The ground motion of a scene, from the file at `path`; NULL with THUD_OK: it names none. */

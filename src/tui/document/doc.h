@@ -64,8 +64,6 @@ enum thud_status thud_doc_set(struct thud_doc *doc, const char *key, const char 
 const char *thud_doc_undo(struct thud_doc *doc);
 const char *thud_doc_redo(struct thud_doc *doc);
 
-/* Whether the part that is used holds a time of the file. NaN bounds hold everything. */
-bool thud_doc_uses(const struct thud_doc *doc, double time_s);
 /* The ground motion as the scene names it now, read again only where the choice changed. NULL with THUD_OK: none is
  * named. */
 enum thud_status thud_doc_record(struct thud_doc *doc, const struct thud_record **out, struct thud_error *err);

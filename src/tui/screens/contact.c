@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plot/figures/figures_law.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
-#include "tui/screens/law_figure.h"
 #include "tui/screens/moment.h"
 #include "tui/widgets/chart.h"
 
@@ -152,7 +152,7 @@ static void refresh(struct thud_tui *tui)
     c->error = (struct thud_error){0};
     for (int i = 0; i < THUD_MEETINGS; i++)
         c->other[i] = (struct thud_meeting){NAN, NAN, NAN, NAN};
-    c->figure = thud_tui_law_figure(&tui->doc.scene, &behind, tui->interface, c->meeting, &c->error);
+    c->figure = thud_figure_of_law(&tui->doc.scene, &behind, tui->interface, c->meeting, &c->error);
     c->revision = tui->doc.revision;
     c->pair = tui->interface;
     c->base = tui->base.number;
@@ -187,7 +187,7 @@ static int draw_both(struct thud_tui *tui, const struct thud_pane *pane, int y)
 static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    double m1 = thud_tui_pair_mass(scene, tui->interface), m2 = thud_tui_pair_mass(scene, tui->interface + 1);
+    double m1 = thud_law_mass(scene, tui->interface), m2 = thud_law_mass(scene, tui->interface + 1);
     double mass = isinf(m1)   ? m2
                   : isinf(m2) ? m1
                               : m1 * m2 / (m1 + m2),

@@ -4,14 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/run/record_verbs.h"
+#include "base/quantity.h"
+#include "ground/identity.h"
+#include "ground/intensity.h"
+#include "plot/figures/figures_record.h"
 #include "tui/document/field.h"
 #include "tui/screens/basket.h"
 #include "tui/screens/moment.h"
-#include "tui/screens/record_figure.h"
 #include "tui/widgets/chart.h"
 
 enum { LIST, CURVE, DATA, MOVE };
-enum { SUITE = THUD_RECORD_CURVES }; /* the curve after those of one motion */
+enum curve { ACCELERATION, VELOCITY, DISPLACEMENT, SPECTRUM, SUITE }; /* the last: of the study's motions */
 
 struct thud_record_state {
     struct thud_basket basket; /* the first of it */
@@ -20,7 +24,7 @@ struct thud_record_state {
     char folder[256];      /* with a slash; empty: the working folder, the preset's and the shipped motions */
     char filter[96];
     char shown[sizeof((struct thud_record_choice *)0)->file]; /* the file in use, as the list last showed it */
-    int curve;                                                /* enum thud_record_curve, or SUITE */
+    int curve;                                                /* enum curve */
     struct thud_figure *figure;
     const struct thud_record *of; /* what the figure was made from */
     unsigned long revision;
@@ -81,7 +85,9 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
 
 static const char *title_of(int curve)
 {
-    return curve == SUITE ? "Spectra of the suite" : thud_record_curve_title((enum thud_record_curve)curve);
+    static const char *const title[] = {"Ground acceleration", "Ground velocity", "Ground displacement",
+                                        "Response spectrum, 5 %", "Spectra of the suite"};
+    return title[curve];
 }
 
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
@@ -133,32 +139,64 @@ static int draw_list(struct thud_tui *tui, const struct thud_pane *pane)
     return y;
 }
 
+/* With the structures' periods marked. */
+static struct thud_figure *spectrum(const struct thud_doc *doc, const char *title)
+{
+    enum { POINTS = 200 }; /* as `thud record spectrum` */
+    struct thud_spectrum_point point[POINTS];
+    struct thud_period_mark mark[THUD_STRUCTURES_MAX];
+    int marks = 0;
+    if (thud_scene_periods(&doc->scene, mark, THUD_STRUCTURES_MAX, &marks, NULL) != THUD_OK)
+        marks = 0;
+    thud_spectrum_fill(doc->record, 0.05, 0.02, 10, POINTS, point);
+    return thud_figure_of_spectrum(point, POINTS, 0.05, mark, marks, "spectrum", title);
+}
+
+/* Of the document's ground motion, which must be there, as `thud record` writes it; where a part of it is used, the
+ * acceleration shows what is cut off as well. NULL when out of memory. */
+static struct thud_figure *figure_of(const struct thud_doc *doc, enum curve curve)
+{
+    char title[640];
+    struct thud_figure *figure;
+    thud_record_title(doc->record, title, sizeof title);
+    if (curve == SPECTRUM) {
+        figure = spectrum(doc, title);
+    } else if (curve == ACCELERATION && doc->whole) {
+        figure = thud_figure_of_parts(doc->whole, doc->record_choice.from_s, doc->record_choice.to_s, "used", title);
+    } else {
+        figure = thud_figure_of_motion(doc->record, "motion", title);
+    }
+    if (thud_figure_check(figure, NULL) == THUD_OK)
+        return figure;
+    thud_figure_free(figure);
+    return NULL;
+}
+
 static struct thud_figure *make(struct thud_tui *tui, int index)
 {
-    if (index == SUITE)
-        return thud_figure_copy(thud_basket_figure(tui, &state(tui)->basket));
-    return thud_record_figure(&tui->doc, (enum thud_record_curve)index);
+    return index == SUITE ? thud_figure_copy(thud_basket_figure(tui, &state(tui)->basket))
+                          : figure_of(&tui->doc, (enum curve)index);
 }
 
 /* That of the curve in its figure. */
 static const struct thud_panel *panel_of(const struct thud_tui *tui, const struct thud_figure *shown)
 {
     const int curve = state(tui)->curve;
-    return curve == SUITE ? &shown->panel[0] : thud_record_panel(shown, (enum thud_record_curve)curve);
+    return &shown->panel[curve < SPECTRUM && curve < shown->rows ? curve : 0];
 }
 
 /* The figures are the motion, its spectrum, and the suite's. */
 enum { FIGURES = 2 };
 static struct thud_figure *make_figure(struct thud_tui *tui, int index)
 {
-    return make(tui, index == 0 ? THUD_RECORD_ACCELERATION : index < FIGURES ? THUD_RECORD_SPECTRUM : SUITE);
+    return make(tui, index == 0 ? ACCELERATION : index < FIGURES ? SPECTRUM : SUITE);
 }
 
 static void refresh(struct thud_tui *tui)
 {
     struct thud_record_state *r = state(tui);
     if (r->curve == SUITE && thud_basket_count(tui) == 0)
-        r->curve = THUD_RECORD_SPECTRUM;
+        r->curve = SPECTRUM;
     if (r->curve == SUITE ||
         (r->of == tui->doc.record && r->revision == tui->doc.revision && r->made == r->curve && r->figure))
         return;
@@ -210,6 +248,24 @@ static int draw_keys(struct thud_tui *tui, const struct thud_pane *pane, int y)
     return y;
 }
 
+/* Draws the measures from row `y` on; returns the row after them. */
+static int measures(const struct thud_intensity *m, const struct thud_record *record, const struct thud_pane *pane,
+                    int y)
+{
+    char a[24], b[24], c[24];
+    struct thud_look look = thud_look(THUD_ROLE_PLAIN, 0);
+    thud_pane_print(pane, 1, y++, look, "PGA %s g  PGV %s m/s  PGD %s m",
+                    thud_tui_number(m->pga_mps2 / THUD_GRAVITY, a), thud_tui_number(m->pgv_mps, b),
+                    thud_tui_number(m->pgd_m, c));
+    thud_pane_print(pane, 1, y++, look, "Arias %s m/s  D5-95 %s s", thud_tui_number(m->arias_mps, a),
+                    thud_tui_number(m->d5_95_s, b));
+    thud_pane_print(pane, 1, y++, look, "%zu samples, dt %g s, %s s %.20s", record->samples, record->dt_s,
+                    thud_tui_number(m->duration_s, a), record->format);
+    if (*record->event)
+        thud_pane_print(pane, 1, y++, look, "%.60s %.30s", record->event, record->component);
+    return y;
+}
+
 static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
 {
     struct thud_record_state *r = state(tui);
@@ -221,7 +277,7 @@ static int draw_data(struct thud_tui *tui, const struct thud_pane *pane)
         r->measured_revision = tui->doc.revision;
     }
     if (record)
-        y = thud_record_measures(&r->intensity, record, pane, 0);
+        y = measures(&r->intensity, record, pane, 0);
     return draw_keys(tui, pane, y);
 }
 
@@ -312,7 +368,7 @@ static void offer(struct thud_tui *tui)
     struct thud_record_state *r = state(tui);
     char command[sizeof r->files.item->name + 16];
     list(tui);
-    for (int i = 0; i < THUD_RECORD_CURVES + (thud_basket_count(tui) > 0); i++) {
+    for (int i = 0; i < SUITE + (thud_basket_count(tui) > 0); i++) {
         snprintf(command, sizeof command, "curve %d", i);
         thud_tui_offer(tui, THUD_SCREEN_RECORD, command, "figure %s", title_of(i));
     }

@@ -1,12 +1,12 @@
-/* What the impact laws of an interface do: two free bodies of the floors' masses meeting at three speeds. */
+#include "plot/figures/figures_law.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "study/scene/two_body.h"
-#include "tui/screens/law_figure.h"
 
-double thud_tui_pair_mass(const struct thud_scene *scene, int s)
+double thud_law_mass(const struct thud_scene *scene, int s)
 {
     const struct thud_structure *structure = &scene->structure[s];
     return structure->kind == THUD_WALL ? INFINITY : structure->mass_kg[0];
@@ -19,7 +19,7 @@ static struct thud_two_body bodies(const struct thud_scene *scene, int pair, dou
     const struct thud_law_choice *choice = at->has_bumper ? &at->bumper : &at->contact;
     struct thud_two_body two = {.approach_mps = speed, .duration_s = 1.0, .law = choice->law};
     for (int i = 0; i < 2; i++)
-        two.mass_kg[i] = thud_tui_pair_mass(scene, pair + i);
+        two.mass_kg[i] = thud_law_mass(scene, pair + i);
     for (int i = 0; i < 2; i++)
         if (!isfinite(two.mass_kg[i]))
             two.mass_kg[i] = 1e6 * (isfinite(two.mass_kg[1 - i]) ? two.mass_kg[1 - i] : 1e3);
@@ -67,12 +67,11 @@ static bool meet_alike(const struct thud_scene *a, const struct thud_scene *b, i
     const struct thud_interface *x = &a->interface[pair], *y = &b->interface[pair];
     return x->has_bumper == y->has_bumper && memcmp(&x->contact, &y->contact, sizeof x->contact) == 0 &&
            memcmp(&x->bumper, &y->bumper, sizeof x->bumper) == 0 && x->bumper_thickness_m == y->bumper_thickness_m &&
-           thud_tui_pair_mass(a, pair) == thud_tui_pair_mass(b, pair) &&
-           thud_tui_pair_mass(a, pair + 1) == thud_tui_pair_mass(b, pair + 1);
+           thud_law_mass(a, pair) == thud_law_mass(b, pair) && thud_law_mass(a, pair + 1) == thud_law_mass(b, pair + 1);
 }
 
-struct thud_figure *thud_tui_law_figure(const struct thud_scene *scene, const struct thud_law_behind *behind, int pair,
-                                        struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err)
+struct thud_figure *thud_figure_of_law(const struct thud_scene *scene, const struct thud_law_behind *behind, int pair,
+                                       struct thud_meeting meeting[THUD_MEETINGS], struct thud_error *err)
 {
     static const double speed[THUD_MEETINGS] = {0.25, 0.5, 1.0};
     const struct thud_scene *against = behind->scene;
