@@ -605,8 +605,9 @@ START_TEST(the_walk_to_a_report)
     ck_assert_ptr_nonnull(strstr(wide, "gap: 5 cm"));
     free(first);
     free(wide);
-    ck_assert_int_gt(thud_sweep_data_figures(&thud_sweep_state(f.tui)->data),
-                     thud_sweep_figure_count(&thud_sweep_state(f.tui)->data.rows.table)); /* its fragility is there */
+    ck_assert_int_gt(
+        thud_live_study_figures(&thud_sweep_state(f.tui)->data),
+        thud_sweep_figure_count(&thud_sweep_state(f.tui)->data.out.rows.table)); /* its fragility is there */
     fixture_expect(&f, "Written report.html");
     char *said = fixture_file(&f, "said");
     ck_assert_ptr_nonnull(said);

@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/sweep/study_keys.h"
 #include "plot/figures/figures_sweep.h"
 #include "study/sweep/sweep.h"
+#include "tui/document/motions.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui_fixture.h"
 
@@ -102,19 +104,22 @@ START_TEST(a_spread_is_kept_and_run)
 END_TEST
 
 /* A study of the screen to its end, and the lines of its files. */
-static void make_study(struct thud_sweep_data *data, unsigned shortcuts, char *text[THUD_SWEEP_CSVS])
+static void make_study(struct thud_live_study *data, unsigned shortcuts, char *text[THUD_SWEEP_CSVS])
 {
     static char vary[THUD_VARY_MAX][THUD_VARY_TEXT] = {"bumper.thickness=1 cm,2 cm,3 cm", "gap=3 cm,6 cm,400 cm"};
     static const char *const name[THUD_SWEEP_CSVS] = {"s.csv", "s-contacts.csv", "s-needed-gaps.csv"};
     struct thud_error err = {0};
     ck_assert_int_eq(thud_study_vary_keep(vary, &f.tui->doc.scene, &err), THUD_OK);
-    ck_assert_int_eq(thud_sweep_data_prepare(data, &f.tui->doc, &err), THUD_OK);
+    struct thud_session *session = thud_doc_session(&f.tui->doc);
+    ck_assert_ptr_nonnull(session);
+    ck_assert_int_eq(thud_live_study_prepare(data, session, &err), THUD_OK);
+    free(session);
     data->plan.shortcuts = shortcuts;
-    ck_assert_int_eq(thud_sweep_data_start(data, &err), THUD_OK);
+    ck_assert_int_eq(thud_live_study_start(data, &err), THUD_OK);
     while (data->running)
-        ck_assert_int_eq(thud_sweep_data_advance(data, &err), THUD_OK);
+        ck_assert_int_eq(thud_live_study_advance(data, &err), THUD_OK);
     ck_assert(data->complete);
-    ck_assert_int_eq(thud_sweep_data_export(data, f.folder, "s", &err), THUD_OK);
+    ck_assert_int_eq(thud_live_study_export(data, f.folder, "s", &err), THUD_OK);
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
         text[i] = fixture_file(&f, name[i]);
 }
@@ -123,15 +128,15 @@ static void make_study(struct thud_sweep_data *data, unsigned shortcuts, char *t
  * several threads a point may come before the one it would share with: as many are shared, or fewer, never more. */
 START_TEST(no_bumper_is_run_once_for_all_thicknesses)
 {
-    static struct thud_sweep_data data;
+    static struct thud_live_study data;
     char *all[THUD_SWEEP_CSVS], *none[THUD_SWEEP_CSVS];
     make_study(&data, THUD_SWEEP_ALL, all);
-    ck_assert_int_eq(data.total.asked, 18);
-    ck_assert_int_le(data.total.reused, 2 * 2);
-    long work = data.total.made + data.total.reused;
+    ck_assert_int_eq(data.out.total.asked, 18);
+    ck_assert_int_le(data.out.total.reused, 2 * 2);
+    long work = data.out.total.made + data.out.total.reused;
     make_study(&data, THUD_SWEEP_ALL & ~(unsigned)THUD_SWEEP_SAME, none);
-    ck_assert_int_eq(data.total.reused, 0);
-    ck_assert_int_eq(data.total.made, work);
+    ck_assert_int_eq(data.out.total.reused, 0);
+    ck_assert_int_eq(data.out.total.made, work);
     for (int i = 0; i < THUD_SWEEP_CSVS; i++) {
         ck_assert_str_eq(all[i], none[i]);
         ck_assert_int_eq(all[i][strlen(all[i]) - 1], '\n');
@@ -139,7 +144,7 @@ START_TEST(no_bumper_is_run_once_for_all_thicknesses)
         free(all[i]);
         free(none[i]);
     }
-    thud_sweep_data_clear(&data);
+    thud_live_study_clear(&data);
 }
 END_TEST
 
@@ -247,7 +252,7 @@ START_TEST(the_figure_is_of_the_study_as_it_is)
     for (int i = 0; i < 2; i++) {
         if (i == 1)
             fixture_keys(&f, ":set contact.stiffness 1000 kN/mm<Enter>");
-        struct thud_figure *anew = thud_sweep_data_figure(&thud_sweep_state(f.tui)->data, 0);
+        struct thud_figure *anew = thud_live_study_figure(&thud_sweep_state(f.tui)->data, 0);
         struct thud_text shown = {0}, right = {0};
         thud_figure_csv(thud_views[THUD_SCREEN_SWEEP]->figure(f.tui), &shown);
         thud_figure_csv(anew, &right);
@@ -319,9 +324,9 @@ START_TEST(a_suite_has_its_statistics)
     fixture_expect(&f, "20 of 20 points");
     fixture_expect(&f, "4 ground motions");
     fixture_expect(&f, "means ove");
-    int n = thud_sweep_data_figures(&thud_sweep_state(f.tui)->data), gap = -1, fragility = 0;
+    int n = thud_live_study_figures(&thud_sweep_state(f.tui)->data), gap = -1, fragility = 0;
     for (int i = 0; i < n; i++) {
-        struct thud_figure *figure = thud_sweep_data_figure(&thud_sweep_state(f.tui)->data, i);
+        struct thud_figure *figure = thud_live_study_figure(&thud_sweep_state(f.tui)->data, i);
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         gap = strcmp(figure->name, "needed-gap") == 0 ? i : gap;
         fragility += strncmp(figure->name, "fragility", 9) == 0;
@@ -389,13 +394,13 @@ START_TEST(a_fragility_fills_as_the_motions_come_in)
     fixture_keys(&f, words);
     fixture_keys(&f, "6");
     thud_tui_key(f.tui, 'r');
-    struct thud_sweep_data *data = &thud_sweep_state(f.tui)->data;
+    struct thud_live_study *data = &thud_sweep_state(f.tui)->data;
     int before = 0, grew = 0;
     bool seen = false; /* a fast machine has all between two turns */
     while (data->running) {
         thud_tui_turn(f.tui, false);
-        int own = data->rows.table.nrows > 0 ? thud_sweep_figure_count(&data->rows.table) : 0;
-        bool told = thud_sweep_data_figures(data) > own;
+        int own = data->out.rows.table.nrows > 0 ? thud_sweep_figure_count(&data->out.rows.table) : 0;
+        bool told = thud_live_study_figures(data) > own;
         ck_assert_int_eq(told, data->next >= 3 * 12);
         if (!told || data->complete)
             continue;
@@ -403,13 +408,13 @@ START_TEST(a_fragility_fills_as_the_motions_come_in)
         grew += data->told > before;
         before = data->told;
         ck_assert_int_eq(data->told, (int)(data->next / 12));
-        struct thud_figure *figure = thud_sweep_data_figure(data, own);
+        struct thud_figure *figure = thud_live_study_figure(data, own);
         ck_assert_int_eq(thud_figure_check(figure, NULL), THUD_OK);
         thud_figure_free(figure);
     }
     ck_assert_int_ge(grew, seen);
     ck_assert(data->complete);
-    ck_assert_int_gt(thud_sweep_data_figures(data), 0);
+    ck_assert_int_gt(thud_live_study_figures(data), 0);
     ck_assert_int_eq(data->told, 12);
 }
 END_TEST

@@ -403,6 +403,17 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
     return status;
 }
 
+enum thud_status thud_record_list_named(struct thud_session *session, const char *text, bool both,
+                                        struct thud_record_list *out, struct thud_error *err)
+{
+    *out = (struct thud_record_list){0};
+    enum thud_status status = *text ? thud_record_list_read(session, text, NULL, 0, both, out, err)
+                                    : thud_record_list_own(session, both, out, err);
+    if (status != THUD_OK)
+        thud_record_list_clear(out);
+    return status;
+}
+
 bool thud_record_is_list(const char *file)
 {
     const char *suffix = strrchr(file, '.');

@@ -34,6 +34,9 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
 /* The session's own record, or none. Errors: as thud_session_read_record. */
 enum thud_status thud_record_list_own(struct thud_session *session, bool both, struct thud_record_list *out,
                                       struct thud_error *err);
+/* What a study names, or the session's own record where it names nothing; empty after an error. Errors: of both. */
+enum thud_status thud_record_list_named(struct thud_session *session, const char *text, bool both,
+                                        struct thud_record_list *out, struct thud_error *err);
 /* By its name, NAME.list. */
 bool thud_record_is_list(const char *file);
 /* The motions of a list, or the one file of that name, each opened as thud_record_open does; the settings of a line go

@@ -7,6 +7,7 @@
 #include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
 #include "tui/document/field.h"
+#include "tui/document/motions.h"
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui/widgets/chart.h"
@@ -28,7 +29,7 @@ static void refresh(struct thud_tui *tui)
 {
     static const double patience_s = 0.4;
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    size_t rows = s->data.rows.table.nrows;
+    size_t rows = s->data.out.rows.table.nrows;
     if (s->shown && s->shown_of == s->begun && s->shown_rows == rows && s->shown_figure == s->figure &&
         s->shown_complete == s->data.complete)
         return;
@@ -37,10 +38,10 @@ static void refresh(struct thud_tui *tui)
         return;
     thud_figure_free(s->shown);
     s->shown = NULL;
-    int count = thud_sweep_data_figures(&s->data);
+    int count = thud_live_study_figures(&s->data);
     if (count == 0)
         return;
-    s->shown = thud_sweep_data_figure(&s->data, s->figure % count);
+    s->shown = thud_live_study_figure(&s->data, s->figure % count);
     s->shown_of = s->begun;
     s->shown_rows = rows;
     s->shown_figure = s->figure;
@@ -61,10 +62,10 @@ static bool is_old(struct thud_tui *tui, struct thud_sweep_state *s)
  * NULL: not now. */
 static const struct thud_sweep_axis *along_x(const struct thud_sweep_state *s)
 {
-    const struct thud_sweep_table *table = &s->data.rows.table;
+    const struct thud_sweep_table *table = &s->data.out.rows.table;
     if (!s->shown || table->nrows == 0 || s->data.plan.naxes == 0 || s->data.plan.axis[0].words)
         return NULL;
-    int own = thud_sweep_figure_count(table), n = thud_sweep_data_figures((struct thud_sweep_data *)&s->data);
+    int own = thud_sweep_figure_count(table), n = thud_live_study_figures((struct thud_live_study *)&s->data);
     return n == 0 || s->shown_figure % n >= own ? NULL : &s->data.plan.axis[0];
 }
 
@@ -88,7 +89,7 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
         return;
     }
     refresh(tui);
-    int count = thud_sweep_data_figures(&s->data);
+    int count = thud_live_study_figures(&s->data);
     if (s->shown && count > 0)
         snprintf(text, size, "%d/%d %s%.100s", s->figure % count + 1, count, is_old(tui, s) ? "before edits: " : "",
                  s->shown->title);
@@ -125,7 +126,7 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
 }
 
 /* Runs of the plan, as far as the words say them. */
-static long runs_of(const struct thud_sweep_data *data)
+static long runs_of(const struct thud_live_study *data)
 {
     return thud_sweep_points(&data->plan) * (data->plan.ncases > 0 ? data->plan.ncases : 1);
 }
@@ -167,22 +168,25 @@ static void begin(struct thud_tui *tui, bool by_itself)
     struct thud_sweep_state *s = thud_sweep_state(tui);
     struct thud_error err = {0};
     if (!by_itself) { /* what was read is read again */
-        thud_sweep_data_clear(&s->data);
+        thud_live_study_clear(&s->data);
         thud_figure_free(s->shown);
         s->shown = NULL;
     }
     s->why[0] = '\0';
     const char *records = tui->doc.scene.study.records;
-    enum thud_status status = thud_sweep_data_prepare(&s->data, &tui->doc, &err);
+    struct thud_session *session = thud_doc_session(&tui->doc);
+    enum thud_status status = session ? thud_live_study_prepare(&s->data, session, &err)
+                                      : thud_error_set(&err, THUD_MEMORY, "no memory for the study");
+    free(session);
     /* two of the live cases have contacts, and the runs of a study share much: a tenth was measured on the towers */
     double expected_s = 0.2 * tui->run.plain_s * (double)runs_of(&s->data);
     if (status == THUD_OK && by_itself && expected_s > wait_s)
         snprintf(s->why, sizeof s->why, "%ld runs, about %.0f s: r runs them", runs_of(&s->data), expected_s);
     else if (status == THUD_OK)
-        status = thud_sweep_data_start(&s->data, &err);
+        status = thud_live_study_start(&s->data, &err);
     if (status != THUD_OK)
         thud_error_text(&err, s->why, sizeof s->why);
-    bool unread = status == THUD_INPUT && several(records) && !s->data.names && !strstr(records, skipped);
+    bool unread = status == THUD_INPUT && several(records) && !s->data.read && !strstr(records, skipped);
     if (unread && !by_itself)
         thud_tui_ask(tui, &ask_skip, records,
                      "%.300s. Skip what cannot be read? (DIR:dt=0.01 s:unit=g in records says for all what is missing)",
@@ -273,7 +277,7 @@ static enum thud_reaction act(struct thud_tui *tui, enum thud_action action)
     case THUD_DO_BACK:
         if (!s->data.running)
             return THUD_NOT_MINE;
-        thud_sweep_data_stop(&s->data);
+        thud_live_study_stop(&s->data);
         thud_tui_say(tui, THUD_ROLE_WARN, "Stopped; what is done stays");
         return THUD_DONE;
     case THUD_DO_QUANTITY:
@@ -327,25 +331,25 @@ static bool busy(struct thud_tui *tui)
 static bool work(struct thud_tui *tui)
 {
     struct thud_error err = {0};
-    if (thud_sweep_data_advance(&thud_sweep_state(tui)->data, &err) != THUD_OK)
+    if (thud_live_study_advance(&thud_sweep_state(tui)->data, &err) != THUD_OK)
         thud_tui_say_error(tui, &err);
     return thud_sweep_state(tui)->data.running;
 }
 
 static double progress(struct thud_tui *tui)
 {
-    const struct thud_sweep_data *d = &thud_sweep_state(tui)->data;
+    const struct thud_live_study *d = &thud_sweep_state(tui)->data;
     return d->running && d->points > 0 ? (double)d->next / (double)d->points : -1.0;
 }
 
 static int figures(struct thud_tui *tui)
 {
-    return thud_sweep_data_figures(&thud_sweep_state(tui)->data);
+    return thud_live_study_figures(&thud_sweep_state(tui)->data);
 }
 
 static struct thud_figure *make(struct thud_tui *tui, int index)
 {
-    return thud_sweep_data_figure(&thud_sweep_state(tui)->data, index);
+    return thud_live_study_figure(&thud_sweep_state(tui)->data, index);
 }
 
 static void export_csv(struct thud_tui *tui)
@@ -355,7 +359,7 @@ static void export_csv(struct thud_tui *tui)
     thud_tui_file_name(tui, "sweep", "", stem, sizeof stem);
     enum thud_status status = thud_folder_make(thud_tui_folder(tui), &err);
     if (status == THUD_OK)
-        status = thud_sweep_data_export(&thud_sweep_state(tui)->data, thud_tui_folder(tui), stem, &err);
+        status = thud_live_study_export(&thud_sweep_state(tui)->data, thud_tui_folder(tui), stem, &err);
     if (status != THUD_OK)
         thud_tui_say_error(tui, &err);
     else
@@ -371,7 +375,7 @@ static void begin_screen(struct thud_tui *tui)
 static void release(struct thud_tui *tui)
 {
     struct thud_sweep_state *s = tui->own[THUD_SCREEN_SWEEP];
-    thud_sweep_data_clear(&s->data);
+    thud_live_study_clear(&s->data);
     thud_figure_free(s->shown);
     free(s->base);
 }

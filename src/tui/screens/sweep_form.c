@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/sweep/study_keys.h"
 #include "tui/document/field.h"
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
@@ -96,7 +97,7 @@ bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s)
 
 static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const struct thud_pane *pane, int y)
 {
-    struct thud_sweep_data *data = &s->data;
+    struct thud_live_study *data = &s->data;
     if (*s->why)
         y += thud_pane_wrap(pane, 1, y, pane->w - 2, thud_look(THUD_ROLE_WARN, THUD_BOLD), s->why);
     if (data->points == 0 && !*s->why)
@@ -114,14 +115,14 @@ static int draw_progress(struct thud_tui *tui, struct thud_sweep_state *s, const
         thud_field_note(pane, y++, "%d ground motions", data->records.n);
     if (data->records.skipped > 0)
         thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_WARN, 0), "%d files skipped", data->records.skipped);
-    thud_field_note(pane, y++, "%ld runs made, %ld answered", data->total.made, data->total.free);
+    thud_field_note(pane, y++, "%ld runs made, %ld answered", data->out.total.made, data->out.total.free);
     thud_field_note(pane, y++, "  without one (no contact)");
-    if (data->total.reused)
-        thud_field_note(pane, y++, "%ld the same as another", data->total.reused);
-    if (data->total.impossible)
-        thud_field_note(pane, y++, "%ld not possible (bumper > gap)", data->total.impossible);
-    if (data->total.diverged)
-        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", data->total.diverged);
+    if (data->out.total.reused)
+        thud_field_note(pane, y++, "%ld the same as another", data->out.total.reused);
+    if (data->out.total.impossible)
+        thud_field_note(pane, y++, "%ld not possible (bumper > gap)", data->out.total.impossible);
+    if (data->out.total.diverged)
+        thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_ERROR, THUD_BOLD), "%ld FAILED", data->out.total.diverged);
     const bool words = memcmp(&s->study, &tui->doc.scene.study, sizeof s->study) == 0;
     if (!thud_sweep_current(tui, s)) {
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_WARN, THUD_BOLD),

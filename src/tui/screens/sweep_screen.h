@@ -1,12 +1,12 @@
 /* The Sweep screen in its parts: what it shows, and its form. */
 #pragma once
 
+#include "app/sweep/live_study.h"
 #include "tui/document/state.h"
-#include "tui/screens/sweep_data.h"
 
 struct thud_sweep_state {
     struct thud_study_choice study; /* what the study on show was made with */
-    struct thud_sweep_data data;
+    struct thud_live_study data;
     struct thud_scene *base; /* of the study, its varied keys at their first values; NULL: none was made */
     bool current;            /* the study on show is that of the words and the scene of `revision` */
     unsigned long revision;  /* at which `current` was last found */

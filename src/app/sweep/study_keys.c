@@ -1,4 +1,4 @@
-#include "tui/screens/sweep_words.h"
+#include "app/sweep/study_keys.h"
 
 #include <math.h>
 #include <stdio.h>
