@@ -255,17 +255,19 @@ is "has the values of its ground" in_text 'Target of the suite: en1998:0.3g,B (a
 is "and the least mean that the suite was scaled to" in_text "The mean of the load cases is at least $(sed -n 's/^mean *at least \([0-9.]*\) of the target, at \([0-9.]*\) s.*/\1 of it, at \2 s/p' "$tmp/scaled")"
 is "its spectra are drawn" test -s "$tmp/r/suite.svg"
 # made again from the document: preset, list and command out of it, recordings by their SHA-256
-report 0 "$tmp/own.yaml" --records "$three" --signs both --factor 0.4 --samples 10 --limit force=5MN --no-pdf
+awk -F, 'BEGIN { print "t s,a m/s2,b m/s2" } !/^#/ && $1 ~ /^[0-9]/ { a[n++] = $2 } END { for (i = 0; i < n; i++) printf "%.4f,%s,%s\n", i * 0.01, a[i], a[n - 1 - i] }' records/kobe-surrogate.csv >"$tmp/two.csv"
+printf '%s:column=2\n%s:column=3:peak=0.5 g\n' "$tmp/two.csv" "$tmp/two.csv" >"$tmp/two.list" # two of one file
+report 0 "$tmp/own.yaml" --records "$three,$tmp/two.list" --signs both --factor 0.4 --samples 10 --limit force=5MN --no-pdf
 block() { awk -v head="$1" 'index($0, head) { on = 1; next } on && /^    / { print substr($0, 5); some = 1; next } on && some && !/^$/ { exit }' "$tmp/r/report.md"; }
 mkdir "$tmp/again"
 block 'Then type there:' >"$tmp/again/command"
 block 'own.yaml, the scene' >"$tmp/again/own.yaml"
 block 'own.list, the ground motions' >"$tmp/again/own.list"
-is "the list has a line for each motion and its SHA-256" [ "$(grep -c 'SHA-256 [0-9a-f]\{64\}$' "$tmp/again/own.list") $(grep -c ':factor=0[.]4$' "$tmp/again/own.list")" = "3 3" ]
+is "the list has a line for each motion and its SHA-256" [ "$(grep -c 'SHA-256 [0-9a-f]\{64\}$' "$tmp/again/own.list") $(grep -c ':factor=0[.]4$' "$tmp/again/own.list")" = "5 4" ]
 sed -n 's/.*SHA-256 //p' "$tmp/again/own.list" | while read -r sum; do
-    sha256sum records/*.csv | sed -n "s|^$sum *||p" | while read -r file; do cp "$file" "$tmp/again"; done
+    sha256sum records/*.csv "$tmp/two.csv" | sed -n "s|^$sum *||p" | while read -r file; do cp "$file" "$tmp/again"; done
 done
-is "its recordings are found" [ "$(find "$tmp/again" -name '*.csv' | wc -l)" -eq 3 ]
+is "its recordings are found" [ "$(find "$tmp/again" -name '*.csv' | wc -l)" -eq 4 ]
 (cd "$tmp/again" && sed "s|^thud|'$THUD' --quiet --no-pdf|; s|' --quiet --no-pdf report|' report --quiet --no-pdf|" command >run && sh ./run >out 2>&1)
 is "the command of the document makes the same document" cmp "$tmp/again/report/report.md" "$tmp/r/report.md"
 is "with the same figures" sh -c "for f in '$tmp'/r/*.svg; do cmp \"\$f\" '$tmp/again/report/'\"\$(basename \"\$f\")\" || exit 1; done"

@@ -158,10 +158,10 @@ static void add_case_row(struct site *site, int number, const struct thud_record
 {
     struct thud_document *d = &site->document;
     double sd_m;
-    thud_document_cells(d, "%d\t%s\t%s\t%s\t%.4g\t%.3g", number,
+    thud_document_cells(d, "%d\t%s\t%s\t%s\t%.4g\t%s", number,
                         *record->event ? record->event : thud_path_name(record->file),
                         record->synthetic ? "none: synthetic" : or_dash(record->station), or_dash(record->component),
-                        record->scale, thud_record_peak(record) / THUD_GRAVITY);
+                        record->scale, thud_site_number(thud_record_peak(record) / THUD_GRAVITY, 3).text);
     for (int s = 0; s < site->scene->nstructures; s++)
         if (thud_site_is_building(site, s))
             thud_document_cell(d, "%s", thud_site_number(first_mode(site, record, s, &sd_m), 3).text);
@@ -186,7 +186,8 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     for (int r = 0; r < n; r++) {
         if (r > 0 && thud_motion_is_turned(record[r]->file, record[r - 1]->file))
             continue;
-        thud_document_line(d, "%d\t%s\t%s\t%s", r + 1, thud_path_name(record[r]->file),
+        thud_document_line(d, "%d\t%s\t%s\t%s", r + 1,
+                           thud_path_name(site->options->records->path[site->suite.leads ? r : site->detail]),
                            *record[r]->licence || !record[r]->synthetic ? or_dash(record[r]->licence)
                                                                         : "none: synthetic",
                            or_dash(record[r]->sha256));

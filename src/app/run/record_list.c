@@ -281,16 +281,23 @@ static enum thud_status add_turned(struct reading *r, const char *path, const st
     return add(r, turned, path, scene, err);
 }
 
-/* A motion of a file that is there already is told apart by its settings, `own`. */
+/* A motion of a file that is there already is told apart by how it is read, or by its settings, `own`, where that is the
+ * same. */
 static void name_apart(struct thud_record_list *list, const char *own)
 {
     struct thud_record *last = list->record[list->n - 1];
-    for (int i = 0; *own && i + 1 < list->n; i++)
-        if (strcmp(list->record[i]->file, last->file) == 0) {
-            size_t n = strlen(last->file);
-            snprintf(last->file + n, sizeof last->file - n, ":%s", own);
-            return;
+    const char *reading = list->own[list->n - 1];
+    bool there = false, same = !*reading;
+    for (int i = 0; i + 1 < list->n; i++)
+        if (strcmp(list->path[i], list->path[list->n - 1]) == 0) {
+            there = true;
+            same = same || strcmp(list->own[i], reading) == 0;
         }
+    const size_t n = strlen(last->file);
+    if (there && !same)
+        snprintf(last->file + n, sizeof last->file - n, "%s", reading);
+    else if (there && *own)
+        snprintf(last->file + n, sizeof last->file - n, ":%s", own);
 }
 
 static enum thud_status add_file(struct reading *r, const struct thud_scene *scene, const char *own,
