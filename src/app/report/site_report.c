@@ -7,6 +7,7 @@
 
 #include "app/report/paper_pdf.h"
 #include "app/report/site_report_private.h"
+#include "app/run/threads.h"
 #include "io/file/file.h"
 
 /* The change of the inputs whose effect is reported, and the tolerance of the second method. */
@@ -98,7 +99,6 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
     struct thud_solution solution = {0};
     if (!site->record)
         return THUD_OK;
-    tell(site, "the motion with reversed polarity");
     enum thud_status status =
         thud_record_create(site->record->a_mps2, site->record->samples, site->record->dt_s, &turned, err);
     if (status == THUD_OK) {
@@ -158,7 +158,6 @@ static enum thud_status run_second(struct site *site, struct thud_error *err)
     struct thud_checked_values own = {0}, other = {0};
     const struct site_case *one = site->own;
     site->second.method = thud_verify_independent(one->result->method);
-    tell(site, site->second.method);
     enum thud_status status = thud_scene_options(one->scene, &options, err);
     options.method = thud_method_find(site->second.method);
     options.tolerance = tight_tolerance;
@@ -224,7 +223,6 @@ static enum thud_status run_floors(struct site *site, struct thud_error *err)
         floor[ask.nfloors++] = (struct thud_floor_place){most->interface - 1, most->left_floor - 1};
     if (side[1].kind != THUD_WALL)
         floor[ask.nfloors++] = (struct thud_floor_place){most->interface, most->right_floor - 1};
-    tell(site, "floor spectra");
     return thud_floor_spectra_run(site->scene, site->record, &ask, &site->floors, err);
 }
 
@@ -254,23 +252,43 @@ static enum thud_status choose_motion(struct site *site, struct thud_error *err)
     return status;
 }
 
+static enum thud_status run_sensitivity(struct site *site, struct thud_error *err)
+{
+    return thud_sensitivity_run(site->own->scene, site->record, change, site->own->result, &site->sensitivity, err);
+}
+
+static enum thud_status run_stiffnesses(struct site *site, struct thud_error *err)
+{
+    return thud_stiffness_rows(site->own->scene, site->record, site->varied, site->row, &site->nrows, err);
+}
+
+/* What needs the cases and the suite, and nothing of each other: the longest first. Those of the suite follow. */
+typedef enum thud_status run_beside(struct site *site, struct thud_error *err);
+static run_beside *const beside[] = {run_second, run_sensitivity, run_floors, run_stiffnesses, run_reversed};
+enum { BESIDE = sizeof beside / sizeof *beside };
+
+static enum thud_status one_job(void *context, long i, struct thud_error *err)
+{
+    struct site *site = context;
+    return i < BESIDE ? beside[i](site, err) : thud_site_suite_job(site, (int)i - BESIDE, err);
+}
+
+static enum thud_status run_all_beside(struct site *site, struct thud_error *err)
+{
+    const struct thud_picture_options *pictures = site->options->pictures;
+    const struct thud_threads_jobs jobs = {.n = BESIDE + thud_site_suite_jobs(site),
+                                           .threads = site->options->threads,
+                                           .cancel = pictures ? pictures->cancel : NULL,
+                                           .context = site,
+                                           .job = one_job};
+    tell(site, "sensitivity, floor spectra and a second method");
+    return thud_threads_run(&jobs, NULL, err);
+}
+
 static enum thud_status compute(struct site *site, struct thud_error *err)
 {
     enum thud_status status = run_cases(site, err);
-    if (status == THUD_OK)
-        status = run_floors(site, err);
-    if (status == THUD_OK) {
-        tell(site, "sensitivity");
-        status =
-            thud_sensitivity_run(site->own->scene, site->record, change, site->own->result, &site->sensitivity, err);
-    }
     site->varied = thud_scene_has_bumper(site->scene) ? THUD_STIFFNESS_BUMPER : THUD_STIFFNESS_CONTACT;
-    if (status == THUD_OK)
-        status = stopped(site, err);
-    if (status == THUD_OK)
-        status = thud_stiffness_rows(site->own->scene, site->record, site->varied, site->row, &site->nrows, err);
-    if (status == THUD_OK)
-        status = run_reversed(site, err);
     if (status == THUD_OK)
         status = draw_samples(site, err);
     if (status == THUD_OK && site->options->records->n > 1)
@@ -280,10 +298,10 @@ static enum thud_status compute(struct site *site, struct thud_error *err)
     if (status == THUD_OK)
         status = stopped(site, err);
     if (status == THUD_OK)
-        status = thud_site_simplify_run(site, err);
+        status = run_all_beside(site, err);
     if (status == THUD_OK)
-        status = thud_site_variants_run(site, err);
-    return status == THUD_OK ? run_second(site, err) : status;
+        status = thud_site_simplify_run(site, err);
+    return status == THUD_OK ? thud_site_variants_run(site, err) : status;
 }
 
 static enum thud_status make_pdf(struct site *site, struct thud_error *err)

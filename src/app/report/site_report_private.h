@@ -128,6 +128,9 @@ void thud_site_effect(const struct site *site, const struct site_case *one, bool
 
 /* Runs it, or the one motion as it is. Errors: those of the studies. */
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
+/* What its runs come to, by so many jobs of which several may be done at once. */
+int thud_site_suite_jobs(const struct site *site);
+enum thud_status thud_site_suite_job(struct site *site, int job, struct thud_error *err);
 void thud_site_suite_clear(struct site *site);
 /* The rows of the verdicts that are over it. */
 void thud_site_suite_verdicts(struct site *site);

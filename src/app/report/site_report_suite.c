@@ -42,20 +42,22 @@ static enum thud_status make_plan(struct site *site, struct thud_error *err)
     return status == THUD_OK ? thud_sweep_cases(&suite->plan, cases, err) : status;
 }
 
-static enum thud_status make_fragility(struct site_suite *suite, unsigned long long seed, struct thud_error *err)
+int thud_site_suite_jobs(const struct site *site)
 {
-    enum thud_status status = THUD_OK;
-    thud_event_parse("pounding", &suite->pounding, NULL);
-    thud_event_parse("worse", &suite->worse, NULL);
-    for (int k = 0; k < suite->plan.ncases && status == THUD_OK && suite->leads; k++) {
-        struct thud_fragility_ask ask = {
-            .event = &suite->pounding, .k = k, .samples = BOOTSTRAP, .seed = seed, .first_contact = true};
-        status = thud_fragility_make(suite->runs, &ask, &suite->pounds[k], err);
-        ask.event = &suite->worse;
-        if (status == THUD_OK && k > 0 && k == suite->plan.ncases - 1)
-            status = thud_fragility_make(suite->runs, &ask, &suite->worsens, err);
-    }
-    return status;
+    const int ncases = site->suite.plan.ncases;
+    return site->suite.leads ? ncases + (ncases > 1) : 0;
+}
+
+enum thud_status thud_site_suite_job(struct site *site, int job, struct thud_error *err)
+{
+    struct site_suite *suite = &site->suite;
+    const bool worse = job == suite->plan.ncases;
+    const struct thud_fragility_ask ask = {.event = worse ? &suite->worse : &suite->pounding,
+                                           .k = worse ? job - 1 : job,
+                                           .samples = BOOTSTRAP,
+                                           .seed = site->options->seed,
+                                           .first_contact = true};
+    return thud_fragility_make(suite->runs, &ask, worse ? &suite->worsens : &suite->pounds[job], err);
 }
 
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
@@ -69,7 +71,9 @@ enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err)
     if (status == THUD_OK && !(suite->room = malloc((size_t)suite->runs->nrecords * sizeof *suite->room)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
     suite->as_given = thud_suite_setting(&suite->plan, (const int[THUD_VARY_MAX]){AS_GIVEN});
-    return status == THUD_OK ? make_fragility(suite, site->options->seed, err) : status;
+    thud_event_parse("pounding", &suite->pounding, NULL);
+    thud_event_parse("worse", &suite->worse, NULL);
+    return status;
 }
 
 void thud_site_suite_clear(struct site *site)
