@@ -174,6 +174,24 @@ bool thud_record_same_event(const struct thud_record *a, const struct thud_recor
     return a->event[0] && strcmp(a->event, b->event) == 0;
 }
 
+/* The first year from 1900 on in a text, as four digits; 0: none. */
+static int year_of(const char *text)
+{
+    for (size_t n = 0; *text; text += n > 0 ? n : 1) {
+        n = strspn(text, "0123456789");
+        const int year = n == 4 || n == 8 ? atoi(text) / (n == 8 ? 10000 : 1) : 0; /* 1940, 19400519 */
+        if (year >= 1900 && year < 2100)
+            return year;
+    }
+    return 0;
+}
+
+bool thud_record_may_be_same_event(const struct thud_record *a, const struct thud_record *b)
+{
+    const int of_a = year_of(a->event), of_b = year_of(b->event);
+    return !(of_a > 0 && of_b > 0 && of_a != of_b);
+}
+
 bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b)
 {
     return thud_record_same_event(a, b) && a->station[0] && strcmp(a->station, b->station) == 0;
@@ -247,11 +265,15 @@ static size_t name_length(const char *file)
     return (size_t)(end - file);
 }
 
-static bool same_recording(const struct thud_record *a, const struct thud_record *b)
+bool thud_record_same_file(const struct thud_record *a, const struct thud_record *b)
 {
     const size_t n = name_length(a->file);
-    return (n == name_length(b->file) && strncmp(a->file, b->file, n) == 0) || thud_record_same_station(a, b) ||
-           thud_record_same_motion(a, b);
+    return n == name_length(b->file) && strncmp(a->file, b->file, n) == 0;
+}
+
+static bool same_recording(const struct thud_record *a, const struct thud_record *b)
+{
+    return thud_record_same_file(a, b) || thud_record_same_station(a, b) || thud_record_same_motion(a, b);
 }
 
 int thud_motions_recordings(const struct thud_record *const *record, int n, int *of)

@@ -466,6 +466,8 @@ is "is judged by its run" in_text "20.0 cm given; 19.8 cm required between bare 
 is "its first line" gives 0 run three-in-a-row $row --case none --quiet
 is "says what the required gap is of" shows '^summary 1 *POUNDS at 20 cm: 2 impacts, 6.09 MN$'
 is "in the line after it" shows '^  *needs 19.8 cm when nothing else touches$'
+is "a gap at which they keep apart" gives 0 run three-in-a-row --set interfaces.1.gap=20.6cm --set interfaces.2.gap=10cm --case none --quiet
+is "has what it needs said of these two alone" shows '^summary 1 *NO CONTACT at 20.6 cm   needs 19.8 cm when nothing else touches$'
 is "a gap between those without and with the bumper" gives 0 run towers --set gap=20cm --quiet
 is "is below what is needed" shows '^summary *POUNDS at 20 cm: 8 impacts, 4.86 MN   needs 24.8 cm (19.8 bare)$'
 is "a law that differs by its numbers alone is explained once" [ "$(grep -c '^Contact of bare faces' "$tmp/every/report.md")" -eq 1 ]

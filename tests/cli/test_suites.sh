@@ -234,7 +234,7 @@ for n in 1 2 3 4 5 6 7; do
     echo "$PWD/records/$(echo kobe northridge san-fernando | cut -d' ' -f$((n % 3 + 1)))-surrogate.csv:peak=0.$((n + 2)) g" >>"$tmp/three.list"
 done
 is "seven files of three recordings" gives 0 gap towers --records "$tmp/three.list"
-is "are three, whose largest displacements count" says "7 files, 3 recordings: few; codes then require the largest"
+is "are three, whose largest displacements count" says "3 files, 3 recordings: few; codes then require the largest"
 is "and not the mean" shows "^uL and uR: largest of the 7 ground motions"
 gaps="--vary gap=5cm,10cm --to 4s --quiet"
 # shellcheck disable=SC2086 # several words
@@ -507,6 +507,14 @@ is "two motions that say nothing of themselves" sh -c "cd '$tmp/odd' && \"\$THUD
 is "count as independent, which is said" shows "! 2 files, 2 recordings, 2 of unknown station: fewer than codes accept"
 is "one that says it is not of those" sh -c "cd '$tmp/odd' && \"\$THUD\" suite kaikoura-wtmc.csv,two.csv:column=2 --quiet | grep -q '2 recordings, 1 of unknown station'"
 is "not of one that says it" sh -c "cd '$tmp/odd' && ! \"\$THUD\" suite kobe-surrogate.csv,plain --quiet | grep 'of unknown'"
+unknown() { (cd "$tmp/odd" && "$THUD" suite "kaikoura-wtmc.csv,two.csv:column=2:event=$1" --quiet | grep -o '[0-9] of unknown'); }
+is "a motion of an event in another year is not of its station" [ -z "$(unknown 'El Centro 1940')" ]
+is "one of the same year without a station may be" [ "$(unknown 'Waiau 2016')" = "1 of unknown" ]
+is "factor and sign leave a file one" sh -c "cd '$tmp/odd' && \"\$THUD\" gap towers --records plain,plain:factor=0.5,plain:sign=-,kaikoura-wtmc.csv 2>'$tmp/err' >'$tmp/out'"
+is "as the remark counts" says "2 files, 2 recordings, 2 of unknown station"
+is "the remarks end its JSON" sh -c "cd '$tmp/odd' && \"\$THUD\" suite kaikoura-wtmc.csv,two.csv:column=2 --target asce7:SDS=1g,SD1=0.6g,TL=8s --json >'$tmp/out'"
+is "with what the code of the target asks" shows '"remarks": \[' && shows '"sentence": "asce7: chapter 16'
+is "a remark that allows nothing has no brackets" sh -c "cd '$tmp/odd' && ! \"\$THUD\" suite kaikoura-wtmc.csv,two.csv:column=2 --target asce7:SDS=1g,SD1=0.6g,TL=8s | grep '()'"
 rm "$tmp/odd/two.csv"
 round "every awkward name of a folder" "$tmp/odd:to=9s"
 printf 'a\nb' >"$tmp/two-lines" && mkdir "$tmp/lines" && cp "$tmp/odd/plain" "$tmp/lines/$(cat "$tmp/two-lines")"

@@ -50,8 +50,8 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
-        struct thud_summary_line line = {.need_m = NAN};
-        char text[160];
+        struct thud_summary_line line = {.need_m = NAN, .in_row = scene->nstructures > 2};
+        char text[160], needs[96];
         double most;
         thud_interface_gaps(&scene->interface[i - 1], &line.gap_m, &most);
         for (int c = 0; c < r->ncontacts; c++)
@@ -70,13 +70,13 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
                 line.bumper_m = line.gap_m - thud_interface_clearance(&scene->interface[i - 1]);
         }
         thud_summary_line(&line, COLUMNS, text, sizeof text);
-        if (scene->nstructures > 2)
+        if (line.in_row)
             thud_text_append(out, "summary %-6d %s\n", i, text);
         else
             thud_text_append(out, "summary        %s\n", text);
+        thud_summary_needs(&line, needs, sizeof needs);
         if (!isnan(line.need_m) && !strstr(text, "needs")) /* it found no room */
-            thud_text_append(out, "               needs %.1f cm when nothing else touches\n",
-                             thud_summary_gap_cm(line.need_m + line.bumper_m));
+            thud_text_append(out, "               %s\n", needs);
     }
 }
 

@@ -56,6 +56,21 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
     }
 }
 
+#define ALONE " when nothing else touches"
+
+void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size)
+{
+    const double bare_cm = thud_summary_gap_cm(line->need_m);
+    if (line->bumper_m > 0)
+        snprintf(text, size, "needs %.1f cm (%.1f bare)%s", thud_summary_gap_cm(line->need_m + line->bumper_m), bare_cm,
+                 line->in_row ? ALONE : "");
+    else if (line->in_row)
+        snprintf(text, size, "needs %.1f cm" ALONE, bare_cm);
+    else
+        snprintf(text, size, "needs %.1f cm (ABS %.1f, SRSS %.1f)", bare_cm, thud_summary_gap_cm(line->abs_m),
+                 thud_summary_gap_cm(line->srss_m));
+}
+
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size)
 {
     char part[160], bumper[120], gap[48], words[64];
@@ -75,18 +90,10 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
         int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0;
-        const double needs_m = line->need_m + line->bumper_m, needs_cm = thud_summary_gap_cm(needs_m);
-        const char *alone = line->impacts > 0 && line->gap_m >= needs_m ? " when nothing else touches" : "";
-        if (line->bumper_m > 0)
-            snprintf(part, sizeof part, "needs %.1f cm (%.1f bare)%s", needs_cm, thud_summary_gap_cm(line->need_m),
-                     alone);
-        else if (*alone)
-            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, alone);
-        else
-            snprintf(part, sizeof part, "needs %.1f cm (ABS %.1f, SRSS %.1f)", needs_cm,
-                     thud_summary_gap_cm(line->abs_m), thud_summary_gap_cm(line->srss_m));
+        const double needs_cm = thud_summary_gap_cm(line->need_m + line->bumper_m);
+        thud_summary_needs(line, part, sizeof part);
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, alone);
+            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, line->in_row ? ALONE : "");
         add(text, size, columns, part);
     }
     if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)

@@ -12,6 +12,7 @@ struct thud_summary_line {
     double impulse_ns;          /* in all */
     double need_m;              /* the clearance that is never used up when nothing else touches; NaN: not known */
     double bumper_m;            /* projection of a bumper of this run, to be added to the gap; 0: there is none */
+    bool in_row;                /* others stand beside the two and may push them: need_m holds without these */
     double abs_m, srss_m;       /* by the codes' rules, where need_m is known */
     const char *without, *with; /* NULL: nothing is compared; else what the rest describes, "no bumper", and "bumper" */
     int bumper_impacts;         /* of that run */
@@ -24,7 +25,9 @@ double thud_summary_gap_cm(double gap_m);
 double thud_table_gap_cm(double gap_m);
 
 /* "no bumper: POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: 31 impacts, 19.5 MN
- * (-9 %)"; of a run with a bumper "needs 23.9 cm (18.9 bare)", and where two pound at such a gap since another one pushes
- * them, or keep apart below it, "needs 18.9 cm when nothing else touches". Gaps are rounded up to the next millimetre. What has no room in `columns` is left off, the codes' rules first,
- * then of the bumper all but its force, then whose result comes first. Empty without a result. */
+ * (-9 %)"; of a run with a bumper "needs 23.9 cm (18.9 bare)", in a row "needs 18.9 cm when nothing else touches". Gaps
+ * are rounded up to the next millimetre. What has no room in `columns` is left off, the codes' rules first, then of the
+ * bumper all but its force, then whose result comes first. Empty without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
+/* "needs 18.9 cm (ABS 28.0, SRSS 20.0)", as long as it is. */
+void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size);

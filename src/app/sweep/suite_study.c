@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "ground/spectrum.h"
 #include "io/file/json.h"
+#include "io/result/result_rows.h"
 #include "io/result/study_rows.h"
 #include "study/sweep/remark.h"
 
@@ -64,10 +65,12 @@ static double sa_at(const struct thud_suite_study *study, int i, int mark)
     return sa * study->scaled.motion[i].factor;
 }
 
-static void put_remarks(const struct thud_suite_study *study, struct thud_text *out)
+/* On the motions that are chosen, by their factors. */
+static void put_remarks(const struct thud_suite_study *study, bool json, struct thud_text *out)
 {
     const struct thud_record **chosen = calloc((size_t)study->records->n, sizeof(struct thud_record *));
     double *factor = calloc((size_t)study->records->n, sizeof *factor);
+    char text[1600];
     int n = 0;
     for (int i = 0; chosen && factor && i < study->records->n; i++)
         if (study->scaled.motion[i].chosen) {
@@ -76,10 +79,14 @@ static void put_remarks(const struct thud_suite_study *study, struct thud_text *
         }
     const struct thud_remark_scope scope = {
         .record = chosen, .factor = factor, .target = study->has_target ? &study->target : NULL, .nrecords = n};
-    struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_MOTIONS);
+    struct thud_remarks found = {0};
+    if (json)
+        thud_remarks_json(&scope, THUD_REMARK_MOTIONS, out);
+    else
+        found = thud_remarks_find(&scope, THUD_REMARK_MOTIONS);
     for (int i = 0; i < found.n; i++)
-        thud_text_append(out, "%s  ! %s (%s)\n", i == 0 ? "\n" : "", found.item[i].said.what,
-                         found.item[i].said.allowed);
+        thud_text_append(out, "%s  ! %s\n", i == 0 ? "\n" : "",
+                         thud_error_text(&found.item[i].said, text, sizeof text));
     thud_remarks_clear(&found);
     free(chosen);
     free(factor);
@@ -156,7 +163,7 @@ void thud_suite_motions_table(const struct thud_suite_study *study, struct thud_
     thud_rows_table(&(struct thud_rows){&schema, 0, study->records->n, make_shown, study}, out);
     if (study->has_target)
         put_result(study, out);
-    put_remarks(study, out);
+    put_remarks(study, false, out);
 }
 
 void thud_suite_motions_csv(const struct thud_suite_study *study, struct thud_text *out)
@@ -209,7 +216,9 @@ void thud_suite_motions_json(const struct thud_suite_study *study, struct thud_t
         }
         thud_text_append(out, "]}");
     }
-    thud_text_append(out, "\n]}\n");
+    thud_text_append(out, "\n]");
+    put_remarks(study, true, out);
+    thud_text_append(out, "}\n");
 }
 
 enum thud_status thud_suite_list_text(const struct thud_suite_study *study, const char *from, struct thud_text *out,

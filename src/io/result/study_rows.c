@@ -51,7 +51,8 @@ const struct thud_schema thud_motion_schema =
     THUD_SCHEMA("motions.csv",
                 "Written by\n.Cm thud suite :\none row for each ground motion.\n.Fl -json\nhas the same, with the "
                 "marked periods as the list\n.Va sa .\nIt adds the target, the common factor, the range of periods, "
-                "the least ratio of\nmean and target with its period, the mean peak, and the target at T = 0.\n",
+                "the least ratio of\nmean and target with its period, the mean peak, and the target at T = 0.\n"
+                "It ends with the\n.Va remarks .\n",
                 motions);
 
 #define KEY(member, name, text) THUD_FIELD(struct thud_curve_key, member, name, text)

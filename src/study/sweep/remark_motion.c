@@ -30,8 +30,20 @@ void thud_remark_one_event(const struct thud_remark_scope *scope, int i, struct 
 /* Nothing that the two say of themselves tells whether they are components of one station. */
 static bool may_be_of_one_station(const struct thud_record *a, const struct thud_record *b)
 {
-    const bool events = *a->event && *b->event, stations = *a->station && *b->station;
-    return !a->synthetic && !b->synthetic && (!events || (thud_record_same_event(a, b) && !stations));
+    const bool stations = *a->station && *b->station;
+    return !a->synthetic && !b->synthetic && !(stations && *a->event && *b->event) &&
+           thud_record_may_be_same_event(a, b);
+}
+
+static int of_files(const struct thud_remark_scope *scope)
+{
+    int n = 0;
+    for (int i = 0, k; i < scope->nrecords; i++) {
+        for (k = 0; k < i && !thud_record_same_file(scope->record[i], scope->record[k]);)
+            k++;
+        n += k == i;
+    }
+    return n;
 }
 
 /* How many motions do not say their event and station, and may be a component of a station that another one is of, too. */
@@ -47,16 +59,17 @@ static int of_unknown_station(const struct thud_remark_scope *scope)
     return n;
 }
 
-/* The number of recordings, where it is below what the code of the target (without one, EN 1998-1) requires, or uncertain.
- * A motion and its reverse are of one file. */
+/* The number of recordings, where it is below what the code of the target (without one, EN 1998-1) requires, or
+ * uncertain. A motion and its reverse alone are no suite. */
 void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     char unknown[48] = "";
-    int files = scope->nrecords;
+    const int files = of_files(scope);
+    int turned = 0;
     (void)i;
     for (int k = 1; k < scope->nrecords; k++)
-        files -= is_turned(scope, k);
-    if (files < 2)
+        turned += is_turned(scope, k);
+    if (scope->nrecords - turned < 2)
         return;
     const struct thud_target_code *code = thud_target_code(scope->target);
     const int recordings = thud_motions_recordings(scope->record, scope->nrecords, NULL);
@@ -67,8 +80,8 @@ void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct
     if (without > 0)
         snprintf(unknown, sizeof unknown, ", %d of unknown station", without);
     struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "%d files, %d recording%s%s%s", files, recordings, recordings == 1 ? "" : "s",
-                   unknown,
+    thud_error_set(said, THUD_OK, "%d file%s, %d recording%s%s%s", files, files == 1 ? "" : "s", recordings,
+                   recordings == 1 ? "" : "s", unknown,
                    enough                     ? ""
                    : recordings < code->least ? ": fewer than codes accept"
                    : code->mean == 0          ? ": the code requires the largest result, not the mean"

@@ -73,7 +73,7 @@ static void words_of_pair(const struct thud_tui *tui, int columns, char *text, s
 {
     const struct thud_scene *scene = &tui->doc.scene;
     const struct thud_live_need *need = &tui->run.live.need[tui->interface];
-    struct thud_summary_line line = {.need_m = NAN};
+    struct thud_summary_line line = {.need_m = NAN, .in_row = scene->nstructures > 2};
     *text = '\0';
     line.force_n = thud_live_force(&tui->run.live, THUD_LIVE_NONE, tui->interface + 1, &line.impacts);
     line.impulse_ns = thud_live_impulse(&tui->run.live, THUD_LIVE_NONE, tui->interface + 1);
