@@ -22,6 +22,8 @@ enum thud_status thud_fragility_options_read(const struct thud_args *args, const
     if (!thud_args_has(args, "event"))
         status = thud_events_parse(plan->scene.study.events, out->event, &out->nevents, err);
     if (status == THUD_OK)
+        status = thud_fragility_check(out, plan, err);
+    if (status == THUD_OK)
         status = thud_args_integer(args, "samples", 0, SAMPLES_MAX, SAMPLES, &out->samples, err);
     if (status == THUD_OK)
         status = thud_args_integer(args, "seed", 0, SEED_MAX, 1, &seed, err);

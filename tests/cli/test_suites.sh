@@ -351,6 +351,14 @@ is "which are counted, and no others" test "$(cut -d, -f1 "$tmp/out" | sed 1d | 
 is "refused: an unknown event of a preset" gives 2 fragility "$tmp/events.yaml" --records "$three" --set study.events=flood
 is "refused: an event of which no run has a value" gives 2 fragility towers --records "$three" --vary gap=5cm,10cm --cases none --event column:1
 is "by its name" says '^thud: --event column:1: no run of this study has a value for it: '
+is "before any run" sh -c "! grep -q 'runs:' '$tmp/err'"
+is "gaps too narrow for a bumper" gives 0 fragility towers --records "$three" --vary gap=2cm,10cm,18cm --cases none,bumper --event acceleration:4g --quiet
+is "have no counts, not 0 of 0" shows '^  bumper .*counts - [0-9] [0-9] of 3 at 2 10 18'
+is "and no row of numbers" gives 0 sweep towers --records "$three" --vary gap=2cm,40cm --cases none,bumper --quiet
+is "in the table" shows '^  bumper   A  *-    -      -      -      -       -       -  2 cm$'
+is "a force of 0 over 0 is equal" shows '^largest force  *-  *1.000  0  3  0$'
+is "gaps by rule in a row" gives 0 gap three-in-a-row --quiet
+is "are those of all its interfaces" shows '^the other interfaces have the gaps of the same rule\.$'
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
 printf 'factor,annual_rate\n0.1,0.1\n1,0.002\n2,0.0001\n' >"$tmp/factor.csv"

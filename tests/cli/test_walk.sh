@@ -54,7 +54,7 @@ for s in A B; do
     is "largest drift of $s" shows "^largest drift of $s  *$(again drift_m $s largest)$"
 done
 is "a response from nothing is not lowered" gives 0 sweep mine.yaml --records mine.list --signs both --vary gap=6cm,22cm --cases none,bumper --quiet
-is "and has no ratio" shows "^largest force  *1.029  *3  *0  *5  *from 0  *0  *0  *2$"
+is "but higher, and nothing over nothing is equal" shows "^largest force  *1.029  *3  *0  *5  *1.000  *0  *6  *2$"
 is "three settings at most in 80 columns" gives 0 sweep mine.yaml --records mine.list --vary gap=6cm:22cm:4cm --cases none,bumper --quiet
 is "the first, the middle and the last" sh -c "awk '/^bumper over none/ { getline; print \$1, \$3, \$5, NF; exit }' '$tmp/out' | grep -q '^6 14 22 6$'"
 is "without case none there is none" gives 0 sweep mine.yaml --records mine.list --cases bumper --quiet

@@ -49,7 +49,11 @@ static void put_counts(const struct thud_fragility *f, double unit, struct thud_
         most = f->stripe[i].n > most ? f->stripe[i].n : most;
     thud_text_append(out, "counts");
     for (size_t i = 0; i < f->n; i++)
-        if (thud_is_spread((int)f->n, (int)i))
+        if (!thud_is_spread((int)f->n, (int)i))
+            continue;
+        else if (f->stripe[i].n == 0) /* there the scene is not possible */
+            thud_text_append(out, " -");
+        else
             thud_text_append(out, f->stripe[i].n == most ? " %d" : " %d/%d", f->stripe[i].count, f->stripe[i].n);
     thud_text_append(out, " of %d at", most);
     for (size_t i = 0; i < f->n; i++)

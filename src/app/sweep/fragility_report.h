@@ -32,6 +32,9 @@ struct thud_fragility_study {
 enum thud_status thud_hazard_read(const char *path, const struct thud_sweep_axis *axis, struct thud_hazard *out,
                                   struct thud_error *err);
 
+/* Checks before any run that the scenes of a plan have what the events need. Errors: THUD_USAGE. */
+enum thud_status thud_fragility_check(const struct thud_fragility_study *study, const struct thud_sweep_plan *plan,
+                                      struct thud_error *err);
 /* Fills `line`; `suite`, events, hazard, samples and seed are given. Errors: THUD_USAGE (no number is varied),
  * THUD_MEMORY. */
 enum thud_status thud_fragility_study_make(struct thud_fragility_study *study, struct thud_error *err);

@@ -208,6 +208,23 @@ static bool has_result(const struct thud_suite *suite)
     return false;
 }
 
+static enum thud_status refuse_event(const struct thud_event *event, struct thud_error *err)
+{
+    return thud_error_refuse(err, THUD_USAGE, NULL, "events of which these scenes have a value",
+                             "--event %s: no run of this study has a value for it: %s", event->text,
+                             thud_measure_info(event->measure)->words);
+}
+
+enum thud_status thud_fragility_check(const struct thud_fragility_study *study, const struct thud_sweep_plan *plan,
+                                      struct thud_error *err)
+{
+    const unsigned features = thud_measure_features(plan);
+    for (int e = 0; e < study->nevents; e++)
+        if (thud_measure_info(study->event[e].measure)->needs & ~features)
+            return refuse_event(&study->event[e], err);
+    return THUD_OK;
+}
+
 /* An event for which no run has a value, such as columns that no slab strikes, has no probability. */
 static enum thud_status check_events(const struct thud_fragility_study *study, struct thud_error *err)
 {
@@ -217,9 +234,7 @@ static enum thud_status check_events(const struct thud_fragility_study *study, s
             for (size_t j = 0; study->line[i].event == e && j < study->line[i].fragility.n; j++, asked++)
                 runs += study->line[i].fragility.stripe[j].n;
         if (asked > 0 && runs == 0)
-            return thud_error_refuse(err, THUD_USAGE, NULL, "events of which these scenes have a value",
-                                     "--event %s: no run of this study has a value for it: %s", study->event[e].text,
-                                     thud_measure_info(study->event[e].measure)->words);
+            return refuse_event(&study->event[e], err);
     }
     return THUD_OK;
 }

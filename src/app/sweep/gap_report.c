@@ -251,8 +251,9 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
                              : "");
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
-    thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force.\n",
-                     thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)));
+    thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force%s.\n",
+                     thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)),
+                     study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");
     for (int rule = 0; rule < THUD_GAP_RULES; rule++)
         if (*thud_gap_rule_at(rule)->source) {
             thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);

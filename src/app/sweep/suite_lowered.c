@@ -34,7 +34,7 @@ struct compared {
     struct thud_fractiles of[THUD_MEASURES * THUD_STRUCTURES_MAX][MEASURES_MAX]; /* over case none */
 };
 
-/* Of a response over that of case none: under how many ground motions it is lower and higher. */
+/* Of a response over that of case none: under how many ground motions it is lower and higher; 0 over 0 is equal. */
 static struct thud_fractiles ratio_of(const struct compared *c, const struct measure *m, const struct response *x,
                                       double *room)
 {
@@ -43,9 +43,9 @@ static struct thud_fractiles ratio_of(const struct compared *c, const struct mea
     for (int r = 0; r < suite->nrecords; r++) {
         double with = thud_suite_value(suite, r, m->setting, m->k, x->measure, x->structure),
                without = thud_suite_value(suite, r, m->setting, c->none, x->measure, x->structure);
-        if (isnan(with) || isnan(without) || !(with > 0 || without > 0))
+        if (isnan(with) || isnan(without))
             continue;
-        room[n++] = without > 0 ? with / without : from_nothing;
+        room[n++] = without > 0 ? with / without : with > 0 ? from_nothing : 1;
     }
     return thud_fractiles_of(room, n, suite->ndraws, 1);
 }

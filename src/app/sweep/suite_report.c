@@ -93,7 +93,10 @@ static void put_table_row(const struct thud_suite *suite, const int *at, int k, 
         return;
     thud_text_append(out, "  %-8s ", thud_case_name(plan->cases[k]));
     thud_text_padded(out, plan->scene.structure[s].name, thud_scene_names_width(&plan->scene, NAME));
-    thud_text_append(out, " %4.0f %4.0f", row->count[POUNDING], row->count[AMPLIFIED]);
+    if (row->count[MOTIONS] > 0)
+        thud_text_append(out, " %4.0f %4.0f", row->count[POUNDING], row->count[AMPLIFIED]);
+    else /* there the scene is not possible */
+        thud_text_append(out, " %4s %4s", "-", "-");
     for (int q = 0; q < FRACTILES; q++)
         thud_text_append(out, isnan(ratio[q]) ? "      -" : " %6.3f", ratio[q]);
     for (int f = 0; f < (suite->features & THUD_HAS_LINK_FORCES ? 2 : 1); f++)
