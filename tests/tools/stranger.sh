@@ -229,13 +229,9 @@ shown_rule() { # 4 storeys of 3 m
 }
 
 add_remark() { # a scene with a ground motion is remarked on
-    FILES=3 TESTS='scene'
-    after src/study/sweep/remark_rows.h 'typedef void thud_remark_row(' <<'END'
-
-thud_remark_row thud_remark_stranger;
-END
-    after src/study/sweep/remark_list.c 'ROW(RESULT, INTERFACE, MODEL, bumper)' <<'END'
-    ROW(RESULT, ONCE, UNUSUAL, stranger),
+    FILES=2 TESTS='scene'
+    after src/study/sweep/remark_list.h 'THUD_REMARK(RESULT, ONCE, FAILURE, collapse' <<'END'
+THUD_REMARK(RESULT, ONCE, UNUSUAL, stranger, "")
 END
     cat >>src/study/sweep/remark_run.c <<'END'
 

@@ -4,13 +4,6 @@
 /* How often a row is asked. */
 enum place { ONCE, STRUCTURE, INTERFACE, MOTION, VARIED };
 
-#define ROW(about, at, weight, name, keys)                                                                             \
-    {                                                                                                                  \
-        THUD_REMARK_##about, at, THUD_WEIGHT_##weight, thud_remark_##name, keys                                        \
-    }
-#define SCENE(at, name, keys) ROW(SCENE, at, UNUSUAL, name, keys)
-
-/* Adjacent rows on the same subject, evaluated at the same places, are reported place by place. */
 static const struct row {
     enum thud_remark_about about;
     enum place at;
@@ -18,45 +11,9 @@ static const struct row {
     thud_remark_row *look;
     const char *keys;
 } rows[] = {
-    ROW(EFFORT, ONCE, UNUSUAL, effort, ""),
-    ROW(MOTIONS, ONCE, MOTION, one_event, ""),
-    ROW(MOTIONS, ONCE, MOTION, recordings, ""),
-    ROW(MOTIONS, ONCE, MOTION, target, ""),
-    ROW(MOTIONS, MOTION, MOTION, factor, "scale"),
-    ROW(MOTIONS, MOTION, MOTION, vertical, ""),
-    ROW(MOTIONS, MOTION, MOTION, twice, ""),
-    ROW(COMPUTED, ONCE, MOTION, synthetic, ""),
-    SCENE(STRUCTURE, structure_values, ""),
-    SCENE(STRUCTURE, modes, "storeys"),
-    SCENE(STRUCTURE, estimate, "height_m"),
-    SCENE(STRUCTURE, columns, "stiffness_npm"),
-    SCENE(INTERFACE, assumed_law, ""),
-    SCENE(INTERFACE, interface_values, ""),
-    SCENE(INTERFACE, cavity, "cavity_m"),
-    SCENE(INTERFACE, light_wall, "mass_kg base-mass_kg mass_kg||mass_kg mass_kg||base-mass_kg"),
-    SCENE(INTERFACE, whole_law, ""),
-    SCENE(INTERFACE, faces, "slab-depth_m"),
-    SCENE(ONCE, setup, ""),
-    SCENE(ONCE, levels, ""),
-    SCENE(ONCE, step, "step_s"),
-    ROW(SIMPLER, ONCE, UNUSUAL, simpler, ""),
-    ROW(CHANGE, VARIED, UNUSUAL, kept_key, ""),
-    ROW(CHANGE, INTERFACE, UNUSUAL, kept_stiffness, ""),
-    ROW(RESULT, INTERFACE, MODEL, bumper,
-        "thickness_m indentation_m indentation_time_s max-strain*thickness_m impacts"),
-    ROW(RESULT, STRUCTURE, MODEL, drift, "drift_m drift_m/height_m"),
-    ROW(RESULT, STRUCTURE, FAILURE, struck,
-        "shear_lower_n shear_upper_n shear_lower_time_s shear_upper_time_s shear_over_capacity"),
-    ROW(RESULT, STRUCTURE, MODEL, overturning, "overturning_nm overturning_time_s"),
-    ROW(RESULT, ONCE, FAILURE, collapse, "time_s drift_m drift_m/height_m"),
-    ROW(RESULT, STRUCTURE, MODEL, yielding, "ductility drift_m drift_m/height_m"),
-    ROW(RESULT, STRUCTURE, MODEL, theta, "stability_coefficient"),
-    ROW(LEDGER, ONCE, DIGITS, energy, "error_ratio contact_j"),
-    ROW(RESULT, ONCE, DIGITS, digits, "gap_m change gap scale stiffness_odd stiffness_even"),
-    ROW(STUDY, ONCE, FAILURE, collapses, ""),
-    ROW(STUDY, ONCE, MODEL, presses, "thickness_m indentation_m"),
-    ROW(STUDY, ONCE, MODEL, drifts, "drift_m/height_m"),
-    ROW(STUDY, ONCE, MODEL, thetas, ""),
+#define THUD_REMARK(about, at, weight, name, keys)                                                                     \
+    {THUD_REMARK_##about, at, THUD_WEIGHT_##weight, thud_remark_##name, keys},
+#include "study/sweep/remark_list.h"
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
