@@ -34,19 +34,28 @@ static int run_python(FILE *script)
     return number == ENOENT ? 127 : number || !WIFEXITED(status) ? -1 : WEXITSTATUS(status);
 }
 
-/* --check: OpenSeesPy's peaks beside thud's. */
-static enum thud_status check(const struct thud_text *script, struct thud_error *err)
+/* The script as a file to read from: the one in the folder, or one without a name. NULL: there is none. */
+static FILE *open_script(const struct thud_text *text, const char *path)
 {
-    FILE *file = script->failed ? NULL : tmpfile();
-    const bool written = file && fwrite(script->data, 1, script->size, file) == script->size && fflush(file) == 0;
-    int ended = -1;
-    if (written) {
-        rewind(file);
-        fflush(stdout);
-        ended = run_python(file);
-    }
-    if (file)
-        fclose(file);
+    if (path)
+        return fopen(path, "r");
+    FILE *file = text->failed ? NULL : tmpfile();
+    if (!file)
+        return NULL;
+    if (fwrite(text->data, 1, text->size, file) == text->size && fflush(file) == 0 && fseek(file, 0, SEEK_SET) == 0)
+        return file;
+    fclose(file);
+    return NULL;
+}
+
+/* --check: OpenSeesPy's peaks beside thud's. */
+static enum thud_status check(const struct thud_text *text, const char *path, struct thud_error *err)
+{
+    FILE *script = open_script(text, path);
+    fflush(stdout);
+    const int ended = script ? run_python(script) : -1;
+    if (script)
+        fclose(script);
     switch (ended) {
     case 0:
         return THUD_OK;
@@ -89,7 +98,7 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
     if (thud_args_has(args, "check") && thud_cli_form(args) == THUD_AS_JSON)
         return thud_error_refuse(err, THUD_USAGE, "--check", "without --json", "prints a table");
     if (!folder && thud_args_has(args, "check"))
-        return check(text, err);
+        return check(text, NULL, err);
     if (!folder && thud_cli_form(args) == THUD_AS_JSON)
         return print_json(scene, text, err);
     if (!folder)
@@ -103,10 +112,13 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         status = thud_text_write_in(text, folder, name, err);
     if (status == THUD_OK)
         status = thud_made_by_keep(&by, err);
-    if (status == THUD_OK && thud_args_has(args, "check"))
-        status = check(text, err);
     thud_text_clear(text);
     thud_text_append(text, "%s/%s\n", folder, name);
+    if (status == THUD_OK && thud_args_has(args, "check")) {
+        char path[1200];
+        snprintf(path, sizeof path, "%s/%s", folder, name);
+        status = check(text, path, err);
+    }
     if (status == THUD_OK && thud_cli_form(args) == THUD_AS_JSON)
         return thud_cli_print_files(args, text, err);
     thud_text_clear(text);

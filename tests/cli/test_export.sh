@@ -134,7 +134,9 @@ if [ -z "$python" ]; then
 else
     # a module in place of OpenSeesPy prints the modes of the springs and dashpots that are built, and ends as asked
     checked() { # HOW PRESET...
-        STAND_IN=$1 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/tests/cli "$THUD" export opensees "$2" --check --quiet >"$tmp/out" 2>"$tmp/err"
+        stand_in=$1
+        shift
+        STAND_IN=$stand_in PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PWD/tests/cli "$THUD" export opensees "$@" --check --quiet >"$tmp/out" 2>"$tmp/err"
     }
     checked 1 towers-on-soil
     is "--check: peaks that agree" [ $? -eq 0 ]
@@ -151,6 +153,9 @@ else
     checked 1.02 towers-on-soil
     is "--check: peaks that differ by 2 %" [ $? -eq 1 ]
     is "are told" says 'OpenSees and thud differ by more than 1 % in an acceleration'
+    checked 1.02 towers-on-soil -o "$tmp/kept"
+    is "--check of a script in a folder" [ $? -eq 1 ]
+    is "reads that script" [ -s "$tmp/kept/towers-on-soil.opensees.py" ]
     checked stuck towers-on-soil
     is "--check: no equilibrium" [ $? -eq 4 ]
     checked none towers-on-soil
