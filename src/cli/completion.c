@@ -134,7 +134,7 @@ static void zsh_words(struct thud_text *out, enum thud_word word)
     else if (word == THUD_WORD_FOLDER)
         thud_text_append(out, "_files -/");
     else if (list)
-        thud_text_append(out, "_thud_words %s", list);
+        thud_text_append(out, " _thud_words %s", list); /* the blank keeps _arguments from putting words between */
 }
 
 static void zsh_operands(struct thud_text *out, const char *place, const char *what, enum thud_word word)
@@ -170,8 +170,14 @@ static void zsh(struct thud_text *out)
     thud_text_append(out, "#compdef thud\n"
                           "_thud_words() {\n"
                           "    local -a found\n"
-                          "    found=(${(f)\"$(_call_program words $words[1] help --words $1 2>/dev/null)\"})\n"
-                          "    case $1 in\n"
+                          "    local list=$1 line=\"$words\"\n"
+                          "    if [[ $1 == (keys|varied) && $PREFIX == *=* ]]; then # KEY=WORD\n"
+                          "        list=${PREFIX%%%%=*}=\n"
+                          "        compset -P '*='\n"
+                          "    fi\n"
+                          "    found=(${(f)\"$(_call_program words $words[1] help --words ${(q)list} ${(q)line} "
+                          "2>/dev/null)\"})\n"
+                          "    case $list in\n"
                           "    keys) compadd -S = -a found ;;\n"
                           "    presets) compadd -a found; _files -g '*.yaml' ;;\n"
                           "    *) compadd -a found ;;\n"
@@ -215,7 +221,7 @@ static void fish_words(struct thud_text *out, enum thud_word word)
     if (word == THUD_WORD_FOLDER)
         thud_text_append(out, " -x -a '(__fish_complete_directories)'");
     else if (list && word != THUD_WORD_PRESET)
-        thud_text_append(out, " -x -a '(thud help --words %s 2>/dev/null)'", list);
+        thud_text_append(out, " -x -a '(__thud_words %s)'", list);
     else if (list)
         thud_text_append(out, " -x -a '(thud help --words %s 2>/dev/null; __fish_complete_suffix .yaml)'", list);
     else if (word == THUD_WORD_TEXT)
@@ -240,7 +246,19 @@ static void fish_place(struct thud_text *out, const struct thud_command *command
 
 static void fish(struct thud_text *out)
 {
-    thud_text_append(out, "# fish completion for thud\ncomplete -c thud -f\n");
+    thud_text_append(out, "# fish completion for thud\n"
+                          "function __thud_words\n"
+                          "    set -l line (commandline -cp | string collect)\n"
+                          "    set -l key (commandline -ct | string match -r '^[^=]+=')\n"
+                          "    if set -q key[1] # KEY=WORD\n"
+                          "        string replace -r '^' -- $key (thud help --words $key $line 2>/dev/null)\n"
+                          "    else if test $argv[1] = keys\n"
+                          "        string replace -r '$' = (thud help --words keys $line 2>/dev/null)\n"
+                          "    else\n"
+                          "        thud help --words $argv[1] $line 2>/dev/null\n"
+                          "    end\n"
+                          "end\n"
+                          "complete -c thud -f\n");
     for (int c = 0; c < THUD_COMMANDS; c++) {
         const struct thud_command *command = thud_command_at((enum thud_command_id)c);
         if (command->name[0]) {
