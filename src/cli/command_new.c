@@ -18,46 +18,52 @@ static void title_of(const char *path, char *name, size_t size)
         snprintf(name, size, "%.*s", dot && dot > file ? (int)(dot - file) : (int)strlen(file), file);
 }
 
-static void prompt(const struct thud_new_preset *preset, enum thud_new_row row, int side)
+/* A line of the answers without blanks at its ends; false: they have ended. */
+static bool read_answer(char **line, size_t *room, char **answer)
 {
-    const struct thud_new_about *about = thud_new_about(row);
-    const bool may_be_none = row == THUD_NEW_RECORD || row == THUD_NEW_SOIL || row == THUD_NEW_DAMPER;
-    fprintf(stderr, "%s%s%s%s%s [%s]: ",
-            about->single ? ""
-            : side        ? "right "
-                          : "left ",
-            about->label,
-            row == THUD_NEW_KIND ? " (shear, isolated, lead-rubber, pendulum, rigid, wall, backfill, estimated)" : "",
-            *about->unit || row == THUD_NEW_STIFFNESS ? ", with its unit" : "", may_be_none ? ", or no" : "",
-            preset->text[row][side]);
+    if (getline(line, room, stdin) < 0)
+        return false;
+    *answer = *line + strspn(*line, " \t");
+    size_t n = strlen(*answer);
+    while (n > 0 && strchr(" \t\r\n", (*answer)[n - 1]))
+        n--;
+    (*answer)[n] = '\0';
+    return true;
 }
 
 /* One answer in place of the usual value; the empty one keeps it, what cannot be is asked for again, and < goes back.
- * Errors: THUD_INPUT (the answers end). */
+ * Errors: THUD_INPUT (the answers end), THUD_MEMORY. */
 static enum thud_status ask(struct thud_new_preset *preset, enum thud_new_row row, int side, bool *back,
                             struct thud_error *err)
 {
-    char *value = preset->text[row][side], before[THUD_NEW_TEXT], line[THUD_NEW_TEXT + 2], what[1200];
-    struct thud_error wrong = {0};
-    memcpy(before, value, sizeof before);
-    for (;;) {
-        prompt(preset, row, side);
-        if (!fgets(line, sizeof line, stdin))
+    char *line = NULL, *answer, what[1200];
+    size_t room = 0;
+    enum thud_status status = THUD_INPUT;
+    for (*back = false; status != THUD_OK && !*back;) {
+        struct thud_new_preset next = *preset;
+        struct thud_error wrong = {0};
+        struct thud_text question = {0};
+        thud_new_question(preset, row, side, &question);
+        fputs(question.data ? question.data : "", stderr);
+        thud_text_clear(&question);
+        if (!read_answer(&line, &room, &answer)) {
+            free(line);
             return thud_error_set(err, THUD_INPUT, "the answers ended at \"%s\": nothing was written",
                                   thud_new_about(row)->label);
-        line[strcspn(line, "\r\n")] = '\0';
-        *back = strcmp(line, "<") == 0;
-        if (*back)
-            return THUD_OK;
-        if (strcmp(line, "no") == 0 || strcmp(line, "none") == 0)
-            *value = '\0';
-        else if (line[strspn(line, " ")])
-            snprintf(value, THUD_NEW_TEXT, "%.*s", THUD_NEW_TEXT - 1, line);
-        if (thud_new_preset_check(preset, row, side, &wrong) == THUD_OK)
-            return THUD_OK;
-        fprintf(stderr, "  %s\n", thud_error_text(&wrong, what, sizeof what));
-        memcpy(value, before, sizeof before);
+        }
+        *back = strcmp(answer, "<") == 0;
+        if (*answer && strlen(answer) < THUD_NEW_TEXT)
+            thud_new_preset_answer(&next, row, side, answer);
+        status = strlen(answer) < THUD_NEW_TEXT
+                     ? thud_new_preset_check(&next, row, side, &wrong)
+                     : thud_error_set(&wrong, THUD_INPUT, "an answer has up to %d characters", THUD_NEW_TEXT - 1);
+        if (status == THUD_OK)
+            *preset = next;
+        else if (!*back)
+            fprintf(stderr, "  %s\n", thud_error_text(&wrong, what, sizeof what));
     }
+    free(line);
+    return THUD_OK;
 }
 
 /* Questions are counted by row and side; those that do not apply are passed over, in both directions. */
@@ -77,23 +83,33 @@ static enum thud_status ask_all(struct thud_new_preset *preset, struct thud_erro
         if (status != THUD_OK)
             return status;
         step = back ? -1 : 1;
-        if (!back && at % 2 == 0 && row != THUD_NEW_STOREYS && !thud_new_about(row)->single &&
-            !strchr(preset->text[row][0], ','))
-            memcpy(preset->text[row][1], preset->text[row][0], sizeof preset->text[row][1]);
     }
     return THUD_OK;
 }
 
-/* The keys of what nobody said, from the marks in the text. */
+/* The key of a line, at which `indent` has its blanks. */
+static int key_of(const char *line, int *indent)
+{
+    *indent = (int)strspn(line, " -");
+    return (int)strcspn(line + *indent, ":");
+}
+
+/* The keys of what nobody said, from the marks in the text: "contact.stiffness" for one in a group. */
 static void find_guesses(const struct thud_text *text, struct thud_text *out)
 {
-    for (const char *mark = text->data; (mark = strstr(mark, "# a guess")) != NULL; mark++) {
-        const char *key = mark;
-        while (key > text->data && key[-1] != '\n')
-            key--;
-        key += strspn(key, " -");
-        char name[32];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(key, ":"), key);
+    enum { GROUP = 4 }; /* the blanks before a group's key */
+    const char *group = "";
+    int indent, in_group;
+    for (const char *line = text->data; *line; line += strcspn(line, "\n") + 1) {
+        char name[64];
+        const int n = key_of(line, &indent);
+        const char *mark = strstr(line, "# a guess");
+        group = indent == GROUP ? line : group;
+        if (!mark || mark > line + strcspn(line, "\n"))
+            continue;
+        const int length = key_of(group, &in_group);
+        snprintf(name, sizeof name, "%.*s%s%.*s", indent > GROUP ? length : 0, group + in_group,
+                 indent > GROUP ? "." : "", n, line + indent);
         if (!out->data || !strstr(out->data, name))
             thud_text_append(out, "%s%s", out->size ? ", " : "", name);
     }

@@ -23,7 +23,7 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "< goes back, and a list is taken" $?
     grep -q 'nope.csv' "$tmp/out" && ! grep -q 'nope.csv' "$tmp/a.yaml"
     ok "a ground motion that is not there is asked for again" $?
-    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: slab-depth, mass, density, poisson, radius, stiffness, restitution' "$tmp/out"
+    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: slab-depth, foundation.mass, foundation.density, foundation.poisson, foundation.radius, contact.stiffness, contact.restitution' "$tmp/out"
     ok "what is guessed is marked and said" $?
     ! grep -q '^links' "$tmp/a.yaml" && "$THUD" run "$tmp/a.yaml" --quiet >"$tmp/out" 2>&1
     ok "no damper is written for no, and the file runs" $?
@@ -33,6 +33,21 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     # 5 % of the weight of 5 x 302.5 t
     grep -q 'strength: 741.6 kN' "$tmp/b.yaml"
     ok "bearings are those of the floors in a list" $?
+    # an answer of the right one stays where the left one is given again; blanks and capitals do not count
+    many=$(awk 'BEGIN { for (i = 0; i < 60; i++) printf "%s320 t", i ? ", " : "" }')
+    answered "$tmp/c.yaml" '' backfill 60 "$many" ' < ' '' '' '' '' '' NONE ' no '
+    grep -q "^    mass: \\[$many\\]" "$tmp/c.yaml" && ! grep -q '^record' "$tmp/c.yaml"
+    ok "a list of 60 floors is taken whole, and no and < with blanks" $?
+    grep -q 'guessed, and marked so there: slab-depth, mass, stiffness, damping, backfill, contact.stiffness' "$tmp/out" && grep -q '^    backfill: # a guess' "$tmp/c.yaml"
+    ok "a wall and its soil are guesses" $?
+    answered "$tmp/d.yaml" '' '' four '' '' '320 t' '250 t' '<' '<' '' '' '' '' '' '' '' '' '' no '' '' ''
+    grep -q '"four" is not a number of storeys (1 to 200)' "$tmp/out" && [ "$(grep -c '^    mass: 250 t' "$tmp/d.yaml")" -eq 1 ]
+    ok "an answer of the right one is not lost on the way back" $?
+    answered "$tmp/e.yaml" estimated matrix '' '' '' '' '600 MN/m' steel-frame '' none.csv
+    grep -q '"600 MN/m" is not a system (concrete-frame' "$tmp/out" && grep -q 'right file of the stiffness matrix \[\]: ' "$tmp/out" && grep -q 'there is no file "none.csv"' "$tmp/out"
+    ok "each kind is asked for what it has in place of a stiffness" $?
+    grep -q 'thud: the answers ended at ' "$tmp/out" && [ ! -e "$tmp/e.yaml" ]
+    ok "where the answers end nothing is written" $?
 else
     echo "ok - thud new at a terminal # SKIP no script(1)"
 fi

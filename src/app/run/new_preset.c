@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "app/run/session.h"
+#include "base/ascii.h"
 #include "base/quantity.h"
 #include "io/file/json.h"
 #include "study/scene/building.h"
@@ -28,13 +29,17 @@ static const struct thud_new_about about[THUD_NEW_ROWS] = {
     [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false},
     [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true},
     [THUD_NEW_RECORD] = {"record", "ground motion", "",
-                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true},
+                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true, true},
     [THUD_NEW_SOIL] = {"soil", "soil", "m/s",
-                       "Speed of its shear waves, m/s, under a disk of 9 m; empty: the ground is rigid", false},
+                       "Speed of its shear waves, m/s, under a disk of 9 m; empty: the ground is rigid", false, true},
     [THUD_NEW_DAMPER] = {"damper", "damper", "kN s/m",
-                         "A dashpot between their topmost common floors, kN s/m; empty: none", true}};
+                         "A dashpot between their topmost common floors, kN s/m; empty: none", true, true}};
 static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "backfill", "lead-rubber",
                                     "pendulum", "matrix",   "modes", "estimated", NULL};
+
+static const char *const usual[THUD_NEW_ROWS] = {
+    "buildings", "shear", "4, 6", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", "kobe-surrogate.csv", "", ""};
+static const char systems[] = "concrete-frame, steel-frame, wall, masonry";
 
 static bool is_isolated(const char *kind)
 {
@@ -56,6 +61,12 @@ static bool is_estimated(const char *kind)
     return strcmp(kind, "estimated") == 0;
 }
 
+/* Of a system; where the stiffness of another kind is left, it is none. */
+static bool is_word(const char *text)
+{
+    return thud_ascii_is_alpha(*text);
+}
+
 const struct thud_new_about *thud_new_about(enum thud_new_row row)
 {
     return &about[row];
@@ -66,10 +77,55 @@ const char *thud_new_kind(int i)
     return kinds[i];
 }
 
+/* "shear, isolated, ...", in `text`. */
+static const char *all_kinds(char *text, size_t size)
+{
+    size_t n = 0;
+    for (int i = 0; kinds[i]; i++)
+        n += (size_t)snprintf(text + n, size - n, "%s%s", i ? ", " : "", kinds[i]);
+    return text;
+}
+
+void thud_new_question(const struct thud_new_preset *preset, enum thud_new_row row, int side, struct thud_text *out)
+{
+    const char *k = preset->text[THUD_NEW_KIND][side];
+    char all[120];
+    thud_text_append(out, "%s", about[row].single ? "" : side ? "right " : "left ");
+    if (row == THUD_NEW_STIFFNESS && is_read(k))
+        thud_text_append(out, "file of %s", k[1] == 'a' ? "the stiffness matrix" : "periods and shapes");
+    else if (row == THUD_NEW_STIFFNESS && is_estimated(k))
+        thud_text_append(out, "system (%s)", systems);
+    else if (row == THUD_NEW_KIND)
+        thud_text_append(out, "kind (%s)", all_kinds(all, sizeof all));
+    else
+        thud_text_append(out, "%s%s%s",
+                         row == THUD_NEW_STIFFNESS && is_isolated(k) ? "storey stiffness" : about[row].label,
+                         *about[row].unit || row == THUD_NEW_STIFFNESS ? ", with its unit" : "",
+                         about[row].optional ? ", or no" : "");
+    thud_text_append(out, " [%s]: ", preset->text[row][side]);
+}
+
+void thud_new_preset_answer(struct thud_new_preset *preset, enum thud_new_row row, int side, const char *text)
+{
+    char before[THUD_NEW_TEXT], kind[THUD_NEW_TEXT];
+    char(*value)[THUD_NEW_TEXT] = preset->text[row];
+    const bool no = about[row].optional && (thud_ascii_same(text, "no") || thud_ascii_same(text, "none"));
+    memcpy(before, value[side], sizeof before);
+    memcpy(kind, preset->text[THUD_NEW_KIND][side], sizeof kind);
+    snprintf(value[side], THUD_NEW_TEXT, "%s", no ? "" : text);
+    /* the right one goes with the left one until it has an answer of its own */
+    if (side == 0 && !about[row].single && row != THUD_NEW_KIND && row != THUD_NEW_STOREYS &&
+        strcmp(value[1], before) == 0 && !strchr(text, ','))
+        memcpy(value[1], value[0], sizeof before);
+    if (row == THUD_NEW_KIND && strcmp(kind, value[side]) != 0)
+        snprintf(preset->text[THUD_NEW_STIFFNESS][side], THUD_NEW_TEXT, "%s",
+                 is_read(text)        ? ""
+                 : is_estimated(text) ? "concrete-frame"
+                                      : usual[THUD_NEW_STIFFNESS]);
+}
+
 void thud_new_preset_init(struct thud_new_preset *preset)
 {
-    static const char *const usual[THUD_NEW_ROWS] = {
-        "buildings", "shear", "4, 6", "320 t", "600 MN/m", "3 m", "5 %", "5 cm", "kobe-surrogate.csv", "", ""};
     memset(preset, 0, sizeof *preset);
     for (int row = 0; row < THUD_NEW_ROWS; row++)
         thud_new_preset_put(preset, (enum thud_new_row)row, usual[row]);
@@ -140,7 +196,8 @@ static enum thud_status mean_mass(const struct thud_new_preset *preset, int side
     const char *at = preset->text[THUD_NEW_MASS][side], *end;
     int n = 0;
     if (thud_number_parse(preset->text[THUD_NEW_STOREYS][side], &end, storeys) != 0 || !(*storeys >= 1))
-        return thud_error_set(err, THUD_INPUT, "a building has at least one storey");
+        return thud_error_refuse(err, THUD_INPUT, NULL, "1 to 200", "\"%.40s\" is not a number of storeys",
+                                 preset->text[THUD_NEW_STOREYS][side]);
     for (*kg = 0; *(at += strspn(at, " ,[]")); n++) {
         struct thud_quantity mass;
         const size_t length = strcspn(at, ",]");
@@ -180,8 +237,8 @@ static void line(struct thud_text *out, const char *key, const char *value, cons
 static void moat_wall(struct thud_text *out)
 {
     for (int i = 0; thud_usual_wall[i][0]; i++)
-        line(out, thud_usual_wall[i][0], thud_usual_wall[i][1], i == 1 ? "of the wall alone" : NULL);
-    thud_text_append(out, "    backfill:\n");
+        line(out, thud_usual_wall[i][0], thud_usual_wall[i][1], "a guess: of the wall alone");
+    thud_text_append(out, "    backfill: # a guess\n");
     for (int i = 0; thud_usual_backfill[i][0]; i++)
         thud_text_append(out, "      %s: %s\n", thud_usual_backfill[i][0], thud_usual_backfill[i][1]);
 }
@@ -191,10 +248,9 @@ static void estimated(const struct thud_new_preset *preset, int side, double flo
 {
     char text[THUD_NEW_TEXT + 16];
     const char *system = preset->text[THUD_NEW_STIFFNESS][side];
-    line(out, "system", system[0] >= 'a' && system[0] <= 'z' ? system : "concrete-frame",
-         "concrete-frame | steel-frame | wall | masonry");
+    line(out, "system", is_word(system) ? system : "concrete-frame", systems);
     thud_quantity_format(floor_kg / THUD_ESTIMATE_KGPM2, "m2", text, sizeof text);
-    line(out, "area", text, "of a floor: 1 t/m2");
+    line(out, "area", text, "a guess: 1 t/m2 of a floor");
 }
 
 /* What a building's mass and stiffness are given by. */
@@ -382,11 +438,16 @@ enum thud_status thud_new_preset_check(const struct thud_new_preset *preset, enu
     for (int i = 0; row == THUD_NEW_KIND && kinds[i]; i++)
         if (strcmp(kinds[i], answer) == 0)
             return THUD_OK;
+    char all[120];
     if (row == THUD_NEW_KIND)
-        return thud_error_refuse(err, THUD_INPUT, NULL, about[row].help, "\"%.40s\" is not a kind of structure",
-                                 answer);
+        return thud_error_refuse(err, THUD_INPUT, NULL, all_kinds(all, sizeof all),
+                                 "\"%.40s\" is not a kind of structure", answer);
+    if (!*answer && !about[row].optional)
+        return thud_error_refuse(err, THUD_INPUT, NULL, "or < to go back", "an answer is needed");
     const char *end;
     double number;
+    if (row == THUD_NEW_STIFFNESS && is_estimated(preset->text[THUD_NEW_KIND][side]) && !is_word(answer))
+        return thud_error_refuse(err, THUD_INPUT, NULL, systems, "\"%.40s\" is not a system", answer);
     if (row == THUD_NEW_STIFFNESS && thud_number_parse(answer, &end, &number) == 0 && !end[strspn(end, " ")])
         return thud_error_refuse(err, THUD_INPUT, NULL, "a stiffness, 600 MN/m, or a first period, 0.9 s",
                                  "\"%.40s\" has no unit", answer);

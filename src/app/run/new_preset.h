@@ -20,7 +20,7 @@ enum thud_new_row {
     THUD_NEW_DAMPER, /* between the two; empty: none */
     THUD_NEW_ROWS
 };
-enum { THUD_NEW_TEXT = 256 };
+enum { THUD_NEW_TEXT = 2048 }; /* a list of 200 floors */
 
 struct thud_new_preset {
     char text[THUD_NEW_ROWS][2][THUD_NEW_TEXT]; /* as typed, left and right; rows of one value have it on the left */
@@ -32,6 +32,7 @@ struct thud_new_about {
     const char *unit;  /* of a bare number */
     const char *help;  /* what can be typed there */
     bool single;       /* one value, not one for each structure */
+    bool optional;     /* "no" is an answer */
 };
 const struct thud_new_about *thud_new_about(enum thud_new_row row);
 /* The i-th kind of structure; NULL past the last. */
@@ -43,6 +44,11 @@ void thud_new_preset_init(struct thud_new_preset *preset);
 bool thud_new_applies(const struct thud_new_preset *preset, enum thud_new_row row, int side);
 /* "5, 7" or one value for both. */
 void thud_new_preset_put(struct thud_new_preset *preset, enum thud_new_row row, const char *text);
+/* "left storeys [4]: ", what is asked of a structure of its kind */
+void thud_new_question(const struct thud_new_preset *preset, enum thud_new_row row, int side, struct thud_text *out);
+/* Takes an answer in place of what stands there, and what follows from it: the right one goes with the left one, and a
+ * kind has a usual stiffness. */
+void thud_new_preset_answer(struct thud_new_preset *preset, enum thud_new_row row, int side, const char *text);
 /* "NAME: 4-storey building and 6-storey building" */
 void thud_new_preset_title(const struct thud_new_preset *preset, char *title, size_t size);
 /* Whether the answer can be read and stands within its bounds, by the preset that it makes of the usual values. Errors:
