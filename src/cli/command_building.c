@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -269,10 +270,10 @@ static enum thud_status import_storeys(const struct thud_args *args, struct thud
 {
     struct thud_storeys *from = calloc(1, sizeof *from);
     const char *way = value_of_set(args, "direction");
-    const struct thud_storey_ask ask = {value_of_set(args, "case"), *way ? strcmp(way, "Y") == 0 : -1,
+    const struct thud_storey_ask ask = {value_of_set(args, "case"), *way ? thud_ascii_same(way, "Y") : -1,
                                         (enum thud_floor_order)scene->structure[0].order};
     enum thud_status status = from ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (*way && strcmp(way, "X") != 0 && strcmp(way, "Y") != 0)
+    if (*way && !thud_ascii_same(way, "X") && !thud_ascii_same(way, "Y"))
         status = thud_error_refuse(err, THUD_USAGE, "direction", "X, Y", "\"%.40s\" is not a direction", way);
     if (status == THUD_OK)
         status = thud_storey_files_read((const char *const *)args->operand + 1, args->noperands - 1, &ask, from, err);
@@ -358,8 +359,8 @@ enum thud_status thud_command_building(const struct thud_args *args, struct thud
     struct thud_text text = {0};
     if (args->noperands == 1 && strcmp(args->operand[0], "import") != 0)
         return thud_scene_options_with(args, of_preset, err);
-    if (args->noperands < 2 || args->noperands > 3 || strcmp(args->operand[0], "import") != 0)
-        return thud_error_refuse(err, THUD_USAGE, NULL, "PRESET, or import FILE [FILE]",
+    if (args->noperands < 2 || strcmp(args->operand[0], "import") != 0)
+        return thud_error_refuse(err, THUD_USAGE, NULL, "PRESET, or import FILE...",
                                  "thud building needs a preset, or a verb and a file");
     struct thud_scene *scene = calloc(1, sizeof *scene);
     if (!scene)

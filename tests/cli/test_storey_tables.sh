@@ -105,6 +105,18 @@ printf 'Story,Stiff X (Tonf/m),UX (Tonf-s\302\262/m)\nRoof,61182.97,32.631\nL1,6
 is "metric tons, with units beside the names" gives 0 building import tonf.csv --csv
 is "600 MN/m and 320 t" shows '^A,1,3,320000.*,5999999[0-9.]*,'
 
+# three tables in kips and feet, as Excel saves them: the raised 2 is one byte. 17130.5 and 21927 lb s2/ft are 250 and 320 t
+{
+    printf 'TABLE:  Story Stiffness\nStory,Output Case,Case Type,Step Type,Step Number,Step Label,Shear X,Drift X,Stiff X,Shear Y,Drift Y,Stiff Y\n'
+    printf ',,,,,,kip,in,kip/in,kip,in,kip/in\n'
+    for storey in ROOF L3 L2 L1; do printf '%s,SPECX,LinRespSpec,Max,,,0,0,3426.09,0,0,0\n' $storey; done
+} >ek.csv
+printf 'TABLE:  Mass Summary by Story\nStory,UX,UY,UZ\n,lb-s\262/ft,lb-s\262/ft,lb-s\262/ft\nROOF,17130.5,17130.5,0\nL3,21927,21927,0\nL2,21927,21927,0\nL1,21927,21927,0\nBase,1027,1027,0\n' >em.csv
+printf 'TABLE:  Story Definitions\nTower,Name,Height,Master Story,Similar To,Splice Story,Splice Height,Color\n,,ft,,,,ft,\n' >eh.csv
+printf 'T1,ROOF,12,Yes,None,No,,Blue\nT1,L3,12,No,ROOF,No,,Blue\nT1,L2,12,No,ROOF,No,,Blue\nT1,L1,15,No,None,No,,Blue\n' >>eh.csv
+is "three tables of kips and feet" gives 0 building import ek.csv em.csv eh.csv --set direction=x
+is "are the same building" shows '^A: T1 0.3979 s, T2 0.1393 s'
+is "with its heights, and no noise of their unit" shows '^    height: \[4.572 m, 3.6576 m, 3.6576 m, 3.6576 m\]$'
 # SAP2000: one joint of each floor, in any order that rises
 cat >sapu.csv <<'END'
 TABLE:  "JOINT DISPLACEMENTS"

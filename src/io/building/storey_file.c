@@ -441,6 +441,16 @@ static enum thud_status choose_direction(const struct reader *r, int *d, struct 
                                    "%s has no stiffness in direction %c", r->name[at(r, lacks(r, *d))], "XY"[*d]);
 }
 
+/* Without the noise of a factor: 12 ft are 3.6576 m. */
+static double to_digits(double value)
+{
+    char text[32];
+    const char *end;
+    snprintf(text, sizeof text, "%.9g", value);
+    thud_number_parse(text, &end, &value);
+    return value;
+}
+
 static enum thud_status put_storeys(struct reader *r, struct thud_storeys *out, struct thud_error *err)
 {
     int d = 0;
@@ -453,9 +463,9 @@ static enum thud_status put_storeys(struct reader *r, struct thud_storeys *out, 
     memcpy(out->lowest, r->name[at(r, 0)], NAME);
     memcpy(out->highest, r->name[at(r, r->n - 1)], NAME);
     for (int i = 0; i < r->n; i++) {
-        out->stiffness_npm[i] = stiffness_of(r, d, i);
-        out->mass_kg[i] = r->value[MASS][d][at(r, i)];
-        out->height_m[i] = r->value[HEIGHT][d][at(r, i)];
+        out->stiffness_npm[i] = to_digits(stiffness_of(r, d, i));
+        out->mass_kg[i] = to_digits(r->value[MASS][d][at(r, i)]);
+        out->height_m[i] = to_digits(r->value[HEIGHT][d][at(r, i)]);
         if (r->from[MASS][d] > 0 && !(out->mass_kg[i] > 0))
             return thud_error_refuse(err, THUD_INPUT, "mass", "a row of the mass table with a mass above 0",
                                      "%s has no mass in direction %c", r->name[at(r, i)], "XY"[d]);
