@@ -228,6 +228,8 @@ peak_is() { # VALUE FILE OPTIONS: to 0.3 %, in m/s2
 is "a component by its name" peak_is 2.991 "$tmp/two/three.csv" --component NS
 is "by its azimuth" peak_is 3.988 "$tmp/two/three.csv" --component 090
 is "by the name of its column" peak_is 1.994 "$tmp/two/three.csv" --component "UD (m/s2)"
+sed '1s/NS (m/H1(m/; 1s/EW (m/H2 [m/; 1s/s2),UD/s2],UD/' "$tmp/two/three.csv" >"$tmp/two/h.csv"
+is "which its unit may be left out of" peak_is 3.988 "$tmp/two/h.csv" --component h2
 is "turned by 30 degrees: 3 cos 30 + 4 sin 30" peak_is 4.584 "$tmp/two/three.csv" --component rot30
 is "and from the other: 4 cos 30 + 3 sin 30" peak_is 4.949 "$k" --component rot30
 for file in "$tmp/two/three.csv:53 deg from N" "$k:37 deg from E"; do

@@ -284,6 +284,16 @@ static int only_candidate(const struct record_table *table, int time)
     return found;
 }
 
+/* Whether a column is called so, with or without the unit that stands behind its name in brackets. */
+static bool is_called(const char *name, const char *wanted)
+{
+    const size_t n = strlen(wanted);
+    if (!thud_ascii_begins(name, strlen(name), wanted))
+        return false;
+    name += n + strspn(name + n, " ");
+    return !*name || strchr("([", *name);
+}
+
 /* By the name that is wanted, or as the n-th of two horizontal components; -1: there is none. */
 static int find_column(const struct record_table *table, const struct thud_record_choice *choice, int time)
 {
@@ -292,7 +302,7 @@ static int find_column(const struct record_table *table, const struct thud_recor
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < (int)table->columns && *wanted && !choice->part; i++)
             if (i != time && has_name(table, (size_t)i) &&
-                (pass == 0             ? thud_ascii_same(table->name[i], wanted)
+                (pass == 0             ? is_called(table->name[i], wanted)
                  : !choice->channel[0] ? thud_component_is(table->name[i], wanted)
                                        : false))
                 return i;
