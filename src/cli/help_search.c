@@ -198,10 +198,10 @@ static int higher(const void *a, const void *b)
     return x->score != y->score ? (x->score < y->score) - (x->score > y->score) : (x->at > y->at) - (x->at < y->at);
 }
 
-/* A paragraph that has more of the question's words comes first, a long one behind a short one. */
+/* A paragraph that has more of the question's words comes first, the rare ones before all, and a long one behind a short one. */
 static void rank(struct pages *p, char word[WORDS_MAX][32], int words)
 {
-    double weight[WORDS_MAX];
+    double weight[WORDS_MAX], all = 0;
     for (int k = 0; k < words; k++) {
         int has = 0;
         for (int i = 0; i < p->n; i++) {
@@ -209,16 +209,16 @@ static void rank(struct pages *p, char word[WORDS_MAX][32], int words)
             has += p->list[i].hits[k] > 0;
         }
         weight[k] = has ? log(1 + (double)p->n / has) : 0;
+        all += weight[k];
     }
     for (int i = 0; i < p->n; i++) {
-        int found = 0;
-        double sum = 0;
+        double found = 0, sum = 0;
         for (int k = 0; k < words; k++) {
-            found += p->list[i].hits[k] > 0;
+            found += p->list[i].hits[k] > 0 ? weight[k] : 0;
             sum += weight[k] * p->list[i].hits[k] / (0.5 + p->list[i].hits[k]);
         }
-        p->list[i].score =
-            3 * found < words ? 0 : sum * found / words / (1 + 2.5e-3 * (double)strlen(p->text.data + p->list[i].at));
+        const double shorter = 1 + 1e-3 * (double)strlen(p->text.data + p->list[i].at);
+        p->list[i].score = 3 * found < all ? 0 : sum * found / shorter;
     }
     qsort(p->list, (size_t)p->n, sizeof *p->list, higher);
 }

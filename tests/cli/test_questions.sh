@@ -37,6 +37,9 @@ while IFS= read -r line; do
     fi
 done <tests/cli/questions.txt
 [ "$asked" -eq 25 ] && echo "ok - all questions stand there" || echo "not ok - $asked questions of 25"
+first() { thud help "$@" | sed -n '2,/^$/p' | joined; }
+first a frame from ETABS | grep -q 'ETABS' && first accidental torsion | grep -q 'is not in thud: multiply' && first cracked | grep -q '4.3.1(7)' &&
+    echo "ok - the rare word of a question finds its paragraph first" || echo "not ok - the rare word of a question finds its paragraph first"
 thud help zzz >"$tmp/out" 2>"$tmp/err"
 [ $? -eq 2 ] && grep -q 'no command "zzz"' "$tmp/err" && [ ! -s "$tmp/out" ] && echo "ok - what no page has is wrong usage" || echo "not ok - what no page has is wrong usage"
 thud help run | grep -q '^usage: thud run' && echo "ok - a command is helped with as before" || echo "not ok - a command is helped with as before"
