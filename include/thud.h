@@ -31,7 +31,7 @@ enum thud_status {
     THUD_GNUPLOT = 5,   /* gnuplot is missing or failed */
     THUD_OUTPUT = 6,    /* output could not be written */
     THUD_MEMORY = 7,    /* out of memory */
-    THUD_CANCELLED = 8, /* stopped on request; what was done is kept */
+    THUD_CANCELLED = 8, /* stopped on request */
     THUD_COLLAPSED = 9  /* a storey has collapsed: results up to then are there; the program exits with 4 */
 };
 
@@ -80,8 +80,8 @@ THUD_API int thud_unusual(const struct thud *scene, int n, struct thud_error *ou
 /* Returns the scene as a preset's text, with its own comments; NULL on errors. Valid until the next call. */
 THUD_API const char *thud_yaml(struct thud *scene, struct thud_error *err);
 
-/* The ground's acceleration, (samples, at least 1) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...) hold for it
- * when set afterwards. */
+/* The ground's acceleration, (samples, at least 1) m/s2 every dt_s; it is copied. Keys of `record` (peak, sign, ...)
+ * hold for it when set afterwards. */
 THUD_API enum thud_status thud_set_motion(struct thud *scene, const double *a_mps2, size_t samples, double dt_s,
                                           struct thud_error *err);
 /* Gives the motion as a run uses it. Valid until the scene is changed or closed. */
@@ -98,8 +98,9 @@ struct thud_force {
 };
 enum { THUD_CONTACT_MEMORY = 8 };
 /* A contact law of the caller's own. A phase has one branch, or two with `ultimate`: no more; those of a phase that
- * follows depend on what onset and reversal put into the memory. `memory` holds THUD_CONTACT_MEMORY numbers, all 0 before the first contact, which
- * onset and reversal alone change; mass_kg is the effective mass m1 m2/(m1 + m2). Sweeps call from several threads. */
+ * follows depend on what onset and reversal put into the memory. `memory` holds THUD_CONTACT_MEMORY numbers, all 0
+ * before the first contact, which onset and reversal alone change; mass_kg is the effective mass m1 m2/(m1 + m2).
+ * Sweeps call from several threads. */
 struct thud_contact_law {
     size_t size; /* sizeof (struct thud_contact_law) */
     const char *name;
@@ -111,7 +112,8 @@ struct thud_contact_law {
     double (*energy)(void *context, double mass_kg, const double *memory, double d_m);
     /* Called at contact onset with approach velocity v; may be NULL. */
     void (*onset)(void *context, double mass_kg, double v_mps, double *memory);
-    /* Where approach and restitution differ: the velocity reverses at indentation d. NULL: they are the same. */
+    /* Where approach and restitution differ: the velocity reverses at indentation d, and `restitution` is the phase that
+     * begins. NULL: they are the same. */
     void (*reversal)(void *context, double mass_kg, int restitution, double d_m, double *memory);
     /* Indentation > 0 beyond which force_past holds in place of force, INFINITY: nowhere. Both or neither. */
     double (*ultimate)(void *context, double mass_kg, const double *memory, int restitution);

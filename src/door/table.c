@@ -153,6 +153,8 @@ static enum thud_status unknown(const char **words, size_t count, struct thud_er
 {
     struct thud_text all = {0};
     const char *nearest = thud_nearest(name, words, (int)count);
+    for (size_t i = 0; i < count && !nearest; i++) /* force of force_n */
+        nearest = strncmp(words[i], name, strlen(name)) == 0 && words[i][strlen(name)] == '_' ? words[i] : NULL;
     for (size_t i = 0; i < count && !nearest; i++)
         thud_text_append(&all, "%s%s", i ? ", " : "", words[i]);
     thud_error_set(err, THUD_INPUT, "there is no %s \"%.60s\"", what, name);

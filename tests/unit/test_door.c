@@ -122,6 +122,8 @@ START_TEST(errors_are_values)
     const double *values;
     size_t rows;
     ck_assert_int_eq(thud_column(results, "floors", "speed", &values, &rows, &error), THUD_INPUT);
+    ck_assert_int_eq(thud_column(results, "floors", "drift", &values, &rows, &error), THUD_INPUT);
+    ck_assert_str_eq(error.allowed, "did you mean drift_m?");
     ck_assert_int_eq(thud_column(results, "walls", "speed", &values, &rows, &error), THUD_INPUT);
     ck_assert_ptr_nonnull(strstr(error.allowed, "floors"));
     ck_assert_ptr_null(thud_csv(results, "walls"));
