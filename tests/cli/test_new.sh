@@ -74,12 +74,6 @@ ok "words of laws are completed" $?
 completed thud run towers --set contact.law = hertz-damp --set contact.f
 grep -q -x 'contact.formula=' "$tmp/out"
 ok "and keys of the law that is set" $?
-# zsh puts words of its own behind the name of a function, unless a blank stands before it
-"$THUD" help --completion zsh >"$tmp/_thud" && grep -q "'--method\\[.*: _thud_words methods'" "$tmp/_thud" && ! grep -q ':_thud_words' "$tmp/_thud"
-ok "zsh calls the lists of words as they are" $?
-# shellcheck disable=SC2016 # of zsh
-grep -q 'list=${PREFIX%%=\*}=$' "$tmp/_thud"
-ok "and asks for the words of a key" $?
 if command -v fish >/dev/null 2>&1; then
     "$THUD" help --completion fish >"$tmp/thud.fish"
     fished() { PATH=$(dirname "$THUD"):$PATH HOME=$tmp fish --no-config -c "source $tmp/thud.fish; complete -C '$1'" 2>/dev/null | cut -f 1 | tr '\n' ' ' >"$tmp/out"; }
