@@ -92,7 +92,7 @@ static enum thud_status bench(const struct thud_args *args, const struct thud_sc
     struct thud_bench *plan = NULL;
     struct thud_text table = {0};
     const char *methods = thud_args_value(args, "methods");
-    enum thud_status status = thud_bench_create(scene, record, true, &plan, err);
+    enum thud_status status = thud_bench_create(scene, record, &plan, err);
     if (status == THUD_OK && methods)
         status = choose_methods(plan, methods, err);
     struct thud_bench_jobs all = *jobs;
@@ -126,8 +126,7 @@ static enum thud_status patience(const struct thud_args *args, double *out, stru
 static enum thud_status measure(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,
                                 struct thud_error *err)
 {
-    struct thud_bench_jobs jobs = {
-        .repeats = THUD_BENCH_REPEATS, .patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
+    struct thud_bench_jobs jobs = {.patience_s = THUD_BENCH_PATIENCE_S, .cancel = thud_interrupt_watch()};
     jobs.budget_s = thud_args_has(args, "patience") ? 0 : THUD_BENCH_BUDGET_S;
     static const char *const asked[] = {"case", NULL};
     struct thud_picture_choice unused;

@@ -30,10 +30,10 @@ struct thud_bench_point {
 
 struct thud_bench;
 
-/* Creates a bench. `scene` (of a case), record and the bench's points stay the caller's. `expensive_steps`: also steps
- * below 1e-4 s. Errors: THUD_MEMORY, those of thud_scene_assemble. */
+/* Creates a bench. `scene` (of a case), record and the bench's points stay the caller's. Errors: THUD_MEMORY, those of
+ * thud_scene_assemble. */
 enum thud_status thud_bench_create(const struct thud_scene *scene, const struct thud_record *record,
-                                   bool expensive_steps, struct thud_bench **out, struct thud_error *err);
+                                   struct thud_bench **out, struct thud_error *err);
 void thud_bench_free(struct thud_bench *bench);
 
 /* Returns whether storeys of the scene yield, so that their events are located too. */

@@ -8,16 +8,14 @@
 #include "study/methods/bench.h"
 
 struct thud_bench_jobs {
-    int repeats;                    /* timings of each point after one to warm up; fewer where one takes long */
     double patience_s;              /* a point expected to take longer is skipped and says so; 0: none is */
     double budget_s;                /* no point is begun that would end later; 0: all are */
-    const struct thud_scene *scene; /* its peaks under 0.1 % of input too (thud_bench_move); NULL: not */
+    const struct thud_scene *scene; /* of the bench: its peaks under 0.1 % of input too (thud_bench_move) */
     const atomic_int *cancel;       /* not NULL: stops when it becomes other than 0 */
     void *context;
     void (*progress)(void *context, const char *what, int done, int count); /* may be NULL */
 };
-enum { THUD_BENCH_REPEATS = 7 };
-enum { THUD_TIMINGS_MAX = 32 };
+enum { THUD_BENCH_REPEATS = 7 }; /* timings of each point after one to warm up; fewer where one takes long */
 #define THUD_BENCH_PATIENCE_S 12.0
 #define THUD_BENCH_BUDGET_S   50.0
 /* Reference first, then every point. Errors: THUD_CANCELLED (what is done stays), THUD_MEMORY, THUD_DIVERGED (of the

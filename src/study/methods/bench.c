@@ -10,7 +10,7 @@
 
 static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 static const double steps[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
-enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, STEPS = sizeof steps / sizeof *steps, CHEAP_STEPS = 7 };
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, STEPS = sizeof steps / sizeof *steps };
 
 /* Tightest of the program's own, and of the independent method. */
 static const char *const reference_names[] = {"exact", "dormand-prince"};
@@ -45,7 +45,7 @@ static bool is_closed_form(const struct thud_bench *bench, const struct thud_met
     return closed;
 }
 
-static void plan(struct thud_bench *bench, int nsteps)
+static void plan(struct thud_bench *bench)
 {
     static const double usual = 1e-6;
     for (int i = 0; i < thud_method_count(); i++) {
@@ -56,14 +56,14 @@ static void plan(struct thud_bench *bench, int nsteps)
             add_curve(bench, m, locates, one ? &usual : tolerances, one ? 1 : TOLERANCES);
             continue;
         }
-        add_curve(bench, m, false, steps, nsteps);
+        add_curve(bench, m, false, steps, STEPS);
         if (can || locates)
-            add_curve(bench, m, true, steps, nsteps);
+            add_curve(bench, m, true, steps, STEPS);
     }
 }
 
 enum thud_status thud_bench_create(const struct thud_scene *scene, const struct thud_record *record,
-                                   bool expensive_steps, struct thud_bench **out, struct thud_error *err)
+                                   struct thud_bench **out, struct thud_error *err)
 {
     *out = NULL;
     struct thud_bench *bench = calloc(1, sizeof *bench);
@@ -83,7 +83,7 @@ enum thud_status thud_bench_create(const struct thud_scene *scene, const struct 
         thud_bench_free(bench);
         return status;
     }
-    plan(bench, expensive_steps ? STEPS : CHEAP_STEPS);
+    plan(bench);
     bench->options.keep_impacts = true;
     *out = bench;
     return THUD_OK;
