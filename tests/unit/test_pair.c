@@ -14,7 +14,7 @@ START_TEST(the_papers_four_cases)
                                 {0.5, 2566.5, 28.443, 203.86, 0.50953, 0.0},
                                 {1.0, 16759.2, 6.3613, 22.850, 0.63229, 1.6237},
                                 {1.0, 9643.6, 41.323, 148.07, 0.50177, 0.0}};
-    struct thud_paper_pair got[THUD_PAPER_PAIRS];
+    struct thud_paper_pair got[THUD_PAPER_COLLISIONS];
     ck_assert_int_eq(thud_paper_pairs(got, NULL), THUD_OK);
     for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
         ck_assert(got[i].approach_mps == want[i].closing);

@@ -40,49 +40,25 @@ enum thud_status thud_paper_figures_parse(int n, const char *const *name, unsign
     return THUD_OK;
 }
 
-static enum thud_status make_of_study(int index, const struct thud_paper_study *study, struct thud_figure **out,
-                                      struct thud_error *err)
+/* Those that need no study. */
+static enum thud_status (*const makers[THUD_PAPER_FIGURES])(struct thud_figure **out, struct thud_error *err) = {
+    [FIG2] = thud_figure_paper2, [FIG3] = thud_figure_paper3, [FIG4] = thud_figure_paper4,
+    [FIG5] = thud_figure_paper5, [FIG6] = thud_figure_paper6, [FIG9] = thud_figure_paper9};
+
+static struct thud_figure *make_of_study(int index, const struct thud_paper_study *study)
 {
     char title[256];
+    const bool cavity = index == FIG10;
     assert(study);
-    switch (index) {
-    case FIG7:
+    if (index == FIG7) {
         snprintf(title, sizeof title, "%s: peak response with a 5 cm bumper, over that without, at the same gap",
                  study->table->record[0]);
-        *out = thud_figure_by_floor(study->table, 0, THUD_CASE_BUMPER, names[index], title);
-        break;
-    case FIG8:
-        *out = thud_figure_of_means(
-            study->table, THUD_CASE_BUMPER, names[index],
-            "Mean peak response over the floors with a 5 cm bumper, over that without, at the same gap");
-        break;
-    default:
-        *out = thud_figure_of_means(study->table, THUD_CASE_CAVITY, names[index],
-                                    "Mean peak response over the floors with a 5 cm bumper in a 1 cm cavity, over that "
-                                    "without, at the same gap");
+        return thud_figure_by_floor(study->table, 0, THUD_CASE_BUMPER, names[index], title);
     }
-    return thud_figure_check(*out, err);
-}
-
-static enum thud_status make(int index, const struct thud_paper_study *study, struct thud_figure **out,
-                             struct thud_error *err)
-{
-    switch (index) {
-    case FIG2:
-        return thud_figure_paper2(out, err);
-    case FIG6:
-        return thud_figure_paper6(out, err);
-    case FIG9:
-        return thud_figure_paper9(out, err);
-    case FIG3:
-        return thud_figure_paper3(out, err);
-    case FIG4:
-        return thud_figure_paper4(out, err);
-    case FIG5:
-        return thud_figure_paper5(out, err);
-    default:
-        return make_of_study(index, study, out, err);
-    }
+    snprintf(title, sizeof title,
+             "Mean peak response over the floors with a 5 cm bumper%s, over that without, at the same gap",
+             cavity ? " in a 1 cm cavity" : "");
+    return thud_figure_of_means(study->table, cavity ? THUD_CASE_CAVITY : THUD_CASE_BUMPER, names[index], title);
 }
 
 /* What the report says of a figure, before the figure goes. */
@@ -109,19 +85,15 @@ static void keep_bytes(const char *folder, const struct thud_picture_options *op
 static enum thud_status write_report(const struct thud_paper_study *study, struct thud_paper_picture *picture,
                                      const char *folder, struct thud_error *err)
 {
-    struct thud_paper_pair pair[THUD_PAPER_PAIRS];
-    struct thud_paper_collision collision[THUD_PAPER_COLLISIONS];
+    struct thud_paper_pair pair[THUD_PAPER_COLLISIONS];
     assert(study);
     struct thud_paper_study whole = *study;
     struct thud_text text = {0};
     struct thud_document document = {0};
     enum thud_status status = thud_paper_pairs(pair, err);
-    if (status == THUD_OK)
-        status = thud_paper_collisions(collision, err);
     if (status != THUD_OK)
         return status;
     whole.pair = pair;
-    whole.collision = collision;
     whole.picture = picture;
     thud_paper_study_json(&whole, &text);
     status = thud_text_write_in(&text, folder, "study.json", err);
@@ -138,12 +110,18 @@ static enum thud_status save(int i, const struct thud_paper_study *study, const 
                              enum thud_status before, struct thud_error *err)
 {
     struct thud_figure *figure = NULL;
-    enum thud_status status = make(i, study, &figure, err);
+    enum thud_status status = THUD_OK;
+    if (makers[i])
+        status = makers[i](&figure, err);
+    else
+        figure = make_of_study(i, study);
+    if (status == THUD_OK)
+        status = thud_figure_check(figure, err);
     if (status != THUD_OK) {
         thud_figure_free(figure);
         return status;
     }
-    if (1u << i & NEED_STUDY) {
+    if (!makers[i]) {
         char motions[64];
         thud_synthetic_text(thud_paper_synthetic(study), study->table->nrecords, motions, sizeof motions);
         thud_figure_title_add(figure, motions);

@@ -40,14 +40,6 @@ enum thud_status thud_paper_runs_make(const struct thud_scene *scene, const stru
                                       struct thud_error *err);
 void thud_paper_runs_clear(struct thud_paper_runs *runs);
 
-/* Two bodies of 320 t with the bumper. */
-struct thud_paper_collision {
-    double approach_mps, nominal, force_n, indentation_m, restitution;
-};
-enum { THUD_PAPER_FIG3 = 3, THUD_PAPER_SLOW = THUD_PAPER_FIG3, THUD_PAPER_COLLISIONS };
-/* Those of Fig. 3, and one at 0.25 m/s. Errors: those of runs. */
-enum thud_status thud_paper_collisions(struct thud_paper_collision *out, struct thud_error *err);
-
 struct thud_paper_record {
     const char *name, *file;
     double peak_mps2, dt_s;
@@ -64,15 +56,14 @@ struct thud_paper_picture {
 };
 
 struct thud_paper_study {
-    const struct thud_scene *scene;               /* the preset the study was made from */
-    const struct thud_sweep_table *table;         /* cases none, bumper, cavity over the gap */
-    const struct thud_sweep_table *turned;        /* the same with every motion reversed */
-    const struct thud_paper_record *record;       /* (table->nrecords) */
-    const struct thud_paper_runs *runs;           /* (2) beside it, as given and reversed; NULL: no report is made */
-    const struct thud_paper_pair *pair;           /* (THUD_PAPER_PAIRS) */
-    const struct thud_paper_collision *collision; /* (THUD_PAPER_COLLISIONS) */
-    struct thud_paper_picture *picture;           /* (THUD_PAPER_FIGURES); the report takes their bytes */
-    int unanswered;                               /* runs whose integration failed */
+    const struct thud_scene *scene;         /* the preset the study was made from */
+    const struct thud_sweep_table *table;   /* cases none, bumper, cavity over the gap */
+    const struct thud_sweep_table *turned;  /* the same with every motion reversed */
+    const struct thud_paper_record *record; /* (table->nrecords) */
+    const struct thud_paper_runs *runs;     /* (2) beside it, as given and reversed; NULL: no report is made */
+    const struct thud_paper_pair *pair;     /* (THUD_PAPER_COLLISIONS) */
+    struct thud_paper_picture *picture;     /* (THUD_PAPER_FIGURES); the report takes their bytes */
+    int unanswered;                         /* runs whose integration failed */
 };
 
 /* Motions of it that are synthetic. */

@@ -3,9 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/figures/figures_paper.h"
 #include "study/scene/solution.h"
-#include "study/scene/two_body.h"
 
 /* ---- storeys ---- */
 
@@ -133,31 +131,4 @@ void thud_paper_runs_clear(struct thud_paper_runs *runs)
     if (runs->planned)
         thud_sweep_plan_clear(&runs->plan);
     runs->planned = false;
-}
-
-/* ---- two bodies ---- */
-
-enum thud_status thud_paper_collisions(struct thud_paper_collision *out, struct thud_error *err)
-{
-    static const double slow_mps = 0.25, history_step_s = 5e-4;
-    enum thud_status status = THUD_OK;
-    for (int i = 0; i < THUD_PAPER_COLLISIONS && status == THUD_OK; i++) {
-        struct thud_two_body pair;
-        struct thud_solution solution;
-        bool fig3 = i < THUD_PAPER_FIG3;
-        thud_two_body_rubber(&pair);
-        pair.approach_mps = fig3 ? thud_paper_fig3_mps : slow_mps;
-        out[i] = (struct thud_paper_collision){.approach_mps = pair.approach_mps,
-                                               .nominal = fig3 ? thud_paper_fig3_restitution[i] : 0.5};
-        thud_two_body_set(&pair, "restitution", out[i].nominal);
-        status = thud_two_body_run(&pair, history_step_s, &solution, err);
-        if (status == THUD_OK) {
-            const struct thud_contact_result *contact = thud_run_result(solution.run)->contact;
-            out[i].force_n = contact->force.value;
-            out[i].indentation_m = contact->indentation.value;
-            out[i].restitution = thud_two_body_separation(&solution) / pair.approach_mps;
-        }
-        thud_solution_clear(&solution);
-    }
-    return status;
 }

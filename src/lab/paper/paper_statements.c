@@ -143,7 +143,7 @@ static enum verdict restitution(const struct view *v, char *text)
 
 static enum verdict figure3(const struct view *v, char *text)
 {
-    const struct thud_paper_collision *c = v->study->collision;
+    const struct thud_paper_pair *c = v->study->pair + THUD_PAPER_PAIRS;
     bool past = true, one_curve = true, close = true;
     for (int i = 0; i < THUD_PAPER_FIG3; i++) {
         past = past && c[i].indentation_m > v->strained_m;
@@ -160,7 +160,7 @@ static enum verdict figure3(const struct view *v, char *text)
 static enum verdict linear_rubber(const struct view *v, char *text)
 {
     const struct thud_paper_pair *p = v->study->pair;
-    const struct thud_paper_collision *slow = &v->study->collision[THUD_PAPER_SLOW];
+    const struct thud_paper_pair *slow = &p[THUD_PAPER_SLOW];
     double linear[2] = {p[1].force_n * slow->approach_mps / p[1].approach_mps,
                         p[1].force_n * p[3].approach_mps / p[1].approach_mps};
     double off[2] = {fabs(linear[0] / slow->force_n - 1), fabs(linear[1] / p[3].force_n - 1)};

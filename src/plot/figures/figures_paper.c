@@ -12,10 +12,18 @@ static const char ultimate_strain[] = "ultimate strain 0.8: 𝛿ᵤ = 40 mm";
 static const struct {
     const char *name;
     bool rubber;
-    double approach_mps;
+    double approach_mps, restitution; /* 0: Table 1's */
     int color;
-} cases[THUD_PAPER_PAIRS] = {
-    {"no bumper", false, 0.5, 0}, {"bumper", true, 0.5, 1}, {"no bumper", false, 1.0, 0}, {"bumper", true, 1.0, 1}};
+} cases[THUD_PAPER_COLLISIONS] = {
+    {"no bumper", .approach_mps = 0.5},
+    {"bumper", .rubber = true, .approach_mps = 0.5, .color = 1},
+    {"no bumper", .approach_mps = 1.0},
+    {"bumper", .rubber = true, .approach_mps = 1.0, .color = 1},
+    {"𝑒 = 0.3", .rubber = true, .approach_mps = 1.2, .restitution = 0.3},
+    {"𝑒 = 0.5", .rubber = true, .approach_mps = 1.2, .restitution = 0.5, .color = 1},
+    {"𝑒 = 0.7", .rubber = true, .approach_mps = 1.2, .restitution = 0.7, .color = 2},
+    {"bumper", .rubber = true, .approach_mps = 0.25},
+};
 
 static enum thud_status run_case(int i, struct thud_solution *solution, struct thud_error *err)
 {
@@ -24,6 +32,8 @@ static enum thud_status run_case(int i, struct thud_solution *solution, struct t
         thud_two_body_rubber(&pair);
     else
         thud_two_body_concrete(&pair);
+    if (cases[i].restitution > 0)
+        thud_two_body_set(&pair, "restitution", cases[i].restitution);
     pair.approach_mps = cases[i].approach_mps;
     return thud_two_body_run(&pair, step_s, solution, err);
 }
@@ -72,6 +82,20 @@ static void line(struct thud_panel *panel, const struct thud_solution *solution,
         after = on_x == INDENTATION && largest > 0 && value(h, i, FORCE) <= 1e-9 * largest;
     }
     series->n = n;
+}
+
+/* A case in a column of panels. */
+static enum thud_status add_case(int i, struct thud_panel *const *panel, int n, const enum trace *on_x,
+                                 const enum trace *on_y, struct thud_error *err)
+{
+    struct thud_solution solution;
+    enum thud_status status = run_case(i, &solution, err);
+    if (status != THUD_OK)
+        return status;
+    for (int k = 0; k < n; k++)
+        line(panel[k], &solution, on_x[k], on_y[k], (struct thud_style){.color = cases[i].color}, cases[i].name);
+    thud_solution_clear(&solution);
+    return THUD_OK;
 }
 
 static void paper_axis(struct thud_panel *panel, enum thud_side side, enum trace what)
@@ -214,7 +238,7 @@ enum thud_status thud_figure_paper9(struct thud_figure **out, struct thud_error 
 
 enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error *err)
 {
-    static const enum trace on_x[] = {TIME, INDENTATION};
+    static const enum trace on_x[] = {TIME, INDENTATION}, on_y[] = {FORCE, FORCE};
     struct thud_figure *figure = thud_figure_create(
         "fig3", "Rubber bumper pushed past its ultimate strain, three coefficients of restitution 𝑒", 1, 2);
     struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Force against time"),
@@ -227,21 +251,8 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
     thud_panel_limits(panel[1], THUD_X, 0.0, 50.0);
     thud_panel_mark(panel[1], THUD_X, 40.0, 40.0, ultimate_strain);
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < 3 && status == THUD_OK; i++) {
-        struct thud_two_body pair;
-        struct thud_solution solution;
-        char name[32];
-        thud_two_body_rubber(&pair);
-        thud_two_body_set(&pair, "restitution", thud_paper_fig3_restitution[i]);
-        pair.approach_mps = thud_paper_fig3_mps;
-        status = thud_two_body_run(&pair, step_s, &solution, err);
-        if (status != THUD_OK)
-            break;
-        snprintf(name, sizeof name, "𝑒 = %g", thud_paper_fig3_restitution[i]);
-        for (int p = 0; p < 2; p++)
-            line(panel[p], &solution, on_x[p], FORCE, (struct thud_style){.color = i}, name);
-        thud_solution_clear(&solution);
-    }
+    for (int i = 0; i < THUD_PAPER_FIG3 && status == THUD_OK; i++)
+        status = add_case(THUD_PAPER_PAIRS + i, panel, 2, on_x, on_y, err);
     thud_figure_note(
         figure,
         "Bumper of Table 1 between two free bodies of 320 t approaching at 1.2 m/s. Eq. (5) as printed: the force "
@@ -249,58 +260,48 @@ enum thud_status thud_figure_paper3(struct thud_figure **out, struct thud_error 
     return finish(figure, status, out, err);
 }
 
+static const char *const at_speed[] = {"Approach at 0.5 m/s", "Approach at 1.0 m/s"};
+
 enum thud_status thud_figure_paper4(struct thud_figure **out, struct thud_error *err)
 {
+    static const enum trace on_x[] = {INDENTATION}, on_y[] = {FORCE};
     struct thud_figure *figure =
         thud_figure_create("fig4", "Two rigid bodies of 320 t: impact force against indentation", 1, 2);
-    struct thud_panel *panel[2] = {thud_figure_panel(figure, 0, 0, "Approach at 0.5 m/s"),
-                                   thud_figure_panel(figure, 0, 1, "Approach at 1.0 m/s")};
     enum thud_status status = THUD_OK;
-    for (int p = 0; p < 2; p++) {
-        paper_axis(panel[p], THUD_X, INDENTATION);
-        paper_axis(panel[p], THUD_Y, FORCE);
-        thud_panel_limits(panel[p], THUD_X, 0.0, 45.0);
-        thud_panel_limits(panel[p], THUD_Y, 0.0, 18.0);
-    }
     for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
-        struct thud_solution solution;
-        status = run_case(i, &solution, err);
-        if (status != THUD_OK)
-            break;
-        line(panel[i / 2], &solution, INDENTATION, FORCE, (struct thud_style){.color = cases[i].color}, cases[i].name);
-        thud_solution_clear(&solution);
+        struct thud_panel *panel = thud_figure_panel(figure, 0, i / 2, at_speed[i / 2]);
+        paper_axis(panel, THUD_X, INDENTATION);
+        paper_axis(panel, THUD_Y, FORCE);
+        thud_panel_limits(panel, THUD_X, 0.0, 45.0);
+        thud_panel_limits(panel, THUD_Y, 0.0, 18.0);
+        status = add_case(i, &panel, 1, on_x, on_y, err);
     }
     return finish(figure, status, out, err);
 }
 
 enum thud_status thud_figure_paper5(struct thud_figure **out, struct thud_error *err)
 {
-    static const enum trace on_y[] = {FORCE, RELATIVE_VELOCITY, ACCELERATION};
+    static const enum trace on_x[] = {TIME, TIME, TIME}, on_y[] = {FORCE, RELATIVE_VELOCITY, ACCELERATION};
     struct thud_figure *figure =
         thud_figure_create("fig5", "Two rigid bodies of 320 t: force, velocity and acceleration", 3, 2);
     enum thud_status status = THUD_OK;
     for (int i = 0; i < THUD_PAPER_PAIRS && status == THUD_OK; i++) {
-        struct thud_solution solution;
-        status = run_case(i, &solution, err);
-        if (status != THUD_OK)
-            break;
+        struct thud_panel *panel[3];
         for (int row = 0; row < 3; row++) {
-            struct thud_panel *panel =
-                thud_figure_panel(figure, row, i / 2, i < 2 ? "Approach at 0.5 m/s" : "Approach at 1.0 m/s");
-            paper_axis(panel, THUD_X, TIME);
-            paper_axis(panel, THUD_Y, on_y[row]);
-            line(panel, &solution, TIME, on_y[row], (struct thud_style){.color = cases[i].color}, cases[i].name);
+            panel[row] = thud_figure_panel(figure, row, i / 2, at_speed[i / 2]);
+            paper_axis(panel[row], THUD_X, TIME);
+            paper_axis(panel[row], THUD_Y, on_y[row]);
         }
-        thud_solution_clear(&solution);
+        status = add_case(i, panel, 3, on_x, on_y, err);
     }
     thud_figure_note(
         figure, "Relative velocity: left minus right body; acceleration: of the right body. Contact onset at 0 ms.");
     return finish(figure, status, out, err);
 }
 
-enum thud_status thud_paper_pairs(struct thud_paper_pair *out, struct thud_error *err)
+enum thud_status thud_paper_pairs(struct thud_paper_pair out[THUD_PAPER_COLLISIONS], struct thud_error *err)
 {
-    for (int i = 0; i < THUD_PAPER_PAIRS; i++) {
+    for (int i = 0; i < THUD_PAPER_COLLISIONS; i++) {
         struct thud_solution solution;
         enum thud_status status = run_case(i, &solution, err);
         if (status != THUD_OK)
