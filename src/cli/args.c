@@ -187,6 +187,53 @@ enum thud_status thud_args_quantity(const struct thud_args *args, const char *op
     return THUD_OK;
 }
 
+enum thud_status thud_args_refuse(const char *option, const char *text, const char *allowed, struct thud_error *err)
+{
+    thud_error_set(err, THUD_USAGE, "\"%.60s\" will not do", text);
+    thud_error_allow(err, "%s", allowed);
+    return thud_args_wrong(option, err);
+}
+
+enum thud_status thud_args_quantities(const char *option, const char *text, char separator,
+                                      const enum thud_dimension *dimension, int n, double *value, const char *allowed,
+                                      struct thud_error *err)
+{
+    const char between[] = {separator, '\0'};
+    for (int i = 0; i < n; i++) {
+        struct thud_quantity quantity;
+        char part[64];
+        text += strspn(text, " ");
+        size_t length = strcspn(text, between);
+        bool last = text[length] == '\0';
+        if (length >= sizeof part || last != (i == n - 1)) {
+            thud_error_set(err, THUD_USAGE, "takes %d values", n);
+            thud_error_allow(err, "%s", allowed);
+            return thud_args_wrong(option, err);
+        }
+        snprintf(part, sizeof part, "%.*s", (int)length, text);
+        if (thud_quantity_parse(part, dimension[i], NULL, &quantity, err) != THUD_OK)
+            return thud_args_wrong(option, err);
+        value[i] = quantity.value;
+        text += length + !last;
+    }
+    return THUD_OK;
+}
+
+enum thud_status thud_args_choice(const struct thud_args *args, const char *option, const char *words, int *out,
+                                  struct thud_error *err)
+{
+    const char *text = thud_args_value(args, option), *word = words;
+    for (int i = 0; text && word; i++) {
+        size_t n = strcspn(word, ",");
+        if (strlen(text) == n && strncmp(text, word, n) == 0) {
+            *out = i;
+            return THUD_OK;
+        }
+        word = word[n] ? word + n + 2 : NULL;
+    }
+    return text ? thud_args_refuse(option, text, words, err) : THUD_OK;
+}
+
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err)
 {

@@ -33,6 +33,15 @@ enum thud_status thud_args_wrong(const char *option, struct thud_error *err);
 /* A quantity with its unit; *out stays unchanged where the option is not given. Errors: THUD_USAGE. */
 enum thud_status thud_args_quantity(const struct thud_args *args, const char *option, enum thud_dimension dimension,
                                     double *out, struct thud_error *err);
+/* "4 m2, 15 m, 30 GPa": one for each dimension, parted by `separator`. Errors: THUD_USAGE. */
+enum thud_status thud_args_quantities(const char *option, const char *text, char separator,
+                                      const enum thud_dimension *dimension, int n, double *value, const char *allowed,
+                                      struct thud_error *err);
+/* Which of the words, parted by ", ", an option has; *out stays unchanged where it is not given. Errors: THUD_USAGE. */
+enum thud_status thud_args_choice(const struct thud_args *args, const char *option, const char *words, int *out,
+                                  struct thud_error *err);
+/* What was typed is wrong, and what is allowed. */
+enum thud_status thud_args_refuse(const char *option, const char *text, const char *allowed, struct thud_error *err);
 /* A whole number in an option. Errors: THUD_USAGE. */
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,
                                    int *out, struct thud_error *err);

@@ -9,7 +9,7 @@
 #include "io/result/study_rows.h"
 #include "study/scene/stiffness.h"
 
-enum { PARTS_MAX = 3, SPRINGS_MAX = 2 + 1 + 3, RUNS_MAX = 2 * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
+enum { PARTS = 3, SPRINGS_MAX = 2 + 1 + 3, RUNS_MAX = 2 * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
 
 /* The results, as text or as rows. */
 struct told {
@@ -20,31 +20,15 @@ struct told {
     struct thud_stiffness_fields run[RUNS_MAX];
 };
 
-/* "4 m2, 15 m, 30 GPa": quantities of these dimensions, all above 0. */
-static enum thud_status read_parts(const char *option, const char *text, const enum thud_dimension *dimension, int n,
+/* "4 m2, 15 m, 30 GPa": all above 0. */
+static enum thud_status read_parts(const char *option, const char *text, const enum thud_dimension *dimension,
                                    double *value, const char *allowed, struct thud_error *err)
 {
-    for (int i = 0; i < n; i++) {
-        struct thud_quantity quantity;
-        char part[64];
-        text += strspn(text, " ");
-        size_t length = strcspn(text, ",");
-        bool last = text[length] == '\0';
-        if (length >= sizeof part || last != (i == n - 1)) {
-            thud_error_set(err, THUD_USAGE, "takes %d values", n);
-            thud_error_allow(err, "%s", allowed);
-            return thud_args_wrong(option, err);
-        }
-        snprintf(part, sizeof part, "%.*s", (int)length, text);
-        enum thud_status status = thud_quantity_parse(part, dimension[i], NULL, &quantity, err);
-        if (status == THUD_OK && !(quantity.value > 0))
-            status = thud_error_set(err, THUD_USAGE, "\"%.40s\" is not above 0", part);
-        if (status != THUD_OK)
-            return thud_args_wrong(option, err);
-        value[i] = quantity.value;
-        text += length + !last;
-    }
-    return THUD_OK;
+    enum thud_status status = thud_args_quantities(option, text, ',', dimension, PARTS, value, allowed, err);
+    for (int i = 0; status == THUD_OK && i < PARTS; i++)
+        if (!(value[i] > 0))
+            status = thud_args_refuse(option, text, "values above 0", err);
+    return status;
 }
 
 /* k of one slab against the same, or of the two given. */
@@ -56,11 +40,11 @@ static enum thud_status add_slabs(const struct thud_args *args, struct told *tol
     double k[2];
     int n = 0;
     for (; (text = thud_args_repeated(args, "slab", n)) != NULL; n++) {
-        double v[PARTS_MAX];
+        double v[PARTS];
         if (n == 2)
             return thud_error_set(err, THUD_USAGE, "a contact has two slabs");
         enum thud_status status =
-            read_parts("slab", text, dimension, 3, v, "AREA,LENGTH,MODULUS, e.g. 3m2,12m,30GPa", err);
+            read_parts("slab", text, dimension, v, "AREA,LENGTH,MODULUS, e.g. 3m2,12m,30GPa", err);
         if (status != THUD_OK)
             return status;
         k[n] = thud_stiffness_slab(v[0], v[1], v[2]);
@@ -85,11 +69,10 @@ static enum thud_status add_pad(const struct thud_args *args, struct told *told,
     static const enum thud_dimension dimension[] = {THUD_AREA, THUD_PRESSURE, THUD_LENGTH};
     static const double alpha[] = {2, 2.25, 2.5}, exponent = 2.65, kn_per_mm = 1e6;
     const char *text = thud_args_value(args, "pad");
-    double v[PARTS_MAX];
+    double v[PARTS];
     if (!text)
         return THUD_OK;
-    enum thud_status status =
-        read_parts("pad", text, dimension, 3, v, "AREA,MODULUS,THICKNESS, e.g. 0.5m2,5MPa,5cm", err);
+    enum thud_status status = read_parts("pad", text, dimension, v, "AREA,MODULUS,THICKNESS, e.g. 0.5m2,5MPa,5cm", err);
     if (status != THUD_OK)
         return status;
     for (int i = 0; i < 3; i++) {

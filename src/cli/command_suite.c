@@ -15,28 +15,6 @@
 #include "io/record/target_file.h"
 #include "io/result/schemas.h"
 
-/* "FROM:TO", two times. */
-static enum thud_status read_range(const char *text, struct thud_scaling *scaling, struct thud_error *err)
-{
-    static const char allowed[] = "FROM:TO, such as 0.1s:2s";
-    char from[64];
-    struct thud_quantity q[2];
-    const char *colon = strchr(text, ':');
-    if (!colon || (size_t)(colon - text) >= sizeof from)
-        return thud_error_refuse(err, THUD_USAGE, "--range", allowed, "\"%.60s\" is not a range", text);
-    snprintf(from, sizeof from, "%.*s", (int)(colon - text), text);
-    enum thud_status status = thud_quantity_parse(from, THUD_TIME, NULL, &q[0], err);
-    if (status == THUD_OK)
-        status = thud_quantity_parse(colon + 1, THUD_TIME, NULL, &q[1], err);
-    if (status != THUD_OK) {
-        thud_error_allow(err, "%s", allowed);
-        return thud_args_wrong("range", err);
-    }
-    scaling->from_s = q[0].value;
-    scaling->to_s = q[1].value;
-    return THUD_OK;
-}
-
 /* The range of the buildings: 0.2 of the least to twice the largest first period. */
 static void range_of_buildings(struct thud_suite_study *study)
 {
@@ -52,34 +30,33 @@ static void range_of_buildings(struct thud_suite_study *study)
 static enum thud_status read_options(const struct thud_args *args, struct thud_suite_study *study,
                                      struct thud_error *err)
 {
-    const char *target = thud_args_value(args, "target"), *scale = thud_args_value(args, "scale"),
-               *range = thud_args_value(args, "range"), *most = thud_args_value(args, "factor-most");
+    static const enum thud_dimension times[] = {THUD_TIME, THUD_TIME};
+    const char *target = thud_args_value(args, "target"), *range = thud_args_value(args, "range");
+    double ends[] = {study->scaling.from_s, study->scaling.to_s};
+    int common = 0;
     enum thud_status status = target ? thud_target_read(target, &study->target, err) : THUD_OK;
     if (status != THUD_OK) {
         thud_args_key("target", err);
         return status;
     }
     study->has_target = target != NULL;
-    if (scale && strcmp(scale, "each") != 0 && strcmp(scale, "common") != 0)
-        return thud_error_refuse(err, THUD_USAGE, "--scale", "each or common", "\"%.40s\" is not a way to scale",
-                                 scale);
-    study->scaling.common = scale && strcmp(scale, "common") == 0;
+    status = thud_args_choice(args, "scale", "each, common", &common, err);
+    study->scaling.common = common;
     study->scaling.vertical = thud_args_has(args, "vertical");
-    status = thud_args_integer(args, "count", 1, 1000, 0, &study->scaling.count, err);
+    if (status == THUD_OK)
+        status = thud_args_integer(args, "count", 1, 1000, 0, &study->scaling.count, err);
     if (status == THUD_OK)
         status =
             thud_args_integer(args, "per-event", 1, 1000, study->scaling.per_event, &study->scaling.per_event, err);
-    if (status == THUD_OK && most) {
-        struct thud_quantity q;
-        status = thud_quantity_parse(most, THUD_NUMBER, NULL, &q, err);
-        if (status != THUD_OK || !(q.value >= 1))
-            return thud_error_refuse(err, THUD_USAGE, "--factor-most", "a number of 1 or more",
-                                     "\"%.40s\" is not a largest factor", most);
-        study->scaling.factor_most = q.value;
-    }
+    if (status == THUD_OK)
+        status = thud_args_quantity(args, "factor-most", THUD_NUMBER, &study->scaling.factor_most, err);
+    if (status == THUD_OK && !(study->scaling.factor_most >= 1))
+        status = thud_args_refuse("factor-most", thud_args_value(args, "factor-most"), "a number of 1 or more", err);
     if (status == THUD_OK && range)
-        status = read_range(range, &study->scaling, err);
-    if (status == THUD_OK && !target && (scale || study->scaling.count > 0))
+        status = thud_args_quantities("range", range, ':', times, 2, ends, "FROM:TO, such as 0.1s:2s", err);
+    study->scaling.from_s = ends[0];
+    study->scaling.to_s = ends[1];
+    if (status == THUD_OK && !target && (thud_args_has(args, "scale") || study->scaling.count > 0))
         return thud_error_refuse(err, THUD_USAGE, "--target", THUD_TARGET_ALLOWED,
                                  "there is no target to select and scale by");
     return status;

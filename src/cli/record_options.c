@@ -6,13 +6,6 @@
 
 #include "base/quantity.h"
 
-static enum thud_status refuse(const char *option, const char *text, const char *allowed, struct thud_error *err)
-{
-    thud_error_set(err, THUD_USAGE, "\"%.60s\" will not do", text);
-    thud_error_allow(err, "%s", allowed);
-    return thud_args_wrong(option, err);
-}
-
 static enum thud_status word(const struct thud_args *args, const char *option, char *to, size_t size,
                              struct thud_error *err)
 {
@@ -20,7 +13,7 @@ static enum thud_status word(const struct thud_args *args, const char *option, c
     if (!text)
         return THUD_OK;
     if (!text[0] || strlen(text) >= size)
-        return refuse(option, text, "a short word", err);
+        return thud_args_refuse(option, text, "a short word", err);
     memcpy(to, text, strlen(text) + 1);
     return THUD_OK;
 }
@@ -39,18 +32,18 @@ static enum thud_status places(const struct thud_args *args, struct thud_record_
 static enum thud_status choices(const struct thud_args *args, struct thud_record_treatment *treatment,
                                 struct thud_error *err)
 {
-    const char *sign = thud_args_value(args, "sign"), *baseline = thud_args_value(args, "baseline");
-    if (sign && strcmp(sign, "+") != 0 && strcmp(sign, "-") != 0)
-        return refuse("sign", sign, "+ or -", err);
-    treatment->choice.sign = sign && *sign == '-' ? -1 : 1;
-    if (!baseline)
-        return THUD_OK;
+    const char *baseline = thud_args_value(args, "baseline");
+    int minus = 0;
+    enum thud_status status = thud_args_choice(args, "sign", "+, -", &minus, err);
+    treatment->choice.sign = minus ? -1 : 1;
+    if (status != THUD_OK || !baseline)
+        return status;
     if (strcmp(baseline, "mean") == 0)
         treatment->baseline = THUD_BASELINE_MEAN;
     else if (strcmp(baseline, "linear") == 0)
         treatment->baseline = THUD_BASELINE_LINEAR;
     else if (thud_args_integer(args, "baseline", 0, THUD_BASELINE_MAX, THUD_BASELINE_NONE, &treatment->baseline, NULL))
-        return refuse("baseline", baseline, "mean, linear, or the degree of a polynomial, 0 to 8", err);
+        return thud_args_refuse("baseline", baseline, "mean, linear, or the degree of a polynomial, 0 to 8", err);
     return THUD_OK;
 }
 
@@ -69,14 +62,14 @@ static enum thud_status filter(const struct thud_args *args, struct thud_record_
     const char *high = thud_args_value(args, "high-pass"), *band = thud_args_value(args, "band-pass");
     const char *colon = band ? strchr(band, ':') : NULL;
     if (high && band)
-        return refuse("high-pass", high, "--high-pass or --band-pass", err);
+        return thud_args_refuse("high-pass", high, "--high-pass or --band-pass", err);
     if (high && !frequency(high, high + strlen(high), &out->low_hz))
-        return refuse("high-pass", high, "a frequency such as 0.1Hz", err);
+        return thud_args_refuse("high-pass", high, "a frequency such as 0.1Hz", err);
     if (band &&
         (!colon || !frequency(band, colon, &out->low_hz) || !frequency(colon + 1, band + strlen(band), &out->high_hz)))
-        return refuse("band-pass", band, "two frequencies such as 0.1Hz:25Hz", err);
+        return thud_args_refuse("band-pass", band, "two frequencies such as 0.1Hz:25Hz", err);
     if (thud_args_has(args, "order") && !high && !band)
-        return refuse("order", thud_args_value(args, "order"), "beside --high-pass or --band-pass", err);
+        return thud_args_refuse("order", thud_args_value(args, "order"), "beside --high-pass or --band-pass", err);
     return thud_args_integer(args, "order", 1, THUD_FILTER_ORDER_MAX, out->order, &out->order, err);
 }
 
@@ -102,11 +95,12 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
     for (size_t i = 0; i < sizeof quantities / sizeof *quantities && !status; i++)
         status = thud_args_quantity(args, quantities[i].option, quantities[i].dimension, quantities[i].to, err);
     if (!status && !isnan(choice->peak_mps2) && !(choice->peak_mps2 > 0))
-        return refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - reverses the polarity", err);
+        return thud_args_refuse("peak", thud_args_value(args, "peak"), "more than 0; --sign - reverses the polarity",
+                                err);
     if (!status && !isnan(choice->sa_mps2) && !(choice->sa_mps2 > 0))
-        return refuse("sa", thud_args_value(args, "sa"), "more than 0; --sign - reverses the polarity", err);
+        return thud_args_refuse("sa", thud_args_value(args, "sa"), "more than 0; --sign - reverses the polarity", err);
     if (!status && !isnan(choice->period_s) && !(choice->period_s > 0))
-        return refuse("period", thud_args_value(args, "period"), "more than 0", err);
+        return thud_args_refuse("period", thud_args_value(args, "period"), "more than 0", err);
     if (!status)
         status = word(args, "unit", choice->unit, sizeof choice->unit, err);
     if (!status)
@@ -124,23 +118,16 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
 static enum thud_status periods(const char *text, struct thud_spectrum_choice *choice, struct thud_error *err)
 {
     static const char allowed[] = "FROM:TO:COUNT such as 0.02s:10s:200, above 0, 2 to 10000 of them";
-    char part[2][40];
-    const char *first = strchr(text, ':'), *second = first ? strchr(first + 1, ':') : NULL, *end;
-    if (!second || first - text >= 40 || second - first >= 40)
-        return refuse("periods", text, allowed, err);
-    snprintf(part[0], sizeof part[0], "%.*s", (int)(first - text), text);
-    snprintf(part[1], sizeof part[1], "%.*s", (int)(second - first - 1), first + 1);
-    struct thud_quantity from, to;
-    double count;
-    if (thud_quantity_parse(part[0], THUD_TIME, NULL, &from, err) ||
-        thud_quantity_parse(part[1], THUD_TIME, NULL, &to, err))
-        return thud_args_wrong("periods", err);
-    if (thud_number_parse(second + 1, &end, &count) || *end || !(from.value > 0) || !(to.value > from.value) ||
-        count < 2 || count > THUD_PERIODS_MAX || count != floor(count))
-        return refuse("periods", text, allowed, err);
-    choice->from_s = from.value;
-    choice->to_s = to.value;
-    choice->count = (int)count;
+    static const enum thud_dimension dimension[] = {THUD_TIME, THUD_TIME, THUD_NUMBER};
+    double x[3];
+    enum thud_status status = thud_args_quantities("periods", text, ':', dimension, 3, x, allowed, err);
+    if (status != THUD_OK)
+        return status;
+    if (!(x[0] > 0) || !(x[1] > x[0]) || x[2] < 2 || x[2] > THUD_PERIODS_MAX || x[2] != floor(x[2]))
+        return thud_args_refuse("periods", text, allowed, err);
+    choice->from_s = x[0];
+    choice->to_s = x[1];
+    choice->count = (int)x[2];
     return THUD_OK;
 }
 
@@ -150,7 +137,7 @@ enum thud_status thud_spectrum_options_read(const struct thud_args *args, const 
     const char *text = thud_args_value(args, "periods");
     enum thud_status status = thud_args_quantity(args, damping, THUD_RATIO, &choice->damping, err);
     if (!status && !(choice->damping >= 0 && choice->damping < 1))
-        return refuse(damping, thud_args_value(args, damping), "from 0 up to, not including, 1", err);
+        return thud_args_refuse(damping, thud_args_value(args, damping), "from 0 up to, not including, 1", err);
     return !status && text ? periods(text, choice, err) : status;
 }
 

@@ -64,8 +64,7 @@ enum thud_status thud_records_option_read(const struct thud_args *args, struct t
     const char *text = thud_args_value(args, "records");
     bool both = thud_args_has(args, "signs") || study->both_signs;
     if (thud_args_has(args, "signs") && strcmp(thud_args_value(args, "signs"), "both") != 0)
-        return thud_error_refuse(err, THUD_USAGE, "--signs", "both; --sign - reverses the polarity",
-                                 "\"%.40s\" is not understood", thud_args_value(args, "signs"));
+        return thud_args_refuse("signs", thud_args_value(args, "signs"), "both; --sign - reverses the polarity", err);
     if (!text && study->records[0] && !thud_args_value(args, "record"))
         text = study->records;
     enum thud_status status = THUD_OK;
