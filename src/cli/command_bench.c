@@ -55,7 +55,7 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
     if (status == THUD_OK && folder) {
         snprintf(name, sizeof name, "%s.csv", figure->name);
         thud_rows_csv(rows, &csv);
-        status = thud_text_write_in(&csv, folder, name, err);
+        status = thud_text_save(&csv, folder, name, status, err);
     }
     if (folder)
         status = thud_figure_deliver(figure, folder, &picture.options, status, err);

@@ -15,19 +15,13 @@ static enum thud_status save(const struct thud_args *args, const struct thud_gap
     struct thud_text text = {0};
     enum thud_status status = thud_made_by_begin(by, err);
     const struct thud_rows levels = thud_gap_level_rows(study), rules = thud_gap_rule_rows(study);
-    if (status == THUD_OK)
-        status = thud_rows_save(&levels, folder, err);
-    if (status == THUD_OK)
-        status = thud_rows_save(&rules, folder, err);
+    status = thud_rows_save(&levels, folder, status, err);
+    status = thud_rows_save(&rules, folder, status, err);
     if (status == THUD_OK)
         status = thud_gap_json(study, scene, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "needed-gaps.json", err);
-    thud_text_clear(&text);
+    status = thud_text_save(&text, folder, "needed-gaps.json", status, err);
     picture->options.cancel = thud_interrupt_watch();
     thud_picture_options_motions(picture, (const struct thud_record *const *)records->record, records->n);
-    if (status != THUD_OK)
-        return status;
     const char *title = scene->title[0] ? scene->title : scene->name;
     status = thud_figure_deliver(thud_figure_of_gaps(&study->suite, title), folder, &picture->options, status, err);
     return thud_made_by_end(by, status, err);

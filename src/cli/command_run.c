@@ -24,7 +24,7 @@ static enum thud_status write_folder(const struct thud_report *report, const cha
     for (size_t i = 0; i < sizeof file / sizeof *file && status == THUD_OK; i++) {
         struct thud_text text = {0};
         file[i].put(report, &text);
-        status = thud_text_write_in(&text, folder, file[i].name, err);
+        status = thud_text_save(&text, folder, file[i].name, status, err);
     }
     return status;
 }

@@ -64,11 +64,9 @@ static enum thud_status write_preset(const struct thud_session *session, const s
     if (status == THUD_OK) {
         thud_simplify_comments(found, &text);
         thud_text_bytes(&text, preset, size);
-        status = thud_text_write_in(&text, folder, "simplest.yaml", err);
     }
-    thud_text_clear(&text);
     free(preset);
-    return status;
+    return thud_text_save(&text, folder, "simplest.yaml", status, err);
 }
 
 static enum thud_status save(const struct thud_args *args, const struct thud_session *session,
@@ -78,13 +76,11 @@ static enum thud_status save(const struct thud_args *args, const struct thud_ses
     const char *folder = thud_args_value(args, "o"),
                *title = session->scene.title[0] ? session->scene.title : session->scene.name;
     const struct thud_rows rows = thud_simplify_table_rows(found);
-    enum thud_status status = thud_rows_save(&rows, folder, err);
+    enum thud_status status = thud_rows_save(&rows, folder, THUD_OK, err);
     if (status == THUD_OK)
         status = write_preset(session, found, folder, scene, err);
     picture->options.cancel = thud_interrupt_watch();
-    return status == THUD_OK
-               ? thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err)
-               : status;
+    return thud_figure_deliver(thud_figure_of_simplify(found, title), folder, &picture->options, status, err);
 }
 
 static enum thud_status simplify(const struct thud_args *args, struct thud_session *session, struct thud_scene *scene,

@@ -14,12 +14,10 @@ static enum thud_status save(const struct thud_stability *stability, const char 
                              const struct thud_picture_options *options, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
-    for (int i = 0; status == THUD_OK && i < THUD_STABILITY_TABLES; i++) {
+    for (int i = 0; i < THUD_STABILITY_TABLES; i++) {
         const struct thud_rows rows = thud_stability_rows(stability, i);
-        status = thud_rows_save(&rows, folder, err);
+        status = thud_rows_save(&rows, folder, status, err);
     }
-    if (status != THUD_OK)
-        return status;
     for (int kind = 0; kind < THUD_STABILITY_KINDS; kind++)
         if (kind != THUD_STABILITY_SCENE || stability->peak_m)
             status = thud_figure_deliver(thud_stability_map(stability, kind), folder, options, status, err);

@@ -80,10 +80,7 @@ static enum thud_status save_list(const struct thud_suite_study *study, const ch
         snprintf(folder, sizeof folder, "%.*s", (int)(name - path > 1 ? name - path - 1 : 1), path);
     from_list(path, from, sizeof from);
     enum thud_status status = thud_suite_list_text(study, from, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, name, err);
-    thud_text_clear(&text);
-    return status;
+    return thud_text_save(&text, folder, name, status, err);
 }
 
 static enum thud_status save(const struct thud_suite_study *study, const char *where,
@@ -99,18 +96,13 @@ static enum thud_status save(const struct thud_suite_study *study, const char *w
     enum thud_status status = thud_made_by_begin(&by, err);
     if (status == THUD_OK)
         status = save_list(study, list, err);
-    if (status == THUD_OK) {
-        thud_suite_motions_csv(study, &text);
-        status = thud_text_write_in(&text, where, "motions.csv", err);
-        thud_text_clear(&text);
-    }
+    thud_suite_motions_csv(study, &text);
+    status = thud_text_save(&text, where, "motions.csv", status, err);
     picture->options.cancel = thud_interrupt_watch();
     int synthetic = 0;
     for (int i = 0; i < study->records->n; i++)
         synthetic += study->scaled.motion[i].chosen && study->records->record[i]->synthetic;
     thud_synthetic_text(synthetic, study->scaled.chosen, picture->options.motions, sizeof picture->options.motions);
-    if (status != THUD_OK)
-        return status;
     status = thud_figure_deliver(
         thud_figure_of_suite(&study->scaled, study->has_target ? study->target.text : "", study->mark, study->nmarks),
         where, &picture->options, status, err);

@@ -125,9 +125,7 @@ static enum thud_status write_suite(void *owner, struct thud_error *err)
     struct thud_text text = {0};
     struct thud_figure *figure = s->study.figures ? thud_suite_lowered_figure(s->suite) : NULL;
     enum thud_status status = thud_suite_report(s->suite, THUD_AS_CSV, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, s->study.folder, "suite.csv", err);
-    thud_text_clear(&text);
+    status = thud_text_save(&text, s->study.folder, "suite.csv", status, err);
     if (status == THUD_OK && figure)
         s->outcome.pictures = thud_figure_deliver(figure, s->study.folder, s->study.pictures, s->outcome.pictures,
                                                   &s->outcome.picture_error);
@@ -200,11 +198,8 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
     if (s->study.folder) {
         struct thud_text csv = {0};
         status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, true, &csv, err);
-        if (status == THUD_OK)
-            status = thud_text_write_in(&csv, s->study.folder, "best.csv", err);
-        if (status == THUD_OK)
-            status = thud_made_by_keep(&s->by, err);
-        thud_text_clear(&csv);
+        status = thud_text_save(&csv, s->study.folder, "best.csv", status, err);
+        status = thud_made_by_end(&s->by, status, err);
     }
     if (status == THUD_OK && s->output.format == THUD_SWEEP_OUTPUT_TABLE)
         status = thud_sweep_report_best(&s->plan, &s->outcome.rows.table, s->best, false, text, err);

@@ -183,21 +183,15 @@ static enum thud_status save(const struct thud_args *args, const struct thud_unc
     struct thud_text text = {0};
     enum thud_status status = THUD_OK;
     const int tables = THUD_UNCERTAINTY_TABLES - !(study->indices && study->samples > 0);
-    for (int i = 0; i < tables && status == THUD_OK; i++) {
+    for (int i = 0; i < tables; i++) {
         const struct thud_rows rows = thud_uncertainty_rows(study, (enum thud_uncertainty_table)i);
-        status = thud_rows_save(&rows, folder, err);
+        status = thud_rows_save(&rows, folder, status, err);
     }
     thud_uncertainty_samples_csv(study, &text);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "samples.csv", err);
-    thud_text_clear(&text);
+    status = thud_text_save(&text, folder, "samples.csv", status, err);
     thud_uncertainty_json(study, &text);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "uncertainty.json", err);
-    thud_text_clear(&text);
+    status = thud_text_save(&text, folder, "uncertainty.json", status, err);
     picture->options.cancel = study->cancel;
-    if (status != THUD_OK)
-        return status;
     status = thud_figure_deliver(tornado(study), folder, &picture->options, status, err);
     if (study->samples > 0 && has_ratios(study->uncertainty))
         status = thud_figure_deliver(distribution(study), folder, &picture->options, status, err);

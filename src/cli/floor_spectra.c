@@ -77,15 +77,11 @@ static enum thud_status write_files(const struct thud_args *args, const struct t
     const char *folder = thud_args_value(args, "o");
     struct thud_text text = {0};
     enum thud_status status = thud_made_by_begin(by, err);
-    if (status == THUD_OK) {
-        thud_floor_spectra_csv(scene, spectra, &text);
-        status = thud_text_write_in(&text, folder, "floor-spectra.csv", err);
-    }
-    if (status != THUD_OK)
-        return status;
+    thud_floor_spectra_csv(scene, spectra, &text);
+    status = thud_text_save(&text, folder, "floor-spectra.csv", status, err);
     picture->options.no_data = true; /* they stand in that file */
     picture->options.cancel = thud_interrupt_watch();
-    status = thud_figure_deliver(thud_figure_of_floors(scene, spectra), folder, &picture->options, THUD_OK, err);
+    status = thud_figure_deliver(thud_figure_of_floors(scene, spectra), folder, &picture->options, status, err);
     return thud_made_by_end(by, status, err);
 }
 

@@ -53,21 +53,14 @@ static enum thud_status write_files(const struct thud_fragility_study *study, co
 {
     struct thud_text text = {0};
     thud_fragility_csv(study, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, "fragility.csv", err);
-    if (status == THUD_OK) {
-        thud_fragility_curves_csv(study, &text);
-        status = thud_text_write_in(&text, folder, "fragility-curves.csv", err);
-    }
-    if (status == THUD_OK) {
-        thud_fragility_json(study, &text);
-        status = thud_text_write_in(&text, folder, "fragility.json", err);
-    }
+    enum thud_status status = thud_text_save(&text, folder, "fragility.csv", THUD_OK, err);
+    thud_fragility_curves_csv(study, &text);
+    status = thud_text_save(&text, folder, "fragility-curves.csv", status, err);
+    thud_fragility_json(study, &text);
+    status = thud_text_save(&text, folder, "fragility.json", status, err);
     if (status == THUD_OK)
         status = thud_suite_report(study->suite, THUD_AS_CSV, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, "suite.csv", err);
-    thud_text_clear(&text);
-    return status;
+    return thud_text_save(&text, folder, "suite.csv", status, err);
 }
 
 enum thud_status thud_fragility_deliver(const struct thud_args *args, struct thud_fragility_study *study,

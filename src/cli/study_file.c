@@ -225,7 +225,7 @@ enum thud_status thud_made_by_scene_file(const struct thud_args *args, const cha
         return status;
     put_head(&text, scene);
     put_scene(&text, scene, session->record ? session->record->file : NULL);
-    return thud_text_write_in(&text, out->folder, "scene.json", err);
+    return thud_text_save(&text, out->folder, "scene.json", THUD_OK, err);
 }
 
 enum thud_status thud_made_by_finish(const struct thud_args *args, const struct thud_made_by *by,

@@ -134,7 +134,7 @@ START_TEST(results_are_not_written_through_links)
     ck_assert_int_eq(thud_file_write(in_folder("precious"), "old", 3, NULL), THUD_OK);
     ck_assert_int_eq(symlink("precious", in_folder("histories.csv")), 0);
     thud_text_append(&text, "new");
-    ck_assert_int_eq(thud_text_write_in(&text, folder, "histories.csv", NULL), THUD_OK);
+    ck_assert_int_eq(thud_text_save(&text, folder, "histories.csv", THUD_OK, NULL), THUD_OK);
     ck_assert_int_eq(thud_file_read(in_folder("precious"), 100, &kept, &size, NULL), THUD_OK);
     ck_assert_str_eq(kept, "old");
     free(kept);
@@ -143,7 +143,7 @@ START_TEST(results_are_not_written_through_links)
     free(kept);
     ck_assert_int_eq(mkfifo(in_folder("impacts.csv"), 0600), 0); /* nobody reads it: writing into it would wait */
     thud_text_append(&text, "new");
-    ck_assert_int_eq(thud_text_write_in(&text, folder, "impacts.csv", NULL), THUD_OK);
+    ck_assert_int_eq(thud_text_save(&text, folder, "impacts.csv", THUD_OK, NULL), THUD_OK);
     ck_assert_int_eq(symlink("precious", in_folder("preset.yaml")), 0);
     ck_assert_int_eq(thud_file_write(in_folder("preset.yaml"), "newer", 5, NULL), THUD_OK);
     ck_assert_int_eq(thud_file_read(in_folder("precious"), 100, &kept, &size, NULL), THUD_OK);

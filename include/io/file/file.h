@@ -48,8 +48,11 @@ void thud_file_drop(struct thud_file_draft *draft);
 /* Writes the whole text by thud_file_write and clears it; THUD_MEMORY if it had failed. */
 enum thud_status thud_text_write(struct thud_text *text, const char *path, struct thud_error *err);
 
-/* Writes the whole text as a result, FOLDER/NAME ("": the working folder), and clears it. Errors: also THUD_OUTPUT for
- * a name that is too long. */
+/* Writes the whole text as a result, FOLDER/NAME ("": the working folder), and clears it; after a failure in `before`
+ * it writes nothing and returns that. Errors: also THUD_OUTPUT for a name that is too long. */
+enum thud_status thud_text_save(struct thud_text *text, const char *folder, const char *name, enum thud_status before,
+                                struct thud_error *err);
+/* Does the same after no failure. */
 enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
                                     struct thud_error *err);
 

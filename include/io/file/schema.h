@@ -139,8 +139,9 @@ struct thud_array {
 };
 void thud_array_row(const void *of, int i, void *row);
 void thud_rows_csv(const struct thud_rows *rows, struct thud_text *out); /* heading and rows */
-/* The CSV in `folder`, as a file with the schema's name. Errors: THUD_OUTPUT, THUD_MEMORY. */
-enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err);
+/* The CSV in `folder`, as a file with the schema's name. `before` and errors: as thud_text_save. */
+enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, enum thud_status before,
+                                struct thud_error *err);
 void thud_rows_json(const struct thud_rows *rows, struct thud_text *out); /* [ {...}, ... ], an object a line */
 /* Appends , "name": [ ... ] after other members. */
 void thud_json_list(const char *name, const struct thud_rows *rows, struct thud_text *out);

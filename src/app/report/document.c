@@ -676,9 +676,7 @@ enum thud_status thud_document_deliver(const struct thud_document *document, con
     if (document->failed)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_document_markdown(document, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, "report.md", err);
-    if (status != THUD_OK)
-        return status;
+    enum thud_status status = thud_text_save(&text, folder, "report.md", THUD_OK, err);
     thud_document_html(document, &text);
-    return thud_text_write_in(&text, folder, "report.html", err);
+    return thud_text_save(&text, folder, "report.html", status, err);
 }

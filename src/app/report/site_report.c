@@ -330,7 +330,7 @@ static enum thud_status deliver(struct site *site, struct thud_error *err)
     enum thud_status status = thud_made_by_begin(by, err);
     for (int i = 0; status == THUD_OK && (picture = thud_document_picture(&site->document, i, &file)) != NULL; i++) {
         thud_text_bytes(&text, picture->data, picture->size);
-        status = thud_text_write_in(&text, folder, file, err);
+        status = thud_text_save(&text, folder, file, status, err);
     }
     if (status == THUD_OK)
         status = thud_document_deliver(&site->document, folder, err);

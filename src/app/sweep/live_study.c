@@ -244,15 +244,12 @@ static enum thud_status export_suite(const struct thud_live_study *study, const 
     char name[300];
     snprintf(name, sizeof name, "%.200s-suite.csv", stem);
     enum thud_status status = thud_suite_report(study->suite, THUD_AS_CSV, &text, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&text, folder, name, err);
-    if (status == THUD_OK && study->fragility.n > 0) {
-        snprintf(name, sizeof name, "%.200s-fragility.csv", stem);
-        thud_fragility_curves_csv(&study->fragility, &text);
-        status = thud_text_write_in(&text, folder, name, err);
-    }
-    thud_text_clear(&text);
-    return status;
+    status = thud_text_save(&text, folder, name, status, err);
+    if (status != THUD_OK || study->fragility.n == 0)
+        return status;
+    snprintf(name, sizeof name, "%.200s-fragility.csv", stem);
+    thud_fragility_curves_csv(&study->fragility, &text);
+    return thud_text_save(&text, folder, name, status, err);
 }
 
 enum thud_status thud_live_study_export(const struct thud_live_study *study, const char *folder, const char *stem,

@@ -228,7 +228,7 @@ static enum thud_status write_merged(const struct thud_sweep_study *study, struc
     enum thud_status status = study->by ? thud_made_by_enter(study->by, err) : THUD_OK;
     if (status == THUD_OK && common->description) {
         thud_text_bytes(&text, common->description, common->size);
-        status = thud_text_write_in(&text, study->folder, THUD_SWEEP_STUDY_FILE, err);
+        status = thud_text_save(&text, study->folder, THUD_SWEEP_STUDY_FILE, status, err);
     }
     if (status == THUD_OK)
         status = thud_sweep_study_finish(study, journal, nparts, out, err);

@@ -93,7 +93,7 @@ static enum thud_status make_in_folder(struct making *m, struct thud_error *err)
     if (status != THUD_OK)
         return status;
     if (study->description && (study->description->size > 0 || study->description->failed))
-        status = thud_text_write_in(study->description, study->folder, THUD_SWEEP_STUDY_FILE, err);
+        status = thud_text_save(study->description, study->folder, THUD_SWEEP_STUDY_FILE, status, err);
     if (status == THUD_OK)
         status = make(m, done, err);
     bool whole = status == THUD_OK && study->shard.count == 1;

@@ -144,15 +144,21 @@ enum thud_status thud_text_write(struct thud_text *text, const char *path, struc
     return write_text(text, path, THUD_FILE_NAMED, err);
 }
 
-enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
-                                    struct thud_error *err)
+enum thud_status thud_text_save(struct thud_text *text, const char *folder, const char *name, enum thud_status before,
+                                struct thud_error *err)
 {
     char path[4096];
     int n = snprintf(path, sizeof path, "%s/%s", *folder ? folder : ".", name);
-    if (n >= 0 && (size_t)n < sizeof path)
+    if (before == THUD_OK && n >= 0 && (size_t)n < sizeof path)
         return write_text(text, path, THUD_FILE_RESULT, err);
     thud_text_clear(text);
-    return thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
+    return before != THUD_OK ? before : thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
+}
+
+enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
+                                    struct thud_error *err)
+{
+    return thud_text_save(text, folder, name, THUD_OK, err);
 }
 
 /* Every folder on the way to `path`, and itself: made, or looked at where it is there. */
@@ -195,11 +201,11 @@ enum thud_status thud_folder_check(const char *path, struct thud_error *err)
     return walk_folder(path, false, err);
 }
 
-enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, struct thud_error *err)
+enum thud_status thud_rows_save(const struct thud_rows *rows, const char *folder, enum thud_status before,
+                                struct thud_error *err)
 {
     struct thud_text text = {0};
-    thud_rows_csv(rows, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, rows->schema->name, err);
-    thud_text_clear(&text);
-    return status;
+    if (before == THUD_OK)
+        thud_rows_csv(rows, &text);
+    return thud_text_save(&text, folder, rows->schema->name, before, err);
 }

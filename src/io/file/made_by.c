@@ -234,10 +234,9 @@ static enum thud_status describe(const struct thud_made_by *by, struct thud_text
     struct thud_text text = {0};
     enum thud_status status =
         list->failed || !by->schema ? THUD_OK : thud_data_package(by->folder, list->data, by->schema, &text, err);
-    if (status == THUD_OK && text.size > 0)
-        status = thud_text_write_in(&text, by->folder, THUD_DATA_PACKAGE_FILE, err);
-    thud_text_clear(&text);
-    return status;
+    if (status == THUD_OK && text.size == 0)
+        return THUD_OK;
+    return thud_text_save(&text, by->folder, THUD_DATA_PACKAGE_FILE, status, err);
 }
 
 enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_error *err)
@@ -263,10 +262,7 @@ enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_er
         status = describe(by, &out, err);
     out.size = own;
     put_sorted(&written.files, &out);
-    if (status == THUD_OK)
-        status = thud_text_write_in(&out, by->folder, THUD_MADE_BY_FILE, err);
-    thud_text_clear(&out);
-    return status;
+    return thud_text_save(&out, by->folder, THUD_MADE_BY_FILE, status, err);
 }
 
 enum thud_status thud_made_by_end(const struct thud_made_by *by, enum thud_status before, struct thud_error *err)

@@ -142,7 +142,7 @@ static enum thud_status create(struct thud_sweep_journal *journal, const struct 
 {
     struct thud_text text = {0};
     thud_sweep_head_write(key->fingerprint, key->shard, &key->body, &text);
-    enum thud_status status = thud_text_write_in(&text, folder, key->name, err);
+    enum thud_status status = thud_text_save(&text, folder, key->name, THUD_OK, err);
     if (status != THUD_OK)
         return status;
     FILE *file = fopen(journal->path, "r+");

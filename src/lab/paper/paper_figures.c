@@ -96,7 +96,7 @@ static enum thud_status write_report(const struct thud_paper_study *study, struc
     whole.pair = pair;
     whole.picture = picture;
     thud_paper_study_json(&whole, &text);
-    status = thud_text_write_in(&text, folder, "study.json", err);
+    status = thud_text_save(&text, folder, "study.json", THUD_OK, err);
     thud_paper_report(&whole, &document);
     if (status == THUD_OK)
         status = thud_document_deliver(&document, folder, err);
