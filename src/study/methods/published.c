@@ -262,15 +262,10 @@ static enum thud_status oscillators(bool wall, double *force_n, double *indentat
                                          .setup = pair.setup};
     struct thud_model_input input = {.nstructures = 2, .structure = side, .ncontacts = 1, .contact = &contact};
     struct thud_run_options options;
-    struct thud_solution solution = {0};
-    bool done = false;
+    struct thud_solution solution;
     thud_run_options_init(&options);
     options.tail_s = duration_s;
-    enum thud_status status = thud_model_create(&input, &solution.model, err);
-    if (status == THUD_OK)
-        status = thud_run_create(solution.model, NULL, &options, &solution.run, err);
-    while (status == THUD_OK && !done)
-        status = thud_run_advance(solution.run, 1000, &done, err);
+    enum thud_status status = thud_model_solve(&input, NULL, &options, &solution, err);
     if (status == THUD_OK) {
         const struct thud_contact_result *r = &thud_run_result(solution.run)->contact[0];
         *force_n = r->force.value;
@@ -347,18 +342,13 @@ static enum thud_status pendulum(struct rows *rows, struct thud_error *err)
     struct thud_solution answer = {0};
     struct thud_record *record = NULL;
     double a[SAMPLES];
-    bool done = false;
     for (int i = 0; i < SAMPLES; i++)
         a[i] = sin(2 * THUD_PI * i / EACH_S);
     thud_run_options_init(&options);
     options.tail_s = 0;
     enum thud_status status = thud_record_create(a, SAMPLES, 1.0 / EACH_S, &record, err);
     if (status == THUD_OK)
-        status = thud_model_create(&input, &answer.model, err);
-    if (status == THUD_OK)
-        status = thud_run_create(answer.model, record, &options, &answer.run, err);
-    while (status == THUD_OK && !done)
-        status = thud_run_advance(answer.run, 1000, &done, err);
+        status = thud_model_solve(&input, record, &options, &answer, err);
     if (status == THUD_OK)
         add_check(rows, "largest displacement, OpenSees", "m", 1, 0.034029,
                   thud_run_result(answer.run)->structure[0].floor[0].displacement.value, print);

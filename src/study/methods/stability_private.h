@@ -49,10 +49,3 @@ enum thud_status thud_stability_scene(const struct thud_stability *s, struct thu
 /* Runs what a summary needs of its own. Errors: THUD_MEMORY. */
 enum thud_status thud_stability_summarise(const struct thud_stability *s, struct thud_stability_summary *summary,
                                           struct thud_error *err);
-
-/* The test cases, by file. */
-typedef enum thud_status thud_test_case_fn(struct thud_test_case *out, struct thud_error *err);
-enum thud_status thud_test_case_energy(int index, struct thud_test_case *out, struct thud_error *err);
-enum thud_status thud_test_case_onset(int index, struct thud_test_case *out, struct thud_error *err);
-enum thud_status thud_test_case_yield(struct thud_test_case *out, struct thud_error *err);
-enum { THUD_TEST_CASES_ENERGY = 6, THUD_TEST_CASES_ONSET = 2, THUD_TEST_CASES_REST = 4 };

@@ -208,18 +208,13 @@ enum thud_status thud_kept_motion_solve(const struct thud_kept_motion *kept, con
 {
     struct thud_run_options options;
     double shared_s;
-    bool done = false;
     *out = (struct thud_solution){0};
     enum thud_status status = thud_scene_options(scene, &options, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(scene, &out->model, err);
     if (status == THUD_OK)
         status = thud_baseline_run(kept->baseline, out->model, record, &options, &out->run, &shared_s, err);
-    while (status == THUD_OK && !done)
-        status = thud_run_advance(out->run, 1000, &done, err);
-    if (status != THUD_OK && status != THUD_DIVERGED)
-        thud_solution_clear(out);
-    return status;
+    return thud_solution_finish(out, status, err);
 }
 
 static enum thud_status run_gap(const struct thud_scene *scene, int open, const struct thud_record *record,

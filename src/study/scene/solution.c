@@ -57,18 +57,33 @@ static enum thud_status check_contact_energy(const struct thud_result *result, s
                              -1e-3 * e->contact_j, -100 * e->contact_j / (e->initial_j + e->input_j), result->method);
 }
 
+enum thud_status thud_solution_finish(struct thud_solution *out, enum thud_status status, struct thud_error *err)
+{
+    for (bool done = false; status == THUD_OK && !done;)
+        status = thud_run_advance(out->run, 1000, &done, err);
+    if (status != THUD_OK && status != THUD_DIVERGED)
+        thud_solution_clear(out);
+    return status;
+}
+
 enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct thud_record *record,
                                   const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err)
 {
     enum thud_status status = thud_scene_start(scene, record, options, out, err);
-    for (bool done = false; status == THUD_OK && !done;)
-        status = thud_run_advance(out->run, 1000, &done, err);
+    status = thud_solution_finish(out, status, err);
+    return status == THUD_OK ? check_contact_energy(thud_run_result(out->run), err) : status;
+}
+
+enum thud_status thud_model_solve(const struct thud_model_input *input, const struct thud_record *record,
+                                  const struct thud_run_options *options, struct thud_solution *out,
+                                  struct thud_error *err)
+{
+    *out = (struct thud_solution){0};
+    enum thud_status status = thud_model_create(input, &out->model, err);
     if (status == THUD_OK)
-        status = check_contact_energy(thud_run_result(out->run), err);
-    if (status != THUD_OK && status != THUD_DIVERGED)
-        thud_solution_clear(out);
-    return status;
+        status = thud_run_create(out->model, record, options, &out->run, err);
+    return thud_solution_finish(out, status, err);
 }
 
 void thud_solution_clear(struct thud_solution *solution)
