@@ -5,12 +5,40 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-bool thud_ascii_is_digit(char c);
-bool thud_ascii_is_upper(char c);
-bool thud_ascii_is_alpha(char c);
-bool thud_ascii_is_alnum(char c);
-char thud_ascii_lower(char c);
-char thud_ascii_upper(char c);
+static inline bool thud_ascii_is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static inline bool thud_ascii_is_upper(char c)
+{
+    return c >= 'A' && c <= 'Z';
+}
+
+static inline bool thud_ascii_is_alpha(char c)
+{
+    return thud_ascii_is_upper(c) || (c >= 'a' && c <= 'z');
+}
+
+static inline bool thud_ascii_is_alnum(char c)
+{
+    return thud_ascii_is_alpha(c) || thud_ascii_is_digit(c);
+}
+
+static inline char thud_ascii_lower(char c)
+{
+    return thud_ascii_is_upper(c) ? (char)(c - 'A' + 'a') : c;
+}
+
+static inline char thud_ascii_upper(char c)
+{
+    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+}
+
+static inline bool thud_ascii_is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
 
 /* Returns whether both are equal, ignoring case. */
 bool thud_ascii_same(const char *a, const char *b);

@@ -36,3 +36,6 @@ double thud_record_peak(const struct thud_record *record); /* largest |a|, m/s2 
  * NULL. */
 double thud_record_speed(const struct thud_record *record);
 void thud_record_scale(struct thud_record *record, double factor);
+/* Creates the same motion times a factor. Errors: THUD_MEMORY. */
+enum thud_status thud_record_scaled(const struct thud_record *record, double factor, struct thud_record **out,
+                                    struct thud_error *err);

@@ -2,36 +2,6 @@
 
 #include <string.h>
 
-bool thud_ascii_is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool thud_ascii_is_upper(char c)
-{
-    return c >= 'A' && c <= 'Z';
-}
-
-bool thud_ascii_is_alpha(char c)
-{
-    return thud_ascii_is_upper(c) || (c >= 'a' && c <= 'z');
-}
-
-bool thud_ascii_is_alnum(char c)
-{
-    return thud_ascii_is_alpha(c) || thud_ascii_is_digit(c);
-}
-
-char thud_ascii_lower(char c)
-{
-    return thud_ascii_is_upper(c) ? (char)(c - 'A' + 'a') : c;
-}
-
-char thud_ascii_upper(char c)
-{
-    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-}
-
 bool thud_ascii_begins(const char *text, size_t size, const char *word)
 {
     size_t i = 0;

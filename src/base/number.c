@@ -6,12 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
-
-static int is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 int thud_number_parse(const char *text, const char **end, double *out)
 {
@@ -19,7 +15,7 @@ int thud_number_parse(const char *text, const char **end, double *out)
     if (*s == '+' || *s == '-')
         s++;
     /* strtod also takes hexadecimal, inf and nan, which are no numbers in a preset or a record */
-    if (!is_digit(*s) && !(*s == '.' && is_digit(s[1])))
+    if (!thud_ascii_is_digit(*s) && !(*s == '.' && thud_ascii_is_digit(s[1])))
         return -1;
     if (*s == '0' && (s[1] == 'x' || s[1] == 'X'))
         return -1;

@@ -7,27 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/unit.h"
 
 enum { TEXT_MAX = 160 };
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 /* Copies `text` without blanks around it; false when it is too long to be a quantity. */
 static bool trim(const char *text, char *to)
 {
-    while (is_blank(*text))
+    while (thud_ascii_is_blank(*text))
         text++;
     size_t length = strlen(text);
-    while (length > 0 && is_blank(text[length - 1]))
+    while (length > 0 && thud_ascii_is_blank(text[length - 1]))
         length--;
     if (length >= TEXT_MAX)
         return false;
@@ -116,10 +107,10 @@ enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimen
     int failed = thud_number_parse(clean, &end, &number);
     if (failed == -1)
         return not_a_number(clean, dimension, err);
-    if (*end == ',' && is_digit(end[1]))
+    if (*end == ',' && thud_ascii_is_digit(end[1]))
         return decimal_comma(clean, end, err);
     const char *name = end;
-    while (is_blank(*name))
+    while (thud_ascii_is_blank(*name))
         name++;
     struct thud_unit unit;
     enum thud_status status = find_unit(clean, !*name && bare_unit ? bare_unit : name, dimension, &unit, err);
@@ -157,7 +148,7 @@ static void place_point(const char *mantissa, int exponent, char *text, size_t s
     const char *sign = *mantissa == '-' ? "-" : "";
     size_t n = 0;
     for (const char *c = mantissa; *c; c++)
-        if (is_digit(*c) && n + 1 < sizeof digits)
+        if (thud_ascii_is_digit(*c) && n + 1 < sizeof digits)
             digits[n++] = *c;
     while (n > 1 && digits[n - 1] == '0')
         n--;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "base/quantity.h"
 #include "base/text.h"
 #include "base/utf8.h"
@@ -84,11 +85,6 @@ void thud_text_number(struct thud_text *text, double value)
     thud_text_bytes(text, number, strlen(number));
 }
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
 /* Behind apostrophes, if any, begins what a spreadsheet takes for a formula. */
 static bool is_formula(const char *field)
 {
@@ -118,7 +114,8 @@ static bool has_unshown(const char *field)
 void thud_text_csv(struct thud_text *text, const char *field)
 {
     size_t n = strlen(field);
-    bool edged = n > 0 && (is_blank(field[0]) || is_blank(field[n - 1])); /* a reader takes bare blanks off */
+    bool edged = n > 0 && (thud_ascii_is_blank(field[0]) ||
+                           thud_ascii_is_blank(field[n - 1])); /* a reader takes bare blanks off */
     bool quoted = edged || strpbrk(field, ",\"\r\n") || has_unshown(field);
     if (quoted)
         thud_text_bytes(text, "\"", 1);

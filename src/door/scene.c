@@ -83,12 +83,8 @@ static enum thud_status copy(const struct thud *from, struct thud *to, struct th
     if (status == THUD_OK)
         status = thud_session_parse(&to->session, text, size, session->preset_path, err);
     free(text);
-    if (status == THUD_OK && session->given) {
-        const struct thud_record *given = session->given;
-        status = thud_record_create(given->a_mps2, given->samples, given->dt_s, &to->session.given, err);
-        if (status == THUD_OK)
-            snprintf(to->session.given->file, sizeof to->session.given->file, "%s", given->file);
-    }
+    if (status == THUD_OK && session->given)
+        status = thud_record_scaled(session->given, 1, &to->session.given, err);
     if (status != THUD_OK)
         return status;
     to->session.scene = session->scene;

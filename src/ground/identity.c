@@ -59,16 +59,6 @@ int thud_records_synthetic(const struct thud_record *const *record, int n)
     return synthetic;
 }
 
-static bool is_letter(char c)
-{
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-static char upper(char c)
-{
-    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
-}
-
 /* Whether one of the words of letters in a text (U-D is one) stands for a vertical direction. */
 static bool says_vertical(const char *text)
 {
@@ -76,10 +66,11 @@ static bool says_vertical(const char *text)
     while (*text) {
         char found[12] = "";
         size_t n = 0, length = 0;
-        while (is_letter(text[n]) || (text[n] == '-' && n == 1 && is_letter(text[n + 1]) && !is_letter(text[n + 2])))
+        while (thud_ascii_is_alpha(text[n]) ||
+               (text[n] == '-' && n == 1 && thud_ascii_is_alpha(text[n + 1]) && !thud_ascii_is_alpha(text[n + 2])))
             n++;
         for (; length < n && length + 1 < sizeof found; length++)
-            found[length] = upper(text[length]);
+            found[length] = thud_ascii_upper(text[length]);
         for (size_t i = 0; n == length && i < sizeof word / sizeof *word; i++)
             if (strcmp(found, word[i]) == 0)
                 return true;
@@ -97,7 +88,7 @@ static double azimuth_of_word(const char *w, size_t n, const char *behind)
     size_t length = 0, digits = strspn(w, "0123456789");
     for (size_t i = 0; i < n && length + 1 < sizeof word; i++)
         if (w[i] != '-')
-            word[length++] = upper(w[i]);
+            word[length++] = thud_ascii_upper(w[i]);
     const char last = n > 0 ? word[length - 1] : '\0';
     if (digits == n && n > 0)
         return (n == 3 || strncmp(behind, " DEG", 4) == 0 || strncmp(behind, " deg", 4) == 0) && atof(word) <= 360
@@ -163,10 +154,10 @@ bool thud_record_is_vertical(const struct thud_record *record)
         memcpy(tail, last + 1, (size_t)(dot - last - 1));
     bool letters = strlen(tail) > 1;
     for (const char *c = tail; *c; c++)
-        letters = letters && is_letter(*c);
+        letters = letters && thud_ascii_is_alpha(*c);
     /* .UD and .UD2 are a direction, .V2 and .V2A a volume of processed data */
     return (letters && says_vertical(tail)) ||
-           (dot && is_letter(dot[1]) && is_letter(dot[2]) && says_vertical(dot + 1));
+           (dot && thud_ascii_is_alpha(dot[1]) && thud_ascii_is_alpha(dot[2]) && says_vertical(dot + 1));
 }
 
 bool thud_record_same_event(const struct thud_record *a, const struct thud_record *b)

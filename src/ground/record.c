@@ -64,3 +64,17 @@ void thud_record_scale(struct thud_record *record, double factor)
         record->a_mps2[i] *= factor;
     record->scale *= factor;
 }
+
+enum thud_status thud_record_scaled(const struct thud_record *record, double factor, struct thud_record **out,
+                                    struct thud_error *err)
+{
+    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, out, err);
+    if (status != THUD_OK)
+        return status;
+    double *const samples = (*out)->a_mps2;
+    **out = *record; /* all that is known of it */
+    (*out)->a_mps2 = samples;
+    if (factor != 1)
+        thud_record_scale(*out, factor);
+    return THUD_OK;
+}

@@ -1,5 +1,6 @@
 #include "ground/synthesize.h"
 #include "base/quantity.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -114,22 +115,13 @@ static double pulse(const struct thud_synthesis *s, double t)
            (sin(slow) / s->pulse_cycles * cos(theta + nu) + (1 + cos(slow)) * sin(theta + nu));
 }
 
-/* SplitMix64 (Steele, Lea and Flood 2014): small, and the same on every machine. */
-static uint64_t draw(uint64_t *state)
-{
-    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
 /* Nearly normal, mean 0, deviation 1: a sum of twelve uniform numbers needs no logarithm, whose last bit differs
  * between machines. */
-static double normal(uint64_t *state)
+static double normal(struct thud_random *random)
 {
     double sum = -6;
     for (int i = 0; i < 12; i++)
-        sum += (double)(draw(state) >> 11) * 0x1p-53;
+        sum += thud_random_unit(random);
     return sum;
 }
 
@@ -146,10 +138,10 @@ static void make_noise(const struct thud_synthesis *s, double *noise, size_t sam
     struct thud_oscillator ground, cut;
     thud_oscillator_init(&ground, 2 * THUD_PI * s->ground_frequency_hz, s->ground_damping, s->dt_s);
     thud_oscillator_init(&cut, 2 * THUD_PI * s->cut_frequency_hz, s->cut_damping, s->dt_s);
-    uint64_t state = (uint64_t)s->seed;
+    struct thud_random random = {(uint64_t)s->seed};
     double w0 = 0, g0 = 0, x = 0, v = 0, z = 0, zv = 0;
     for (size_t i = 0; i < samples; i++) {
-        double w1 = i ? envelope(s, (double)i * s->dt_s) * normal(&state) : 0;
+        double w1 = i ? envelope(s, (double)i * s->dt_s) * normal(&random) : 0;
         if (i)
             thud_oscillator_step(&ground, w0, w1, &x, &v);
         double g1 = thud_oscillator_acceleration(&ground, w1, x, v) + w1; /* absolute acceleration */

@@ -21,7 +21,8 @@ compare() {
         (cd "$tmp/$way/$name" && timeout 300 "${built[$way]}" "$@" >stdout 2>stderr; echo $? >status) &
     done
     wait
-    find "$tmp"/*/"$name" -type f -exec sed -i '/^ *build: .* commit /d' {} + # of a report
+    # a report says what it was made by
+    find "$tmp"/*/"$name" -type f -exec sed -i '/^ *build: .* commit /d; s/, commit [0-9a-f]*\(-dirty\)\?//' {} +
     if diff -r "$tmp/old/$name" "$tmp/new/$name" >"$tmp/$name.diff" 2>&1; then
         echo "ok - $name ($(find "$tmp/new/$name" -type f -size +0 | wc -l) files, status $(cat "$tmp/new/$name/status"))"
     else

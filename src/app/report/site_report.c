@@ -99,12 +99,9 @@ static enum thud_status run_reversed(struct site *site, struct thud_error *err)
     struct thud_solution solution = {0};
     if (!site->record)
         return THUD_OK;
-    enum thud_status status =
-        thud_record_create(site->record->a_mps2, site->record->samples, site->record->dt_s, &turned, err);
-    if (status == THUD_OK) {
-        thud_record_scale(turned, -1);
+    enum thud_status status = thud_record_scaled(site->record, -1, &turned, err);
+    if (status == THUD_OK)
         status = thud_scene_solve(site->own->scene, turned, NULL, &solution, err);
-    }
     if (status == THUD_OK)
         thud_stiffness_row_read(thud_run_result(solution.run), &site->reversed);
     thud_solution_clear(&solution);

@@ -268,13 +268,9 @@ static enum thud_status add_turned(struct reading *r, const char *path, const st
 {
     const struct thud_record *record = r->list->record[r->list->n - 1];
     struct thud_record *turned;
-    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &turned, err);
+    enum thud_status status = thud_record_scaled(record, -1, &turned, err);
     if (status != THUD_OK)
         return status;
-    const struct thud_record own = *turned;
-    *turned = *record; /* all that is known of it */
-    turned->a_mps2 = own.a_mps2;
-    thud_record_scale(turned, -1);
     snprintf(turned->component, sizeof turned->component, "%.50s%sreversed", record->component,
              *record->component ? ", " : "");
     snprintf(turned->file, sizeof turned->file, "%.500s:sign=-", record->file);

@@ -114,7 +114,7 @@ static enum thud_status find_record(const struct thud_session *session, char *pa
 static enum thud_status copy_given(const struct thud_record *given, const struct thud_record_choice *choice,
                                    struct thud_record **out, struct thud_error *err)
 {
-    enum thud_status status = thud_record_create(given->a_mps2, given->samples, given->dt_s, out, err);
+    enum thud_status status = thud_record_scaled(given, 1, out, err);
     return status == THUD_OK ? thud_record_choice_apply(*out, choice, err) : status;
 }
 

@@ -23,11 +23,6 @@ struct record_cursor record_start_data(const struct record_source *source)
     return cursor;
 }
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
 bool record_next(struct record_cursor *cursor, struct record_line *line)
 {
     const struct record_source *source = cursor->source;
@@ -43,7 +38,7 @@ bool record_next(struct record_cursor *cursor, struct record_line *line)
     if (cursor->offset < source->size && source->text[cursor->offset] == '\n' &&
         (at[length] == '\n' || at[length] == '\r'))
         cursor->offset++;
-    while (length > 0 && is_blank(at[length - 1]))
+    while (length > 0 && thud_ascii_is_blank(at[length - 1]))
         length--;
     *line = (struct record_line){.at = at, .length = length, .number = ++cursor->line};
     return true;
@@ -65,13 +60,14 @@ bool record_begins(const struct record_line *line, const char *word)
 
 void record_copy(char *to, size_t size, const char *from, const char *end)
 {
-    while (from < end && is_blank(*from))
+    while (from < end && thud_ascii_is_blank(*from))
         from++;
-    while (end > from && (is_blank(end[-1]) || end[-1] == ','))
+    while (end > from && (thud_ascii_is_blank(end[-1]) || end[-1] == ','))
         end--;
     size_t n = 0;
     for (; from < end && n + 1 < size; from++) {
-        if (is_blank(*from) && is_blank(from[-1])) /* not the first: blanks at the ends are gone */
+        if (thud_ascii_is_blank(*from) &&
+            thud_ascii_is_blank(from[-1])) /* not the first: blanks at the ends are gone */
             continue;
         /* what cannot be shown would spoil a terminal */
         to[n++] = (unsigned char)*from < 0x20 || *from == 0x7f ? (*from == '\t' ? ' ' : '?') : *from;
@@ -134,7 +130,7 @@ static size_t exponent(const char *s, const char *end, bool point, bool *letter)
 enum record_scan record_scan(const char **at, const char *end, double *value)
 {
     const char *s = *at;
-    while (s < end && is_blank(*s))
+    while (s < end && thud_ascii_is_blank(*s))
         s++;
     *at = s;
     if (s >= end)
@@ -175,7 +171,7 @@ enum thud_status record_refuse_scan(const struct record_source *source, const st
 {
     char word[32];
     const char *end = line->at + line->length, *stop = at;
-    while (stop < end && !is_blank(*stop) && *stop != ',' && *stop != ';' && stop - at < 24)
+    while (stop < end && !thud_ascii_is_blank(*stop) && *stop != ',' && *stop != ';' && stop - at < 24)
         stop++;
     if (stop == at && at < end)
         stop++;

@@ -46,14 +46,11 @@ static double used_up(const struct thud_scene *scene, const struct thud_needed_g
 
 static enum thud_status run_at(const struct search *search, double factor, struct trial *out, struct thud_error *err)
 {
-    const struct thud_record *record = search->record;
     struct thud_record *scaled;
     struct thud_needed_gap *gap = NULL;
-    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
-    if (status != THUD_OK)
-        return status;
-    thud_record_scale(scaled, factor);
-    status = thud_needed_gap_run(search->scene, scaled, &gap, err);
+    enum thud_status status = thud_record_scaled(search->record, factor, &scaled, err);
+    if (status == THUD_OK)
+        status = thud_needed_gap_run(search->scene, scaled, &gap, err);
     if (status == THUD_OK)
         *out = (struct trial){factor, used_up(search->scene, gap), gap->ductility};
     free(gap);

@@ -167,7 +167,7 @@ static enum thud_status make_record(const struct thud_simplify *s, const struct 
     *out = NULL;
     if (!record)
         return THUD_OK;
-    enum thud_status status = thud_record_create(record->a_mps2, record->samples, record->dt_s, out, err);
+    enum thud_status status = thud_record_scaled(record, 1, out, err);
     const double begin = thud_simplify_begin(&s->base, record);
     const bool cut = memcmp(&scene->record.from_s, &s->base.record.from_s, 2 * sizeof(double)) != 0;
     if (status == THUD_OK && cut)

@@ -122,11 +122,8 @@ enum thud_status thud_change_solve(const struct thud_scene *scene, const struct 
         *changed = *scene;
         thud_change_scene(changed, change, factor);
     }
-    if (status == THUD_OK && change == THUD_CHANGE_SCALE && record) {
-        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
-        if (status == THUD_OK)
-            thud_record_scale(scaled, factor);
-    }
+    if (status == THUD_OK && change == THUD_CHANGE_SCALE && record)
+        status = thud_record_scaled(record, factor, &scaled, err);
     if (status == THUD_OK)
         status = thud_scene_solve(changed, scaled ? scaled : record, NULL, solution, err);
     free(changed);

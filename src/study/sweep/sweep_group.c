@@ -44,11 +44,8 @@ static enum thud_status take_record(const struct thud_sweep_plan *plan, struct t
     factor *= scale;
     if (status != THUD_OK || factor == 1)
         return status;
-    status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &baseline->scaled, err);
-    if (status == THUD_OK) {
-        thud_record_scale(baseline->scaled, factor);
-        baseline->record = baseline->scaled;
-    }
+    status = thud_record_scaled(record, factor, &baseline->scaled, err);
+    baseline->record = baseline->scaled;
     return status;
 }
 

@@ -655,11 +655,8 @@ enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, con
     for (int i = 0; i < u->ninputs; i++)
         thud_input_change(scene, &u->input[i], place[i], &motion);
     const struct thud_record *record = thud_uncertainty_record(u, place[u->ninputs - 1]);
-    if (record && motion != 1) {
-        status = thud_record_create(record->a_mps2, record->samples, record->dt_s, &scaled, err);
-        if (status == THUD_OK)
-            thud_record_scale(scaled, motion);
-    }
+    if (record && motion != 1)
+        status = thud_record_scaled(record, motion, &scaled, err);
     if (asks_gap(u) && status == THUD_OK) {
         status = thud_needed_gap_keep(scene, 0, scaled ? scaled : record, &kept, &gap, err);
         if (status == THUD_OK && gap->nlevels > 0 && !gap->collapse.happened)

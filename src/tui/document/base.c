@@ -14,7 +14,7 @@ void thud_base_take(struct thud_base *base, const struct thud_design *design, co
                     bool chosen)
 {
     thud_base_clear(base);
-    if (record && thud_record_create(record->a_mps2, record->samples, record->dt_s, &base->record, NULL) != THUD_OK)
+    if (record && thud_record_scaled(record, 1, &base->record, NULL) != THUD_OK)
         return;
     base->chosen = chosen;
     base->scene = *design->scene;
