@@ -213,7 +213,7 @@ enum { THUD_CASES_MAX = THUD_CASES + 1 }; /* of a study: each of them, and as wr
 /* Returns whether the scene's links stay in a case. */
 static inline bool thud_case_has_links(enum thud_case which)
 {
-    return which == THUD_CASE_AS_WRITTEN || which == THUD_CASE_LINK;
+    return which <= THUD_CASE_AS_WRITTEN || which == THUD_CASE_LINK;
 }
 
 /* Study: up to THUD_VARY_MAX keys over ranges or lists, cases and ground motions. */
@@ -427,14 +427,12 @@ int thud_scene_inputs(const struct thud_scene *scene);
  */
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
 /* Makes the scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links;
- * `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep. Errors: THUD_INPUT (a case without its bumper or
- * link). */
+ * `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep; without pounding there are no bumpers, and contacts
+ * without a force. `out` may be the scene itself. Errors: THUD_INPUT (a case without its bumper or link). */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 /* Applies a case to one interface only. */
 void thud_interface_case(struct thud_interface *interface, enum thud_case which);
-/* Drops the contacts at an interface (from 1; 0: at all): no bumpers, and contacts without a force. */
-void thud_scene_drop_contacts(struct thud_scene *scene, int interface);
 bool thud_scene_has_bumper(const struct thud_scene *scene);
 /* Returns whether case `none` omits anything. */
 bool thud_scene_has_measure(const struct thud_scene *scene);

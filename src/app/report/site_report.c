@@ -85,7 +85,7 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         if (which[i] != THUD_CASE_WHOLE)
             thud_scene_case(one->scene, i == SITE_FREE ? THUD_CASE_NONE : which[i], one->scene, NULL);
         if (i == SITE_FREE)
-            thud_scene_drop_contacts(one->scene, 0);
+            thud_scene_case(one->scene, THUD_CASE_FREE, one->scene, NULL);
         status = run_case(site, one, err);
     }
     site->own = &site->cases[site->ncases - 1];

@@ -87,14 +87,10 @@ void thud_live_fail(struct thud_live *live, const struct thud_error *why)
 /* The scene of a case; false where it has none. */
 static bool case_scene(const struct thud_scene *scene, enum thud_live_which which, struct thud_scene *out)
 {
+    static const enum thud_case cases[THUD_LIVE_CASES] = {THUD_CASE_FREE, THUD_CASE_NONE, THUD_CASE_AS_WRITTEN};
     *out = *scene;
-    if (which == THUD_LIVE_BUMPER)
-        return thud_scene_has_measure(scene);
-    if (which == THUD_LIVE_FREE)
-        thud_scene_drop_contacts(out, 0);
-    else
-        thud_scene_case(out, THUD_CASE_NONE, out, NULL);
-    return true;
+    thud_scene_case(scene, cases[which], out, NULL);
+    return which != THUD_LIVE_BUMPER || thud_scene_has_measure(scene);
 }
 
 /* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of it,

@@ -39,25 +39,16 @@ static bool has_linkage(const struct thud_run_cases *cases, bool linked)
     return false;
 }
 
-/* The session's scene without bumpers, and without links where a case goes without them, whose walls let everything
- * through. */
+/* Without links where a case goes without them. */
 static enum thud_status run_free(struct thud_session *session, const struct thud_run_cases *cases,
                                  const struct thud_run_options *options, struct thud_run_case *item,
                                  struct thud_error *err)
 {
-    const bool linked = !has_linkage(cases, false);
-    struct thud_scene *kept = malloc(sizeof *kept);
-    if (!kept)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    *kept = session->scene;
-    thud_scene_drop_contacts(&session->scene, 0);
-    if (!linked)
-        thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, NULL);
-    enum thud_status status =
-        thud_session_run(session, THUD_CASE_AS_WRITTEN, options, &item->scene, &item->solution, err);
-    session->scene = *kept;
-    free(kept);
-    return status;
+    struct thud_scene *scene = &item->scene;
+    enum thud_status status = thud_session_case(session, THUD_CASE_FREE, scene, err);
+    if (status == THUD_OK && has_linkage(cases, false))
+        status = thud_scene_case(scene, THUD_CASE_NONE, scene, err);
+    return status == THUD_OK ? thud_scene_solve(scene, session->record, options, &item->solution, err) : status;
 }
 
 /* Of the scene as written; and without its links where a case leaves them out. */

@@ -186,7 +186,9 @@ enum thud_status thud_needed_gap_keep(const struct thud_scene *scene, int open, 
     if (!bare)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     thud_scene_copy(bare, scene);
-    thud_scene_drop_contacts(bare, open);
+    for (int i = 0; i + 1 < bare->nstructures; i++)
+        if (open == 0 || open == i + 1)
+            thud_interface_case(&bare->interface[i], THUD_CASE_FREE);
     enum thud_status status = thud_scene_check(bare, err);
     if (status == THUD_OK)
         status = thud_scene_assemble(bare, &kept->model, err);

@@ -140,7 +140,10 @@ void thud_interface_case(struct thud_interface *at, enum thud_case which)
 {
     if (which == THUD_CASE_NONE || which == THUD_CASE_LINK)
         at->has_bumper = false;
-    else if (which == THUD_CASE_BUMPER && at->has_bumper)
+    else if (which == THUD_CASE_FREE) {
+        at->has_bumper = false;
+        thud_law_choice_init(&at->contact, thud_law_find("none"));
+    } else if (which == THUD_CASE_BUMPER && at->has_bumper)
         at->bumper_cavity_m = 0;
     else if (which == THUD_CASE_CAVITY && at->has_bumper)
         at->bumper_cavity_m = at->bumper_thickness_m * (1 - thud_interface_max_strain(at));
@@ -210,14 +213,4 @@ bool thud_scene_has_bumper(const struct thud_scene *scene)
 bool thud_scene_has_measure(const struct thud_scene *scene)
 {
     return scene->nlinks > 0 || thud_scene_has_bumper(scene);
-}
-
-void thud_scene_drop_contacts(struct thud_scene *scene, int interface)
-{
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
-        if (interface > 0 && i + 1 != interface)
-            continue;
-        scene->interface[i].has_bumper = false;
-        thud_law_choice_init(&scene->interface[i].contact, thud_law_find("none"));
-    }
 }

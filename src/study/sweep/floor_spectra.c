@@ -21,14 +21,6 @@ const char *thud_floor_case_title(const struct thud_scene *scene, int which)
                                  which == THUD_FLOOR_CASES - 1 ? THUD_CASE_WHOLE : thud_case_compared(which));
 }
 
-static void set_case(struct thud_scene *scene, int which)
-{
-    if (which == 0)
-        thud_scene_drop_contacts(scene, 0);
-    else if (which == 1)
-        thud_scene_case(scene, THUD_CASE_NONE, scene, NULL);
-}
-
 static enum thud_status run_case(struct thud_floor_spectra *s, int which, const struct thud_scene *scene,
                                  const struct thud_record *record, const struct thud_floor_spectra_choice *choice,
                                  struct thud_error *err)
@@ -98,6 +90,7 @@ enum thud_status thud_floor_spectra_run(const struct thud_scene *scene, const st
                                         const struct thud_floor_spectra_ask *ask, struct thud_floor_spectra **out,
                                         struct thud_error *err)
 {
+    static const enum thud_case cases[THUD_FLOOR_CASES] = {THUD_CASE_FREE, THUD_CASE_NONE, THUD_CASE_AS_WRITTEN};
     assert(ask->count > 1 && ask->from_s > 0 && ask->to_s > ask->from_s);
     struct thud_floor_spectra *s = calloc(1, sizeof *s);
     struct thud_scene *of_case = malloc(sizeof *of_case);
@@ -110,9 +103,9 @@ enum thud_status thud_floor_spectra_run(const struct thud_scene *scene, const st
     thud_model_free(model);
     for (int i = 0; status == THUD_OK && i < s->ncases; i++) {
         const struct thud_floor_spectra_choice choice = {s->nfloors, s->nperiods, dof, s->period_s, s->damping};
-        thud_scene_copy(of_case, scene);
-        set_case(of_case, i);
-        status = run_case(s, i, of_case, record, &choice, err);
+        status = thud_scene_case(scene, cases[i], of_case, err);
+        if (status == THUD_OK)
+            status = run_case(s, i, of_case, record, &choice, err);
     }
     free(dof);
     free(of_case);

@@ -86,7 +86,7 @@ static enum thud_status build_baseline(struct thud_sweep_group *group, int linka
     if (status == THUD_OK)
         status = thud_sweep_case(group->plan, scene, which, variant, false, cased, err);
     if (status == THUD_OK) {
-        thud_scene_drop_contacts(cased, 0);
+        thud_scene_case(cased, THUD_CASE_FREE, cased, NULL);
         status = thud_sweep_model(cased, &baseline->model, &options, err);
         if (status == THUD_INPUT)
             (void)thud_scene_check(cased, err); /* which says the key */
