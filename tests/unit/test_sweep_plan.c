@@ -86,6 +86,22 @@ START_TEST(what_cannot_be_varied)
 }
 END_TEST
 
+/* A period gives the stiffness of the storeys: both cannot be varied, whichever is named first. */
+START_TEST(what_a_period_determines_is_not_varied)
+{
+    static const char *const keys[] = {"structures.1.stiffness=500 MN/m,700 MN/m", "structures.1.period=0.5 s,0.8 s"};
+    struct thud_scene *at = malloc(sizeof *at);
+    for (int first = 0; first < 2; first++) {
+        vary(keys[first]);
+        vary(keys[!first]);
+        ck_assert_int_eq(thud_sweep_scene(plan, 0, at, &error), THUD_INPUT);
+        ck_assert_str_eq(error.key, "structures.1.stiffness");
+        thud_sweep_plan_clear(plan);
+    }
+    free(at);
+}
+END_TEST
+
 START_TEST(cases_by_name)
 {
     ck_assert_int_eq(thud_sweep_cases(plan, "none, cavity", &error), THUD_OK);
@@ -129,6 +145,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, units_of_ranges);
     tcase_add_test(tcase, a_ratio_and_per_cent_are_of_one_kind);
     tcase_add_test(tcase, what_cannot_be_varied);
+    tcase_add_test(tcase, what_a_period_determines_is_not_varied);
     tcase_add_test(tcase, cases_by_name);
     tcase_add_test(tcase, points_are_numbered_with_structures_outside);
     suite_add_tcase(suite, tcase);

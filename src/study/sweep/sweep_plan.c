@@ -459,8 +459,13 @@ enum thud_status thud_sweep_scene(const struct thud_sweep_plan *plan, long point
     thud_sweep_place(plan, point, at);
     thud_scene_copy(out, &plan->scene);
     enum thud_status status = THUD_OK;
-    for (int i = 0; i < plan->naxes && status == THUD_OK; i++)
-        status = thud_scene_set(out, plan->axis[i].key, plan->axis[i].text[at[i]], err);
+    /* keys that determine others come first, so that what they determine is refused whatever the order of the axes */
+    for (int i = 0; i < 2 * plan->naxes && status == THUD_OK; i++) {
+        const struct thud_sweep_axis *axis = &plan->axis[i % plan->naxes];
+        const char *name = strrchr(axis->key, '.') ? strrchr(axis->key, '.') + 1 : axis->key;
+        if ((thud_key_rank(name, strlen(name)) == THUD_RANK_LAST) == (i < plan->naxes))
+            status = thud_scene_set(out, axis->key, axis->text[at[i % plan->naxes]], err);
+    }
     for (int i = 0; i < plan->naxes && status == THUD_OK; i++) /* what another value of the law needs */
         if (strstr(plan->axis[i].key, ".isolator.law"))
             thud_isolator_keep_own(&out->structure[atoi(plan->axis[i].key + strlen("structures.")) - 1]);
