@@ -108,7 +108,7 @@ static void warn(const struct thud_args *args, const struct thud_session *sessio
         return;
     warn_unusual(args, session, scene);
     scope.impact = thud_run_impacts(run, &scope.nimpacts);
-    thud_collapse_remark(scene, scope.result, &fall);
+    thud_collapse_remark(scene, &scope.result->collapse, &fall);
     struct thud_remarks found = thud_remarks_find(&scope, THUD_REMARK_CHANGE | THUD_REMARK_RESULT);
     for (int i = 0; i < found.n; i++)
         if (strcmp(found.item[i].said.what, fall.what) != 0)
@@ -284,7 +284,8 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     if (status == THUD_OK && options.keep_history)
         status = write_cases(args, &picture, session, cases, &by, err);
     for (int i = 0; i < cases->n && status == THUD_OK; i++)
-        status = thud_collapse_status(&cases->item[i].scene, thud_run_result(cases->item[i].solution.run), err);
+        status =
+            thud_collapse_status(&cases->item[i].scene, &thud_run_result(cases->item[i].solution.run)->collapse, err);
     thud_run_cases_free(cases);
     return status;
 }
@@ -318,7 +319,7 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
         if (status == THUD_OK && options.keep_history)
             status = thud_made_by_end(&by, draw(args, &picture, scene, &solution, err), err);
         if (status == THUD_OK)
-            status = thud_collapse_status(scene, thud_run_result(solution.run), err);
+            status = thud_collapse_status(scene, &thud_run_result(solution.run)->collapse, err);
     } else if (status == THUD_DIVERGED) {
         struct thud_error failure = *err;
         enum thud_status printed = report_failure(args, session, scene, which, &solution, &failure, err);

@@ -117,7 +117,7 @@ static enum thud_status run_case(struct thud *scene, const struct thud_control *
         if (status == THUD_OK)
             status = put_run(&report, control->histories != 0, results, err);
         if (status == THUD_OK)
-            status = thud_collapse_status(cased, report.result, err);
+            status = thud_collapse_status(cased, &report.result->collapse, err);
     }
     thud_solution_clear(&solution);
     return status;

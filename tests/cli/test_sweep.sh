@@ -280,6 +280,9 @@ check "points that are not possible are told" grep -q "1 run is not possible" "$
 check "with the first and why" grep -q "projects by 5 cm into a gap of 4 cm" "$tmp/out"
 status 3 "$THUD" sweep towers --vary gap=1cm,2cm --cases bumper
 check "a study in which nothing is possible is bad input" grep -q "^thud: none of the runs is possible" "$tmp/err"
+# what a run refuses as energy that contacts made has no result in a study either
+status 4 "$THUD" sweep rigid-concrete --method lagged --set contact.law=linear --vary structures.1.velocity=0.4m/s,0.5m/s --case as-written --csv
+check "energy that contacts make is no result of a study" grep -q "^2 runs have no result (the integration failed)" "$tmp/err"
 status 4 "$THUD" sweep rigid-concrete --method central-difference --step 1e-4s --vary "contact.stiffness=2500 kN/mm,1e15 kN/mm" --case as-written --csv
 check "a run that blows up has no row" test "$(cut -d, -f4 "$tmp/out" | sort | uniq -c | awk '/left/ { print $1 }')" = 2
 check "and is counted, with the first of them" grep -q "^1 run has no result (the integration failed), .*contact.stiffness 1e15 kN/mm" "$tmp/err"

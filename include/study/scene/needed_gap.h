@@ -27,23 +27,6 @@ struct thud_needed_gap {
  * cavity. Free with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
-/* Run without pounding that a gap was read from: runs of the same structures and links may begin where the first of
- * their contacts closes. */
-struct thud_kept_motion {
-    struct thud_model *model;
-    struct thud_baseline_motion *baseline;
-};
-/* Does the same as thud_needed_gap_run, and keeps the run; of an interface (from 1) open and the others as they are, 0: all
- * are open, and only then runs may begin from it. */
-enum thud_status thud_needed_gap_keep(const struct thud_scene *scene, int open, const struct thud_record *record,
-                                      struct thud_kept_motion *kept, struct thud_needed_gap **out,
-                                      struct thud_error *err);
-/* Does the same as thud_scene_solve of the same record by the exact method, whose contacts make no energy: motion and peaks
- * are the same bit for bit; energies are those from the moment where it begins. */
-enum thud_status thud_kept_motion_solve(const struct thud_kept_motion *kept, const struct thud_scene *scene,
-                                        const struct thud_record *record, struct thud_solution *out,
-                                        struct thud_error *err);
-void thud_kept_motion_clear(struct thud_kept_motion *kept);
 /* Computes the required gap of an interface (from 1) of a row with the others at their gaps and bumpers: its largest
  * relative displacement in a run with it open, which no wider gap changes. NaN: a storey collapses there; -1: nothing
  * could touch. */
@@ -59,6 +42,8 @@ static inline bool thud_gap_is_wider(double gap_m, double widest_m)
 /* Returns the widest gap over the levels of an interface (0: of all); -1: no levels, NaN: the rule has no value at one.
  * *level gets it if not NULL. */
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
+/* Does the same over n levels. */
+double thud_gap_widest(const struct thud_gap_level *of, int n, int interface, int rule, int *level);
 
 /* Returns the damping ratio of a structure's first mode; 0: it has none. */
 double thud_gap_damping(const struct thud_model *model, int structure);

@@ -41,6 +41,8 @@ enum thud_status thud_model_solve(const struct thud_model_input *input, const st
 /* Advances a started run (`status` THUD_OK) to the end, and clears what failed: all but THUD_DIVERGED. */
 enum thud_status thud_solution_finish(struct thud_solution *solution, enum thud_status status, struct thud_error *err);
 void thud_solution_clear(struct thud_solution *solution);
+/* Checks that the contacts of a finished run made no energy to speak of. Errors: THUD_DIVERGED. */
+enum thud_status thud_result_check(const struct thud_result *result, struct thud_error *err);
 
 /* Checks that something moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's
  * velocity. Errors: THUD_INPUT with key. */

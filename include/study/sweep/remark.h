@@ -19,9 +19,9 @@ double thud_stability_coefficient(const struct thud_structure *structure, const 
 double thud_drift_ratio(const struct thud_structure *structure, const struct thud_structure_result *result,
                         bool elastic, int *storey);
 /* Writes which storey collapsed under P-Delta, when and at which drift; false: none. */
-bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out);
+bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_collapse *fall, struct thud_error *out);
 /* Returns THUD_COLLAPSED with that message, else THUD_OK. */
-enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
+enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_collapse *fall,
                                       struct thud_error *err);
 
 /* Counts over the runs of a study: collapses, drifts beyond the elastic range of buildings, and bumpers compressed past

@@ -95,14 +95,14 @@ enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* most that a group keeps for that */
 
 /* Outcome of a run. */
 struct thud_sweep_effort {
-    enum thud_status status; /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
-    bool made;               /* false: answered without a run */
-    bool reused;             /* not made, but another run's with the same contacts */
-    bool reference;          /* not asked for: case `none`, run for the ratios */
-    bool collapsed;          /* the peaks are those until then */
-    double shared_s, end_s;  /* motion taken from the baseline, and the whole */
-    double link_n;           /* largest force of all links; NaN: there are none */
-    int left_out;            /* contacts left out */
+    enum thud_status status;   /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
+    bool made;                 /* false: answered without a run */
+    bool reused;               /* not made, but another run's with the same contacts */
+    bool reference;            /* not asked for: case `none`, run for the ratios */
+    double shared_s, end_s;    /* motion taken from the baseline, and the whole */
+    struct thud_collapse fall; /* the peaks are those until then; of a point that was read `happened` alone */
+    double link_n;             /* largest force of all links; NaN: there are none */
+    int left_out;              /* contacts left out */
     long steps, events;
 };
 
@@ -154,6 +154,9 @@ void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
+/* Makes a point at once, with a group of its own. Errors: those of thud_sweep_group_advance and of the task. */
+enum thud_status thud_sweep_point_make(const struct thud_sweep_plan *plan, long index, struct thud_sweep_point **out,
+                                       struct thud_error *err);
 /* Settles the shared results of a finished point: keeps those that others need, and fills in those it omitted. For all
  * points of the group in order, one at a time. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,

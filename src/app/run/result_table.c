@@ -45,7 +45,7 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
 {
     enum { COLUMNS = 65 };
     struct thud_error fall;
-    if (thud_collapse_remark(report->scene, report->result, &fall))
+    if (thud_collapse_remark(report->scene, &report->result->collapse, &fall))
         thud_text_append(out, "COLLAPSE       %s;\n               the peaks below are those before it\n", fall.what);
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;

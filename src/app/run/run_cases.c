@@ -250,7 +250,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     snprintf(how, sizeof how, "%s", thud_case_phrase(cases->measures, cases->item[i].which));
     how[0] = thud_ascii_upper(how[0]);
     struct thud_error fall;
-    if (thud_collapse_remark(&cases->item[i].scene, result_of(cases, i), &fall))
+    if (thud_collapse_remark(&cases->item[i].scene, &result_of(cases, i)->collapse, &fall))
         thud_text_append(out, "%s %s.\n", how, fall.what);
     if (!most) {
         thud_text_append(out, "%s: no contact.\n", how);

@@ -120,7 +120,8 @@ static void add_status(const struct thud_report *report, struct thud_text *out)
 {
     const struct thud_collapse *collapse = &report->result->collapse;
     struct thud_error fall = {0};
-    const struct thud_error *why = thud_collapse_remark(report->scene, report->result, &fall) ? &fall : report->failure;
+    const struct thud_error *why =
+        thud_collapse_remark(report->scene, &report->result->collapse, &fall) ? &fall : report->failure;
     thud_text_append(out, "  \"status\": \"%s\"", collapse->happened ? "collapsed" : why ? "diverged" : "done");
     if (why) {
         char text[1400];

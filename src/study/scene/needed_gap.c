@@ -144,17 +144,11 @@ static double largest_ductility(const struct thud_result *result)
     return most;
 }
 
-void thud_kept_motion_clear(struct thud_kept_motion *kept)
+static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const struct thud_model *model,
+                                        const struct thud_baseline_motion *baseline)
 {
-    thud_baseline_free(kept->baseline);
-    thud_model_free(kept->model);
-    *kept = (struct thud_kept_motion){0};
-}
-
-static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const struct thud_kept_motion *kept)
-{
-    const struct thud_result *result = thud_baseline_result(kept->baseline);
-    const int nlevels = kept->model->npairs;
+    const struct thud_result *result = thud_baseline_result(baseline);
+    const int nlevels = model->npairs;
     struct thud_needed_gap *gap =
         malloc(sizeof *gap + (size_t)nlevels * sizeof *gap->level + (size_t)result->ncolumns * sizeof *gap->shear_n);
     bool aligned[THUD_STRUCTURES_MAX];
@@ -169,19 +163,20 @@ static struct thud_needed_gap *read_gap(const struct thud_scene *scene, const st
     gap->collapse = result->collapse;
     gap->ductility = largest_ductility(result);
     thud_gap_aligned(scene, aligned);
-    thud_gap_levels(aligned, kept->model, kept->baseline, gap->level);
+    thud_gap_levels(aligned, model, baseline, gap->level);
     set_heights(scene, gap);
     return gap;
 }
 
-enum thud_status thud_needed_gap_keep(const struct thud_scene *scene, int open, const struct thud_record *record,
-                                      struct thud_kept_motion *kept, struct thud_needed_gap **out,
-                                      struct thud_error *err)
+/* Of an interface (from 1) open and the others as they are; 0: all are open. */
+static enum thud_status run_gap(const struct thud_scene *scene, int open, const struct thud_record *record,
+                                struct thud_needed_gap **out, struct thud_error *err)
 {
     struct thud_run_options options;
+    struct thud_model *model = NULL;
+    struct thud_baseline_motion *baseline = NULL;
     struct thud_scene *bare = malloc(sizeof *bare);
     bool done = false;
-    *kept = (struct thud_kept_motion){0};
     *out = NULL;
     if (!bare)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
@@ -191,40 +186,18 @@ enum thud_status thud_needed_gap_keep(const struct thud_scene *scene, int open, 
             thud_interface_case(&bare->interface[i], THUD_CASE_FREE);
     enum thud_status status = thud_scene_check(bare, err);
     if (status == THUD_OK)
-        status = thud_scene_assemble(bare, &kept->model, err);
+        status = thud_scene_assemble(bare, &model, err);
     if (status == THUD_OK)
         status = thud_scene_options(bare, &options, err);
     free(bare);
     if (status == THUD_OK)
-        status = thud_baseline_create(kept->model, open, record, &options, &kept->baseline, err);
+        status = thud_baseline_create(model, open, record, &options, &baseline, err);
     while (status == THUD_OK && !done)
-        status = thud_baseline_advance(kept->baseline, 1L << 20, &done, err);
-    if (status == THUD_OK && !(*out = read_gap(scene, kept)))
+        status = thud_baseline_advance(baseline, 1L << 20, &done, err);
+    if (status == THUD_OK && !(*out = read_gap(scene, model, baseline)))
         status = thud_error_set(err, THUD_MEMORY, "out of memory");
-    return status;
-}
-
-enum thud_status thud_kept_motion_solve(const struct thud_kept_motion *kept, const struct thud_scene *scene,
-                                        const struct thud_record *record, struct thud_solution *out,
-                                        struct thud_error *err)
-{
-    struct thud_run_options options;
-    double shared_s;
-    *out = (struct thud_solution){0};
-    enum thud_status status = thud_scene_options(scene, &options, err);
-    if (status == THUD_OK)
-        status = thud_scene_assemble(scene, &out->model, err);
-    if (status == THUD_OK)
-        status = thud_baseline_run(kept->baseline, out->model, record, &options, &out->run, &shared_s, err);
-    return thud_solution_finish(out, status, err);
-}
-
-static enum thud_status run_gap(const struct thud_scene *scene, int open, const struct thud_record *record,
-                                struct thud_needed_gap **out, struct thud_error *err)
-{
-    struct thud_kept_motion kept;
-    const enum thud_status status = thud_needed_gap_keep(scene, open, record, &kept, out, err);
-    thud_kept_motion_clear(&kept);
+    thud_baseline_free(baseline);
+    thud_model_free(model);
     return status;
 }
 
@@ -245,18 +218,23 @@ enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int inte
     return status;
 }
 
-double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level)
+double thud_gap_widest(const struct thud_gap_level *of, int n, int interface, int rule, int *level)
 {
     double most = -1;
-    for (int i = 0; i < gap->nlevels; i++) {
-        double x = thud_gap_value(&gap->level[i], rule);
-        if ((interface != 0 && gap->level[i].interface != interface) || !thud_gap_is_wider(x, most))
+    for (int i = 0; i < n; i++) {
+        double x = thud_gap_value(&of[i], rule);
+        if ((interface != 0 && of[i].interface != interface) || !thud_gap_is_wider(x, most))
             continue;
         most = x;
         if (level)
             *level = i;
     }
     return most;
+}
+
+double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level)
+{
+    return thud_gap_widest(gap->level, gap->nlevels, interface, rule, level);
 }
 
 int thud_needed_gap_level(const struct thud_gap_level *level, int i)

@@ -45,7 +45,7 @@ enum thud_status thud_scene_start(const struct thud_scene *scene, const struct t
 
 /* Contacts lose energy or keep it. A step that is too long can make some: beyond 5 % of all that went into the scene,
  * the share that the energy ledger allows, nothing is a result. */
-static enum thud_status check_contact_energy(const struct thud_result *result, struct thud_error *err)
+enum thud_status thud_result_check(const struct thud_result *result, struct thud_error *err)
 {
     static const double allowed = 0.05;
     const struct thud_energy *e = &result->energy;
@@ -72,7 +72,7 @@ enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct t
 {
     enum thud_status status = thud_scene_start(scene, record, options, out, err);
     status = thud_solution_finish(out, status, err);
-    return status == THUD_OK ? check_contact_energy(thud_run_result(out->run), err) : status;
+    return status == THUD_OK ? thud_result_check(thud_run_result(out->run), err) : status;
 }
 
 enum thud_status thud_model_solve(const struct thud_model_input *input, const struct thud_record *record,

@@ -34,7 +34,7 @@ static enum thud_status run_case(struct thud_floor_spectra *s, int which, const 
     options.floor_spectra = choice;
     status = thud_scene_solve(scene, record, &options, &solution, err);
     if (status == THUD_OK) /* spectra of a part of the motion are none of its floors' */
-        status = thud_collapse_status(scene, thud_run_result(solution.run), err);
+        status = thud_collapse_status(scene, &thud_run_result(solution.run)->collapse, err);
     for (int f = 0; status == THUD_OK && f < s->nfloors; f++) {
         const struct thud_result *r = thud_run_result(solution.run);
         const struct thud_floor_place at = s->floor[f];

@@ -97,7 +97,7 @@ double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, 
     const int reference = info->free ? point->ncases : reference_of(point);
     const double other = floor_of(point, variant, reference, info, structure, floor);
     const bool cut =
-        point->effort[k].collapsed || (info->free ? collapses_free(point) : point->effort[reference].collapsed);
+        point->effort[k].fall.happened || (info->free ? collapses_free(point) : point->effort[reference].fall.happened);
     return other > 0 && !cut ? own / other : (double)NAN;
 }
 
@@ -129,7 +129,7 @@ static double drift_angle(const struct thud_measured_run *run, const struct thud
 static double collapsed(const struct thud_measured_run *run, const struct thud_measure_info *info, int structure)
 {
     (void)info, (void)structure;
-    return run->point->effort[run->k].collapsed;
+    return run->point->effort[run->k].fall.happened;
 }
 
 static double largest_of_links(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)

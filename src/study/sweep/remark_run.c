@@ -163,9 +163,8 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
     thud_error_key(said, "structures.%d.yield", i + 1);
 }
 
-bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_result *result, struct thud_error *out)
+bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_collapse *c, struct thud_error *out)
 {
-    const struct thud_collapse *c = &result->collapse;
     if (!c->happened)
         return false;
     const struct thud_structure *s = &scene->structure[c->structure];
@@ -178,15 +177,15 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_resu
     return true;
 }
 
-enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_result *result,
+enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_collapse *fall,
                                       struct thud_error *err)
 {
-    struct thud_error fall;
-    if (!thud_collapse_remark(scene, result, &fall))
+    struct thud_error why;
+    if (!thud_collapse_remark(scene, fall, &why))
         return THUD_OK;
-    fall.status = THUD_COLLAPSED;
+    why.status = THUD_COLLAPSED;
     if (err)
-        *err = fall;
+        *err = why;
     return THUD_COLLAPSED;
 }
 
@@ -194,7 +193,7 @@ void thud_remark_collapse(const struct thud_remark_scope *scope, int i, struct t
 {
     (void)i;
     if (scope->result->collapse.happened)
-        thud_collapse_remark(scope->scene, scope->result, thud_remark_add(out));
+        thud_collapse_remark(scope->scene, &scope->result->collapse, thud_remark_add(out));
 }
 
 /* The columns that a slab's force takes furthest above their capacity. */
@@ -349,7 +348,7 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
             w->thickness_m = thickness;
         }
     }
-    if (point->effort[k].collapsed && w->collapsed++ == 0) {
+    if (point->effort[k].fall.happened && w->collapsed++ == 0) {
         w->fall_point = point->index;
         w->fall_which = point->which[k];
     }

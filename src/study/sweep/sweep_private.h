@@ -76,10 +76,6 @@ enum thud_status thud_sweep_model(const struct thud_scene *cased, struct thud_mo
 /* Everything 0; NULL when out of memory. */
 struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int ncontacts, int nlinkages, int nvariants);
 
-/* The floors and contacts of a variant's case k from its result. */
-void thud_sweep_point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_scene *scene,
-                           const struct thud_model *model, const struct thud_result *result);
-
 /* Of case k (k = ncases: no pounding) of a variant: (nfloors), (ncontacts). */
 static inline struct thud_sweep_floor *thud_sweep_floors(const struct thud_sweep_point *point, int variant, int k)
 {

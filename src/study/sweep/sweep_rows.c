@@ -62,7 +62,7 @@ void thud_sweep_row_at(const struct thud_sweep_point *point, int i, struct thud_
                                    .gap_m = point->gap_m,
                                    .structure = s,
                                    .floor = i,
-                                   .collapsed = point->effort[k].collapsed};
+                                   .collapsed = point->effort[k].fall.happened};
     for (enum thud_measure m = 0; m < THUD_MEASURES; m++) {
         const struct thud_measure_info *info = thud_measure_info(m);
         if (info->place[THUD_TOLD_BY_FLOORS] == 0)

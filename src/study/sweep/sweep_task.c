@@ -67,8 +67,9 @@ static void take_floors(struct thud_sweep_floor *to, const struct thud_scene *sc
         }
 }
 
-void thud_sweep_point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_scene *scene,
-                           const struct thud_model *model, const struct thud_result *result)
+/* The floors and contacts of a variant's case k from its result. */
+static void point_fill(struct thud_sweep_point *point, int variant, int k, const struct thud_scene *scene,
+                       const struct thud_model *model, const struct thud_result *result)
 {
     struct thud_sweep_contact *to = thud_sweep_contacts(point, variant, k);
     take_floors(thud_sweep_floors(point, variant, k), scene, result);
@@ -232,7 +233,7 @@ static void no_numbers(const struct thud_sweep_task *task)
 static void take_run(struct thud_sweep_effort *effort, const struct thud_result *result)
 {
     effort->end_s = result->end_s;
-    effort->collapsed = result->collapse.happened;
+    effort->fall = result->collapse;
     effort->link_n = NAN;
     for (int i = 0; i < result->nlinks; i++)
         effort->link_n = fmax(effort->link_n, result->link[i].force.value);
@@ -250,7 +251,7 @@ static enum thud_status start_run(struct thud_sweep_task *task, const struct thu
         dropped = leave_out(task, shortcuts & THUD_SWEEP_LEVELS, &left);
     if ((shortcuts & THUD_SWEEP_FREE) && left == 0) {
         const struct thud_result *result = thud_baseline_result(baseline->baseline);
-        thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
+        point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
         take_run(effort, result);
         count_run(task);
         return THUD_OK;
@@ -278,14 +279,18 @@ static enum thud_status begin(struct thud_sweep_task *task, struct thud_error *e
     return status;
 }
 
-static void finish(struct thud_sweep_task *task)
+static enum thud_status finish(struct thud_sweep_task *task, struct thud_error *err)
 {
     const struct thud_result *result = thud_run_result(task->run);
-    thud_sweep_point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
+    enum thud_status status = thud_result_check(result, err);
+    if (status != THUD_OK)
+        return status;
+    point_fill(task->point, task->variant, task->which, task->scene, task->model, result);
     take_run(&task->effort, result);
     task->effort.steps = result->work.steps;
     task->effort.events = result->work.events;
     count_run(task);
+    return THUD_OK;
 }
 
 /* The next case, and after the last one the next variant. */
@@ -325,7 +330,7 @@ enum thud_status thud_sweep_task_advance(struct thud_sweep_task *task, long budg
             status = thud_run_advance(task->run, budget, &ended, err);
             budget = ended ? budget / 2 : 0;
             if (status == THUD_OK && ended)
-                finish(task);
+                status = finish(task, err);
         }
         if (status == THUD_MEMORY)
             return status;
@@ -367,4 +372,26 @@ void thud_sweep_task_free(struct thud_sweep_task *task)
     free(task->scene);
     free(task->point);
     free(task);
+}
+
+enum thud_status thud_sweep_point_make(const struct thud_sweep_plan *plan, long index, struct thud_sweep_point **out,
+                                       struct thud_error *err)
+{
+    enum { AT_ONCE = 1 << 20 };
+    struct thud_sweep_group *group;
+    struct thud_sweep_task *task = NULL;
+    bool done = false;
+    *out = NULL;
+    enum thud_status status = thud_sweep_group_create(plan, index / thud_sweep_points_per_group(plan), &group, err);
+    while (status == THUD_OK && !done)
+        status = thud_sweep_group_advance(group, AT_ONCE, &done, err);
+    if (status == THUD_OK)
+        status = thud_sweep_task_create(plan, group, index, &task, err);
+    for (done = false; status == THUD_OK && !done;)
+        status = thud_sweep_task_advance(task, AT_ONCE, &done, err);
+    if (status == THUD_OK)
+        *out = thud_sweep_task_take(task);
+    thud_sweep_task_free(task);
+    thud_sweep_group_free(group);
+    return status;
 }

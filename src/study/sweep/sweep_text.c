@@ -130,9 +130,9 @@ static void effort(struct line *l, enum thud_case *which, struct thud_sweep_effo
     long made = whole(l, e->reused ? 2 : e->made, 0, 2);
     e->made = made == 1;
     e->reused = made == 2;
-    const long marks = whole(l, e->reference + 2 * e->collapsed, 0, 3);
+    const long marks = whole(l, e->reference + 2 * e->fall.happened, 0, 3);
     e->reference = marks & 1;
-    e->collapsed = marks & 2;
+    e->fall.happened = marks & 2;
     count(l, &e->left_out, 0, INT_MAX);
     e->steps = whole(l, e->steps, 0, 1L << 53);
     e->events = whole(l, e->events, 0, 1L << 53);

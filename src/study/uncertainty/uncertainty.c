@@ -610,26 +610,7 @@ void thud_uncertainty_free(struct thud_uncertainty *uncertainty)
     free(uncertainty);
 }
 
-/* A point for the cases of a sample, whose results are filled in one after the other; NULL: out of memory. */
-static struct thud_sweep_point *point_of(const struct thud_uncertainty *u, const struct thud_needed_gap *gap,
-                                         const struct thud_result *result)
-{
-    int nfloors = 0;
-    for (int s = 0; s < result->nstructures; s++)
-        nfloors += result->structure[s].floors;
-    struct thud_sweep_point *point = thud_sweep_point_create(u->ncases, nfloors, result->ncontacts, 1, 1);
-    if (!point)
-        return NULL;
-    point->nstructures = result->nstructures;
-    for (int s = 0; s < result->nstructures; s++)
-        point->floors[s] = result->structure[s].floors;
-    memcpy(point->which, u->which, (size_t)u->ncases * sizeof *u->which);
-    if (gap && gap->nlevels == result->ncontacts)
-        memcpy(point->level, gap->level, (size_t)gap->nlevels * sizeof *gap->level);
-    return point;
-}
-
-/* The quantities of case k, whose result is in the point. */
+/* The quantities of case k of a sample. */
 static void put_case(const struct thud_uncertainty *u, const struct thud_measured_run *run, double *value)
 {
     for (int q = asks_gap(u); q < u->nquantities; q++)
@@ -637,56 +618,54 @@ static void put_case(const struct thud_uncertainty *u, const struct thud_measure
             value[q] = thud_measure_read(run, u->quantity[q].measure, u->quantity[q].structure);
 }
 
+/* Those of a finished point of the changed scene, up to a case without a result. */
+static enum thud_status put_point(const struct thud_uncertainty *u, const struct thud_scene *scene,
+                                  const struct thud_sweep_point *point, double *value, struct thud_error *err)
+{
+    if (asks_gap(u) && point->ncontacts > 0 && !point->fall[THUD_SWEEP_LINKED].happened)
+        value[0] = thud_gap_widest(point->level, point->ncontacts, 0, THUD_GAP_EXACT, NULL);
+    for (int k = 0; k < u->ncases; k++) {
+        const struct thud_sweep_effort *effort = &point->effort[k];
+        if (effort->status != THUD_OK)
+            return effort->status == THUD_DIVERGED ? THUD_OK : effort->status;
+        if (thud_collapse_status(scene, &effort->fall, err) != THUD_OK)
+            return THUD_COLLAPSED;
+        put_case(u, &(struct thud_measured_run){scene, point, k}, value);
+    }
+    return THUD_OK;
+}
+
 enum thud_status thud_uncertainty_evaluate(const struct thud_uncertainty *u, const double *place, double *value,
                                            struct thud_error *err)
 {
-    struct thud_scene *scene = malloc(2 * sizeof *scene);
-    double motion = 1;
+    struct thud_sweep_plan *plan = malloc(sizeof *plan);
     struct thud_record *scaled = NULL;
-    struct thud_needed_gap *gap = NULL;
-    struct thud_kept_motion kept = {0};
     struct thud_sweep_point *point = NULL;
     enum thud_status status = THUD_OK;
-    if (!scene)
+    double motion = 1;
+    if (!plan)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     for (int q = 0; q < u->nquantities; q++)
         value[q] = NAN;
-    *scene = u->scene;
+    thud_sweep_plan_init(plan, &u->scene);
     for (int i = 0; i < u->ninputs; i++)
-        thud_input_change(scene, &u->input[i], place[i], &motion);
+        thud_input_change(&plan->scene, &u->input[i], place[i], &motion);
+    plan->yields = thud_scene_yields(&plan->scene);
+    plan->ncases = u->ncases;
+    memcpy(plan->cases, u->which, (size_t)u->ncases * sizeof *u->which);
     const struct thud_record *record = thud_uncertainty_record(u, place[u->ninputs - 1]);
-    if (record && motion != 1)
+    if (record && motion != 1) {
         status = thud_record_scaled(record, motion, &scaled, err);
-    if (asks_gap(u) && status == THUD_OK) {
-        status = thud_needed_gap_keep(scene, 0, scaled ? scaled : record, &kept, &gap, err);
-        if (status == THUD_OK && gap->nlevels > 0 && !gap->collapse.happened)
-            value[0] = thud_needed_gap_widest(gap, 0, THUD_GAP_EXACT, NULL);
+        record = scaled;
     }
-    for (int k = 0; k < u->ncases && status == THUD_OK; k++) {
-        struct thud_solution solution = {0};
-        status = thud_scene_case(scene, u->which[k], scene + 1, err);
-        if (status == THUD_OK)
-            status = thud_scene_check(scene + 1, err);
-        const bool shares = kept.baseline && thud_baseline_shares(kept.baseline) && scene[1].nlinks == scene->nlinks;
-        if (status == THUD_OK)
-            status = shares ? thud_kept_motion_solve(&kept, scene + 1, scaled ? scaled : record, &solution, err)
-                            : thud_scene_solve(scene + 1, scaled ? scaled : record, NULL, &solution, err);
-        if (status == THUD_OK)
-            status = thud_collapse_status(scene + 1, thud_run_result(solution.run), err);
-        if (status == THUD_OK && !point && !(point = point_of(u, gap, thud_run_result(solution.run))))
-            status = thud_error_set(err, THUD_MEMORY, "out of memory");
-        if (status == THUD_OK) {
-            thud_sweep_point_fill(point, 0, k, scene, solution.model, thud_run_result(solution.run));
-            put_case(u, &(struct thud_measured_run){scene, point, k}, value);
-        }
-        thud_solution_clear(&solution);
-    }
-    if (status == THUD_DIVERGED) /* a sample without a result from there on */
-        status = THUD_OK;
-    thud_kept_motion_clear(&kept);
+    plan->record = &record;
+    plan->nrecords = record != NULL;
+    if (status == THUD_OK)
+        status = thud_sweep_point_make(plan, 0, &point, err);
+    if (status == THUD_OK)
+        status = put_point(u, &plan->scene, point, value, err);
     thud_record_free(scaled);
-    free(gap);
     free(point);
-    free(scene);
-    return status;
+    free(plan);
+    return status == THUD_DIVERGED ? THUD_OK : status; /* a sample without a result */
 }
