@@ -18,6 +18,7 @@ lint() { # CHECK TOOL FILES: by_CHECK reads file names, one a line, and fails wh
     elif ! command -v "$2" >/dev/null 2>&1; then
         echo "$2: not installed, skipped"
     elif out=$(printf '%s\n' "$3" | "by_$1" 2>&1); then
+        [ "$1" != words ] || printf '%s\n' "$out" # the counts of its sentences
         echo "$2: clean"
     else
         printf '%s\n%s: FAILED\n' "$(printf '%s\n' "$out" | tail -200)" "$2"
@@ -29,7 +30,7 @@ by_house() { # layers, purity, what must not stand in the tree, what nothing use
     tests/tools/check-includes.sh . && tests/tools/check-headers.sh . && tests/tools/check-pure.sh build/release/libthud-core.a && tests/tools/check-tree.sh . &&
         tests/tools/check-unused.sh build/release
 }
-by_words() { xargs perl tests/tools/check-words.pl tests/tools/words.txt; } # phrases that no engineer would write
+by_words() { xargs perl tests/tools/check-words.pl tests/tools/words.txt; } # phrases that no engineer would write, and how long sentences are
 by_shellcheck() { xargs shellcheck -x; }
 by_format() { xargs clang-format --dry-run -Werror; }
 by_mandoc() { # its exit status passes over what is only style; our own pages are not installed yet; groff is what man(1) shows pages with
