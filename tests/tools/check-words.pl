@@ -23,9 +23,11 @@ sub fault { print @_, "\n"; $found = 1; }
 sub plain {
     my @lines = split /\n/, $_[0];
     for (@lines) {
-        next unless s/^\.(\w+)\s*//;
-        $_ = join ' ', grep { $_ !~ $inline } split;
-        s/ ([.,:;)])(?= |$)/$1/g;
+        if (s/^\.(\w+)\s*//) {
+            $_ = join ' ', grep { $_ !~ $inline } split;
+            s/ ([.,:;)])(?= |$)/$1/g;
+        }
+        s/[.!?]$/$&\0/; # a sentence ends with its line
     }
     (my $text = join ' ', @lines) =~ s/\\&|\\\w\b//g;
     return $text;
@@ -77,7 +79,7 @@ for my $file (@ARGV) {
         $joined =~ s/\s+/ /g;
         next if grep { $joined =~ /$_/ } @kept;
         fault("$file: a paragraph of more than 8 lines: \"", substr($joined, 0, 60), "...\"") if $file =~ /thud\.1$/ && length $joined > 8 * 70;
-        for my $sentence (split /(?<![A-Z]|\b[ei]\.[ge])(?<!\bFig|.\bal|.\beq|\bvol|\bch)[.!?](?=["')]*(?:\s|$))/, $joined) {
+        for my $sentence (split /\0|(?<!\b[A-Z]|\b[ei]\.[ge])(?<!\bFig|.\bal|.\beq|\bvol|\bch)[.!?](?=["')]*(?:\s|$))/, $joined) {
             my $length = () = $sentence =~ /\S*[A-Za-z%]\S*/g;
             next if $length < 3;
             my $sum = $count{$kind} //= [0, 0, 0];
