@@ -51,7 +51,7 @@ sub parts {
             }
         }
     } elsif ($file =~ /\.\d$/) {
-        $text =~ s/^\.Bd.*?^\.Ed\n|^\.(?:D1|Dl|\\").*?\n|^\.Sh SYNOPSIS.*?(?=^\.Sh)/.Pp\n/gms;
+        $text =~ s/^\.Bd.*?^\.Ed\n|^\.Rs.*?^\.Re\n|^\.(?:D1|Dl|\\").*?\n|^\.Sh SYNOPSIS.*?(?=^\.Sh)/.Pp\n/gms;
         push @parts, map { [$file, plain($_)] } grep { defined } split /^\.(?:Pp|Sh|Ss|It|Bl|El|D[dt]|Os|Nd)\b.*\n/m, $text;
     } else {
         push @parts, map { [$file, $_] } grep { !/^ {4}/m } split /\n{2,}|^\s*[-|#]|\|/m, $text;
