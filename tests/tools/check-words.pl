@@ -46,7 +46,8 @@ sub parts {
                 $string =~ s/<[^>]*>/ /g;
                 push @parts, ['messages', $string];
             } elsif (defined $2) {
-                (my $comment = $2) =~ s/\n\s*\*/\n/g;
+                (my $comment = $2) =~ s/\n\s*\* ?/\n/g;
+                $comment =~ s/^ {2,}.*$//gm; # formulas and lists
                 push @parts, map { ['comments', $_] } split /\n\s*\n/, $comment;
             }
         }

@@ -1,31 +1,31 @@
-/* Impact laws: all that a law has to say, and all that it is asked.
+/* Impact laws: the complete interface of a law.
  *
- * A law is one const table in a file of its own, src/core/laws/law_WORD.c, and one line in src/core/laws/law_list.h. Run, methods,
- * ledger, screens, `thud laws` and the manual know it by its table alone. Public functions take SI units.
+ * A law is one const table in a file of its own, src/core/laws/law_WORD.c, and one line in src/core/laws/law_list.h.
+ * Run, methods, energy balance, screens, `thud laws` and the manual use only its table. Functions take SI units.
  *
- * Force. With d the indentation and v = d' (> 0 approaching), the force between two switches is that of a branch,
+ * Force. With d the indentation and v = d' (> 0 approaching), the force between two events is that of a branch,
  *     F = f0 + k d + c v + K d^p + D d^r v .
- * A law says which branch holds; the force, its derivatives, the integration, the events and the energies are written
- * once, elsewhere. A force below 0 is cut at 0, but for laws that pull.
+ * A law returns the branch that holds; the force, its derivatives, the integration, the events and the energies are
+ * implemented once, for all laws. A force below 0 is cut at 0, except for laws that pull.
  *
- * Switches, and what the law is asked at each, in this order:
+ * Events, and the functions called at each, in this order:
  *     onset        d = 0, closing: onset; the phase is THUD_APPROACH, d lies below the ultimate compression
  *     reversal     d' = 0, only with THUD_LAW_REVERSES: reversal sets the memory for the phase that begins, then
- *                  ultimate and branch are asked for it. Where the force at rest of approach is above that of
- *                  restitution and either would turn the motion back at once, the contact sticks (d' = 0) with a force
- *                  between the two; when it comes loose, reversal is called with the phase that begins, even if it is the one before
- *     ultimate     d passes the ultimate compression of the phase: branch is asked for the other side
- *     release      F reaches 0 on any branch: with keeps_residual, d is added to the clearance and the contact is open;
- *                  else no force acts until the same branch would push again. Reversals meanwhile are not passed on
+ *                  ultimate and branch are called. If the force at rest of approach exceeds that of restitution, so
+ *                  that either would reverse the motion at once, the contact sticks (d' = 0) with a force between the
+ *                  two. When sticking ends, reversal is called with the phase that begins, even if it is the last one
+ *     ultimate     d passes the ultimate compression of the phase: branch is called for the other side
+ *     release      F reaches 0 on any branch: with keeps_residual, d is added to the clearance and the contact opens;
+ *                  otherwise no force acts until the same branch would push again, and reversals are not reported
  *     separation   d = 0: the contact is open
  *
- * A phase has at most two branches, one on either side of the ultimate compression; those of the next phase may be
- * others, as the memory says. A third line in one loading would need another such bound.
+ * A phase has at most two branches, one on either side of the ultimate compression. Those of the next phase may differ,
+ * according to the memory. A third branch in one loading would need another such bound.
  *
- * Memory is the law's own: eight numbers that nobody else reads. All are 0 before the first contact; they last from
- * contact to contact, and onset and reversal alone change them, only where the run commits: a trial writes to a copy.
+ * Memory: eight numbers that only the law reads. All are 0 before the first contact and persist from contact to
+ * contact. Only onset and reversal change them, and only when the run commits: a trial writes to a copy.
  *
- * What cannot be integrated right is refused by thud_law_prepare, with a sentence (law_check.c). A branch is one of
+ * thud_law_prepare refuses what cannot be integrated accurately, with a message (law_check.c). A branch is one of
  *     f0 + k d + c v                    THUD_LAW_LINEAR: every branch is one of these
  *     (f0 + k d)(1 + s v)               as c = s f0, D = s k, p = r = 1
  *     K d^p (1 + s v)                   as D = s K, r = p
@@ -56,10 +56,11 @@ enum thud_phase { THUD_APPROACH, THUD_RESTITUTION };
 
 /* Constants of one contact. */
 struct thud_law_setup {
-    const struct thud_law *law; /* set by thud_law_prepare: a table that is part of something larger finds that */
-    double mass_kg;             /* effective mass m1 m2/(m1 + m2) */
-    double thickness_m;         /* of the bumper; 0 where there is none */
-    double column_npm;          /* stiffness of the columns that are struck, in series with the law; 0: none */
+    const struct thud_law
+        *law;           /* set by thud_law_prepare; a table embedded in a larger struct finds the struct by it */
+    double mass_kg;     /* effective mass m1 m2/(m1 + m2) */
+    double thickness_m; /* of the bumper; 0 where there is none */
+    double column_npm;  /* stiffness of the struck columns, in series with the law; 0: none */
     double value[THUD_LAW_PARAMS_MAX];       /* parameters in SI, in the order of the law's table */
     double constant[THUD_LAW_CONSTANTS_MAX]; /* filled by the law's prepare */
 };
@@ -69,7 +70,7 @@ struct thud_law_memory {
 };
 
 enum {
-    THUD_LAW_LINEAR = 1,     /* every branch is a straight line: contact is propagated exactly */
+    THUD_LAW_LINEAR = 1,     /* every branch is linear: contact is propagated exactly */
     THUD_LAW_REVERSES = 2,   /* approach and restitution have different branches, or memory changes at reversals */
     THUD_LAW_PULLS = 4,      /* force may be negative; the contact ends at d = 0 */
     THUD_LAW_IMPULSIVE = 8,  /* no force: an impulse at contact onset (stereomechanical) */
@@ -89,8 +90,8 @@ struct thud_law {
 
     /* Checks values against each other and fills setup->constant. Errors: THUD_INPUT with key. */
     enum thud_status (*prepare)(struct thud_law_setup *setup, struct thud_error *err);
-    /* Update the memory at contact onset, with approach velocity v (>= 0), and at velocity reversals, at indentation d
-     * of the law only, to the phase that begins. */
+    /* Update the memory at contact onset, with approach velocity v (>= 0), and at velocity reversals, with indentation
+     * d of the law (without the columns) and the phase that begins. */
     void (*onset)(const struct thud_law_setup *setup, double v_mps, struct thud_law_memory *memory);
     void (*reversal)(const struct thud_law_setup *setup, enum thud_phase phase, double d_m,
                      struct thud_law_memory *memory);
@@ -105,13 +106,13 @@ struct thud_law {
      * at their first contact with approach velocity v. NaN: not known. */
     double (*nominal)(const struct thud_law_setup *setup);
     double (*restitution)(const struct thud_law_setup *setup, double v_mps);
-    /* Returns whether the indentation left at release stays as residual (the paper's concrete with residual = keep). */
+    /* Returns whether the indentation at release remains as a residual (the paper's concrete with residual = keep). */
     bool (*keeps_residual)(const struct thud_law_setup *setup);
     /* Gives the n-th (from 0) remark on unusual combinations of values, with the parameter as key; false: no more. */
     bool (*unusual)(const struct thud_law_setup *setup, int n, struct thud_error *out);
 };
 
-/* Returns whether a contact is propagated exactly, also one held by impulses. */
+/* Returns whether a contact is propagated exactly; this includes impulses. */
 static inline bool thud_law_is_linear(const struct thud_law *law)
 {
     return law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE | THUD_LAW_LINEAR);
@@ -129,9 +130,6 @@ int thud_law_param(const struct thud_law *law, const char *name); /* index, or -
 /* Fills value[] with the table's defaults (NaN: a value is required). */
 void thud_law_defaults(const struct thud_law *law, struct thud_law_setup *setup);
 
-/* Computes the force of a branch and its partial derivatives (each may be NULL); d <= 0 gives only the linear part. Not
- * cut at 0. At d = 0 the derivatives are right-sided: df_dd is infinite there for a power below 1 (jankowski at v !=
- * 0). */
 /* Tables of d^p for one p, and that power, to a relative 1e-14. */
 enum { THUD_POWER_CELLS = 128, THUD_POWER_LEAST = -64, THUD_POWER_OCTAVES = 72, THUD_POWER_TERMS = 7 };
 struct thud_powers {
@@ -140,19 +138,22 @@ struct thud_powers {
 void thud_powers_fill(struct thud_powers *powers, double p);
 double thud_power(const struct thud_powers *powers, double d);
 
+/* Computes the force of a branch, not cut at 0, and its partial derivatives (each may be NULL); d <= 0 gives only the
+ * linear part. At d = 0 the derivatives are right-sided: df_dd is infinite for a power below 1 (jankowski at v != 0).
+ */
+
 double thud_branch_force(const struct thud_branch *branch, double d_m, double v_mps, double *df_dd, double *df_dv);
 
-/* ---- a law and the columns that are struck ----
+/* ---- a law with struck columns ----
  *
- * Struck columns give under the force of the contact, a spring in series with the law's elastic curve: F_A = law(d -
- * F_A/column_npm) at the indentation d of the two together. Damping is what the law makes of that curve, so that two
- * free bodies part with the restitution asked for as they do without columns: a linear law is the same law with the
- * stiffness k column/(k + column); F_A (1 + s v) keeps its s; the dashpot of jankowski is 2 z F_A/sqrt(2 U/m), U the
- * energy of law and columns together. Without columns all of these are the law's own functions, or what stands for
- * those that it leaves out. */
+ * Struck columns deflect under the force of the contact, as a spring in series with the law's elastic curve: F_A =
+ * law(d - F_A/column_npm) at the indentation d of both together. The law applies its damping to that curve, so that two
+ * free bodies separate with the specified restitution, as without columns. A linear law keeps its form, with the
+ * stiffness k column/(k + column); F_A (1 + s v) keeps its s; the dashpot of jankowski is 2 z F_A/sqrt(2 U/m), with U
+ * the energy of law and columns together. Without columns these are the law's own functions, or their defaults. */
 
-/* Checks values against each other, puts the columns into a linear law's stiffness, fills setup->constant, and refuses
- * what the page above does not allow. Errors: THUD_INPUT with key. */
+/* Checks values against each other, includes the columns in a linear law's stiffness, fills setup->constant, and
+ * refuses what the list above does not allow. Errors: THUD_INPUT with key. */
 enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_setup *setup, struct thud_error *err);
 void thud_law_onset(const struct thud_law *law, const struct thud_law_setup *setup, double v_mps,
                     struct thud_law_memory *memory);

@@ -1,6 +1,6 @@
-/* Closed forms of the impact laws: what two free bodies do in one collision. `xi` damping ratio, `e` restitution, v
+/* Closed-form solutions of the impact laws for one collision of two free bodies. `xi` damping ratio, `e` restitution, v
  * approach velocity at contact onset, m effective mass m1 m2/(m1 + m2). No function here fails; arguments outside the
- * stated range are a programmer's mistake. */
+ * stated range are programming errors. */
 #pragma once
 
 /* Kelvin-Voigt, F = k d + c v with c = 2 xi sqrt(k m). */

@@ -1,4 +1,4 @@
-/* Time-stepping methods. A method is one const table in its own file, registered by one word in src/core/method_list.h.
+/* Time-stepping methods. A method is one const table in its own file, with its name in src/core/methods/method_list.h.
  */
 #pragma once
 
@@ -11,9 +11,9 @@ struct thud_state;
 
 enum {
     THUD_METHOD_FIXED_STEP = 1,   /* takes a step in s; else a tolerance */
-    THUD_METHOD_LOCATES = 2,      /* locates events unless told not to */
+    THUD_METHOD_LOCATES = 2,      /* locates events by default */
     THUD_METHOD_CAN_LOCATE = 4,   /* event location may be turned on */
-    THUD_METHOD_DEMONSTRATION = 8 /* shown for what goes wrong, never picked */
+    THUD_METHOD_DEMONSTRATION = 8 /* demonstrates a fault; never selected automatically */
 };
 
 struct thud_method {
@@ -27,8 +27,8 @@ struct thud_method {
 
     /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY. */
     enum thud_status (*create)(const struct thud_state *state, void **own, struct thud_error *err);
-    /* Proposes the next segment (src/core/segment.h) from the state; the run locates events in it and commits. Errors:
-     * THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
+    /* Proposes the next segment (src/core/contact/segment.h) from the state; the run locates events in it and commits.
+     * Errors: THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
     enum thud_status (*step)(const struct thud_state *state, void *own, struct thud_segment *seg,
                              struct thud_error *err);
     /* Called after a commit up to tau into the segment; `switched`: a contact changed its state. May be NULL. */

@@ -1,16 +1,16 @@
-/* Elements of a scene, and what each of them is. Sharing, scaling, early ends, factors of first contact and required
- * gaps ask this table whether they hold for a scene; none of them has an answer of its own. THUD_ELEMENT_LIST has a line
- * for each kind, and a kind that does not say all of it does not compile. */
+/* Elements of a scene and their properties. Shared runs, scaling, early termination, factors of first contact and
+ * required gaps use only this table to decide whether they are valid for a scene. THUD_ELEMENT_LIST has a line for each
+ * kind; an incomplete line does not compile. */
 #pragma once
 
 /* Properties that a kind of element breaks; 0: linear, of degree one, two-sided, without memory. */
 enum thud_trait {
     THUD_NONLINEAR = 1,      /* two motions do not add up */
     THUD_NOT_DEGREE_ONE = 2, /* twice the ground motion is not twice the response */
-    THUD_ONE_SIDED = 4,      /* acts in one direction alone: a contact locates where it begins and ends */
-    THUD_SLIPS = 8,          /* yields or slides: the difference of two motions is no free vibration */
-    THUD_REMEMBERS = 16,     /* has states besides displacements and velocities */
-    THUD_UNKEPT = 32,        /* a kept moment of a motion without contact (core/run/baseline.h) does not hold them */
+    THUD_ONE_SIDED = 4,      /* acts in one direction only: a contact locates its beginning and end */
+    THUD_SLIPS = 8,          /* yields or slides: the difference of two motions is not a free vibration */
+    THUD_REMEMBERS = 16,     /* has states in addition to displacements and velocities */
+    THUD_UNKEPT = 32,        /* a checkpoint of the baseline (core/run/baseline.h) does not store these states */
     THUD_COLLAPSES = 64,     /* may end a run */
     THUD_UNKNOWN = 127
 };
@@ -47,10 +47,10 @@ enum thud_element {
 struct thud_element_kind {
     const char *name;
     unsigned traits; /* of enum thud_trait */
-    int dofs;        /* that one of them adds, and states besides displacements and velocities */
+    int dofs;        /* that one of them adds, and states in addition to displacements and velocities */
     int states;
 };
-/* (THUD_ELEMENTS). It stands alone in its file: a test may define its own. */
+/* (THUD_ELEMENTS). It has a file of its own, so a test may define another table. */
 extern const struct thud_element_kind thud_elements[];
 
 /* Sum of several elements: traits of any, numbers of all. */

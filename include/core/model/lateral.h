@@ -4,8 +4,8 @@
  *     modes, as many as floors:   K = M Phi Omega^2 Phi^T M,  Phi^T M Phi = I
  *     fewer:                      K = M Phi Omega^2 Phi^T M + omega_x^2 (M - M Phi Phi^T M)
  *
- * What the shapes leave out gets the one frequency omega_x, ten times the largest given. Shapes are scaled, and made
- * orthogonal as evenly as can be: W (W^T W)^(-1/2) with W = M^(1/2) Phi (Loewdin 1950, J. Chem. Phys. 18:365). */
+ * The motion omitted by the shapes has the frequency omega_x, ten times the largest given. Shapes are scaled, and made
+ * orthogonal by the smallest changes: W (W^T W)^(-1/2) with W = M^(1/2) Phi (Loewdin 1950, J. Chem. Phys. 18:365). */
 #pragma once
 
 #include <stdbool.h>
@@ -19,7 +19,7 @@ double thud_lateral_asymmetry(int n, const double *k, int *row, int *column);
 enum thud_status thud_lateral_least(int n, const double *k, double *least, struct thud_error *err);
 /* Inverts a positive definite matrix in place. Errors: THUD_INPUT (not definite), THUD_MEMORY. */
 enum thud_status thud_lateral_invert(int n, double *k, struct thud_error *err);
-/* Finds whether floors are listed from the roof down: the first one then sways furthest under equal loads on all.
+/* Finds whether floors are listed from the roof down: the first floor then sways most under equal loads on all floors.
  * Errors: THUD_MEMORY. */
 enum thud_status thud_lateral_hangs(int n, const double *k, bool *hangs, struct thud_error *err);
 

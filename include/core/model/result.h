@@ -15,40 +15,39 @@ struct thud_floor_result {
     struct thud_peak displacement; /* relative to the ground, m */
     struct thud_peak velocity;     /* relative to the ground, m/s */
     struct thud_peak drift;        /* interstorey drift, m; 0 for a rigid body */
-    struct thud_peak lean;         /* the drift on which the weight acts: on soil with the foundation's rotation, m */
+    struct thud_peak lean;         /* drift on which the weight acts: on soil with the foundation's rotation, m */
     struct thud_peak shear;        /* of the storey below, N; 0 for a rigid body */
-    struct thud_peak
-        moment; /* of the lowest floor: overturning moment about the base, N m; 0 where it is not asked for */
+    struct thud_peak moment;       /* of the lowest floor: overturning moment about the base, N m; 0 if not required */
 };
 
 enum { THUD_FLOOR_DISPLACEMENT, THUD_FLOOR_VELOCITY, THUD_FLOOR_ACCELERATION, THUD_FLOOR_DRIFT, THUD_FLOOR_QUANTITIES };
 
 struct thud_contact_result {
     int interface, left_floor, right_floor; /* from 1, left to right; floor 0: a wall */
-    int struck;  /* whose columns the other's slab strikes, below that floor: -1 the left one's, 1 the right one's */
-    int column;  /* index of those columns; -1 */
-    double eta;  /* height of the struck place in its storey; 1: floor to floor */
-    int impacts; /* those with an impulse above 1e-11 of effective mass times velocity scale */
+    int struck; /* the side whose columns, below that floor, are struck by the other's slab: -1 left, 1 right; 0 none */
+    int column; /* index of those columns; -1 */
+    double eta; /* relative height of the struck point in its storey; 1: floor to floor */
+    int impacts;                  /* those with an impulse above 1e-11 of effective mass times velocity scale */
     struct thud_peak force;       /* N */
     struct thud_peak indentation; /* m */
     double impulse_ns, contact_time_s, residual_m;
-    double work_j, stored_j, dissipated_j; /* done on it; of that held as elastic energy at the end, and the rest */
+    double work_j, stored_j, dissipated_j; /* work done on it, the part stored as elastic energy at the end, the rest */
     double approach_mps, separation_mps;   /* of the last impact */
-    double restitution;                    /* of the last impact; NaN: it did not close or part, or was long */
-    double nominal_restitution;            /* as asked for */
-    bool impulsive;                        /* its law passes impulses */
+    double restitution;                    /* of the last impact; NaN: no approach, no separation, or a long contact */
+    double nominal_restitution;            /* as specified */
+    bool impulsive;                        /* its law has impulses */
 };
 
-/* Link between two floors, of neighbours or of one and the ground. */
+/* Link between floors of neighbours, or between a floor and the ground. */
 struct thud_link_result {
     struct thud_peak force;  /* N */
-    struct thud_peak stroke; /* change of the distance of its ends; of a one-sided one beyond its slack, m */
+    struct thud_peak stroke; /* change of the distance of its ends; beyond the slack of a one-sided link, m */
     double lost_j;           /* in its dashpot, by its law, or by friction */
     double stored_j;         /* elastic energy at the end */
-    double residual_m; /* left of its stroke at the end where it bears nothing: by friction, or the gap at soil; NaN:
-                                it leaves none */
-    int engaged;       /* times a one-sided one came to act, or one of friction slipped */
-    int contact;       /* row of its events; -1: it has none */
+    double
+        residual_m; /* stroke without force at the end: slip of friction, or the gap of soil; NaN: none is possible */
+    int engaged;    /* number of times that a one-sided link engaged or a friction link slipped */
+    int contact;    /* row of its events; -1: none */
 };
 
 /* Peaks in the columns of a storey struck by a slab, positive to the right: shears just above their lower and just
@@ -67,50 +66,49 @@ struct thud_column_result {
     int interface, structure, storey;              /* interface and storey from 1, structure from 0 */
     struct thud_peak peak[THUD_COLUMN_QUANTITIES]; /* N, N m */
     double capacity_n, ratio;                      /* against shear, and the larger shear over it; NaN: not given */
-    bool drifts; /* their stiffness is given, so that the drift of the storey counts; else the forces alone */
+    bool drifts; /* their stiffness is given, so the drift of the storey is included; else only the forces */
 };
 
-/* Returns whether impulses struck: no finite force, also while pushed afterwards, and no finite floor acceleration. */
+/* Returns whether there were impulses: then neither the force nor the floor acceleration is finite. */
 static inline bool thud_contact_struck(const struct thud_contact_result *contact)
 {
     return contact->impulsive && contact->impacts > 0;
 }
 
-/* Event: a guard of a contact or of a storey passed 0, and its state was switched. */
+/* Event: a guard of a contact or of a storey crossed zero, and the state was switched. */
 struct thud_event_entry {
     double time_s;
-    int row; /* contact; from the number of contacts on, a storey that yields; from that of rows on, a floor above a
-                collapse */
-    const char *event, *guard, *then; /* what happened, what the guard watches, the state it went into */
-    int order;      /* lowest coefficients of the guard that were taken as 0, as the last event had just put it there */
-    double force_n; /* just behind it, of a storey beside that of its elastic stiffness */
+    int row; /* Jacobian row: a contact, then the storeys that yield; beyond the rows, the floor above a collapse */
+    const char *event, *guard, *then; /* name of the event, quantity of the guard, new state */
+    int order;      /* number of lowest coefficients of the guard that were set to 0 because of the event before */
+    double force_n; /* just after it; of a storey without that of its elastic stiffness */
 };
 
 /* Impact, from contact onset to release. */
 struct thud_impact {
     int contact; /* index into contacts, from 0 */
     double start_s, duration_s, approach_mps, separation_mps, force_n, indentation_m, impulse_ns, dissipated_j;
-    double restitution; /* NaN: it did not close or part, or was long */
+    double restitution; /* NaN: no approach, no separation, or a long contact */
 };
 
 struct thud_energy {
     double input_j, kinetic_j, strain_j, viscous_j,
-        contact_j;    /* at the end; strain: what storeys would give back; contact: dissipated by the contacts so far */
+        contact_j;    /* at the end; strain: recoverable energy of the storeys; contact: dissipated by the contacts */
     double initial_j; /* kinetic at the start */
     double stored_j;  /* elastic energy in contacts still closed */
     double hysteretic_j; /* lost in storeys that yield and links that slip */
     double gravity_j;    /* work of the weight on drifting storeys: P-Delta */
-    double error_ratio;  /* |initial + input - all the others| over the largest energy seen */
+    double error_ratio;  /* |initial + input - all the others| over the largest energy so far */
 };
 
-/* Yielding storey, the one below its floor. */
+/* Yielding storey below a floor. */
 struct thud_storey_result {
     bool yields;
     double yield_m, hardening; /* d_y and r */
     double ductility;          /* peak drift over yield drift */
     double plastic_m;          /* d_p at the end */
     double permanent_m;        /* drift at which it carries no force, (1 - r) d_p */
-    int excursions;            /* times it yielded */
+    int excursions;            /* number of times it yielded */
     double hysteretic_j;       /* energy lost */
     struct thud_peak shear;    /* N */
 };
@@ -121,13 +119,13 @@ struct thud_structure_result {
     /* On soil, after the floors: the foundation's sway, and its rotation as the displacement at `arm_m`; else NULL. */
     struct thud_floor_result *foundation;
     double arm_m;
-    struct thud_storey_result *storey; /* (floors); NULL where none of them yields */
+    struct thud_storey_result *storey; /* (floors); NULL if none of them yields */
     double rigid_period_s,
         soil_damping;             /* on soil: its first period on rigid ground, and the damping ratio of its first
                                             mode as it is; else 0 */
     double soil_stored_j;         /* on soil: in the springs of sway and rocking at the end */
     struct thud_peak base_shear;  /* N */
-    struct thud_peak overturning; /* moment about the base, N m; 0 where it is not asked for */
+    struct thud_peak overturning; /* moment about the base, N m; 0 if not required */
     double *period_s;             /* (floors), longest first; INFINITY for a free rigid body */
 };
 
@@ -140,9 +138,9 @@ struct thud_collapse {
 
 struct thud_work {
     long steps, force_evaluations, events;
-    long rejected;       /* steps taken again */
-    long samples_fast;   /* record samples passed by the contact-free recurrence */
-    long samples_jumped; /* record samples left out because nothing could come of them */
+    long rejected;       /* repeated steps */
+    long samples_fast;   /* record samples advanced by the contact-free recurrence */
+    long samples_jumped; /* record samples skipped because no contact or new peak could follow */
 };
 
 struct thud_result {
@@ -157,15 +155,16 @@ struct thud_result {
     double end_s;       /* where the run ended */
     double step_s;      /* a fixed-step method's, from one sample of the ground motion to the next; else NaN */
     const char *method; /* the method that was used */
-    const char *reason; /* why `auto` picked it; "" when it was named */
+    const char *reason; /* why `auto` selected it; "" if it was named */
 };
 
-/* Sampled histories, one row per time; at jumps the time appears twice. Columns: a_g, then per floor u, v, a_total
- * (ndof each), then per contact force and indentation, then energies input, kinetic, strain, viscous, contact; where
- * storeys yield or links slip, then the energy lost in them, and for each such storey (nstoreys) drift, shear and plastic
- * drift; then per
- * struck columns (nstruck) the shears at their lower and upper end, and per link its force (> 0: it pushes its ends
- * apart) and by how much they have come closer; with P-Delta last the work of the weight. */
+/* Sampled histories, one row per time; at jumps the time appears twice. The columns are:
+ *     a_g; u, v, a_total of each floor (ndof each); force and indentation of each contact
+ *     energies: input, kinetic, strain, viscous, contact
+ *     if storeys yield or links slip: the energy lost in them, then drift, shear, plastic drift of each (nstoreys)
+ *     shears at the lower and upper end of struck columns (nstruck)
+ *     of each link, its force (> 0: it pushes its ends apart) and the approach of its ends
+ *     with P-Delta: work of the weight */
 struct thud_history {
     int ndof, ncontacts, nstoreys, nstruck, nlinks, columns;
     bool loses;  /* storeys yield or links slip */
