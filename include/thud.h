@@ -98,9 +98,9 @@ struct thud_force {
     double D, r;
 };
 enum { THUD_CONTACT_MEMORY = 8 };
-/* Contact law of the caller. A phase has one branch, or two with `ultimate`, no more. `memory` has THUD_CONTACT_MEMORY numbers,
- * all 0 before the first contact; only onset and reversal change them, and the branches of the next phase may depend on
- * them. mass_kg is the effective mass m1 m2/(m1 + m2). Sweeps call from several threads. */
+/* Contact law of the caller. A phase has one branch, or two with `ultimate`, no more. `memory` has THUD_CONTACT_MEMORY
+ * numbers, all 0 before the first contact; only onset and reversal change them, and the branches of the next phase may
+ * depend on them. mass_kg is the effective mass m1 m2/(m1 + m2). Sweeps call from several threads. */
 struct thud_contact_law {
     size_t size; /* sizeof (struct thud_contact_law) */
     const char *name;

@@ -108,11 +108,9 @@ static enum thud_status deliver(const struct thud_args *args, const struct thud_
         args, "export", &session->scene, (const struct thud_record *const *)&session->record, 1, asked, &by, err);
     if (status == THUD_OK)
         status = thud_made_by_begin(&by, err);
-    if (status == THUD_OK)
-        status = thud_text_write_in(text, folder, name, err);
+    status = thud_text_save(text, folder, name, status, err);
     if (status == THUD_OK)
         status = thud_made_by_keep(&by, err);
-    thud_text_clear(text);
     thud_text_append(text, "%s/%s\n", folder, name);
     if (status == THUD_OK && thud_args_has(args, "check")) {
         char path[1200];

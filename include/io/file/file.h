@@ -52,9 +52,6 @@ enum thud_status thud_text_write(struct thud_text *text, const char *path, struc
  * it writes nothing and returns that. Errors: also THUD_OUTPUT for a name that is too long. */
 enum thud_status thud_text_save(struct thud_text *text, const char *folder, const char *name, enum thud_status before,
                                 struct thud_error *err);
-/* Does the same after no failure. */
-enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
-                                    struct thud_error *err);
 
 /* Creates a folder with its parents for writing, and removes files left half written by killed programs. Errors:
  * THUD_OUTPUT. */

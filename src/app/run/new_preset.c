@@ -215,12 +215,12 @@ static enum thud_status mean_mass(const struct thud_new_preset *preset, int side
 /* The slab is as heavy as a floor. */
 static void bearings(const char *kind, double floor_kg, double storeys, struct thud_text *out)
 {
-    struct thud_usual usual[THUD_USUAL_BEARINGS];
+    struct thud_usual bearing[THUD_USUAL_BEARINGS];
     thud_usual_bearings(strcmp(kind, "pendulum") == 0 ? THUD_ISOLATOR_PENDULUM : THUD_ISOLATOR_LEAD_RUBBER,
-                        floor_kg * (storeys + 1), usual);
+                        floor_kg * (storeys + 1), bearing);
     thud_text_append(out, "    isolator: # a guess: usual bearings\n");
-    for (int i = 0; i < THUD_USUAL_BEARINGS && usual[i].key; i++)
-        thud_text_append(out, "      %s: %s\n", strchr(usual[i].key, '.') + 1, usual[i].value);
+    for (int i = 0; i < THUD_USUAL_BEARINGS && bearing[i].key; i++)
+        thud_text_append(out, "      %s: %s\n", strchr(bearing[i].key, '.') + 1, bearing[i].value);
 }
 
 /* KEY: VALUE, and what is to be said of it. */

@@ -155,12 +155,6 @@ enum thud_status thud_text_save(struct thud_text *text, const char *folder, cons
     return before != THUD_OK ? before : thud_error_set(err, THUD_OUTPUT, "the path to %.100s is too long", name);
 }
 
-enum thud_status thud_text_write_in(struct thud_text *text, const char *folder, const char *name,
-                                    struct thud_error *err)
-{
-    return thud_text_save(text, folder, name, THUD_OK, err);
-}
-
 /* Every folder on the way to `path`, and itself: made, or looked at where it is there. */
 static enum thud_status walk_folder(const char *path, bool make, struct thud_error *err)
 {
