@@ -7,13 +7,15 @@
 #include "base/ascii.h"
 #include "ground/identity.h"
 
-struct record_channel *record_channel_add(struct record_channels *channels)
+struct record_channel *record_channel_add(struct record_channels *channels, const struct record_cursor *cursor,
+                                          const struct record_line *line, struct thud_error *err)
 {
-    if (channels->count == RECORD_CHANNELS_MAX)
+    if (channels->count == RECORD_CHANNELS_MAX) {
+        record_refuse(cursor->source, line->number, 0, err, "more than %d channels", RECORD_CHANNELS_MAX);
         return NULL;
+    }
     struct record_channel *channel = &channels->of[channels->count++];
-    memset(channel, 0, sizeof *channel);
-    channel->dt_s = channel->factor = NAN;
+    *channel = (struct record_channel){.cursor = *cursor, .line = line->number, .dt_s = NAN, .factor = NAN};
     return channel;
 }
 

@@ -67,18 +67,13 @@ static enum thud_status add_channel(const struct record_cursor *cursor, const st
                                     double interval_ms, const char *name, struct record_channels *channels,
                                     struct thud_error *err)
 {
-    struct record_channel *channel = record_channel_add(channels);
+    struct record_channel *channel = record_channel_add(channels, cursor, line, err);
     if (!channel)
-        return record_refuse(cursor->source, line->number, 0, err, "more than %d channels", RECORD_CHANNELS_MAX);
-    channel->cursor = *cursor;
-    channel->line = line->number;
+        return THUD_INPUT;
     channel->width = format_width(line);
     channel->dt_s = interval_ms > 0 ? interval_ms / 1000 : NAN;
     memcpy(channel->name, name, sizeof channel->name);
-    const char *unit = record_find(line, "units=") + 6;
-    size_t length;
-    double factor = record_unit_at(unit, line->at + line->length, &length);
-    channel->factor = factor != 0 ? factor : NAN;
+    channel->factor = record_factor_at(record_find(line, "units=") + 6, line->at + line->length);
     return record_count(cursor->source, line, record_number_first(line), &channel->count, err);
 }
 

@@ -34,23 +34,19 @@ static void read_name(const struct record_line *line, char *number, size_t size,
 }
 
 static enum thud_status add_channel(const struct record_cursor *cursor, const struct record_line *line,
-                                    struct record_channels *channels, struct thud_error *err)
+                                    const char number[16], const char name[64], struct record_channels *channels,
+                                    struct thud_error *err)
 {
-    struct record_channel *channel = record_channel_add(channels);
+    struct record_channel *channel = record_channel_add(channels, cursor, line, err);
     if (!channel)
-        return record_refuse(cursor->source, line->number, 0, err, "more than %d channels", RECORD_CHANNELS_MAX);
-    channel->cursor = *cursor;
-    channel->line = line->number;
+        return THUD_INPUT;
     channel->width = 10;
     channel->dt_s = record_number_after(line, "SPACED AT");
-    const char *unit = record_find(line, "UNITS:"), *end = line->at + line->length;
-    size_t length;
-    if (unit) {
-        for (unit += 6; unit < end && *unit == ' ';)
-            unit++;
-        double factor = record_unit_at(unit, end, &length);
-        channel->factor = factor != 0 ? factor : NAN;
-    }
+    const char *unit = record_find(line, "UNITS:");
+    if (unit)
+        channel->factor = record_factor_at(unit + 6, line->at + line->length);
+    memcpy(channel->number, number, sizeof channel->number);
+    memcpy(channel->name, name, sizeof channel->name);
     return record_count(cursor->source, line, record_number_first(line), &channel->count, err);
 }
 
@@ -68,14 +64,8 @@ static enum thud_status read_csmip(const struct record_source *source, const str
         if (line.number == 7)
             record_copy(raw->station, sizeof raw->station, line.at, line.at + line.length);
         read_name(&line, number, sizeof number, name, sizeof name);
-        if (!begins_block(&line))
-            continue;
-        status = add_channel(&cursor, &line, &channels, err);
-        if (!status) {
-            struct record_channel *channel = &channels.of[channels.count - 1];
-            memcpy(channel->number, number, sizeof number);
-            memcpy(channel->name, name, sizeof name);
-        }
+        if (begins_block(&line))
+            status = add_channel(&cursor, &line, number, name, &channels, err);
     }
     return status ? status : record_channels_read(source, &channels, choice, raw, err);
 }

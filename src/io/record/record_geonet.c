@@ -42,26 +42,19 @@ static void read_text(const struct record_line *line, int k, struct record_chann
     }
     if (record_begins(line, "Acceleration:")) {
         const char *peak = record_find(line, "peak"); /* its unit is that of the samples */
-        size_t length;
-        double factor = 0;
-        if (peak && (peak += strlen("peak")) && !isnan(record_number_at(&peak, end))) {
-            while (peak < end && *peak == ' ')
-                peak++;
-            factor = record_unit_at(peak, end, &length);
-        }
-        channel->factor = factor != 0 ? factor : NAN;
+        if (peak && (peak += strlen("peak")) && !isnan(record_number_at(&peak, end)))
+            channel->factor = record_factor_at(peak, end);
     }
 }
 
 static enum thud_status add_channel(struct record_cursor *cursor, const struct record_line *first,
                                     struct record_channels *channels, struct record_raw *raw, struct thud_error *err)
 {
-    struct record_channel *channel = record_channel_add(channels);
+    struct record_channel *channel = record_channel_add(channels, cursor, first, err);
     if (!channel)
-        return record_refuse(cursor->source, first->number, 0, err, "more than %d channels", RECORD_CHANNELS_MAX);
+        return THUD_INPUT;
     struct record_line line = *first;
     double count = NAN;
-    channel->line = first->number;
     channel->width = 8;
     for (int k = 1; k < TEXT_LINES + NUMBER_LINES; k++) {
         if (!record_next(cursor, &line))

@@ -136,8 +136,9 @@ struct record_channels {
     int count;
 };
 
-/* A new channel, or NULL when there are too many. */
-struct record_channel *record_channel_add(struct record_channels *channels);
+/* A new channel that `line` begins and whose samples stand behind `cursor`; NULL when there are too many. */
+struct record_channel *record_channel_add(struct record_channels *channels, const struct record_cursor *cursor,
+                                          const struct record_line *line, struct thud_error *err);
 
 /* Reads the chosen channel, or the only one, into `raw`. Errors: THUD_INPUT asking for --channel with the names. */
 enum thud_status record_channels_read(const struct record_source *source, const struct record_channels *channels,

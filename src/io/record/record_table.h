@@ -12,6 +12,8 @@
 /* Factor to m/s2 of the acceleration unit that begins at `s` (`cm/sec^2`, `mm/s/s`, `gal`, `g`, `mps2`); 0 when there
  * is none. */
 double record_unit_at(const char *s, const char *end, size_t *length);
+/* Over blanks before it; NaN where there is none. */
+double record_factor_at(const char *s, const char *end);
 /* The whole text is a unit: its factor, else 0. */
 double record_unit(const char *text);
 extern const char record_unit_allowed[];

@@ -105,6 +105,13 @@ double record_unit_at(const char *s, const char *end, size_t *length)
     return 0;
 }
 
+double record_factor_at(const char *s, const char *end)
+{
+    size_t length;
+    const double factor = record_unit_at(past_blanks(s, end), end, &length);
+    return factor != 0 ? factor : NAN;
+}
+
 static double whole_unit(const char *s, const char *end)
 {
     size_t length;
