@@ -183,10 +183,8 @@ static void criteria(struct thud_text *out)
 static void formats(struct thud_text *out)
 {
     struct thud_text text = {0};
-    const char *name;
     thud_text_append(&text, "Formats are recognized by content: ");
-    for (int i = 0; (name = thud_record_format_name(i)) != NULL; i++)
-        thud_text_append(&text, "%s%s", i ? ", " : "", name);
+    thud_record_formats(&text);
     thud_text_append(&text, ".");
     fill_made(out, &text);
 }

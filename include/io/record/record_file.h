@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "base/status.h"
+#include "base/text.h"
 #include "ground/record.h"
 #include "study/scene/scene.h"
 
@@ -15,8 +16,8 @@ enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err);
 
-/* Returns the name of the i-th format that is recognized, in the order in which they are tried; NULL after the last. */
-const char *thud_record_format_name(int i);
+/* Lists the formats, as "PEER AT2, K-NET, ...". */
+void thud_record_formats(struct thud_text *out);
 
 /* Returns the text of a record file (free with free()), unpacked if gzipped. Errors: THUD_INPUT (also a pipe, whose end
  * may never come, and more than THUD_RECORD_BYTES_MAX of text), THUD_MEMORY. */

@@ -215,13 +215,7 @@ static bool other_length(const struct saving *s, struct thud_section section, in
 /* A list says how many storeys there are, so the key need not be added. */
 static bool said_by_list(const struct saving *s, int node, const char *key)
 {
-    static const char *const lists[] = {"mass", "stiffness", "height"};
-    for (size_t i = 0; strcmp(key, "storeys") == 0 && i < sizeof lists / sizeof *lists; i++) {
-        int value = thud_yaml_find(&s->preset->tree, node, lists[i], NULL);
-        if (value >= 0 && node_at(s, value)->kind == THUD_YAML_LIST)
-            return true;
-    }
-    return false;
+    return strcmp(key, "storeys") == 0 && thud_preset_storeys(&s->preset->tree, node) >= 0;
 }
 
 /* Keys that the file has: replaced or taken out. Returns how many stay. */

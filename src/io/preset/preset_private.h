@@ -23,6 +23,9 @@ struct thud_preset {
 /* The scene of a tree. Errors: THUD_INPUT with place and key. */
 enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error *err);
 
+/* The list of a structure that says how many storeys there are; -1: none. */
+int thud_preset_storeys(const struct thud_yaml *tree, int structure);
+
 /* The node of a path, or of the nearest thing around it that the preset has. */
 int thud_preset_node(const struct thud_preset *preset, const char *path);
 

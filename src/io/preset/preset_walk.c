@@ -217,25 +217,31 @@ static enum thud_status set_keys(struct thud_preset *preset, int node, enum thud
 
 /* ---- structures ---- */
 
+int thud_preset_storeys(const struct thud_yaml *tree, int structure)
+{
+    static const char *const lists[] = {"mass", "stiffness", "height"};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        const int value = thud_yaml_find(tree, structure, lists[i], NULL);
+        if (value >= 0 && tree->node[value].kind == THUD_YAML_LIST)
+            return value;
+    }
+    return -1;
+}
+
 /* `storeys`, or as many as the first list has values. */
 static enum thud_status set_storeys(struct thud_preset *preset, int node, const char *path, struct thud_error *err)
 {
-    static const char *const lists[] = {"mass", "stiffness", "height"};
     char full[PATH_BYTES + 16], count[16];
     snprintf(full, sizeof full, "%s.storeys", path);
     int value = thud_yaml_find(&preset->tree, node, "storeys", NULL);
     if (value >= 0)
         return set_value(preset, full, value, err);
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        value = thud_yaml_find(&preset->tree, node, lists[i], NULL);
-        if (value < 0 || kind_of(preset, value) != THUD_YAML_LIST)
-            continue;
-        snprintf(full, sizeof full, "%s.storeys", path);
-        snprintf(count, sizeof count, "%d", preset->tree.node[value].children);
-        return set_text(preset, full, value, count, err);
-    }
-    return refuse(preset, node, full, "storeys is not given", "a number, or a list of masses, stiffnesses or heights",
-                  err);
+    value = thud_preset_storeys(&preset->tree, node);
+    if (value < 0)
+        return refuse(preset, node, full, "storeys is not given",
+                      "a number, or a list of masses, stiffnesses or heights", err);
+    snprintf(count, sizeof count, "%d", preset->tree.node[value].children);
+    return set_text(preset, full, value, count, err);
 }
 
 /* Masses that stand beside area and load have to be those: as a result's own scene has them. */

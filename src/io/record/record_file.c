@@ -19,9 +19,10 @@
 #define ENTRY(name) &record_format_##name,
 static const struct record_format *const formats[] = {RECORD_FORMATS(ENTRY)};
 
-const char *thud_record_format_name(int i)
+void thud_record_formats(struct thud_text *out)
 {
-    return i < (int)(sizeof formats / sizeof *formats) ? formats[i]->name : NULL;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        thud_text_append(out, "%s%s", i ? ", " : "", formats[i]->name);
 }
 
 static bool begins_with(const struct record_source *source, const char *bytes, size_t size)
@@ -266,9 +267,11 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
     }
     const struct record_format *format = find_format(&source);
     if (!format) {
+        struct thud_text names = {0};
+        thud_record_formats(&names);
         record_refuse(&source, 0, 0, err, "no accelerogram is recognized in it");
-        thud_error_allow(
-            err, "CSV, plain columns, PEER AT2, COSMOS V2, CSMIP V2, USGS SMC, K-NET, KiK-net, ESM, GeoNet V2A");
+        thud_error_allow(err, "%s", names.data ? names.data : "");
+        thud_text_clear(&names);
         return THUD_INPUT;
     }
     struct record_raw raw = {.dt_s = NAN, .factor = NAN};

@@ -35,7 +35,10 @@ const struct thud_schema thud_bench_schema = THUD_SCHEMA(
     "Written by\n.Cm bench Fl o :\na row for each method and setting; with\n.Fl -json\nthe list\n.Va rows .\n",
     bench_columns);
 
-static const char *const states[] = {"not-run", "done", "failed", "skipped"};
+static const char *const states[] = {[THUD_BENCH_WAITING] = "not-run",
+                                     [THUD_BENCH_DONE] = "done",
+                                     [THUD_BENCH_FAILED] = "failed",
+                                     [THUD_BENCH_SKIPPED] = "skipped"};
 
 static void make_bench(const void *of, int i, void *out)
 {

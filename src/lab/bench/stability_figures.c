@@ -82,20 +82,23 @@ static void add_note(const struct thud_stability *s, int kind, const char *meant
 struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
 {
     static const char *const verdicts[] = {"bounded", "growing", "blown up"};
-    static const char *const names[THUD_STABILITY_KINDS] = {"stability-free", "stability-wall", "stability-scene"};
-    static const char *const titles[THUD_STABILITY_KINDS] = {
-        "An undamped oscillator for 50 s", "A mass bouncing on a wall spring for 50 s, the worst of several starts",
-        "The scene, the worst of three steps of nearly this length"};
-    static const char *const axes[THUD_STABILITY_KINDS] = {"ω Δt (oscillator)", "ω Δt (wall spring)",
-                                                           "ω Δt (fastest mode)"};
-    static const char *const meant[THUD_STABILITY_KINDS] = {
-        "Growing: from 1.21 times the energy in the second half of the time; blown up: from 10,000 times.",
-        "Growing: energy from 1.21 times that of the start; blown up: from 10,000 times.",
-        "Growing: a displacement from twice the exact peak; blown up: from 100 times."};
+    static const struct {
+        const char *name, *title, *axis, *meant;
+    } maps[THUD_STABILITY_KINDS] = {
+        [THUD_STABILITY_FREE] = {"stability-free", "An undamped oscillator for 50 s", "ω Δt (oscillator)",
+                                 "Growing: from 1.21 times the energy in the second half of the time; blown up: from "
+                                 "10,000 times."},
+        [THUD_STABILITY_WALL] = {"stability-wall",
+                                 "A mass bouncing on a wall spring for 50 s, the worst of several starts",
+                                 "ω Δt (wall spring)",
+                                 "Growing: energy from 1.21 times that of the start; blown up: from 10,000 times."},
+        [THUD_STABILITY_SCENE] = {"stability-scene", "The scene, the worst of three steps of nearly this length",
+                                  "ω Δt (fastest mode)",
+                                  "Growing: a displacement from twice the exact peak; blown up: from 100 times."}};
     struct grid g;
     double z[ROWS_MAX * COLUMNS_MAX], y[ROWS_MAX];
     fill(s, &g);
-    struct thud_figure *figure = thud_figure_create(names[kind], titles[kind], 1, 1);
+    struct thud_figure *figure = thud_figure_create(maps[kind].name, maps[kind].title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     for (int row = 0; row < g.rows; row++)
         y[row] = row;
@@ -104,7 +107,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
             const struct thud_stability_cell *c = g.cell[row][k];
             z[(g.rows - 1 - row) * g.columns + k] = c && c->verdict[kind] ? (double)c->verdict[kind] - 1 : NAN;
         }
-    thud_panel_axis(panel, THUD_X, axes[kind], "");
+    thud_panel_axis(panel, THUD_X, maps[kind].axis, "");
     thud_panel_axis(panel, THUD_Y, "", "");
     thud_panel_log(panel, THUD_X);
     thud_panel_limits(panel, THUD_X, 0.1, 10);
@@ -116,7 +119,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
         map->classes = sizeof verdicts / sizeof *verdicts;
     }
     add_limits(&g, panel);
-    add_note(s, kind, meant[kind], figure);
+    add_note(s, kind, maps[kind].meant, figure);
     return figure;
 }
 

@@ -119,15 +119,19 @@ struct thud_figure *thud_sweep_figure(const struct thud_sweep_table *table, int 
     int per_case = l.each + l.means, c = per_case > 0 ? index / per_case : 0, at[THUD_VARY_MAX] = {0};
     char name[128], number[24] = "", slice[24] = "";
     if (per_case == 0 || c >= l.ncases) {
-        static const char *const names[] = {"contact-forces", "pounding", "yielding", "struck-columns"};
-        static struct thud_figure *(*const make[])(const struct thud_sweep_table *, int, const char *) = {
-            thud_figure_of_contacts, thud_figure_of_pounding, thud_figure_of_yielding, thud_figure_of_struck_columns};
+        static const struct {
+            const char *name;
+            struct thud_figure *(*make)(const struct thud_sweep_table *table, int record, const char *name);
+        } figures[LAST] = {[CONTACT_FORCES] = {"contact-forces", thud_figure_of_contacts},
+                           [POUNDING] = {"pounding", thud_figure_of_pounding},
+                           [YIELDING] = {"yielding", thud_figure_of_yielding},
+                           [STRUCK_COLUMNS] = {"struck-columns", thud_figure_of_struck_columns}};
         int rest = index - l.ncases * per_case, record = rest / l.last;
         enum last which = l.of_record[rest % l.last];
         if (table->nrecords > 1)
             snprintf(number, sizeof number, "-%d", record + 1);
-        snprintf(name, sizeof name, "%s%s", names[which], number);
-        return make[which](table, record, name);
+        snprintf(name, sizeof name, "%s%s", figures[which].name, number);
+        return figures[which].make(table, record, name);
     }
     int i = index % per_case;
     bool first = l.means && table->nrecords > 1; /* what several motions say together comes before each of them */

@@ -309,7 +309,9 @@ static const char *dashes(const struct thud_style *style, bool alone)
 void thud_gnuplot_style(const struct sheet *sheet, const struct thud_series *series, bool key)
 {
     static const int shape[THUD_COLORS] = {7, 9, 5, 13, 11, 15, 6}; /* others in the second round of colours */
-    static const char *const with[] = {"lines", "points", "linespoints", "steps", "filledcurves", "boxes"};
+    static const char *const with[] = {
+        [THUD_LINES] = "lines", [THUD_POINTS] = "points",     [THUD_LINES_POINTS] = "linespoints",
+        [THUD_STEPS] = "steps", [THUD_FILL] = "filledcurves", [THUD_BARS] = "boxes"};
     enum { MARKS_MOST = 100 }; /* where more would touch there are none: none of the highest is left out */
     struct thud_style style = series->style;
     if (style.kind == THUD_LINES_POINTS && series->n > MARKS_MOST)

@@ -14,8 +14,10 @@ static const char default_font[] = "DejaVu Sans";
  * given, pdfcairo draws a point of text a third larger than 1/72 inch. */
 static void terminal(const struct sheet *sheet, const struct thud_picture_options *options)
 {
-    static const char *const name[] = {"pngcairo noenhanced color", "svg noenhanced", "pdfcairo noenhanced color",
-                                       "sixelgd noenhanced notransparent"};
+    static const char *const name[] = {[THUD_PNG] = "pngcairo noenhanced color",
+                                       [THUD_SVG] = "svg noenhanced",
+                                       [THUD_PDF] = "pdfcairo noenhanced color",
+                                       [THUD_SIXEL] = "sixelgd noenhanced notransparent"};
     struct thud_text *out = sheet->out;
     thud_text_append(out, "set terminal %s background rgb 'white' linewidth LW ", name[options->format]);
     if (options->format == THUD_PDF)

@@ -6,7 +6,8 @@
 #include "base/quantity.h"
 #include "plot/gnuplot/gnuplot.h"
 
-static const char *const suffixes[] = {"png", "svg", "pdf", "sixel"};
+static const char *const suffixes[] = {
+    [THUD_PNG] = "png", [THUD_SVG] = "svg", [THUD_PDF] = "pdf", [THUD_SIXEL] = "sixel"};
 enum { SIZE_LEAST = 200, SIZE_MOST = 10000 };
 static const double font_least_px = 4.0, font_most_px = 400.0;
 
