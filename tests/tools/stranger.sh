@@ -12,6 +12,7 @@ variant=$(basename "$build")
 copy=$(mktemp -d) || exit 1
 trap 'rm -rf "$copy"' EXIT
 unset MAKEFLAGS MAKELEVEL
+export CK_DEFAULT_TIMEOUT="${CK_DEFAULT_TIMEOUT:-300}"
 # with what is built, so that no more is made than what the addition changes
 for name in Makefile src include presets records tests man README.md CHANGELOG.md build/"$variant"/src "$build"/flags "$build"/*.a thud; do
     [ -e "$here/$name" ] || continue
