@@ -6,7 +6,7 @@
 #include "app/run/figure_files.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/bench_rows.h"

@@ -9,7 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/opensees.h"

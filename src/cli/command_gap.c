@@ -3,7 +3,7 @@
 #include "app/sweep/gap_report.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_gap.h"
 

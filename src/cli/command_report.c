@@ -6,7 +6,7 @@
 #include "app/run/record_list.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/record/target_file.h"
 
 /* Samples of the uncertain inputs: a share of them is known to about 5 %. */

@@ -9,7 +9,7 @@
 #include "app/run/run_cases.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 #include "study/sweep/remark.h"
 

@@ -7,12 +7,12 @@
 #include "app/sweep/simplify_report.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/building/building_file.h"
 #include "io/file/file.h"
 #include "io/file/paths.h"
 #include "io/preset/preset.h"
-#include "io/result/simplify_rows.h"
+#include "io/result/simplification_rows.h"
 #include "plot/figures/figures_simplify.h"
 
 static enum thud_status read_ask(const struct thud_args *args, struct thud_scene *scene, struct thud_simplify_ask *ask,

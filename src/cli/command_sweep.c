@@ -8,7 +8,7 @@
 #include "app/sweep/sweep_report.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 #include "study/sweep/remark.h"
 

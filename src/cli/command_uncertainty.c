@@ -9,7 +9,7 @@
 #include "base/statistics.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/output.h"
+#include "cli/study_output.h"
 #include "io/file/file.h"
 
 enum { SAMPLES = 200 };

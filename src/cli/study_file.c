@@ -1,4 +1,4 @@
-#include "cli/output.h"
+#include "cli/study_output.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "cli/output.h"
+#include "cli/study_output.h"
 
 #include "app/sweep/fragility_report.h"
 #include "cli/commands.h"

@@ -40,6 +40,9 @@ report "no name of the old dialect" "$(given_up '\<thud_(answer|pair(ing)?|exhib
 report "no word of the old dialect" "$(given_up '[Cc]losing (spee[d]|velocit[y])|(no|some|any)thing touche[sd]|[Ff]irst touc[h]|just_touche[d]|[Ff]ree[ _-]fligh[t]|coupled_fligh[t]|"as it i[s]"|every input as it i[s]|[0-9%] by itsel[f]')"
 # tests/cli/program.sh looks for it, and a test leaves out what needs it
 report "no test calls Python unasked" "$(printf '%s\n' "$sources" | grep -E '(^|/)tests/cli/test_[^/]*\.sh$' | tr '\n' '\0' | xargs -0 grep -n 'python[3]' /dev/null | grep -v '# SKIP no')"
+# the terminal's screens are called by their words
+report "no two files of the source have one name" "$(printf '%s\n' "$sources" | sed 's|^\./||' | grep -E '^(src|include)/.*\.[ch]$' |
+    grep -v '^src/tui/' | sed 's|.*/||' | sort | uniq -d)"
 report "every file ends with a newline" "$(printf '%s\n' "$sources" | while read -r f; do
     if [ -s "$f" ] && [ -n "$(tail -c 1 "$f")" ]; then echo "$f"; fi
 done)"

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "app/sweep/sweep_table.h"
+#include "app/sweep/sweep_collector.h"
 #include "sweep_rows.h"
 #include "towers.h"
 

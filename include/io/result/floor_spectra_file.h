@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/text.h"
-#include "study/sweep/floor_spectra.h"
+#include "study/sweep/floor_response.h"
 
 /* Writes one row per structure, floor and period. */
 void thud_floor_spectra_csv(const struct thud_scene *scene, const struct thud_floor_spectra *spectra,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plot/figure/figure.h"
-#include "study/sweep/floor_spectra.h"
+#include "study/sweep/floor_response.h"
 
 /* Makes a panel for each of up to four floors, with a curve for each case; for more floors a panel for each structure
  * and case, with a curve for each floor. Ask thud_figure_check. */

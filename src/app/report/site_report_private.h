@@ -13,7 +13,7 @@
 #include "study/scene/stiffness.h"
 #include "study/simplify/simplify.h"
 #include "study/suite/fragility.h"
-#include "study/sweep/floor_spectra.h"
+#include "study/sweep/floor_response.h"
 #include "study/sweep/remark.h"
 
 /* Cases in this order: without pounding, without the measures, which are bumper and links; from SITE_MEASURE on with

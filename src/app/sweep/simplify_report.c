@@ -6,7 +6,7 @@
 
 #include "app/run/timing.h"
 #include "io/file/json.h"
-#include "io/result/simplify_rows.h"
+#include "io/result/simplification_rows.h"
 
 enum thud_status thud_simplify_search(const struct thud_scene *scene, const struct thud_record_list *records,
                                       const struct thud_simplify_ask *ask, const atomic_int *cancel,

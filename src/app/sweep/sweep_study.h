@@ -1,8 +1,8 @@
 /* A whole study as people ask for it: made in parallel, kept in a folder, gone on with, joined from parts. */
 #pragma once
 
+#include "app/sweep/sweep_collector.h"
 #include "app/sweep/sweep_jobs.h"
-#include "app/sweep/sweep_table.h"
 #include "io/file/made_by.h"
 #include "io/result/sweep_journal.h"
 #include "plot/gnuplot/gnuplot.h"

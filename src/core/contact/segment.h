@@ -4,7 +4,7 @@
 
 #include <assert.h>
 
-#include "core/contact/state.h"
+#include "core/contact/contact_state.h"
 #include "core/numerics/quadrature.h"
 #include "core/numerics/vec.h"
 

@@ -13,8 +13,8 @@
  * locate events reads F from the drift alone, by the return to the bound, and d_p follows at the ends of its steps. */
 #pragma once
 
+#include "core/contact/contact_state.h"
 #include "core/contact/event.h"
-#include "core/contact/state.h"
 
 /* All storeys elastic. */
 void thud_storeys_start(struct thud_state *state);

@@ -2,7 +2,7 @@
  * factors that depend on the step size alone: tables, made when first needed. A motion is an indentation and its rate. */
 #pragma once
 
-#include "core/contact/state.h"
+#include "core/contact/contact_state.h"
 #include "core/numerics/vec.h"
 
 struct thud_responses;

@@ -3,7 +3,7 @@
 #include "io/result/bench_rows.h"
 #include "io/result/list_rows.h"
 #include "io/result/result_rows.h"
-#include "io/result/simplify_rows.h"
+#include "io/result/simplification_rows.h"
 #include "io/result/study_rows.h"
 #include "io/result/sweep_csv.h"
 

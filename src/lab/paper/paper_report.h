@@ -4,8 +4,8 @@
 #include <stdatomic.h>
 
 #include "app/report/document.h"
+#include "app/sweep/sweep_collector.h"
 #include "app/sweep/sweep_jobs.h"
-#include "app/sweep/sweep_table.h"
 #include "base/text.h"
 #include "plot/figures/figures_paper.h"
 #include "plot/gnuplot/gnuplot.h"

@@ -6,8 +6,8 @@
 
 #include "app/run/record_list.h"
 #include "app/run/session.h"
+#include "app/sweep/sweep_collector.h"
 #include "app/sweep/sweep_jobs.h"
-#include "app/sweep/sweep_table.h"
 
 enum { RECORDS_MAX = 32, TABLE_2 = 3 };
 

@@ -1,5 +1,5 @@
 /* Energies of the structures, and indentations, rates, forces and accelerations of the contacts, at a state. */
-#include "core/contact/state.h"
+#include "core/contact/contact_state.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "io/result/simplify_rows.h"
+#include "io/result/simplification_rows.h"
 
 #include <math.h>
 

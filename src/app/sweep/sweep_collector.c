@@ -1,4 +1,4 @@
-#include "app/sweep/sweep_table.h"
+#include "app/sweep/sweep_collector.h"
 
 #include <stdlib.h>
 

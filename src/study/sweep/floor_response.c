@@ -1,4 +1,4 @@
-#include "study/sweep/floor_spectra.h"
+#include "study/sweep/floor_response.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "cli/output.h"
+#include "cli/study_output.h"
 
 #include <stdlib.h>
 #include <string.h>
