@@ -13,7 +13,7 @@ static const char *dashes(const char *option)
 }
 
 /* The commands that have an option of this name: "thud run, sweep"; empty where more have it than are of help. False: none. */
-static bool owners(const char *word, char *text, size_t size)
+static bool list_commands_with(const char *word, char *text, size_t size)
 {
     size_t n = 0;
     text[0] = '\0';
@@ -36,7 +36,7 @@ static enum thud_status unknown_option(enum thud_command_id command, const char 
             names[n++] = thud_option_at(i)->name;
     const char *nearest = thud_nearest(word, names, n), *name = thud_command_at(command)->name;
     thud_error_set(err, THUD_USAGE, "thud%s%s has no option %s%.60s", name[0] ? " " : "", name, dashes(word), word);
-    const bool owned = owners(word, others, sizeof others);
+    const bool owned = list_commands_with(word, others, sizeof others);
     if (others[0])
         thud_error_allow(err, "it is one of %s; `thud %s%s--help` lists them", others, name, name[0] ? " " : "");
     else if (nearest && !owned)

@@ -62,9 +62,9 @@ static const char *case_title(const struct thud_scene *scene)
 }
 
 /* Their data stand in histories.csv. */
-static enum thud_status draw(const struct thud_args *args, struct thud_picture_choice *picture,
-                             const struct thud_scene *scene, const struct thud_solution *solution,
-                             struct thud_error *err)
+static enum thud_status draw_run(const struct thud_args *args, struct thud_picture_choice *picture,
+                                 const struct thud_scene *scene, const struct thud_solution *solution,
+                                 struct thud_error *err)
 {
     struct thud_figure_source source = thud_run_source(case_title(scene), THUD_CASE_AS_WRITTEN, scene, solution->run);
     picture->options.no_data = true;
@@ -97,8 +97,8 @@ static void warn_unusual(const struct thud_args *args, const struct thud_session
 }
 
 /* All that is to be said of a run; but a collapse, which ends it, is said at the end. */
-static void warn(const struct thud_args *args, const struct thud_session *session, const struct thud_scene *scene,
-                 const struct thud_run *run)
+static void warn_of_run(const struct thud_args *args, const struct thud_session *session,
+                        const struct thud_scene *scene, const struct thud_run *run)
 {
     struct thud_remark_scope scope = {
         .scene = scene, .before = thud_preset_scene(session->preset), .result = thud_run_result(run)};
@@ -200,9 +200,9 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
 /* What one run and several cases have in common before they begin: the options of pictures and of the run, whether the
  * folder is free for the results, and the word that it takes long. Errors: those of the options, of the ground motion and
  * of thud_made_by_check. */
-static enum thud_status begin(const struct thud_args *args, struct thud_session *session,
-                              struct thud_picture_choice *picture, struct thud_run_options *options,
-                              struct thud_made_by *by, struct thud_error *err)
+static enum thud_status begin_run(const struct thud_args *args, struct thud_session *session,
+                                  struct thud_picture_choice *picture, struct thud_run_options *options,
+                                  struct thud_made_by *by, struct thud_error *err)
 {
     static const char *const asked[] = {"case", "cases", NULL};
     enum thud_status status = thud_picture_options_read(args, picture, err);
@@ -263,7 +263,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     for (size_t i = 0; i < sizeof alone / sizeof *alone; i++)
         if (thud_args_has(args, alone[i]))
             return thud_error_set(err, THUD_USAGE, "--cases and --%s together", alone[i]);
-    enum thud_status status = begin(args, session, &picture, &options, &by, err);
+    enum thud_status status = begin_run(args, session, &picture, &options, &by, err);
     if (status != THUD_OK)
         return status;
     status = thud_run_cases_make(session, thud_args_value(args, "cases"), &options, &cases, err);
@@ -278,7 +278,7 @@ static enum thud_status run_cases(const struct thud_args *args, struct thud_sess
     for (int i = 1; i < cases->n; i++)
         if (cases->item[i].which == THUD_CASE_BUMPER)
             shown = &cases->item[i];
-    warn(args, session, &shown->scene, shown->solution.run);
+    warn_of_run(args, session, &shown->scene, shown->solution.run);
     put_cases(args, session, cases, &text);
     status = thud_cli_print_as(args, &text, THUD_OK, err);
     if (status == THUD_OK && options.keep_history)
@@ -304,20 +304,20 @@ static enum thud_status run(const struct thud_args *args, struct thud_session *s
     enum thud_case which;
     enum thud_status status = thud_scene_options_case(args, &which, err);
     if (status == THUD_OK)
-        status = begin(args, session, &picture, &options, &by, err);
+        status = begin_run(args, session, &picture, &options, &by, err);
     if (status != THUD_OK)
         return status;
     status = thud_session_run(session, which, &options, scene, &solution, err);
     if (status == THUD_OK) {
         thud_cli_remarks(args, &(struct thud_remark_scope){.scene = scene, .result = thud_run_result(solution.run)},
                          THUD_REMARK_LEDGER);
-        warn(args, session, scene, solution.run);
+        warn_of_run(args, session, scene, solution.run);
         if (options.keep_history)
             status = thud_made_by_begin(&by, err);
         if (status == THUD_OK)
             status = report_run(args, session, scene, which, &solution, err);
         if (status == THUD_OK && options.keep_history)
-            status = thud_made_by_end(&by, draw(args, &picture, scene, &solution, err), err);
+            status = thud_made_by_end(&by, draw_run(args, &picture, scene, &solution, err), err);
         if (status == THUD_OK)
             status = thud_collapse_status(scene, &thud_run_result(solution.run)->collapse, err);
     } else if (status == THUD_DIVERGED) {

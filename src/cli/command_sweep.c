@@ -98,7 +98,7 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
 
 /* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
  * show that no building bears (after them). */
-static struct thud_remark_scope remarked(const struct sweep *s)
+static struct thud_remark_scope remark_scope(const struct sweep *s)
 {
     return (struct thud_remark_scope){.scene = &s->plan.scene,
                                       .before = s->session.preset ? thud_preset_scene(s->session.preset) : NULL,
@@ -112,7 +112,7 @@ static struct thud_remark_scope remarked(const struct sweep *s)
 static enum thud_status tell_fragility(void *owner, struct thud_error *err)
 {
     struct sweep *s = owner;
-    const struct thud_remark_scope scope = remarked(s);
+    const struct thud_remark_scope scope = remark_scope(s);
     s->events.scope = &scope;
     s->pictured = thud_fragility_deliver(s->args, &s->events, s->study.folder, s->study.pictures, &s->told, err);
     s->picture_error = err ? *err : s->picture_error;
@@ -206,9 +206,9 @@ static enum thud_status put_best(struct sweep *s, struct thud_text *text, struct
     return status;
 }
 
-static void remark(const struct sweep *s, unsigned about)
+static void tell_remarks(const struct sweep *s, unsigned about)
 {
-    const struct thud_remark_scope scope = remarked(s);
+    const struct thud_remark_scope scope = remark_scope(s);
     thud_cli_remarks(s->args, &scope, about);
 }
 
@@ -225,9 +225,9 @@ static enum thud_status conclude(struct sweep *s, struct thud_error *err)
     const struct thud_sweep_total *total = &s->outcome.total;
     struct thud_text text = {0};
     bool table = s->output.format == THUD_SWEEP_OUTPUT_TABLE, quiet = thud_args_has(s->args, "quiet");
-    const struct thud_remark_scope scope = remarked(s);
+    const struct thud_remark_scope scope = remark_scope(s);
     enum thud_status status = thud_sweep_output_end(&s->output, &scope, err);
-    remark(s, THUD_REMARK_STUDY);
+    tell_remarks(s, THUD_REMARK_STUDY);
     if (table && status == THUD_OK && s->suite) { /* the result of a suite, before those of its motions */
         status = thud_suite_report(s->suite, THUD_AS_TEXT, &text, err);
         if (status == THUD_OK)
@@ -266,7 +266,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
     enum thud_status status = s->study.folder ? THUD_OK : tell_fragility(s, err);
     if (status == THUD_OK)
         status = thud_cli_print(&s->told, err);
-    remark(s, THUD_REMARK_STUDY);
+    tell_remarks(s, THUD_REMARK_STUDY);
     if (!thud_args_has(s->args, "quiet") || s->outcome.total.impossible > 0)
         thud_sweep_report_work(&s->plan, &s->outcome.total, &work);
     if (work.data)
@@ -281,7 +281,7 @@ static enum thud_status conclude_fragility(struct sweep *s, struct thud_error *e
 
 static enum thud_status finish(struct sweep *s, enum thud_status status, struct thud_error *err)
 {
-    const struct thud_remark_scope scope = remarked(s);
+    const struct thud_remark_scope scope = remark_scope(s);
     thud_progress_end();
     if (s->study.shard.count > 1 && status == THUD_OK) {
         if (!thud_args_has(s->args, "quiet"))
@@ -325,7 +325,7 @@ static enum thud_status make(struct sweep *s, struct thud_error *err)
     if (status == THUD_OK)
         status = fill_study(s, err);
     if (status == THUD_OK)
-        remark(s, THUD_REMARK_EFFORT | THUD_REMARK_CHANGE);
+        tell_remarks(s, THUD_REMARK_EFFORT | THUD_REMARK_CHANGE);
     if (status == THUD_OK)
         status = finish(s, thud_sweep_study_run(&s->study, &s->outcome, err), err);
     thud_sweep_outcome_clear(&s->outcome);

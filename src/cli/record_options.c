@@ -6,8 +6,8 @@
 
 #include "base/quantity.h"
 
-static enum thud_status word(const struct thud_args *args, const char *option, char *to, size_t size,
-                             struct thud_error *err)
+static enum thud_status read_short_word(const struct thud_args *args, const char *option, char *to, size_t size,
+                                        struct thud_error *err)
 {
     const char *text = thud_args_value(args, option);
     if (!text)
@@ -18,7 +18,8 @@ static enum thud_status word(const struct thud_args *args, const char *option, c
     return THUD_OK;
 }
 
-static enum thud_status places(const struct thud_args *args, struct thud_record_choice *choice, struct thud_error *err)
+static enum thud_status read_column(const struct thud_args *args, struct thud_record_choice *choice,
+                                    struct thud_error *err)
 {
     const char *column = thud_args_value(args, "column");
     enum thud_status status = thud_args_integer(args, "skip", 0, 1000000, -1, &choice->skip, err);
@@ -29,8 +30,8 @@ static enum thud_status places(const struct thud_args *args, struct thud_record_
     return status;
 }
 
-static enum thud_status choices(const struct thud_args *args, struct thud_record_treatment *treatment,
-                                struct thud_error *err)
+static enum thud_status read_sign_and_baseline(const struct thud_args *args, struct thud_record_treatment *treatment,
+                                               struct thud_error *err)
 {
     const char *baseline = thud_args_value(args, "baseline");
     int minus = 0;
@@ -48,7 +49,7 @@ static enum thud_status choices(const struct thud_args *args, struct thud_record
 }
 
 /* "0.1 Hz" from `text` on, up to `end`. */
-static bool frequency(const char *text, const char *end, double *hz)
+static bool scan_frequency(const char *text, const char *end, double *hz)
 {
     const char *after;
     if (thud_number_parse(text, &after, hz) != 0)
@@ -57,16 +58,17 @@ static bool frequency(const char *text, const char *end, double *hz)
     return end - after == 2 && strncmp(after, "Hz", 2) == 0;
 }
 
-static enum thud_status filter(const struct thud_args *args, struct thud_record_filter *out, struct thud_error *err)
+static enum thud_status read_filter(const struct thud_args *args, struct thud_record_filter *out,
+                                    struct thud_error *err)
 {
     const char *high = thud_args_value(args, "high-pass"), *band = thud_args_value(args, "band-pass");
     const char *colon = band ? strchr(band, ':') : NULL;
     if (high && band)
         return thud_args_refuse("high-pass", high, "--high-pass or --band-pass", err);
-    if (high && !frequency(high, high + strlen(high), &out->low_hz))
+    if (high && !scan_frequency(high, high + strlen(high), &out->low_hz))
         return thud_args_refuse("high-pass", high, "a frequency such as 0.1Hz", err);
-    if (band &&
-        (!colon || !frequency(band, colon, &out->low_hz) || !frequency(colon + 1, band + strlen(band), &out->high_hz)))
+    if (band && (!colon || !scan_frequency(band, colon, &out->low_hz) ||
+                 !scan_frequency(colon + 1, band + strlen(band), &out->high_hz)))
         return thud_args_refuse("band-pass", band, "two frequencies such as 0.1Hz:25Hz", err);
     if (thud_args_has(args, "order") && !high && !band)
         return thud_args_refuse("order", thud_args_value(args, "order"), "beside --high-pass or --band-pass", err);
@@ -102,20 +104,20 @@ enum thud_status thud_record_options_read(const struct thud_args *args, struct t
     if (!status && !isnan(choice->period_s) && !(choice->period_s > 0))
         return thud_args_refuse("period", thud_args_value(args, "period"), "more than 0", err);
     if (!status)
-        status = word(args, "unit", choice->unit, sizeof choice->unit, err);
+        status = read_short_word(args, "unit", choice->unit, sizeof choice->unit, err);
     if (!status)
-        status = word(args, "channel", choice->channel, sizeof choice->channel, err);
+        status = read_short_word(args, "channel", choice->channel, sizeof choice->channel, err);
     if (!status)
-        status = word(args, "component", choice->component, sizeof choice->component, err);
+        status = read_short_word(args, "component", choice->component, sizeof choice->component, err);
     if (!status)
-        status = places(args, choice, err);
+        status = read_column(args, choice, err);
     if (!status)
-        status = filter(args, &treatment->filter, err);
-    return status ? status : choices(args, treatment, err);
+        status = read_filter(args, &treatment->filter, err);
+    return status ? status : read_sign_and_baseline(args, treatment, err);
 }
 
 /* FROM:TO:COUNT */
-static enum thud_status periods(const char *text, struct thud_spectrum_choice *choice, struct thud_error *err)
+static enum thud_status read_periods(const char *text, struct thud_spectrum_choice *choice, struct thud_error *err)
 {
     static const char allowed[] = "FROM:TO:COUNT such as 0.02s:10s:200, above 0, 2 to 10000 of them";
     static const enum thud_dimension dimension[] = {THUD_TIME, THUD_TIME, THUD_NUMBER};
@@ -138,12 +140,12 @@ enum thud_status thud_spectrum_options_read(const struct thud_args *args, const 
     enum thud_status status = thud_args_quantity(args, damping, THUD_RATIO, &choice->damping, err);
     if (!status && !(choice->damping >= 0 && choice->damping < 1))
         return thud_args_refuse(damping, thud_args_value(args, damping), "from 0 up to, not including, 1", err);
-    return !status && text ? periods(text, choice, err) : status;
+    return !status && text ? read_periods(text, choice, err) : status;
 }
 
 /* Hz, deg and 1/s are no units of structures: they are dropped here when they are the parameter's own. */
-static enum thud_status parameter(const struct thud_synthesis_param *param, const char *text, double *to,
-                                  struct thud_error *err)
+static enum thud_status read_synthesis_value(const struct thud_synthesis_param *param, const char *text, double *to,
+                                             struct thud_error *err)
 {
     const char *end;
     struct thud_quantity value;
@@ -163,7 +165,7 @@ static enum thud_status parameter(const struct thud_synthesis_param *param, cons
 }
 
 /* `length` bytes of an assignment. Input, as an unknown key of a preset; wrong usage where it assigns nothing. */
-static enum thud_status unknown(const char *key, size_t length, struct thud_error *err)
+static enum thud_status refuse_unknown_value(const char *key, size_t length, struct thud_error *err)
 {
     char list[400] = "event";
     size_t n = strlen(list);
@@ -174,8 +176,8 @@ static enum thud_status unknown(const char *key, size_t length, struct thud_erro
                              (int)(length < 40 ? length : 40), key);
 }
 
-static enum thud_status assign(const char *assignment, struct thud_synthesis *synthesis, const char **event,
-                               struct thud_error *err)
+static enum thud_status assign_value(const char *assignment, struct thud_synthesis *synthesis, const char **event,
+                                     struct thud_error *err)
 {
     const char *sign = strchr(assignment, '=');
     size_t length = sign ? (size_t)(sign - assignment) : strlen(assignment);
@@ -186,9 +188,9 @@ static enum thud_status assign(const char *assignment, struct thud_synthesis *sy
     for (size_t i = 0; sign && i < thud_synthesis_param_count; i++) {
         const struct thud_synthesis_param *param = &thud_synthesis_params[i];
         if (strlen(param->name) == length && strncmp(param->name, assignment, length) == 0)
-            return parameter(param, sign + 1, thud_synthesis_field(synthesis, param), err);
+            return read_synthesis_value(param, sign + 1, thud_synthesis_field(synthesis, param), err);
     }
-    return unknown(assignment, length, err);
+    return refuse_unknown_value(assignment, length, err);
 }
 
 enum thud_status thud_synthesis_options_read(const struct thud_args *args, struct thud_synthesis *synthesis,
@@ -201,6 +203,6 @@ enum thud_status thud_synthesis_options_read(const struct thud_args *args, struc
         status = thud_args_quantity(args, "dt", THUD_TIME, &synthesis->dt_s, err);
     const char *assignment;
     for (int i = 0; !status && (assignment = thud_args_repeated(args, "set", i)); i++)
-        status = assign(assignment, synthesis, event, err);
+        status = assign_value(assignment, synthesis, event, err);
     return status;
 }

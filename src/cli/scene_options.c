@@ -33,7 +33,7 @@ static const char *option_at(int i, char key[KEY])
 }
 
 /* A value that an option cannot take is wrong usage, whatever it is about. What --set says is input, as in a preset. */
-static enum thud_status of_option(enum thud_status status, struct thud_error *err)
+static enum thud_status as_wrong_usage(enum thud_status status, struct thud_error *err)
 {
     if (status != THUD_INPUT)
         return status;
@@ -79,7 +79,7 @@ static enum thud_status refuse_idle(const struct thud_args *args, const struct t
 
 /* The part of a `--set` before its last `.name=`, without the number of the only interface; NULL: it is another name's.
  */
-static const char *owner(const char *assignment, const char *name, bool one, size_t *length)
+static const char *key_before(const char *assignment, const char *name, bool one, size_t *length)
 {
     const char *sign = strchr(assignment, '=');
     size_t n = strlen(name), whole = sign ? (size_t)(sign - assignment) : 0;
@@ -103,11 +103,11 @@ static enum thud_status refuse_exponent(const struct thud_args *args, const stru
     const char *assignment, *other;
     for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++) {
         size_t n, m;
-        const char *at = owner(assignment, "exponent", one, &n), *to;
+        const char *at = key_before(assignment, "exponent", one, &n), *to;
         bool given = false;
         for (int k = 0; at && (other = thud_args_repeated(args, "set", k)) != NULL; k++)
-            given |= ((to = owner(other, "stiffness", one, &m)) || (to = owner(other, "law", one, &m))) && m == n &&
-                     strncmp(at, to, n) == 0;
+            given |= ((to = key_before(other, "stiffness", one, &m)) || (to = key_before(other, "law", one, &m))) &&
+                     m == n && strncmp(at, to, n) == 0;
         char key[KEY + 64], was[96], is[96], exponents[2][32];
         if (!at || given || n > KEY)
             continue;
@@ -143,7 +143,8 @@ enum thud_status thud_scene_options_set(const struct thud_args *args, struct thu
     return status;
 }
 
-static enum thud_status apply(const struct thud_args *args, struct thud_session *session, struct thud_error *err)
+static enum thud_status apply_options(const struct thud_args *args, struct thud_session *session,
+                                      struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     const char *option, *value;
@@ -156,7 +157,7 @@ static enum thud_status apply(const struct thud_args *args, struct thud_session 
     drop_size(args, &session->scene.record);
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
         if ((value = thud_args_value(args, option)) != NULL)
-            status = of_option(thud_scene_set(&session->scene, key, value, err), err);
+            status = as_wrong_usage(thud_scene_set(&session->scene, key, value, err), err);
     if (status == THUD_OK)
         status = thud_scene_options_set(args, session, err);
     if (status == THUD_OK)
@@ -188,7 +189,7 @@ enum thud_status thud_scene_options_open(const struct thud_args *args, struct th
     }
     enum thud_status status = (is_bare(args) ? thud_session_open_unfinished : thud_session_open)(session, preset, err);
     if (status == THUD_OK)
-        status = apply(args, session, err);
+        status = apply_options(args, session, err);
     if (status == THUD_OK && thud_preset_unfinished(session->preset))
         status = thud_scene_case(&session->scene, THUD_CASE_NONE, &session->scene, err);
     if (status != THUD_OK)
@@ -230,7 +231,7 @@ enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scen
 
 /* Whether a message about a key may be about what an option gave: the key is that of the option's value, or the bare
  * word that readers of files and lists of cases call it by. */
-static bool gives(const char *option, const char *wanted)
+static bool option_is_about(const char *option, const char *wanted)
 {
     static const char *const others[][2] = {{"record", "record.file"}, {"records", "record.file"}, {"case", "cases"}};
     char key[KEY];
@@ -256,10 +257,10 @@ enum thud_status thud_scene_options_name(const struct thud_args *args, enum thud
         if (strncmp(assignment, err->key, n) == 0 && assignment[n] == '=')
             return status;
     for (int i = 0; i < args->ngiven; i++)
-        if (gives(args->given[i].option->name, err->key)) {
+        if (option_is_about(args->given[i].option->name, err->key)) {
             thud_args_key(args->given[i].option->name, err);
             /* a unit is not checked before the file is read; only the option can be wrong */
-            return strcmp(args->given[i].option->name, "unit") == 0 ? of_option(status, err) : status;
+            return strcmp(args->given[i].option->name, "unit") == 0 ? as_wrong_usage(status, err) : status;
         }
     return status;
 }

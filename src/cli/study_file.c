@@ -108,8 +108,8 @@ static unsigned long long hash_options(unsigned long long h, const struct thud_a
 }
 
 /* The command, the scene and its ground motion, in words; the rest is added by the caller. */
-static enum thud_status begin(const struct thud_args *args, const char *group, const struct thud_scene *scene,
-                              struct thud_made_by *out, struct thud_error *err)
+static enum thud_status begin_made_by(const struct thud_args *args, const char *group, const struct thud_scene *scene,
+                                      struct thud_made_by *out, struct thud_error *err)
 {
     struct thud_text text = {0};
     *out = (struct thud_made_by){
@@ -143,7 +143,7 @@ static void add_word(struct thud_made_by *out, const char *fmt, ...)
     va_end(args);
 }
 
-static void end(const struct thud_args *args, struct thud_made_by *out)
+static void end_words(const struct thud_args *args, struct thud_made_by *out)
 {
     const char *assignment;
     for (int i = 0; (assignment = thud_args_repeated(args, "set", i)) != NULL; i++)
@@ -160,7 +160,7 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
     const char *value;
     if (!thud_args_has(args, "o"))
         return THUD_OK;
-    enum thud_status status = begin(args, group, scene, out, err);
+    enum thud_status status = begin_made_by(args, group, scene, out, err);
     out->asked = hash_options(out->asked, args, asked);
     if (scene->nstructures > 1)
         add_word(out, ", gap %.6g cm", 100 * scene->interface[0].gap_m);
@@ -176,7 +176,7 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
         add_word(out, ", %d ground motions", nrecords);
     else if (nrecords == 1 && records[0])
         add_word(out, ", %.60s %.4g g", thud_path_name(records[0]->file), thud_record_peak(records[0]) / THUD_GRAVITY);
-    end(args, out);
+    end_words(args, out);
     return status == THUD_OK ? thud_made_by_check(out, err) : status;
 }
 
@@ -184,7 +184,7 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
                                     struct thud_made_by *out, struct thud_error *err)
 {
     static const char *const fragility[] = {"event", "hazard", "samples", "seed", NULL};
-    enum thud_status status = begin(args, "study", &plan->scene, out, err);
+    enum thud_status status = begin_made_by(args, "study", &plan->scene, out, err);
     unsigned long long whole = thud_sweep_fingerprint(plan);
     out->asked = thud_hash(out->asked, &whole, sizeof whole);
     if (args->command == THUD_COMMAND_FRAGILITY)
@@ -206,7 +206,7 @@ enum thud_status thud_made_by_study(const struct thud_args *args, const struct t
         add_word(out, ", %d ground motions", plan->nrecords);
     else if (plan->nrecords == 1 && plan->record[0])
         add_word(out, ", %.60s", thud_path_name(plan->record[0]->file));
-    end(args, out);
+    end_words(args, out);
     return status;
 }
 

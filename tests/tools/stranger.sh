@@ -207,7 +207,7 @@ add_option() {
     after src/app/run/command_list.c '{"events", NULL' <<'END'
     {"stranger", NULL, "says so", THUD_WORD_NONE, false, RUN},
 END
-    after src/cli/command_run.c 'warn(args, session, scene, solution.run);' <<'END'
+    after src/cli/command_run.c 'warn_of_run(args, session, scene, solution.run);' <<'END'
         if (thud_args_has(args, "stranger"))
             fprintf(stderr, "thud: a stranger\n");
 END

@@ -59,8 +59,8 @@ static bool is_like(const char *pattern, const char *name)
 
 /* The column of that name in the tables of the file, or of that form there, or in any table; NULL: none. *own: its kind
  * is known. */
-static const struct thud_column *find(const struct thud_schema *(*schema)(int), const char *file, const char *name,
-                                      bool *own)
+static const struct thud_column *find_column(const struct thud_schema *(*schema)(int), const char *file,
+                                             const char *name, bool *own)
 {
     const struct thud_schema *s;
     for (int pass = 0; pass < 3; pass++)
@@ -120,13 +120,13 @@ static bool add_column(struct table *table, const char *name)
     }
     struct found *own = &table->column[table->n++];
     *own = (struct found){0};
-    own->column = find(table->schema, table->name, name, &own->own);
+    own->column = find_column(table->schema, table->name, name, &own->own);
     thud_text_append(&own->name, "%s", name);
     return !own->name.failed;
 }
 
 /* The columns by the heading, and, where one of them is not known by its name, by all cells. */
-static bool look(FILE *file, struct table *table)
+static bool read_columns(FILE *file, struct table *table)
 {
     struct thud_text cell = {0};
     bool last = false, ok = true, all_known = true;
@@ -150,7 +150,7 @@ static bool look(FILE *file, struct table *table)
     return ok;
 }
 
-static void clear(struct table *table)
+static void clear_table(struct table *table)
 {
     for (size_t i = 0; i < table->n; i++)
         thud_text_clear(&table->column[i].name);
@@ -209,11 +209,11 @@ static enum thud_status add_table(const char *folder, const char *name, const st
     FILE *file = length < PATH_ROOM ? fopen(path, "r") : NULL;
     if (!file)
         return thud_error_in(err, THUD_INPUT, path, 0, "%s", strerror(errno));
-    bool ok = look(file, &table);
+    bool ok = read_columns(file, &table);
     fclose(file);
     if (ok)
         put_table(&table, out);
-    clear(&table);
+    clear_table(&table);
     return ok && !out->failed ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 

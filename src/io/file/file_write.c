@@ -56,7 +56,7 @@ static int write_through(const char *path, const char *text, size_t size)
     return why;
 }
 
-static enum thud_status unwritten(const char *path, int why, struct thud_error *err)
+static enum thud_status not_written(const char *path, int why, struct thud_error *err)
 {
     return thud_error_in(err, THUD_OUTPUT, path, 0, "cannot be written: %s", strerror(why));
 }
@@ -68,11 +68,11 @@ enum thud_status thud_file_draft(const char *path, const char *text, size_t size
     bool named = owner == THUD_FILE_NAMED, there = (named ? stat(path, &about) : lstat(path, &about)) == 0;
     *out = (struct thud_file_draft){0};
     if (there && S_ISDIR(about.st_mode))
-        return unwritten(path, EISDIR, err);
+        return not_written(path, EISDIR, err);
     bool regular = there && S_ISREG(about.st_mode);
     if (there && !regular && named) { /* a pipe or a terminal cannot be replaced */
         int why = write_through(path, text, size);
-        return why ? unwritten(path, why, err) : THUD_OK;
+        return why ? not_written(path, why, err) : THUD_OK;
     }
     char part[4200];
     out->path = there && named ? realpath(path, NULL) : NULL; /* a link stays a link */
@@ -89,7 +89,7 @@ enum thud_status thud_file_draft(const char *path, const char *text, size_t size
         return THUD_OK;
     free(out->path);
     *out = (struct thud_file_draft){0};
-    return unwritten(path, why, err);
+    return not_written(path, why, err);
 }
 
 /* The draft's part is where it belongs or gone. */
@@ -112,7 +112,7 @@ void thud_file_drop(struct thud_file_draft *draft)
 enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err)
 {
     int why = draft->part ? thud_file_replace(draft->part, draft->path) : 0;
-    enum thud_status status = why ? unwritten(draft->path, why, err) : THUD_OK;
+    enum thud_status status = why ? not_written(draft->path, why, err) : THUD_OK;
     end_draft(draft);
     return status;
 }

@@ -23,7 +23,7 @@ static struct {
 } written;
 
 /* Whether a list of `file NAME` lines has this one. */
-static bool has(const struct thud_text *list, const char *name)
+static bool list_has(const struct thud_text *list, const char *name)
 {
     size_t n = strlen(name);
     for (const char *at = list->data; at && (at = strstr(at, name)) != NULL; at++)
@@ -42,7 +42,7 @@ void thud_made_by_note(const char *path)
     bool is_journal = length > 8 && strcmp(path + length - 8, ".journal") == 0; /* goes once the study is whole */
     if (is_journal || strcmp(path, THUD_MADE_BY_FILE) == 0)
         return;
-    if (!strchr(path, '\n') && !has(&written.files, path))
+    if (!strchr(path, '\n') && !list_has(&written.files, path))
         thud_text_append(&written.files, "file %s\n", path);
 }
 
@@ -229,7 +229,7 @@ static void put_sorted(const struct thud_text *files, struct thud_text *out)
 }
 
 /* What the tables of the folder are made of. It is a file of the list too. */
-static enum thud_status describe(const struct thud_made_by *by, struct thud_text *list, struct thud_error *err)
+static enum thud_status write_description(const struct thud_made_by *by, struct thud_text *list, struct thud_error *err)
 {
     struct thud_text text = {0};
     enum thud_status status =
@@ -259,7 +259,7 @@ enum thud_status thud_made_by_keep(const struct thud_made_by *by, struct thud_er
     put_sorted(&written.files, &out);
     out.failed |= written.files.failed;
     if (status == THUD_OK)
-        status = describe(by, &out, err);
+        status = write_description(by, &out, err);
     out.size = own;
     put_sorted(&written.files, &out);
     return thud_text_save(&out, by->folder, THUD_MADE_BY_FILE, status, err);

@@ -60,7 +60,7 @@ static void comments_in(const struct saving *s, int node, struct thud_text *line
 }
 
 /* Lines of comment that stood in a list or in {} stand before what replaces it. */
-static void replace(struct saving *s, int node, struct thud_text *text)
+static void replace_node(struct saving *s, int node, struct thud_text *text)
 {
     struct thud_text lines = {0}, kept = {0};
     size_t start = node_at(s, node)->start, line = line_start(s, start);
@@ -125,7 +125,7 @@ static void append_lines(struct saving *s, int node, struct thud_text *lines)
 /* ---- values ---- */
 
 /* Texts of a value before and after, in its shown unit; false where the scene to be saved has no such key. */
-static bool texts(struct saving *s, const char *path)
+static bool read_texts(struct saving *s, const char *path)
 {
     if (thud_scene_get(&s->preset->scene, path, s->before, THUD_VALUE_MAX, NULL) != THUD_OK)
         s->before[0] = '\0';
@@ -156,7 +156,7 @@ static void replace_value(struct saving *s, int value, const char *path, const c
     struct thud_text text = {0};
     thud_scene_get_in(s->now, path, unit, s->after, THUD_VALUE_MAX, NULL);
     thud_emit_value(&text, s->now, path, s->after, true);
-    replace(s, value, &text);
+    replace_node(s, value, &text);
 }
 
 /* All floors one by one, whether they are the same or not. */
@@ -170,7 +170,7 @@ static void replace_list(struct saving *s, int list, const char *path, int store
         thud_text_append(&text, "%s%s", i ? ", " : "[", s->after);
     }
     thud_text_append(&text, "]");
-    replace(s, list, &text);
+    replace_node(s, list, &text);
 }
 
 static void save_floors(struct saving *s, int list, const char *path, int storeys)
@@ -183,7 +183,7 @@ static void save_floors(struct saving *s, int list, const char *path, int storey
     for (int item = node_at(s, list)->first; item >= 0; item = node_at(s, item)->next) {
         char full[PATH_BYTES + 16];
         snprintf(full, sizeof full, "%s.%d", path, ++i);
-        if (texts(s, full) && strcmp(s->before, s->after) != 0)
+        if (read_texts(s, full) && strcmp(s->before, s->after) != 0)
             replace_value(s, item, full, typed_unit(s, item, full));
     }
 }
@@ -229,7 +229,7 @@ static int save_present(struct saving *s, struct thud_section section, int node,
         thud_section_path(section, name, path, sizeof path);
         if (thud_group_find(section.group, name) != THUD_GROUPS) { /* it has keys of its own */
             stay++;
-        } else if (!texts(s, path) || !*s->after ||
+        } else if (!read_texts(s, path) || !*s->after ||
                    (section.group == THUD_GROUP_BUMPER && s->now->interface[section.index].has_bumper &&
                     strcmp(name, "fitted") == 0)) { /* said of a bumper that is out alone */
             *out = true;
@@ -264,7 +264,7 @@ static int save_absent(struct saving *s, struct thud_section section, int node, 
     int added = 0;
     struct thud_keys keys = thud_keys_of(s->now, section, s->after);
     while (thud_keys_next(&keys)) {
-        if ((node >= 0 && thud_yaml_find(&s->preset->tree, node, keys.key, NULL) >= 0) || !texts(s, keys.path) ||
+        if ((node >= 0 && thud_yaml_find(&s->preset->tree, node, keys.key, NULL) >= 0) || !read_texts(s, keys.path) ||
             (strcmp(s->before, s->after) == 0 && !other_defaults(s, section)) ||
             (node >= 0 && said_by_list(s, node, keys.key)))
             continue;
@@ -288,7 +288,7 @@ static void rewrite_flow(struct saving *s, struct thud_section section, int node
         thud_emit_section(&emit, s->now, section, 0, false);
         thud_text_append(&text, "}");
     }
-    replace(s, node, &text);
+    replace_node(s, node, &text);
 }
 
 /* Returns false when the section was written again as a whole, or nothing of it stays. */
@@ -456,7 +456,7 @@ static void save_list(struct saving *s, enum thud_group group, int n)
         append_lines(s, 0, &text);
     else if (emit.flow) {
         thud_text_append(&text, "]");
-        replace(s, list, &text);
+        replace_node(s, list, &text);
     } else if (n > 0)
         thud_patch_add(s->patches, node_at(s, list)->start, next_line(s, node_at(s, list)->end), &text);
 }

@@ -6,7 +6,7 @@
 #include "io/preset/preset_private.h"
 
 /* Without what no preset says: what is left of bumpers that have no law, and what lies past the last structure. */
-static void strip(const struct thud_scene *scene, struct thud_scene *out)
+static void copy_what_is_saved(const struct thud_scene *scene, struct thud_scene *out)
 {
     memcpy(out, scene, sizeof *out);
     for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
@@ -35,7 +35,7 @@ static enum thud_status reads_as(const struct thud_preset *preset, const struct 
     enum thud_status status =
         read ? thud_preset_parse(text->data, text->size, preset->name, &again, NULL) : THUD_MEMORY;
     if (status == THUD_OK) {
-        strip(&again->scene, read);
+        copy_what_is_saved(&again->scene, read);
         *same = memcmp(read, wanted, sizeof *read) == 0;
     }
     thud_preset_free(again);
@@ -82,8 +82,8 @@ enum thud_status thud_preset_text(const struct thud_preset *preset, const struct
     struct thud_scene *now = malloc(sizeof *now), *was = malloc(sizeof *was);
     bool ok = now && was;
     if (ok) {
-        strip(scene, now);
-        strip(&preset->scene, was);
+        copy_what_is_saved(scene, now);
+        copy_what_is_saved(&preset->scene, was);
         if (memcmp(now, was, sizeof *now) == 0)
             thud_text_bytes(&out, preset->text, preset->size);
         else

@@ -12,7 +12,8 @@
 enum { PATH_BYTES = 128, KEY_BYTES = 60 };
 
 /* Completes an error with the place of a node. */
-static enum thud_status at(const struct thud_preset *preset, int node, enum thud_status status, struct thud_error *err)
+static enum thud_status place_at_node(const struct thud_preset *preset, int node, enum thud_status status,
+                                      struct thud_error *err)
 {
     const struct thud_yaml_node *n = &preset->tree.node[node];
     thud_error_place(err, preset->name, n->line, n->column);
@@ -26,7 +27,7 @@ static enum thud_status refuse(const struct thud_preset *preset, int node, const
     thud_error_key(err, "%s", path);
     if (allowed)
         thud_error_allow(err, "%s", allowed);
-    return at(preset, node, THUD_INPUT, err);
+    return place_at_node(preset, node, THUD_INPUT, err);
 }
 
 static enum thud_yaml_kind kind_of(const struct thud_preset *preset, int node)
@@ -40,7 +41,7 @@ static enum thud_status set_text(struct thud_preset *preset, const char *path, i
                                  struct thud_error *err)
 {
     enum thud_status status = thud_scene_set(&preset->scene, path, text, err);
-    return status == THUD_OK ? THUD_OK : at(preset, node, status, err);
+    return status == THUD_OK ? THUD_OK : place_at_node(preset, node, status, err);
 }
 
 static enum thud_status set_scalar(struct thud_preset *preset, const char *path, int node, struct thud_error *err)
@@ -171,8 +172,8 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
 
 /* ---- keys ---- */
 
-static enum thud_status want(const struct thud_preset *preset, int node, const char *path, enum thud_yaml_kind kind,
-                             struct thud_error *err)
+static enum thud_status want_kind(const struct thud_preset *preset, int node, const char *path,
+                                  enum thud_yaml_kind kind, struct thud_error *err)
 {
     if (kind_of(preset, node) == kind)
         return THUD_OK;
@@ -188,7 +189,7 @@ static enum thud_status set_ranks(struct thud_preset *preset, int node, enum thu
                                   int from, int to, struct thud_error *err)
 {
     const struct thud_yaml *tree = &preset->tree;
-    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    enum thud_status status = want_kind(preset, node, path, THUD_YAML_KEYS, err);
     for (int rank = from; rank <= to && status == THUD_OK; rank++)
         for (int i = tree->node[node].first; i >= 0 && status == THUD_OK; i = tree->node[tree->node[i].next].next) {
             const char *key = thud_yaml_text(tree, i);
@@ -202,7 +203,7 @@ static enum thud_status set_ranks(struct thud_preset *preset, int node, enum thu
             snprintf(full, sizeof full, "%s%s%.*s", path, *path ? "." : "", KEY_BYTES, key);
             if (!thud_scene_param(&preset->scene, full, &floor)) {
                 thud_scene_get(&preset->scene, full, unused, sizeof unused, err); /* says what is wrong with the key */
-                return at(preset, i, THUD_INPUT, err);
+                return place_at_node(preset, i, THUD_INPUT, err);
             }
             status = own < from ? THUD_OK : set_value(preset, full, tree->node[i].next, err);
         }
@@ -268,7 +269,7 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
     snprintf(path, sizeof path, "structures.%d", s + 1);
     snprintf(full, sizeof full, "%s.kind", path);
     thud_structure_init(structure, THUD_SHEAR);
-    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    enum thud_status status = want_kind(preset, node, path, THUD_YAML_KEYS, err);
     int kind = status == THUD_OK ? thud_yaml_find(&preset->tree, node, "kind", NULL) : -1;
     if (kind >= 0)
         status = set_value(preset, full, kind, err);
@@ -310,7 +311,7 @@ static enum thud_status walk_structures(struct thud_preset *preset, int root, st
     int list = thud_yaml_find(&preset->tree, root, "structures", NULL);
     if (list < 0)
         return refuse(preset, root, "structures", "there is no structure", "a list of 1 to 20", err);
-    enum thud_status status = want(preset, list, "structures", THUD_YAML_LIST, err);
+    enum thud_status status = want_kind(preset, list, "structures", THUD_YAML_LIST, err);
     if (status != THUD_OK)
         return status;
     int n = preset->tree.node[list].children;
@@ -335,7 +336,7 @@ static enum thud_status walk_law(struct thud_preset *preset, struct thud_interfa
     struct thud_law_choice *choice = bumper ? &interface->bumper : &interface->contact;
     char full[PATH_BYTES + 8];
     snprintf(full, sizeof full, "%s.law", path);
-    enum thud_status status = want(preset, node, path, THUD_YAML_KEYS, err);
+    enum thud_status status = want_kind(preset, node, path, THUD_YAML_KEYS, err);
     if (status != THUD_OK)
         return status;
     int law = thud_yaml_find(&preset->tree, node, "law", NULL);
@@ -383,7 +384,7 @@ static enum thud_status walk_interfaces(struct thud_preset *preset, int root, st
 {
     int list = thud_yaml_find(&preset->tree, root, "interfaces", NULL), wanted = preset->scene.nstructures - 1;
     char what[128];
-    enum thud_status status = list >= 0 ? want(preset, list, "interfaces", THUD_YAML_LIST, err) : THUD_OK;
+    enum thud_status status = list >= 0 ? want_kind(preset, list, "interfaces", THUD_YAML_LIST, err) : THUD_OK;
     int n = list >= 0 && status == THUD_OK ? preset->tree.node[list].children : 0;
     if (status == THUD_OK && n != wanted) {
         snprintf(what, sizeof what, "%d structure%s, so %d interface%s, not %d", wanted + 1,
@@ -401,7 +402,7 @@ static enum thud_status walk_interfaces(struct thud_preset *preset, int root, st
 static enum thud_status walk_links(struct thud_preset *preset, int root, struct thud_error *err)
 {
     int list = thud_yaml_find(&preset->tree, root, "links", NULL);
-    enum thud_status status = list >= 0 ? want(preset, list, "links", THUD_YAML_LIST, err) : THUD_OK;
+    enum thud_status status = list >= 0 ? want_kind(preset, list, "links", THUD_YAML_LIST, err) : THUD_OK;
     int n = list >= 0 && status == THUD_OK ? preset->tree.node[list].children : 0;
     if (n > THUD_LINKS_MAX)
         return refuse(preset, list, "links", "there are too many links", "up to 32", err);
@@ -410,7 +411,7 @@ static enum thud_status walk_links(struct thud_preset *preset, int root, struct 
         char path[PATH_BYTES], full[PATH_BYTES + 8];
         snprintf(path, sizeof path, "links.%d", i + 1);
         snprintf(full, sizeof full, "%s.law", path);
-        status = want(preset, node, path, THUD_YAML_KEYS, err);
+        status = want_kind(preset, node, path, THUD_YAML_KEYS, err);
         int law = status == THUD_OK ? thud_yaml_find(&preset->tree, node, "law", NULL) : -1;
         if (status == THUD_OK && law < 0)
             return refuse(preset, node, full, "the law of the link is not given", "spring, dashpot, restrainer, strut",
@@ -433,7 +434,7 @@ static enum thud_status check_scene(struct thud_preset *preset, struct thud_erro
     enum thud_status status = thud_scene_check(&preset->scene, &why);
     if (status == THUD_OK)
         return THUD_OK;
-    at(preset, thud_preset_node(preset, why.key), status, &why);
+    place_at_node(preset, thud_preset_node(preset, why.key), status, &why);
     for (int i = 0; i < THUD_STRUCTURES_MAX - 1; i++) {
         had[i] = preset->scene.interface[i].has_bumper;
         preset->scene.interface[i].has_bumper = false;
@@ -465,7 +466,7 @@ enum thud_status thud_preset_walk(struct thud_preset *preset, struct thud_error 
     if (status == THUD_OK) {
         status = thud_building_files_read(&preset->scene, preset->name, err);
         if (status != THUD_OK && err && !err->file[0])
-            at(preset, thud_preset_node(preset, err->key), status, err);
+            place_at_node(preset, thud_preset_node(preset, err->key), status, err);
     }
     return status == THUD_OK ? check_scene(preset, err) : status;
 }

@@ -13,7 +13,7 @@ struct unpacked {
     size_t length, capacity, most;
 };
 
-static enum thud_status grow(struct unpacked *u, struct thud_error *err)
+static enum thud_status make_room(struct unpacked *u, struct thud_error *err)
 {
     size_t capacity = u->capacity ? 2 * u->capacity : ROOM_LEAST;
     if (capacity > u->most + 1)
@@ -32,18 +32,18 @@ static enum thud_status grow(struct unpacked *u, struct thud_error *err)
 }
 
 /* zlib counts in unsigned int: what is left is handed over in pieces. */
-static unsigned piece(size_t left)
+static unsigned clip_length(size_t left)
 {
     return left > (1u << 30) ? 1u << 30 : (unsigned)left;
 }
 
 /* One call of inflate with what room there is. */
-static int step(z_stream *stream, const char *end, struct unpacked *u)
+static int inflate_once(z_stream *stream, const char *end, struct unpacked *u)
 {
     size_t room = u->capacity - u->length;
-    stream->avail_in = piece((size_t)(end - (const char *)stream->next_in));
+    stream->avail_in = clip_length((size_t)(end - (const char *)stream->next_in));
     stream->next_out = (Bytef *)u->text + u->length;
-    stream->avail_out = piece(room);
+    stream->avail_out = clip_length(room);
     unsigned offered = stream->avail_out;
     int result = inflate(stream, Z_NO_FLUSH);
     u->length += offered - stream->avail_out;
@@ -53,10 +53,10 @@ static int step(z_stream *stream, const char *end, struct unpacked *u)
 static enum thud_status unpack_all(z_stream *stream, const char *end, struct unpacked *u, struct thud_error *err)
 {
     for (;;) {
-        enum thud_status status = u->length == u->capacity ? grow(u, err) : THUD_OK;
+        enum thud_status status = u->length == u->capacity ? make_room(u, err) : THUD_OK;
         if (status != THUD_OK)
             return status;
-        int result = step(stream, end, u);
+        int result = inflate_once(stream, end, u);
         bool all = (const char *)stream->next_in == end;
         if (result == Z_MEM_ERROR)
             return thud_error_set(err, THUD_MEMORY, "out of memory");

@@ -96,14 +96,14 @@ static enum thud_status refuse(const struct thud_sweep_journal *journal, struct 
     return THUD_INPUT;
 }
 
-static enum thud_status damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
+static enum thud_status refuse_damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
 {
     thud_error_set(err, THUD_INPUT, "is no journal of a study that this program can read");
     thud_error_allow(err, "remove it to start again");
     return refuse(journal, err);
 }
 
-static enum thud_status unreadable(const struct thud_sweep_journal *journal, struct thud_error *err)
+static enum thud_status refuse_unreadable(const struct thud_sweep_journal *journal, struct thud_error *err)
 {
     thud_error_set(err, THUD_INPUT, "%s", strerror(errno));
     return refuse(journal, err);
@@ -157,9 +157,9 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     rewind(journal->file);
     errno = 0;
     if (!fgets(line, sizeof line, journal->file))
-        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
+        return ferror(journal->file) ? refuse_unreadable(journal, err) : refuse_damaged(journal, err);
     if (!thud_scan_word(&at, "thud-sweep-journal ") || !thud_scan_count(&at, &format))
-        return damaged(journal, err);
+        return refuse_damaged(journal, err);
     if (format != FORMAT) {
         thud_error_set(err, THUD_INPUT, "the study was begun by another version of thud (journal %d, not %d)", format,
                        FORMAT);
@@ -169,13 +169,13 @@ static enum thud_status read_start(struct thud_sweep_journal *journal, struct th
     if (!scan_version(&at, version, sizeof version) || !scan_hexadecimal(&at, &head->fingerprint) ||
         !scan_next(&at, &head->shard.index) || !scan_next(&at, &head->shard.count) || !scan_next(&at, &bytes) ||
         strcmp(at, "\n") != 0 || bytes > LARGEST || head->shard.index < 1 || head->shard.index > head->shard.count)
-        return damaged(journal, err);
+        return refuse_damaged(journal, err);
     *size = (size_t)bytes;
     return check_version(journal, version, err);
 }
 
 /* What stands behind a word, or behind it and "-escaped" with ends of lines in it; false: another word. */
-static bool take(char *line, const char *word, const char **to)
+static bool scan_line(char *line, const char *word, const char **to)
 {
     char *text = line + strlen(word);
     if (strncmp(line, word, strlen(word)) != 0 || (*text != ' ' && strncmp(text, "-escaped ", 9) != 0))
@@ -185,7 +185,7 @@ static bool take(char *line, const char *word, const char **to)
 }
 
 /* Takes the body apart in place. */
-static bool split(struct thud_sweep_head *head)
+static bool split_body(struct thud_sweep_head *head)
 {
     int records = 0;
     for (const char *p = head->text; (p = strstr(p, "\nrecord")) != NULL; p++)
@@ -198,15 +198,15 @@ static bool split(struct thud_sweep_head *head)
             head->preset = end + 1;
             return head->cases != NULL;
         }
-        if (head->nvary < THUD_VARY_MAX && take(line, "vary", &head->vary[head->nvary]))
+        if (head->nvary < THUD_VARY_MAX && scan_line(line, "vary", &head->vary[head->nvary]))
             head->nvary++;
-        else if (head->nrecords < records && take(line, "record", &head->record[head->nrecords].name))
+        else if (head->nrecords < records && scan_line(line, "record", &head->record[head->nrecords].name))
             r = &head->record[head->nrecords++];
-        else if (!take(line, "cases", &head->cases) && !take(line, "name", &head->name) &&
-                 !take(line, "sensitivity", &head->sensitivity) &&
-                 !(r && (take(line, "event", &r->event) || take(line, "station", &r->station) ||
-                         take(line, "synthetic", &r->synthetic) || take(line, "scale", &r->scale) ||
-                         take(line, "step", &r->step) || take(line, "motion", &r->motion))))
+        else if (!scan_line(line, "cases", &head->cases) && !scan_line(line, "name", &head->name) &&
+                 !scan_line(line, "sensitivity", &head->sensitivity) &&
+                 !(r && (scan_line(line, "event", &r->event) || scan_line(line, "station", &r->station) ||
+                         scan_line(line, "synthetic", &r->synthetic) || scan_line(line, "scale", &r->scale) ||
+                         scan_line(line, "step", &r->step) || scan_line(line, "motion", &r->motion))))
             return false;
     }
     return false;
@@ -224,14 +224,14 @@ enum thud_status thud_sweep_head_read(struct thud_sweep_journal *journal, struct
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     errno = 0;
     if (fread(head->text, 1, size, journal->file) != size)
-        return ferror(journal->file) ? unreadable(journal, err) : damaged(journal, err);
+        return ferror(journal->file) ? refuse_unreadable(journal, err) : refuse_damaged(journal, err);
     head->text[size] = '\0';
     journal->start = ftello(journal->file);
     journal->head_lines = 1;
     for (size_t i = 0; i < size; i++)
         journal->head_lines += head->text[i] == '\n';
     head->sum = thud_hash(THUD_HASH_START, head->text, strlen(head->text));
-    return journal->row || split(head) ? THUD_OK : damaged(journal, err);
+    return journal->row || split_body(head) ? THUD_OK : refuse_damaged(journal, err);
 }
 
 void thud_sweep_head_clear(struct thud_sweep_head *head)

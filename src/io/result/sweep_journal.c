@@ -26,8 +26,8 @@ struct key {
     struct thud_text body;
 };
 
-static enum thud_status failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
-                               struct thud_error *err)
+static enum thud_status file_failed(const struct thud_sweep_journal *journal, enum thud_status status, const char *what,
+                                    struct thud_error *err)
 {
     return thud_error_in(err, status, journal->path, 0, "%s", what);
 }
@@ -49,7 +49,8 @@ long thud_sweep_shard_points(const struct thud_sweep_plan *plan, struct thud_swe
 }
 
 /* NULL: out of memory. `file` is NULL, with errno, where it could not be opened. */
-static struct thud_sweep_journal *make(const char *folder, const char *name, const char *mode, struct thud_error *err)
+static struct thud_sweep_journal *open_file(const char *folder, const char *name, const char *mode,
+                                            struct thud_error *err)
 {
     struct thud_sweep_journal *journal = calloc(1, sizeof *journal);
     if (!journal) {
@@ -71,7 +72,7 @@ static enum thud_status next_line(struct thud_sweep_journal *journal, char **lin
         if (errno == ENOMEM)
             return thud_error_set(err, THUD_MEMORY, "out of memory");
         journal->unreadable = true;
-        return failed(journal, THUD_INPUT, strerror(errno), err);
+        return file_failed(journal, THUD_INPUT, strerror(errno), err);
     }
     if (n <= 0)
         return THUD_OK;
@@ -130,10 +131,10 @@ static enum thud_status find_end(struct thud_sweep_journal *journal, struct thud
     if (status == THUD_MEMORY)
         return thud_error_set(err, status, "out of memory");
     if (journal->unreadable) /* what could not be read may be whole: nothing is cut off */
-        return failed(journal, THUD_INPUT, damage.what, err);
+        return file_failed(journal, THUD_INPUT, damage.what, err);
     fflush(journal->file);
     if (ftruncate(fileno(journal->file), journal->end) != 0)
-        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+        return file_failed(journal, THUD_OUTPUT, strerror(errno), err);
     return THUD_OK;
 }
 
@@ -147,7 +148,7 @@ static enum thud_status create(struct thud_sweep_journal *journal, const struct 
         return status;
     FILE *file = fopen(journal->path, "r+");
     if (!file)
-        return failed(journal, THUD_OUTPUT, strerror(errno), err);
+        return file_failed(journal, THUD_OUTPUT, strerror(errno), err);
     journal->file = file;
     return THUD_OK;
 }
@@ -161,7 +162,7 @@ static enum thud_status open_journal(struct thud_sweep_journal *journal, const s
         status = thud_sweep_head_read(journal, &head, err);
     if (status == THUD_OK && (head.fingerprint != key->fingerprint || head.shard.index != key->shard.index ||
                               head.shard.count != key->shard.count)) {
-        status = failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
+        status = file_failed(journal, THUD_INPUT, "the folder holds the beginning of another study", err);
         thud_error_allow(err, "the same study, another folder, or --replace");
     }
     thud_sweep_head_clear(&head);
@@ -169,10 +170,10 @@ static enum thud_status open_journal(struct thud_sweep_journal *journal, const s
 }
 
 /* A journal of this study in `folder`, new or gone on with. */
-static enum thud_status begin(const char *folder, const struct key *key, struct thud_sweep_journal **out,
-                              struct thud_error *err)
+static enum thud_status open_study(const char *folder, const struct key *key, struct thud_sweep_journal **out,
+                                   struct thud_error *err)
 {
-    *out = make(folder, key->name, "r+", err);
+    *out = open_file(folder, key->name, "r+", err);
     if (!*out)
         return THUD_MEMORY;
     (*out)->shard = key->shard;
@@ -181,7 +182,7 @@ static enum thud_status begin(const char *folder, const struct key *key, struct 
     (*out)->numbers = key->numbers;
     enum thud_status status = THUD_OK;
     if (!(*out)->file && errno != ENOENT)
-        status = failed(*out, THUD_OUTPUT, strerror(errno), err);
+        status = file_failed(*out, THUD_OUTPUT, strerror(errno), err);
     return status == THUD_OK ? open_journal(*out, key, folder, err) : status;
 }
 
@@ -192,10 +193,10 @@ static enum thud_status open_or_replace(const char *folder, struct key *key, boo
     struct thud_sweep_journal *journal;
     *out = NULL;
     *done = 0;
-    enum thud_status status = begin(folder, key, &journal, err);
+    enum thud_status status = open_study(folder, key, &journal, err);
     if (status == THUD_INPUT && replace) { /* another study's, or none that can be read */
         thud_sweep_journal_close(journal, true);
-        status = begin(folder, key, &journal, err);
+        status = open_study(folder, key, &journal, err);
     }
     thud_text_clear(&key->body);
     if (status != THUD_OK) {
@@ -240,7 +241,7 @@ static enum thud_status add_line(struct thud_sweep_journal *journal, struct thud
             int why = n < 0 ? errno : ENOSPC;
             if (ftruncate(fd, journal->end) != 0)
                 why = errno;
-            return failed(journal, THUD_OUTPUT, strerror(why), err);
+            return file_failed(journal, THUD_OUTPUT, strerror(why), err);
         }
         written += (size_t)n;
     }
@@ -316,13 +317,13 @@ enum thud_status thud_sweep_journal_read(const char *folder, struct thud_sweep_j
                                          struct thud_sweep_head *head, struct thud_error *err)
 {
     *head = (struct thud_sweep_head){0};
-    struct thud_sweep_journal *journal = make(folder, JOURNAL, "r", err);
+    struct thud_sweep_journal *journal = open_file(folder, JOURNAL, "r", err);
     *out = NULL;
     if (!journal)
         return THUD_MEMORY;
     enum thud_status status = THUD_OK;
     if (!journal->file) {
-        status = failed(journal, THUD_INPUT, strerror(errno), err);
+        status = file_failed(journal, THUD_INPUT, strerror(errno), err);
         thud_error_allow(err, "a folder that `thud sweep --shard K/N -o` wrote");
     }
     if (status == THUD_OK)

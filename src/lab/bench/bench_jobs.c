@@ -20,7 +20,7 @@ static double spent_s(const struct bench_work *work)
     return thud_timing_now_s() - work->start_s;
 }
 
-static void tell(const struct bench_work *work, const char *what, int done, int count)
+static void show_progress(const struct bench_work *work, const char *what, int done, int count)
 {
     if (work->jobs->progress)
         work->jobs->progress(work->jobs->context, what, done, count);
@@ -39,7 +39,7 @@ static enum thud_status run_whole(const struct bench_work *work, struct thud_run
 static enum thud_status make_reference(const struct bench_work *work, int which, struct thud_error *err)
 {
     struct thud_run *run;
-    tell(work, "reference", which, 2);
+    show_progress(work, "reference", which, 2);
     enum thud_status status = thud_bench_reference_start(work->bench, which, &run, err);
     if (status == THUD_OK && run)
         status = run_whole(work, run, err);
@@ -143,7 +143,7 @@ static enum thud_status measure_point(const struct bench_work *work, int i, stru
 /* A scene at an edge has none: not known. */
 static enum thud_status move_inputs(const struct bench_work *work, struct thud_error *err)
 {
-    tell(work, "0.1 % of input", 0, 1);
+    show_progress(work, "0.1 % of input", 0, 1);
     enum thud_status status = thud_bench_move(work->bench, work->jobs->scene, err);
     return status == THUD_DIVERGED || status == THUD_INPUT ? THUD_OK : status;
 }
@@ -163,7 +163,7 @@ enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud
         const double left = left_s(&work);
         thud_bench_curve_name(thud_bench_point(bench, i), name, sizeof name);
         snprintf(text, sizeof text, left >= 1 ? "%s, about %.0f s left" : "%s", name, left);
-        tell(&work, text, thud_bench_ended(bench), thud_bench_count(bench));
+        show_progress(&work, text, thud_bench_ended(bench), thud_bench_count(bench));
         if (!skip_point(&work, i))
             status = measure_point(&work, i, err);
     }

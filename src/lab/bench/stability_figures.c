@@ -13,7 +13,7 @@ struct grid {
     const struct thud_stability_cell *cell[ROWS_MAX][COLUMNS_MAX];
 };
 
-static void fill(const struct thud_stability *s, struct grid *g)
+static void fill_grid(const struct thud_stability *s, struct grid *g)
 {
     *g = (struct grid){0};
     for (int i = 0; i < s->ncells; i++) {
@@ -97,7 +97,7 @@ struct thud_figure *thud_stability_map(const struct thud_stability *s, int kind)
                                   "Growing: a displacement from twice the exact peak; blown up: from 100 times."}};
     struct grid g;
     double z[ROWS_MAX * COLUMNS_MAX], y[ROWS_MAX];
-    fill(s, &g);
+    fill_grid(s, &g);
     struct thud_figure *figure = thud_figure_create(maps[kind].name, maps[kind].title, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "");
     for (int row = 0; row < g.rows; row++)

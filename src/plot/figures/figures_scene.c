@@ -78,7 +78,7 @@ static double width_of(enum thud_structure_kind kind)
 }
 
 /* Where everything stands. */
-static void lay(struct drawing *d)
+static void lay_out(struct drawing *d)
 {
     const struct thud_scene *scene = d->scene;
     double widest = 0, x = 0;
@@ -341,7 +341,7 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
     if (!figure)
         return NULL;
     d.high = 1;
-    lay(&d);
+    lay_out(&d);
     const double high = d.high - d.low, last = d.right[scene->nstructures - 1];
     struct thud_panel *const panel[] = {d.elevation, d.model};
     for (int k = 0; k < 2; k++) {

@@ -49,7 +49,7 @@ static void series_block(const struct sheet *sheet, int panel, int i, const stru
 }
 
 /* Where the cell of a map ends: half-way to its neighbour, on a log axis by ratio. */
-static double edge(const double *at, size_t n, size_t i, int side, bool log)
+static double cell_edge(const double *at, size_t n, size_t i, int side, bool log)
 {
     if (n < 2)
         return at[i] + 0.5 * side;
@@ -69,8 +69,8 @@ static void map_block(const struct sheet *sheet, int panel, const struct thud_ma
             double z = map->z[j * map->nx + i];
             if (isfinite(z))
                 thud_text_append(sheet->out, "%.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", map->x[i], map->y[j],
-                                 edge(map->x, map->nx, i, -1, log_x), edge(map->x, map->nx, i, 1, log_x),
-                                 edge(map->y, map->ny, j, -1, log_y), edge(map->y, map->ny, j, 1, log_y), z);
+                                 cell_edge(map->x, map->nx, i, -1, log_x), cell_edge(map->x, map->nx, i, 1, log_x),
+                                 cell_edge(map->y, map->ny, j, -1, log_y), cell_edge(map->y, map->ny, j, 1, log_y), z);
         }
     }
     thud_text_append(sheet->out, "NaN NaN NaN NaN NaN NaN ");
@@ -250,8 +250,8 @@ static double strip_headroom(const struct sheet *sheet, const struct box *box, c
     return 0.0;
 }
 
-static void axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, int number,
-                 const struct box *box)
+static void put_axis(const struct sheet *sheet, const struct thud_panel *panel, enum thud_side side, int number,
+                     const struct box *box)
 {
     struct thud_text *out = sheet->out;
     const struct thud_axis *a = &panel->axis[side];
@@ -379,7 +379,7 @@ static bool stands_left(const struct sheet *sheet, int number_of, int i, const s
     return room[!left] < needed && room[left] > room[!left] ? !left : left;
 }
 
-static void marks(const struct sheet *sheet, int number_of, const struct box *box)
+static void put_marks(const struct sheet *sheet, int number_of, const struct box *box)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
     struct thud_text *out = sheet->out;
@@ -420,7 +420,7 @@ static void marks(const struct sheet *sheet, int number_of, const struct box *bo
     }
 }
 
-static void labels(const struct sheet *sheet, const struct thud_panel *panel)
+static void put_labels(const struct sheet *sheet, const struct thud_panel *panel)
 {
     static const char *const side[] = {"right", "center", "left"};
     for (int i = 0; i < panel->nlabels; i++) {
@@ -489,7 +489,7 @@ static void map_colors(const struct sheet *sheet, const struct thud_map *map, in
 }
 
 /* Edges of a band beside others, with the dashes of its curve: bands that overlap cannot be told apart in grey. */
-static void edges(const struct sheet *sheet, int number_of, int i)
+static void put_edges(const struct sheet *sheet, int number_of, int i)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
     const struct thud_series *band = panel->series[i];
@@ -510,7 +510,7 @@ static bool is_over(const struct thud_series *series)
     return series->style.color < 0 && !series->style.thin && !series->style.wide && series->style.kind != THUD_FILL;
 }
 
-static void plots(const struct sheet *sheet, int number_of)
+static void put_plots(const struct sheet *sheet, int number_of)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];
     struct thud_text *out = sheet->out;
@@ -528,7 +528,7 @@ static void plots(const struct sheet *sheet, int number_of)
         thud_text_append(out, "%s$P%dS%d using 1:2%s ", comma, number_of + 1, i + 1,
                          panel->series[i]->y_high ? ":3" : "");
         thud_gnuplot_style(sheet, panel->series[i], false);
-        edges(sheet, number_of, i);
+        put_edges(sheet, number_of, i);
         comma = ", ";
     }
     thud_text_append(out, "%s\n", *comma == 'p' ? "plot NaN" : "");
@@ -547,8 +547,8 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     thud_text_append(out, "unset key\nset border 31 back lw 1 lc rgb '#404040'\nset tics nomirror out scale 0.5\n");
     thud_text_append(out, "set format '%%h'\nset grid back lt 1 lw 0.8 lc rgb '%s'\nset boxwidth 0.8 relative\n",
                      grid_color);
-    axis(sheet, panel, THUD_X, number_of + 1, &box);
-    axis(sheet, panel, THUD_Y, number_of + 1, &box);
+    put_axis(sheet, panel, THUD_X, number_of + 1, &box);
+    put_axis(sheet, panel, THUD_Y, number_of + 1, &box);
     if (panel->drawing)
         thud_text_append(out, "unset grid\nunset xtics\n");
     double room = 1.1 * (box.right - box.left), em = thud_gnuplot_fit(panel->title, room, sheet->em);
@@ -573,7 +573,7 @@ void thud_gnuplot_panel(const struct sheet *sheet, int number_of)
     }
     if (panel->map)
         map_colors(sheet, panel->map, number_of + 1, &box);
-    marks(sheet, number_of, &box);
-    labels(sheet, panel);
-    plots(sheet, number_of);
+    put_marks(sheet, number_of, &box);
+    put_labels(sheet, panel);
+    put_plots(sheet, number_of);
 }

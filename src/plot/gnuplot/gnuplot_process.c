@@ -128,7 +128,7 @@ static int spawn(const char *program, const int ends[PIPES], pid_t *pid)
     return number;
 }
 
-static int start(struct child *child, const char *program)
+static int start_child(struct child *child, const char *program)
 {
     int theirs[PIPES] = {-1, -1, -1}, number = 0;
     for (int i = 0; i < PIPES; i++)
@@ -187,7 +187,7 @@ static bool out_of_time(struct child *child)
 }
 
 /* Until both outputs are closed, or the deadline. Wakes at least 20 times a second to see a wish to stop. */
-static void converse(struct child *child, const struct thud_text *script)
+static void exchange(struct child *child, const struct thud_text *script)
 {
     size_t sent = 0;
     while ((child->fd[PICTURE] >= 0 || child->fd[MESSAGES] >= 0) && !out_of_time(child)) {
@@ -209,7 +209,7 @@ static void converse(struct child *child, const struct thud_text *script)
 }
 
 /* Waits within the deadline; then the whole group is killed, also what the child may have left behind. */
-static void reap(struct child *child)
+static void wait_and_kill(struct child *child)
 {
     struct timespec nap = {0, 200000};
     while (child->state == RUNNING) {
@@ -226,7 +226,7 @@ static void reap(struct child *child)
 }
 
 /* A write to a pipe nobody reads raises SIGPIPE: it is held back in this thread and taken off again. */
-static void run(struct child *child, const struct thud_text *script)
+static void run_child(struct child *child, const struct thud_text *script)
 {
     sigset_t pipes, before, pending;
     sigemptyset(&pipes);
@@ -234,8 +234,8 @@ static void run(struct child *child, const struct thud_text *script)
     sigpending(&pending);
     bool waiting = sigismember(&pending, SIGPIPE) == 1;
     pthread_sigmask(SIG_BLOCK, &pipes, &before);
-    converse(child, script);
-    reap(child);
+    exchange(child, script);
+    wait_and_kill(child);
     struct timespec at_once = {0, 0};
     if (!waiting) {
         while (sigtimedwait(&pipes, NULL, &at_once) < 0 && errno == EINTR)
@@ -286,8 +286,8 @@ static void tell_limit(struct thud_error *err)
                          (double)space.rlim_cur / 1e6);
 }
 
-static enum thud_status judge(const struct child *child, const struct thud_figure *figure,
-                              const struct thud_picture_options *options, double seconds, struct thud_error *err)
+static enum thud_status judge_end(const struct child *child, const struct thud_figure *figure,
+                                  const struct thud_picture_options *options, double seconds, struct thud_error *err)
 {
     char words[320];
     own_words(&child->messages, words, sizeof words);
@@ -329,16 +329,16 @@ enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struc
     thud_text_append(&script, "set print\nprint '%s'\n", THUD_GNUPLOT_DONE);
     double seconds = options->deadline_s > 0.0 ? options->deadline_s : deadline_s;
     struct child child = {.picture = picture, .cancel = options->cancel, .left_s = seconds, .seen_s = now_s()};
-    int number = script.failed ? ENOMEM : start(&child, program);
+    int number = script.failed ? ENOMEM : start_child(&child, program);
     if (number)
         status = start_failed(program, number, err);
     else {
-        run(&child, &script);
+        run_child(&child, &script);
         /* a C library may start the child before it looks for the program: then the child ends with 127, and without
          * a word; the dynamic linker ends with 127 as well and says what it lacks */
         bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127 &&
                        child.messages.size == 0;
-        status = missing ? start_failed(program, ENOENT, err) : judge(&child, figure, options, seconds, err);
+        status = missing ? start_failed(program, ENOENT, err) : judge_end(&child, figure, options, seconds, err);
     }
     thud_text_clear(&child.messages);
     thud_text_clear(&script);
