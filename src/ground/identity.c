@@ -216,7 +216,9 @@ static double correlate(const double *a, long n, const double *b, long most)
     return largest;
 }
 
-/* By the correlation coefficient at the best lag: it is 0.95 for two ways of processing El Centro 1940, and 0.5 for different motions. The energies over the squared peaks are compared first: that is quick, and most motions differ in it. */
+/* By the correlation coefficient at the best lag: it is 0.95 for two ways of processing El Centro 1940, and 0.5 for
+ * different motions. The energies over the squared peaks are compared first: that is quick, and most motions differ in
+ * it. */
 bool thud_record_same_motion(const struct thud_record *a, const struct thud_record *b)
 {
     static const double same = 0.9, alike = 1.6, finest_s = 0.02, longest_lag_s = 5;

@@ -12,7 +12,8 @@
 
 /* The change of the inputs whose effect is reported, and the tolerance of the second method. */
 static const double change = 0.05, tight_tolerance = 1e-10;
-/* Steps of the second method before it is given up: an explicit method takes them without bound where a building is very stiff. Steps and not seconds, so that a report is the same wherever it is made. */
+/* Steps of the second method before it is given up: an explicit method takes them without bound where a building is
+ * very stiff. Steps and not seconds, so that a report is the same wherever it is made. */
 enum { STEPS_MOST = 1000000, STEPS_AT_A_TIME = 2000 };
 
 static void tell(const struct site *site, const char *what)

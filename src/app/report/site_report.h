@@ -1,4 +1,5 @@
-/* `thud report`: a document about your own buildings. Runs without pounding, without and with the bumper, the required gap, the uncertainty of the result, cautions, a second method, and all that is needed to repeat it. */
+/* `thud report`: a document about your own buildings. Runs without pounding, without and with the bumper, the required
+ * gap, the uncertainty of the result, cautions, a second method, and all that is needed to repeat it. */
 #pragma once
 
 #include "app/run/record_list.h"

@@ -26,7 +26,8 @@ struct thud_record_list {
  * file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys of the preset's record; those of a folder or
  * list hold for all its files that do not say otherwise, and `common` (n pairs key, value) for everything; of peak, sa and
  * factor, one that is given leaves out all of those that hold for more files. What the session's scene says of its own
- * record holds for none of them. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also reversed, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
+ * record holds for none of them. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also
+ * reversed, named FILE:sign=-. Motions of one file are told apart by their settings. Files are
  * looked for as the session's own record is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY. */
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],

@@ -1,4 +1,5 @@
-/* Finds the value of a key at which a criterion is met: a scan over its range, then bisection wherever the answer changes. One change is taken as monotonic; several are listed. */
+/* Finds the value of a key at which a criterion is met: a scan over its range, then bisection wherever the answer
+ * changes. One change is taken as monotonic; several are listed. */
 #pragma once
 
 #include <stdatomic.h>

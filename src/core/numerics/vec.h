@@ -1,4 +1,5 @@
-/* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once. Left to themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
+/* All vector code of the core: pairs of numbers (vec2) that every processor of the kind works on at once. Left to
+ * themselves, compilers may not change the order of a sum, and spend more on shuffling short rows than on
  * summing them. + - * / < > work on vec2 by element; the rest is here. */
 #pragma once
 

@@ -11,7 +11,8 @@
  *                                                                                isolators; buildings on soil
  * What is no floor, a struck place of columns or the place under a storey on soil, is a node without mass that stiff springs
  * hold to u = sum w_i u_i: they are those of the matrix K w w^T with w = (1, -w_i).
- * No contact separates when the force reaches 0 while there is indentation, none has the rubber's two curves, and a step has no impulse. The constants are read from the law's own branch. */
+ * No contact separates when the force reaches 0 while there is indentation, none has the rubber's two curves, and a
+ * step has no impulse. The constants are read from the law's own branch. */
 #include "io/result/opensees.h"
 
 #include <math.h>

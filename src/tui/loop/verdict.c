@@ -104,7 +104,8 @@ static void words_of_pair(const struct thud_tui *tui, int columns, char *text, s
     thud_summary_line(&line, columns - (int)(said + room), text + said + room, size - said - room);
 }
 
-/* In at most `columns`; empty where there is nothing to say. In a row of buildings with the number of the gap that it applies to. *pounds: whether there is contact without a bumper. */
+/* In at most `columns`; empty where there is nothing to say. In a row of buildings with the number of the gap that it
+ * applies to. *pounds: whether there is contact without a bumper. */
 static void words_of(const struct thud_tui *tui, int columns, char *text, size_t size, bool *pounds)
 {
     const int gaps = tui->doc.scene.nstructures - 1,
