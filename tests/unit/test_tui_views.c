@@ -651,7 +651,7 @@ START_TEST(remarks_are_counted_and_lead_to_their_fields)
                      f.tui->form.focus[THUD_SCREEN_CONTACT]);
     fixture_keys(&f, "!elastic<Enter>");
     ck_assert_int_eq(f.tui->screen, THUD_SCREEN_MODEL);
-    ck_assert_int_eq(strncmp(f.tui->form.focus[THUD_SCREEN_MODEL], remark.key, strlen("structures.1")), 0);
+    ck_assert_int_eq(strncmp(f.tui->form.focus[THUD_SCREEN_MODEL], "structures.2", strlen("structures.2")), 0);
     fixture_keys(&f, "!sign<Enter>");
     ck_assert_str_eq(f.tui->form.focus[THUD_SCREEN_RECORD], "record.sign");
     fixture_keys(&f, "!tolerance<Enter>");
