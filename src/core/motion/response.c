@@ -22,17 +22,16 @@
  *     level          h = h_top/2^level; the tables of a level are made when it is first needed
  *     x_p            motion from rest of a mode under the load s^p alone: level->load, one table for all rows where modes
  *                    are uncoupled (load 1 on each mode), else one for each row b (load g_b)
- *     R_ab, R'_ab    pair.motion: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
+ *     R_ab, R'_ab    level->pair: sums of g_a x_p times the coefficients of l_k, below 0 where the force pushes apart
  *     r0, rise       x->at_start, x->rise: modal accelerations at t0 without contact forces, and by how much ground and
  *                    velocity change them in h (m kg^1/2/s^2). q = q0 + q0' h s + r0 x_0 + rise x_1 */
 enum { LEVELS = 48 };
 
 struct level {
     thud_vec2 *load; /* (loads x n x nmodes x points) x_p and its rate */
-    struct pair {
-        thud_vec2 *motion; /* (points x n) R_ab and R'_ab; NULL: not yet made */
-        bool shared;       /* the memory is another's */
-    } * pair;              /* (nrows x nrows) */
+    thud_vec2 *
+        *pair; /* (nrows x nrows) of a <= b: (points x n) R_ab and R'_ab; NULL: not yet made. R_ba is the same, as
+                         stiffness and damping are symmetric (Betti and Maxwell) */
 };
 
 struct thud_responses {
@@ -81,8 +80,7 @@ void thud_responses_free(struct thud_responses *x)
     for (int l = 0; l < LEVELS; l++) {
         struct level *level = &x->level[l];
         for (int p = 0; level->pair && p < x->model->nrows * x->model->nrows; p++)
-            if (!level->pair[p].shared)
-                free(level->pair[p].motion);
+            free(level->pair[p]);
         free(level->pair);
         free(level->load);
     }
@@ -172,12 +170,12 @@ static void sum_modes(const struct thud_responses *x, int row, const double *wei
 }
 
 /* R_ab and R'_ab: motion of gap a under the loads s^p on row b, put together to the Lagrange polynomial of each node. */
-static bool fill_pair(struct thud_responses *x, const struct level *level, int a, int b)
+static bool fill_pair(struct thud_responses *x, const struct level *level, int a, int b, thud_vec2 **out)
 {
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
     const thud_vec2 *table = table_of(x, level, b);
-    thud_vec2 *motion = level->pair[a * m->nrows + b].motion = calloc((size_t)(x->points * x->n), sizeof *motion);
+    thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
     for (int p = 0; p < x->n && motion; p++, table += x->points * m->nmodes) {
@@ -190,29 +188,18 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, int a
     return motion != NULL;
 }
 
-/* R_ab = R_ba, as stiffness and damping are symmetric (Betti and Maxwell). */
-static bool mirror_pair(const struct thud_responses *x, const struct level *level, int a, int b)
-{
-    const struct pair *other = &level->pair[b * x->model->nrows + a];
-    if (!other->motion)
-        return false;
-    level->pair[a * x->model->nrows + b] = (struct pair){other->motion, true};
-    return true;
-}
-
 enum thud_status thud_responses_make(struct thud_responses *x, int at, const int *contact, int n, const thud_vec2 **out,
                                      struct thud_error *err)
 {
     struct level *level = &x->level[at];
     bool made = level->pair || fill_level(x, level, ldexp(x->h_top, -at));
-    for (int a = 0; a < n && made; a++) {
-        const struct pair *row = level->pair + contact[a] * x->model->nrows;
+    for (int a = 0; a < n && made; a++)
         for (int b = 0; b < n && made; b++) {
-            made = row[contact[b]].motion || mirror_pair(x, level, contact[a], contact[b]) ||
-                   fill_pair(x, level, contact[a], contact[b]);
-            *out++ = row[contact[b]].motion;
+            const int low = contact[a < b ? a : b], high = contact[a < b ? b : a];
+            thud_vec2 **pair = &level->pair[low * x->model->nrows + high];
+            made = *pair || fill_pair(x, level, low, high, pair);
+            *out++ = *pair;
         }
-    }
     return made ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
 }
 

@@ -17,7 +17,7 @@ enum thud_status thud_responses_create(const struct thud_model *model, int n, in
                                        struct thud_error *err);
 void thud_responses_free(struct thud_responses *responses);
 
-/* Makes the responses of these contacts to each other at this step size: out (n x n), of one to the force of the other at
+/* Makes the responses of these contacts, in order, to each other at this step size: out (n x n), of one to the force of the other at
  * each node (points x nodes). Errors: THUD_MEMORY. */
 enum thud_status thud_responses_make(struct thud_responses *responses, int level, const int *contact, int n,
                                      const thud_vec2 **out, struct thud_error *err);

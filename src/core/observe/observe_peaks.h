@@ -9,12 +9,16 @@
 #include "core/observe/end_peaks.h"
 #include "core/observe/observer.h"
 
-/* The values of one quantity of one floor in a block of free vibration. */
+struct thud_free_vibration;
+struct thud_sum;
+
+/* The values of one quantity of one floor, or of a sum over modes, in a block of free vibration. */
 struct thud_peak_row {
     int structure, floor, quantity;
     const double *x;
     struct thud_peak *peak;
-    double margin; /* how far it may lie above its ends inside an interval */
+    double margin;              /* how far it may lie above its ends inside an interval */
+    const struct thud_sum *sum; /* NULL: a floor's */
 };
 
 /* A contact or a yielding storey in a segment: bound of its force, of a storey's of how far it strays from that at the
@@ -49,8 +53,10 @@ struct thud_peaks {
     double *block;
 };
 
-/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
-double thud_peak_cubic(double x0, double x1, double r0, double r1);
+/* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
+ * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
+int thud_peak_row_intervals(const struct thud_model *model, struct thud_free_vibration *f,
+                            const struct thud_peak_row *row, int intervals, double *upper, int *list);
 
 extern const struct thud_observer thud_observe_peaks;
 

@@ -16,6 +16,7 @@
 #include "core/numerics/tolerance.h"
 #include "core/numerics/vec.h"
 #include "core/observe/observe_peaks_parts.h"
+#include "core/observe/observe_sums.h"
 
 enum { ENDS = THUD_FREE_VIBRATION_ENDS };
 
@@ -52,7 +53,8 @@ static void bound_floors(const struct thud_peaks *peaks, const struct thud_model
     }
 }
 
-double thud_peak_cubic(double x0, double x1, double r0, double r1)
+/* Largest |p| on [0, 1] of the cubic with values x0, x1 and rates (by s) r0, r1 at the ends. */
+static double cubic_peak(double x0, double x1, double r0, double r1)
 {
     double c2 = 3 * (x1 - x0) - 2 * r0 - r1, c3 = 2 * (x0 - x1) + r0 + r1;
     double most = thud_larger(fabs(x0), fabs(x1)), root = c2 * c2 - 3 * c3 * r0;
@@ -88,13 +90,22 @@ static int intervals_near(const double *x, int intervals, double near, int *list
 static double rate_at(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row, int t,
                       double ground)
 {
-    return thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
+    return row->sum ? thud_sum_rate(f, m, row->sum, t)
+                    : thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
 }
 
-/* Bounds of the row inside the intervals in which it may pass both what it has reached and what it surely reaches in the
- * block, by interval into upper (0 elsewhere); these intervals into list, and how many. */
-static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row,
-                      int intervals, double *upper, int *list)
+/* Bound of the difference of a row's value from the cubic; of a sum whose rate is not known, from its ends. */
+static double cubic_margin(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row)
+{
+    const double square = f->dt_s * f->dt_s,
+                 fourth = row->sum ? fabs(row->sum->by_row) *
+                                         thud_free_vibration_bend(f, m, row->structure, row->sum->row, 4)
+                                   : thud_free_vibration_floor_bend(f, m, row->structure, row->quantity, 4);
+    return row->sum && row->sum->rate ? row->margin : square * square / 384 * fourth;
+}
+
+int thud_peak_row_intervals(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row,
+                            int intervals, double *upper, int *list)
 {
     const double *x = row->x;
     double most = thud_largest_size(x, intervals + 1);
@@ -102,16 +113,14 @@ static int row_bounds(const struct thud_model *m, struct thud_free_vibration *f,
         return 0;
     double limit = thud_larger(row->peak->value, most) * (1 - THUD_TOL_PEAK_BOUND), rate[2] = {0};
     int near = intervals_near(x, intervals, limit - row->margin, list), count = 0;
-    const double square = f->dt_s * f->dt_s,
-                 fourth = near > 0 ? thud_free_vibration_floor_bend(f, m, row->structure, row->quantity, 4) : 0,
-                 margin = square * square / 384 * fourth; /* from the cubic */
+    const double margin = near > 0 ? cubic_margin(m, f, row) : 0;
     memset(upper, 0, (size_t)intervals * sizeof *upper);
     for (int i = 0; i < near; i++) {
         const int t = list[i];
         const bool follows = i > 0 && list[i - 1] == t - 1 && f->after[t - 1] == f->ground[t]; /* a record may jump */
         rate[0] = follows ? rate[1] : rate_at(m, f, row, t, f->ground[t]);
         rate[1] = rate_at(m, f, row, t + 1, f->after[t]);
-        double cubic = thud_peak_cubic(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
+        double cubic = cubic_peak(x[t], x[t + 1], f->dt_s * rate[0], f->dt_s * rate[1]);
         upper[t] = (cubic + margin) * (1 + THUD_TOL_PEAK_BOUND);
         limit = thud_larger(limit, (cubic - margin) * (1 - THUD_TOL_PEAK_BOUND));
     }
@@ -155,8 +164,9 @@ static int find_rows(struct thud_peaks *peaks, const struct thud_state *state, s
             thud_free_vibration_values(f, m, structure, x);
             struct thud_peak_row *row = &peaks->row[rows];
             double *upper = peaks->upper + rows * THUD_FREE_VIBRATION_BLOCK;
-            *row = (struct thud_peak_row){structure, i, x, f->value[x] + (size_t)(p->first + i) * ENDS, peak, margin};
-            int count = row_bounds(m, f, row, intervals, upper, list);
+            *row = (struct thud_peak_row){structure, i,      x,   f->value[x] + (size_t)(p->first + i) * ENDS,
+                                          peak,      margin, NULL};
+            int count = thud_peak_row_intervals(m, f, row, intervals, upper, list);
             for (int k = 0; k < count; k++)
                 due[list[k]] = true;
             rows += count > 0;

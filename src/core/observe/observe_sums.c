@@ -129,12 +129,11 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     return THUD_OK;
 }
 
-/* Rate of a sum without rates at an end of the block's intervals. */
-static double rate_of(const struct thud_free_vibration *f, const struct thud_model_structure *p,
-                      const struct thud_sum *sum, int t)
+double thud_sum_rate(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum, int t)
 {
+    const struct thud_model_structure *p = &m->structure[sum->structure];
     double rate = 0;
-    for (int j = 0; j < p->modes; j++)
+    for (int j = 0; j < p->modes && !sum->rate; j++)
         rate += sum->row[j] * f->qd[(p->first_mode + j) * ENDS + t];
     return sum->by_row * rate;
 }
@@ -157,9 +156,9 @@ static double largest_sum(struct thud_free_vibration *f, const struct thud_model
     return most;
 }
 
-/* Values at the ends into f->gap, which all have `held`; the largest. */
-static double values(struct thud_free_vibration *f, const struct thud_model_structure *p, const struct thud_sum *sum,
-                     double held, int ends)
+/* Values at the ends into f->gap, which all have `held`. */
+static void values(struct thud_free_vibration *f, const struct thud_model_structure *p, const struct thud_sum *sum,
+                   double held, int ends)
 {
     for (int t = 0; t < ends; t++)
         f->gap[t] = held;
@@ -170,39 +169,24 @@ static double values(struct thud_free_vibration *f, const struct thud_model_stru
         for (int t = 0; sum->rate && t < ends; t++)
             f->gap[t] += sum->by_rate * sum->rate[j] * f->qd[at + (size_t)t];
     }
-    return thud_largest_size(f->gap, ends);
 }
 
 static void sum_block(const struct thud_state *state, struct thud_free_vibration *f, const struct thud_sum *sum,
                       int intervals)
 {
     const struct thud_model *m = state->model;
-    double margin, held = 0;
+    double margin, held = 0, upper[THUD_FREE_VIBRATION_BLOCK];
     for (int i = 0; i < sum->forces; i++)
         if (sum->force[i].row >= m->ncontacts) /* no contact has a force */
             held += sum->force[i].by * thud_row_branch(state, sum->force[i].row)->f0_n;
     if (largest_sum(f, m, sum, &margin) + fabs(held) + margin <= sum->peak->value)
         return;
-    double most = values(f, &m->structure[sum->structure], sum, held, intervals + 1);
-    if (most + margin <= sum->peak->value)
-        return;
-    double limit = fmax(sum->peak->value, most) - margin, upper[THUD_FREE_VIBRATION_BLOCK];
-    const struct thud_model_structure *p = &m->structure[sum->structure];
-    const double square = f->dt_s * f->dt_s,
-                 fourth =
-                     sum->rate ? 0 : fabs(sum->by_row) * thud_free_vibration_bend(f, m, sum->structure, sum->row, 4);
-    for (int t = 0; t < intervals; t++) { /* as peaks of floors: observe_peaks_block.c */
-        upper[t] = thud_larger(fabs(f->gap[t]), fabs(f->gap[t + 1]));
-        if (upper[t] < limit || sum->rate)
-            continue;
-        const double cubic = thud_peak_cubic(f->gap[t], f->gap[t + 1], f->dt_s * rate_of(f, p, sum, t),
-                                             f->dt_s * rate_of(f, p, sum, t + 1));
-        upper[t] = (cubic + square * square / 384 * fourth) * (1 + THUD_TOL_PEAK_BOUND) - margin;
-        limit = thud_larger(limit, (cubic - square * square / 384 * fourth) * (1 - THUD_TOL_PEAK_BOUND) - margin);
-    }
-    for (int t = 0; t < intervals; t++)
-        for (int piece = 0; piece < f->pieces && upper[t] >= limit && upper[t] + margin > sum->peak->value; piece++)
-            look(state, thud_free_vibration_series(f, state, sum->structure, t, piece), sum, 1,
+    values(f, &m->structure[sum->structure], sum, held, intervals + 1);
+    const struct thud_peak_row row = {sum->structure, 0, 0, f->gap, sum->peak, margin, sum};
+    int list[THUD_FREE_VIBRATION_BLOCK], count = thud_peak_row_intervals(m, f, &row, intervals, upper, list);
+    for (int i = 0; i < count; i++)
+        for (int piece = 0; piece < f->pieces && upper[list[i]] > sum->peak->value; piece++)
+            look(state, thud_free_vibration_series(f, state, sum->structure, list[i], piece), sum, 1,
                  &(struct reading){.row = NULL});
 }
 
