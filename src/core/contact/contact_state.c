@@ -9,6 +9,7 @@
 #include "base/arena.h"
 #include "core/contact/storey.h"
 #include "core/numerics/lcp.h"
+#include "core/numerics/vec.h"
 
 /* The workspace of impulses is made where a law has impulses: it is as large as the square of the contacts. */
 enum thud_status thud_state_init(struct thud_state *state, const struct thud_model *model,
@@ -56,10 +57,7 @@ void thud_state_clear(struct thud_state *state)
 
 double thud_state_kinetic(const struct thud_state *state)
 {
-    double sum = 0;
-    for (int j = 0; j < state->model->nmodes; j++)
-        sum += state->qd[j] * state->qd[j];
-    return 0.5 * sum;
+    return 0.5 * thud_dot(state->model->nmodes, state->qd, state->qd);
 }
 
 double thud_state_strain(const struct thud_state *state)
@@ -137,9 +135,8 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
         out[j] = -spring[j] * q[j] - dashpot[j] * qd[j] - gamma[j] * ground;
     for (int s = 0; s < m->nsystems; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
-        for (int i = 0; p->damping && i < p->modes; i++)
-            for (int j = 0; j < p->modes; j++)
-                out[p->first_mode + i] -= p->damping[i * p->modes + j] * qd[p->first_mode + j];
+        if (p->damping)
+            thud_add_rows(p->modes, p->modes, -1, qd + p->first_mode, p->damping, out + p->first_mode);
     }
 }
 

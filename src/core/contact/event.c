@@ -221,11 +221,6 @@ static int unresolved(const struct thud_state *state, const double *d, int terms
     return suppressed < terms ? suppressed : terms - 1;
 }
 
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 /* Bounds by the nodes of a collocated step: between two of them d' lies off the straight line through them by widest^2/8
  * times the largest d''' at most, of which the modes have a bound; and d off the nearest by half that distance times the
  * largest d'. */
@@ -270,9 +265,9 @@ static struct view view_of(const struct thud_state *state, const struct thud_seg
             }
             if (s->suppressed.rate > 0)
                 suppressed = unresolved(state, v.d, seg->terms, suppressed);
-            v.suppressed.rate = larger(s->suppressed.rate, suppressed - 1);
+            v.suppressed.rate = (int)thud_larger(s->suppressed.rate, suppressed - 1);
         }
-        v.suppressed.indentation = larger(s->suppressed.indentation, suppressed);
+        v.suppressed.indentation = (int)thud_larger(s->suppressed.indentation, suppressed);
     }
     double d_rest, v_rest;
     d_rest = thud_poly_move(v.d, seg->terms, &v_rest);

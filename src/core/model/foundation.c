@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/model/modes.h"
+#include "core/numerics/vec.h"
 
 double thud_foundation_arm(const struct thud_structure_input *in)
 {
@@ -19,9 +20,7 @@ static void congruent(int rows, int columns, const double *a, const double *b, d
     memset(temp, 0, (size_t)rows * (size_t)columns * sizeof *temp);
     memset(out, 0, (size_t)columns * (size_t)columns * sizeof *out);
     for (int i = 0; i < rows; i++)
-        for (int k = 0; k < rows; k++)
-            for (int j = 0; j < columns; j++)
-                temp[i * columns + j] += a[i * rows + k] * b[k * columns + j];
+        thud_add_rows(columns, rows, 1, a + i * rows, b, temp + i * columns);
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++)
             for (int k = 0; k < columns; k++)

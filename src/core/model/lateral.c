@@ -7,6 +7,7 @@
 
 #include "base/quantity.h"
 #include "core/model/modes.h"
+#include "core/numerics/vec.h"
 
 static const double frequency_left_out = 10; /* omega_x over the largest given omega */
 static const double least_independent = 0.1; /* eigenvalue of W^T W, which is 1 of orthogonal shapes */
@@ -113,12 +114,8 @@ static void weigh(int n, int m, const double *mass_kg, const double *row, double
 static bool orthogonal(int n, int m, const double *w, double *out, double *g, double *root, double *values)
 {
     for (int a = 0; a < m; a++)
-        for (int b = 0; b < m; b++) {
-            double sum = 0;
-            for (int i = 0; i < n; i++)
-                sum += w[a * n + i] * w[b * n + i];
-            g[a * m + b] = sum;
-        }
+        for (int b = 0; b < m; b++)
+            g[a * m + b] = thud_dot(n, w + a * n, w + b * n);
     if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'V', 'U', m, g, m, values, values + m, 3 * m) != 0 ||
         !(values[0] > least_independent))
         return false;

@@ -4,6 +4,9 @@
 
 #include <lapacke.h>
 #include <stdlib.h>
+#include <string.h>
+
+#include "core/numerics/vec.h"
 
 struct thud_modal_operator {
     double *diagonal; /* (nmodes) the inverse */
@@ -80,12 +83,8 @@ void thud_modal_operator_apply(const struct thud_modal_operator *op, const struc
         const struct thud_model_structure *p = &model->structure[model->system[s]];
         if (!p->damping)
             continue;
-        for (int i = 0; i < p->modes; i++) {
-            double sum = 0;
-            for (int j = 0; j < p->modes; j++)
-                sum += block[j * p->modes + i] * in[p->first_mode + j];
-            out[p->first_mode + i] = sum;
-        }
+        memset(out + p->first_mode, 0, (size_t)p->modes * sizeof *out);
+        thud_add_rows(p->modes, p->modes, 1, in + p->first_mode, block, out + p->first_mode);
         block += p->modes * p->modes;
     }
 }

@@ -577,8 +577,7 @@ static double shared_part(const struct thud_model *m, int a, int b)
         bool both = false;
         for (int k = 0; k < nb; k++)
             both = both || m->structure[of_b[k]].system == s->system;
-        for (int j = s->first_mode; both && j < s->first_mode + s->modes; j++)
-            sum += ga[j] * gb[j];
+        sum += both ? thud_dot(s->modes, ga + s->first_mode, gb + s->first_mode) : 0;
     }
     return sum;
 }

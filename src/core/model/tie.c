@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/numerics/vec.h"
+
 static bool is_linear(const struct thud_link_input *link)
 {
     return !link->law && (link->stiffness_npm != 0 || link->damping_nspm != 0);
@@ -150,32 +152,20 @@ static void turn_damping(struct tie *t)
 {
     const int n = t->modes;
     const double *v = t->stiffness;
+    memset(t->temp, 0, (size_t)(n * n) * sizeof *t->temp);
     for (int a = 0; a < n; a++)
-        for (int i = 0; i < n; i++) {
-            double sum = 0;
-            for (int k = 0; k < n; k++)
-                sum += v[a * n + k] * t->damping[k * n + i];
-            t->temp[a * n + i] = sum;
-        }
+        thud_add_rows(n, n, 1, v + a * n, t->damping, t->temp + a * n);
     for (int a = 0; a < n; a++)
-        for (int b = 0; b <= a; b++) {
-            double sum = 0;
-            for (int i = 0; i < n; i++)
-                sum += t->temp[a * n + i] * v[b * n + i];
-            t->damping[a * n + b] = t->damping[b * n + a] = sum;
-        }
+        for (int b = 0; b <= a; b++)
+            t->damping[a * n + b] = t->damping[b * n + a] = thud_dot(n, t->temp + a * n, v + b * n);
 }
 
 /* Modal values of the whole, of the ground's influence and of the initial motion: V^T x. */
 static void turn_values(const struct tie *t, double *x)
 {
     memcpy(t->row, x + t->first_mode, (size_t)t->modes * sizeof *x);
-    for (int a = 0; a < t->modes; a++) {
-        double sum = 0;
-        for (int k = 0; k < t->modes; k++)
-            sum += t->stiffness[a * t->modes + k] * t->row[k];
-        x[t->first_mode + a] = sum;
-    }
+    for (int a = 0; a < t->modes; a++)
+        x[t->first_mode + a] = thud_dot(t->modes, t->stiffness + a * t->modes, t->row);
 }
 
 /* Phi V of each structure's floors, row by row into phi. */
@@ -186,12 +176,8 @@ static void turn_shapes(const struct tie *t, struct thud_model *m, double *phi)
         const struct thud_model_structure *p = &m->structure[s];
         const int at = p->first_mode - t->first_mode;
         for (int i = 0; i < p->dofs; i++, phi += n)
-            for (int a = 0; a < n; a++) {
-                double sum = 0;
-                for (int j = 0; j < p->modes; j++)
-                    sum += p->phi[i * p->modes + j] * t->stiffness[a * n + at + j];
-                phi[a] = sum;
-            }
+            for (int a = 0; a < n; a++)
+                phi[a] = thud_dot(p->modes, p->phi + i * p->modes, t->stiffness + a * n + at);
     }
 }
 

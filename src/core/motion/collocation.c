@@ -559,13 +559,9 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
     for (int c = 0; c < x->nc; c++)
         x->step.of[c] = name_of(state, c);
     for (int a = 0; a < x->nactive; a++) {
-        const double *force = x->force + a * x->by->n;
-        for (int p = 0; p < x->by->n; p += 2) {
-            thud_vec2 sum = {0, 0};
-            for (int k = 0; k < x->by->n; k++)
-                sum += force[k] * thud_vec2_at(&x->by->lagrange[k][p]);
-            thud_vec2_put(sum, x->step.coefficient + x->active[a] * ROW + p);
-        }
+        double *coefficient = x->step.coefficient + x->active[a] * ROW;
+        memset(coefficient, 0, ROW * sizeof *coefficient);
+        thud_add_rows(ROW, x->by->n, 1, x->force + a * x->by->n, x->by->lagrange[0], coefficient);
     }
     x->step.n = x->by->n;
     x->step.h = h;

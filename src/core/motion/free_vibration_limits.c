@@ -178,20 +178,13 @@ double thud_free_vibration_gap(struct thud_free_vibration *f, const struct thud_
 {
     const struct thud_model_contact *p = &model->contact[c];
     const double *u = f->value[THUD_FLOOR_DISPLACEMENT];
-    const double *left = p->left_dof < 0 ? NULL : u + (size_t)p->left_dof * ENDS;
-    const double *right = p->right_dof < 0 ? NULL : u + (size_t)p->right_dof * ENDS;
     *margin = gap_margin(f, p);
-    if (left)
+    if (p->left_dof >= 0)
         thud_free_vibration_values(f, model, p->left.structure, THUD_FLOOR_DISPLACEMENT);
-    if (right)
+    if (p->right_dof >= 0)
         thud_free_vibration_values(f, model, p->right.structure, THUD_FLOOR_DISPLACEMENT);
-    if (p->struck != 0) {
-        for (int t = 0; t < ends; t++)
-            f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
-        return thud_largest(f->gap, ends);
-    }
     for (int t = 0; t < ends; t++)
-        f->gap[t] = (left ? left[t] : 0) - (right ? right[t] : 0);
+        f->gap[t] = side_value(&p->left, u + t) - side_value(&p->right, u + t);
     return thud_largest(f->gap, ends);
 }
 

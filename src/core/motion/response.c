@@ -104,15 +104,11 @@ static void fill_power(struct thud_responses *x, double h, const double *b, int 
     seg->a0 = seg->a1 = 0;
     seg->loaded = 0;
     thud_taylor_load(x->model, seg, b, p);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < x->points; i++) {
-            double sum = 0, rate = 0;
-            for (int k = seg->terms - 1; k >= 0; k--) {
-                rate = rate * x->point[i] + sum;
-                sum = sum * x->point[i] + seg->q[k * n + j];
-            }
-            *out++ = thud_vec2_set(sum, rate / h);
-        }
+    for (int i = 0; i < x->points; i++) {
+        thud_segment_state(seg, n, x->point[i], x->at_start, x->rise);
+        for (int j = 0; j < n; j++)
+            out[j * x->points + i] = thud_vec2_set(x->at_start[j], x->rise[j]);
+    }
 }
 
 static bool fill_level(struct thud_responses *x, struct level *level, double h)

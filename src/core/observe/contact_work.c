@@ -6,19 +6,17 @@
 
 /* Of a collocated step up to s: how force and rate at places s times as far as its nodes follow from those at the nodes,
  * (count x count); of a whole step not asked. */
-struct places {
-    double by[THUD_LOBATTO_INNER + 2][THUD_LOBATTO_INNER + 2];
-};
+enum { NODES = THUD_LOBATTO_INNER + 2 };
 
-static void place_nodes(const struct thud_segment_nodes *nodes, double s, struct places *out)
+static void place_nodes(const struct thud_segment_nodes *nodes, double s, double (*out)[NODES])
 {
     for (int i = 0; i < nodes->count; i++)
         for (int k = 0; k < nodes->count; k++)
-            out->by[i][k] = thud_poly_value(nodes->lagrange + k * nodes->apart, nodes->count, s * nodes->point[i]);
+            out[i][k] = thud_poly_value(nodes->lagrange + k * nodes->apart, nodes->count, s * nodes->point[i]);
 }
 
 /* Work of a collocated step by its nodes, where its force is the law's. */
-static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, const struct places *places, double *impulse)
+static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, double (*places)[NODES], double *impulse)
 {
     const thud_vec2 *motion = nodes->motion + nodes->at[c] * nodes->points;
     const double *force = nodes->force + nodes->at[c] * nodes->count;
@@ -28,7 +26,7 @@ static double work_at_nodes(const struct thud_segment_nodes *nodes, int c, const
         if (places) {
             at = thud_vec2_set(0, 0);
             for (int k = 0; k < nodes->count; k++)
-                at += places->by[i][k] * thud_vec2_set(force[k], motion[k][1]);
+                at += places[i][k] * thud_vec2_set(force[k], motion[k][1]);
         }
         work += nodes->weight[i] * at[0] * at[1];
         *impulse += nodes->weight[i] * at[0];
@@ -72,7 +70,7 @@ static double force_work(const struct thud_observation *o, int c, const struct p
 /* Work done on a contact over the segment, per second of it, and its mean force. Of a power series: the work of the force
  * that was applied, and of what the law's differs from it by; that is of the size of the tolerance, and laws are dear: two
  * points are enough. */
-static double contact_work(const struct thud_observation *o, int c, const struct places *places, double *impulse)
+static double contact_work(const struct thud_observation *o, int c, double (*places)[NODES], double *impulse)
 {
     static const double node[] = {0.21132486540518713, 0.78867513459481287}, half[] = {0.5, 0.5};
     static const struct points all = {THUD_QUADRATURE_POINTS, thud_quadrature_node, thud_quadrature_weight},
@@ -108,15 +106,15 @@ int thud_contact_works(const struct thud_observation *o, struct thud_contact_wor
 {
     int n = 0;
     double dt = o->s * o->seg->h_s;
-    struct places places;
+    double places[NODES][NODES];
     if (o->seg->end)
         return end_works(o, out);
     if (o->seg->nodes && o->s != 1)
-        place_nodes(o->seg->nodes, o->s, &places);
+        place_nodes(o->seg->nodes, o->s, places);
     for (int c = 0; c < o->state->model->ncontacts; c++) {
         if (!thud_segment_has_force(o->state, o->seg, c))
             continue;
-        double impulse = 0, work = contact_work(o, c, &places, &impulse);
+        double impulse = 0, work = contact_work(o, c, places, &impulse);
         out[n++] = (struct thud_contact_work){c, work * dt, impulse * dt};
     }
     return n;

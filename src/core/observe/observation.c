@@ -47,3 +47,9 @@ void thud_observation_acceleration(const struct thud_observation *o, double s, c
         out[j] = sum / (seg->h_s * seg->h_s) + m->gamma[j] * thud_observation_ground(o, s);
     }
 }
+
+bool thud_observer_jumps(const void *own, const struct thud_rest *rest)
+{
+    (void)own, (void)rest;
+    return true;
+}

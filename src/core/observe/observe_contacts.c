@@ -39,24 +39,24 @@ static void indentation_peak(struct thud_contact_log *log, const struct thud_obs
              seg->start_s + o->s * seg->h_s);
 }
 
-/* A power series has no forces beyond. */
-static int force_terms(const struct thud_segment *seg)
+/* Coefficients of a contact's force, and how many: a power series has no forces beyond. */
+static int force_of(const struct thud_observation *o, int c, double *out)
 {
-    return seg->interpolates ? seg->terms : seg->loaded;
+    const int terms = o->seg->interpolates ? o->seg->terms : o->seg->loaded;
+    for (int k = 0; k < terms; k++)
+        out[k] = o->seg->force[k * o->state->model->nrows + c];
+    return terms;
 }
 
 static void contact_peaks(struct thud_contact_log *log, const struct thud_observation *o, int c)
 {
-    const struct thud_segment *seg = o->seg;
     double p[THUD_SEGMENT_TERMS];
     if (o->state->contact[c].mode != THUD_OPEN)
         indentation_peak(log, o, c);
-    if (!thud_segment_has_force(o->state, seg, c))
+    if (!thud_segment_has_force(o->state, o->seg, c))
         return;
-    const int terms = force_terms(seg);
-    for (int k = 0; k < terms; k++)
-        p[k] = seg->force[k * o->state->model->nrows + c];
-    raise_both(seg, &log->contact[c].force, &log->now[c].force_n, p, terms, o->s);
+    const int terms = force_of(o, c, p);
+    raise_both(o->seg, &log->contact[c].force, &log->now[c].force_n, p, terms, o->s);
 }
 
 /* Of a step whose events are not located: its end is all that it knows. */
@@ -86,9 +86,7 @@ static double pushing_s(const struct thud_observation *o, const struct thud_cont
         return o->s * seg->h_s;
     if (seg->end)
         return of->impulse_ns > 0 ? o->s * seg->h_s : 0;
-    const int terms = force_terms(seg);
-    for (int k = 0; k < terms; k++)
-        p[k] = seg->force[k * state->model->nrows + of->contact];
+    const int terms = force_of(o, of->contact, p);
     return thud_poly_above(p, terms, o->s) * seg->h_s;
 }
 
@@ -126,10 +124,5 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-static bool may_jump(const void *own, const struct thud_rest *rest)
-{
-    (void)own, (void)rest;
-    return true;
-}
-
-const struct thud_observer thud_observe_contacts = {.segment = segment, .block = block, .may_jump = may_jump};
+const struct thud_observer thud_observe_contacts = {
+    .segment = segment, .block = block, .may_jump = thud_observer_jumps};

@@ -20,73 +20,47 @@ static const double fine = 1e-7; /* tolerance below which works are summed to ro
 /* Structures. The power of damping and of the ground is integrated by the few points of a stepping method's cubic, else
  * by those that leave rounding alone; the rates at both ends of the piece are known. */
 
-/* Power of the damping that couples modes (isolated buildings) at these modal rates. */
-static double coupled_power(const struct thud_model *m, const double *rate)
+/* Power of the damping where the modal rates are factor times these, and the ground's. */
+static double power_at(const struct thud_model *m, const double *rate, double factor, double ground, double *drive)
 {
-    double sum = 0;
-    for (int s = 0; s < m->nsystems; s++) {
+    thud_vec2 sum = {0, 0}, by_ground = {0, 0};
+    for (int j = 0; j < m->nmodes; j += 2) {
+        const bool single = j + 1 == m->nmodes;
+        const thud_vec2 x = thud_vec2_some(rate + j, single);
+        sum += thud_vec2_some(m->dashpot + j, single) * x * x;
+        by_ground += thud_vec2_some(m->gamma + j, single) * x;
+    }
+    double loss = thud_vec2_sum(sum);
+    for (int s = 0; s < m->nsystems && m->couples; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
+        const double *of = rate + p->first_mode;
         for (int i = 0; p->damping && i < p->modes; i++)
-            sum += rate[p->first_mode + i] * thud_dot(p->modes, p->damping + i * p->modes, rate + p->first_mode);
+            loss += of[i] * thud_dot(p->modes, p->damping + i * p->modes, of);
     }
-    return sum;
+    *drive = -ground * factor * thud_vec2_sum(by_ground);
+    return factor * factor * loss;
 }
 
-/* Its integral by weights from the modes' rates at the points, rates (nmodes x INNER). */
-static double coupled_work(const struct thud_model *m, const double *rates, const double *weight, int points)
+/* Rates of two modes, or one, at the points of a quadrature in units of the segment's length, out (points x nmodes). */
+static inline void rates_of(const struct thud_segment *seg, int n, int j, bool single,
+                            const struct thud_rate_powers *power, const int points, double *out)
 {
-    enum { INNER = THUD_LOBATTO_INNER };
-    double sum = 0;
-    for (int s = 0; s < m->nsystems; s++) {
-        const struct thud_model_structure *p = &m->structure[m->system[s]];
-        const double *first = rates + p->first_mode * INNER, *d = p->damping;
-        for (int i = 0; d && i < p->modes; i++, d += p->modes) {
-            double by_weight[INNER] = {0};
-            for (int k = 0; k < points; k++)
-                by_weight[k] = weight[k] * first[i * INNER + k];
-            sum += d[i] * thud_dot(points, by_weight, first + i * INNER);
-            for (int j = i + 1; j < p->modes; j++) /* D is symmetric */
-                sum += 2 * d[j] * thud_dot(points, by_weight, first + j * INNER);
-        }
-    }
-    return sum;
-}
-
-/* Power of the damping, and the ground's per unit of its acceleration, at the points of a quadrature. */
-struct powers {
-    thud_vec2 loss[THUD_LOBATTO_INNER], drive[THUD_LOBATTO_INNER]; /* two parts of each */
-};
-
-/* Adds those of two modes, or one, in units of the segment's length. */
-static inline void add_modes(const struct thud_model *m, const struct thud_segment *seg, int j, bool single,
-                             const struct thud_rate_powers *power, const int points, double *rates, struct powers *sum)
-{
-    const thud_vec2 dashpot = thud_vec2_some(m->dashpot + j, single), gamma = thud_vec2_some(m->gamma + j, single);
-    const int n = m->nmodes, terms = seg->terms;
     const double *q = seg->q + n + j;
     thud_vec2 rate[THUD_LOBATTO_INNER] = {0};
-    for (int k = 1; k < terms; k++, q += n) {
+    for (int k = 1; k < seg->terms; k++, q += n) {
         const thud_vec2 x = thud_vec2_some(q, single);
         for (int i = 0; i < points; i++)
             rate[i] += x * power->order[k][i];
     }
-    for (int i = 0; i < points; i++) {
-        sum->loss[i] += dashpot * rate[i] * rate[i];
-        sum->drive[i] += gamma * rate[i];
-        for (int k = 0; k < (single ? 1 : 2) && m->couples; k++)
-            rates[(j + k) * THUD_LOBATTO_INNER + i] = rate[i][k];
-    }
+    for (int i = 0; i < points; i++)
+        thud_vec2_put_some(rate[i], out + i * n + j, single);
 }
 
-static inline void add_all_modes(const struct thud_model *m, const struct thud_segment *seg,
-                                 const struct thud_rate_powers *power, const int points, double *rates,
-                                 struct powers *sum)
+static inline void all_rates(const struct thud_segment *seg, int n, const struct thud_rate_powers *power,
+                             const int points, double *out)
 {
-    int j = 0;
-    for (; j + 2 <= m->nmodes; j += 2)
-        add_modes(m, seg, j, false, power, points, rates, sum);
-    if (j < m->nmodes)
-        add_modes(m, seg, j, true, power, points, rates, sum);
+    for (int j = 0; j < n; j += 2)
+        rates_of(seg, n, j, j + 1 == n, power, points, out);
 }
 
 /* Powers of the points s times as far from the start: k (s x)^(k - 1). */
@@ -97,16 +71,6 @@ static void scale_powers(const struct thud_rate_powers *unit, int points, double
     for (int k = 1; k < terms; k++, factor *= s)
         for (int i = 0; i < points; i++)
             out->order[k][i] = factor * unit->order[k][i];
-}
-
-/* Power of the damping at an end of the piece, where the modal rates are factor times these, and the ground's. */
-static double end_loss(const struct thud_model *m, const double *rate, double factor, double ground, double *drive)
-{
-    double loss = m->couples ? coupled_power(m, rate) : 0;
-    for (int j = 0; j < m->nmodes; j++)
-        loss += m->dashpot[j] * rate[j] * rate[j];
-    *drive = -ground * factor * thud_dot(m->nmodes, m->gamma, rate);
-    return factor * factor * loss;
 }
 
 void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observation *o, double *input_j,
@@ -120,30 +84,27 @@ void thud_ledger_structure_work(struct thud_ledger *l, const struct thud_observa
         by = thud_lobatto_of(seg->nodes->count);
     struct thud_rate_powers scaled;
     const struct thud_rate_powers *power = &l->power[by - thud_lobatto];
-    struct powers sum = {0};
-    double start, end, rate = 1 / seg->h_s;
+    double drive, end_drive, rate = 1 / seg->h_s;
     if (o->s != 1) {
         scale_powers(power, by->inner, o->s, seg->terms, &scaled);
         power = &scaled;
     }
     if (by->inner == 2)
-        add_all_modes(m, seg, power, 2, l->rates, &sum);
+        all_rates(seg, m->nmodes, power, 2, l->rates);
     else if (by->inner == 3)
-        add_all_modes(m, seg, power, 3, l->rates, &sum);
+        all_rates(seg, m->nmodes, power, 3, l->rates);
     else if (by->inner == 5)
-        add_all_modes(m, seg, power, 5, l->rates, &sum);
+        all_rates(seg, m->nmodes, power, 5, l->rates);
     else
-        add_all_modes(m, seg, power, THUD_LOBATTO_INNER, l->rates, &sum);
-    double loss = by->end_weight * (end_loss(m, seg->q + m->nmodes, rate, seg->a0, &start) +
-                                    end_loss(m, o->qd, 1, seg->a0 + o->s * seg->a1, &end)),
-           input = by->end_weight * (start + end);
+        all_rates(seg, m->nmodes, power, THUD_LOBATTO_INNER, l->rates);
+    double loss = by->end_weight * (power_at(m, seg->q + m->nmodes, rate, seg->a0, &drive) +
+                                    power_at(m, o->qd, 1, seg->a0 + o->s * seg->a1, &end_drive)),
+           input = by->end_weight * (drive + end_drive);
     for (int i = 0; i < by->inner; i++) {
-        double ground = seg->a0 + seg->a1 * o->s * by->node[i];
-        loss += by->weight[i] * rate * rate * (sum.loss[i][0] + sum.loss[i][1]);
-        input -= by->weight[i] * rate * ground * (sum.drive[i][0] + sum.drive[i][1]);
+        const double ground = seg->a0 + seg->a1 * o->s * by->node[i];
+        loss += by->weight[i] * power_at(m, l->rates + i * m->nmodes, rate, ground, &drive);
+        input += by->weight[i] * drive;
     }
-    if (m->couples)
-        loss += rate * rate * coupled_work(m, l->rates, by->weight, by->inner);
     *input_j = input * o->s * seg->h_s;
     *viscous_j = loss * o->s * seg->h_s;
 }
@@ -283,12 +244,6 @@ static enum thud_status block(void *own, const struct thud_state *state, struct 
     return THUD_OK;
 }
 
-static bool may_jump(const void *own, const struct thud_rest *rest)
-{
-    (void)own, (void)rest;
-    return true;
-}
-
 /* The balance of this moment stands for the end: in what is left out nothing new happens. */
 static void jumped(void *own, const struct thud_state *state)
 {
@@ -298,7 +253,7 @@ static void jumped(void *own, const struct thud_state *state)
 }
 
 const struct thud_observer thud_observe_energy = {
-    .segment = segment, .block = block, .may_jump = may_jump, .jumped = jumped};
+    .segment = segment, .block = block, .may_jump = thud_observer_jumps, .jumped = jumped};
 
 enum thud_status thud_ledger_init(struct thud_ledger *ledger, const struct thud_model *model,
                                   const struct thud_contact_log *log, double limit, struct thud_error *err)

@@ -156,32 +156,22 @@ static double largest_sum(struct thud_free_vibration *f, const struct thud_model
     return most;
 }
 
-/* Values at the ends into f->gap, which all have `held`. */
-static void values(struct thud_free_vibration *f, const struct thud_model_structure *p, const struct thud_sum *sum,
-                   double held, int ends)
-{
-    for (int t = 0; t < ends; t++)
-        f->gap[t] = held;
-    for (int j = 0; j < p->modes; j++) {
-        const size_t at = (size_t)(p->first_mode + j) * ENDS;
-        for (int t = 0; t < ends; t++)
-            f->gap[t] += sum->by_row * sum->row[j] * f->q[at + (size_t)t];
-        for (int t = 0; sum->rate && t < ends; t++)
-            f->gap[t] += sum->by_rate * sum->rate[j] * f->qd[at + (size_t)t];
-    }
-}
-
 static void sum_block(const struct thud_state *state, struct thud_free_vibration *f, const struct thud_sum *sum,
                       int intervals)
 {
     const struct thud_model *m = state->model;
+    const struct thud_model_structure *p = &m->structure[sum->structure];
     double margin, held = 0, upper[THUD_FREE_VIBRATION_BLOCK];
     for (int i = 0; i < sum->forces; i++)
         if (sum->force[i].row >= m->ncontacts) /* no contact has a force */
             held += sum->force[i].by * thud_row_branch(state, sum->force[i].row)->f0_n;
     if (largest_sum(f, m, sum, &margin) + fabs(held) + margin <= sum->peak->value)
         return;
-    values(f, &m->structure[sum->structure], sum, held, intervals + 1);
+    for (int t = 0; t < ENDS; t++)
+        f->gap[t] = held;
+    thud_add_rows(ENDS, p->modes, sum->by_row, sum->row, f->q + p->first_mode * ENDS, f->gap);
+    if (sum->rate)
+        thud_add_rows(ENDS, p->modes, sum->by_rate, sum->rate, f->qd + p->first_mode * ENDS, f->gap);
     const struct thud_peak_row row = {sum->structure, 0, 0, f->gap, sum->peak, margin, sum};
     int list[THUD_FREE_VIBRATION_BLOCK], count = thud_peak_row_intervals(m, f, &row, intervals, upper, list);
     for (int i = 0; i < count; i++)

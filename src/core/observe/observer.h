@@ -60,6 +60,9 @@ struct thud_observer {
     void (*jumped)(void *own, const struct thud_state *state);
 };
 
+/* may_jump of an observer that has nothing to find in the rest. */
+bool thud_observer_jumps(const void *own, const struct thud_rest *rest);
+
 /* The peak of a floor's quantity, THUD_FLOOR_DISPLACEMENT to THUD_FLOOR_DRIFT. */
 static inline struct thud_peak *thud_floor_peak(struct thud_result *result, int structure, int floor, int quantity)
 {

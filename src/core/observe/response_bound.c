@@ -111,23 +111,15 @@ void thud_peaks_row_forces(struct thud_peaks *peaks, const struct thud_state *st
     }
 }
 
-/* Size of the forces of all rows on the structure, and on what it is tied to, in modal coordinates, at most: a force on a floor of mass m is
- * force/sqrt(m) there. */
+/* Size of the forces of all rows on the structure, and on what it is tied to, in modal coordinates, at most. */
 static double largest_force(const struct thud_peaks *peaks, const struct thud_model *m,
                             const struct thud_model_structure *p)
 {
-    const double *per_speed = peaks->per_speed + THUD_FLOOR_VELOCITY * m->ndof;
     double total = 0;
-    for (int i = 0; i < peaks->pushes; i++)
-        for (int side = 0; side < 2; side++) {
-            const struct thud_model_contact *row = &m->contact[peaks->push[i].row];
-            const struct thud_model_side *at = side == 0 ? &row->left : &row->right;
-            if (at->dof < 0 || m->structure[at->structure].system != p->system)
-                continue;
-            total += at->share * per_speed[at->dof] * peaks->push[i].bound;
-            total += at->below < 0 ? 0 : (1 - at->share) * per_speed[at->below] * peaks->push[i].bound;
-            total += at->tilt < 0 ? 0 : fabs(at->by_tilt) * per_speed[at->tilt] * peaks->push[i].bound;
-        }
+    for (int i = 0; i < peaks->pushes; i++) {
+        const double *g = m->jacobian + peaks->push[i].row * m->nmodes + p->first_mode;
+        total += sqrt(thud_dot(p->modes, g, g)) * peaks->push[i].bound;
+    }
     return total;
 }
 

@@ -29,7 +29,6 @@ struct moment {
 };
 
 struct thud_baseline_motion {
-    int ndof, nmodes, ncontacts;
     struct thud_run *run; /* at its end; for its result */
     struct thud_model model;
     struct thud_relative relative; /* displacements so far */
@@ -87,8 +86,9 @@ static enum thud_status keep(struct thud_baseline_motion *baseline, struct thud_
     if (baseline->nkept == KEPT_MAX)
         thin(baseline);
     const struct thud_result *r = &run->result;
-    const size_t n = (size_t)baseline->nmodes, nc = (size_t)baseline->ncontacts, floors = (size_t)baseline->ndof,
-                 storeys = (size_t)run->state.model->nstoreys, columns = (size_t)r->ncolumns, links = (size_t)r->nlinks;
+    const size_t n = (size_t)baseline->model.nmodes, nc = (size_t)baseline->model.ncontacts,
+                 floors = (size_t)baseline->model.ndof, storeys = (size_t)run->state.model->nstoreys,
+                 columns = (size_t)r->ncolumns, links = (size_t)r->nlinks;
     struct moment *moment = &baseline->kept[baseline->nkept];
     struct thud_arena arena;
     if (!thud_arena_open(&arena, thud_arena_room(2 * n + nc, sizeof *moment->state) +
@@ -159,9 +159,6 @@ enum thud_status thud_baseline_create(const struct thud_model *model, int open, 
         struct thud_run_options quiet = *options;
         quiet.keep_history = quiet.keep_impacts = quiet.keep_events = false;
         quiet.floor_spectra = NULL;
-        baseline->ndof = model->ndof;
-        baseline->nmodes = model->nmodes;
-        baseline->ncontacts = model->ncontacts;
         baseline->apart = baseline->next = 64;
         struct thud_run *run = NULL;
         status = thud_run_create(&baseline->model, record, &quiet, &run, err);
@@ -210,22 +207,22 @@ bool thud_baseline_shares(const struct thud_baseline_motion *baseline)
 
 double thud_baseline_relative_displacement(const struct thud_baseline_motion *baseline, int c)
 {
-    assert(c >= 0 && c < baseline->ncontacts);
+    assert(c >= 0 && c < baseline->model.ncontacts);
     return baseline->relative.largest_m[c];
 }
 
 double thud_baseline_struck_displacement(const struct thud_baseline_motion *baseline, int c)
 {
-    assert(c >= 0 && c < baseline->ncontacts);
-    return baseline->relative.largest_m[baseline->ncontacts + c];
+    assert(c >= 0 && c < baseline->model.ncontacts);
+    return baseline->relative.largest_m[baseline->model.ncontacts + c];
 }
 
 /* Whether no contact has closed up to the moment. */
 static bool before_contact(const struct thud_baseline_motion *baseline, const struct moment *moment,
                            const struct thud_model *model)
 {
-    const double *relative = moment->state + 2 * baseline->nmodes;
-    for (int c = 0; c < baseline->ncontacts; c++)
+    const double *relative = moment->state + 2 * baseline->model.nmodes;
+    for (int c = 0; c < baseline->model.ncontacts; c++)
         if (!(model->contact[c].law->flags & THUD_LAW_NO_FORCE) && relative[c] > model->contact[c].clearance_m)
             return false;
     return true;
@@ -252,8 +249,8 @@ enum thud_status thud_baseline_run(const struct thud_baseline_motion *baseline, 
                                    const struct thud_record *record, const struct thud_run_options *options,
                                    struct thud_run **out, double *shared_s, struct thud_error *err)
 {
-    assert(model->ndof == baseline->ndof && model->nmodes == baseline->nmodes &&
-           model->ncontacts == baseline->ncontacts);
+    assert(model->ndof == baseline->model.ndof && model->nmodes == baseline->model.nmodes &&
+           model->ncontacts == baseline->model.ncontacts);
     *shared_s = 0;
     enum thud_status status = thud_run_create_like(model, record, options, baseline->run, out, err);
     if (status != THUD_OK || !baseline->shares || options->keep_history)
