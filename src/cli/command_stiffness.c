@@ -9,7 +9,8 @@
 #include "io/result/study_rows.h"
 #include "study/scene/stiffness.h"
 
-enum { PARTS = 3, SPRINGS_MAX = 2 + 1 + 3, RUNS_MAX = 2 * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
+enum { PARTS = 3, SPRINGS_MAX = 2 + 1 + 3 };
+enum { RUNS_MAX = THUD_STIFFNESSES * THUD_STIFFNESS_ROWS * THUD_STRUCTURES_MAX };
 
 /* The results, as text or as rows. */
 struct told {
@@ -99,7 +100,7 @@ static void put_peak(struct thud_text *out, int width, double value)
 static void add_rows(const struct thud_scene *scene, enum thud_stiffness which, const struct thud_stiffness_row *row,
                      int n, struct told *told)
 {
-    const char *name = which == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
+    const char *name = thud_stiffness_name(which);
     struct thud_text *out = &told->text;
     for (int i = 0; i < n; i++)
         for (int s = 0; s < scene->nstructures; s++)
@@ -169,7 +170,7 @@ static enum thud_status add_runs(const struct thud_args *args, struct thud_sessi
         status = thud_scene_check(scene, err);
     if (status == THUD_OK)
         status = thud_session_read_record(session, err);
-    for (int which = THUD_STIFFNESS_CONTACT; status == THUD_OK && which <= (int)THUD_STIFFNESS_BUMPER; which++) {
+    for (int which = THUD_STIFFNESS_CONTACT; status == THUD_OK && which < (int)THUD_STIFFNESSES; which++) {
         struct thud_stiffness_row row[THUD_STIFFNESS_ROWS];
         int n;
         status = thud_stiffness_rows(scene, session->record, (enum thud_stiffness)which, row, &n, err);

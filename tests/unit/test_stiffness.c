@@ -74,6 +74,11 @@ START_TEST(what_stands_for_the_stiffness_is_varied)
     int modulus = thud_law_param(scene.interface[0].bumper.law, "material-stiffness");
     ck_assert(changed.interface[0].bumper.value[modulus] == 2.5e6);
     ck_assert(isnan(changed.interface[0].bumper.value[0]));
+    ck_assert(!thud_stiffness_scale(&changed, THUD_STIFFNESS_LINK, 2));
+    changed.nlinks = 1;
+    changed.link[0] = (struct thud_link){.stiffness_npm = 3, .damping_nspm = 5, .slip_n = 7};
+    ck_assert(thud_stiffness_scale(&changed, THUD_STIFFNESS_LINK, 2));
+    ck_assert(changed.link[0].stiffness_npm == 6 && changed.link[0].damping_nspm == 10 && changed.link[0].slip_n == 14);
 }
 END_TEST
 

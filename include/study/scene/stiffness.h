@@ -15,10 +15,12 @@ double thud_stiffness_series(double a_npm, double b_npm);
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
 /* Varied stiffness: of every interface with a bumper the bumper, which alone is struck there, of the others the
- * contact. */
-enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER };
+ * contact; of links stiffness, dashpot and slip force together. */
+enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER, THUD_STIFFNESS_LINK, THUD_STIFFNESSES };
+/* "contact", "bumper", "link" */
+const char *thud_stiffness_name(enum thud_stiffness which);
 
-/* Multiplies this stiffness; false: the law has no parameter for it. */
+/* Multiplies this stiffness; false: the scene, or its law, has none. */
 bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor);
 
 struct thud_stiffness_row {

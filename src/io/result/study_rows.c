@@ -152,13 +152,14 @@ const struct thud_schema thud_best_schema = THUD_SCHEMA(
     "best.csv", "Written by\n.Cm sweep Fl -best Fl o :\na row for each setting of the other keys.\n", bests);
 
 #define STIFFNESS(member, text) THUD_FIELD(struct thud_stiffness_fields, member, #member, text)
-static const struct thud_column stiffnesses[] = {STIFFNESS(varied, "contact or bumper: whose stiffness is multiplied."),
-                                                 STIFFNESS(factor, "By how much."),
-                                                 STIFFNESS(impacts, "Impacts of all contacts."),
-                                                 STIFFNESS(force_n, "Their largest force, N."),
-                                                 STIFFNESS(structure, "Name of the structure."),
-                                                 STIFFNESS(acceleration_mps2, "The largest of its floors, m/s2."),
-                                                 STIFFNESS(drift_m, "The largest of its storeys, m.")};
+static const struct thud_column stiffnesses[] = {
+    STIFFNESS(varied, "contact, bumper or link: whose stiffness is multiplied."),
+    STIFFNESS(factor, "By how much."),
+    STIFFNESS(impacts, "Impacts of all contacts."),
+    STIFFNESS(force_n, "Their largest force, N."),
+    STIFFNESS(structure, "Name of the structure."),
+    STIFFNESS(acceleration_mps2, "The largest of its floors, m/s2."),
+    STIFFNESS(drift_m, "The largest of its storeys, m.")};
 const struct thud_schema thud_stiffness_schema =
     THUD_SCHEMA("stiffness --csv",
                 "A row for each stiffness that is multiplied, factor and structure; with\n.Fl -json\nthe list\n"

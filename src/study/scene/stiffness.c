@@ -32,9 +32,23 @@ static double *stiffness_of(struct thud_law_choice *choice)
     return NULL;
 }
 
+const char *thud_stiffness_name(enum thud_stiffness which)
+{
+    static const char *const name[THUD_STIFFNESSES] = {"contact", "bumper", "link"};
+    return name[which];
+}
+
 bool thud_stiffness_scale(struct thud_scene *scene, enum thud_stiffness which, double factor)
 {
     bool any = false;
+    if (which == THUD_STIFFNESS_LINK) {
+        for (int i = 0; i < scene->nlinks; i++) {
+            scene->link[i].stiffness_npm *= factor;
+            scene->link[i].slip_n *= factor;
+            scene->link[i].damping_nspm *= factor;
+        }
+        return scene->nlinks > 0;
+    }
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         struct thud_interface *interface = &scene->interface[i];
         if (interface->has_bumper != (which == THUD_STIFFNESS_BUMPER))

@@ -11,6 +11,7 @@
 #include "study/scene/needed_gap.h"
 #include "study/scene/scene_elements.h"
 #include "study/scene/solution.h"
+#include "study/scene/stiffness.h"
 #include "study/sweep/remark.h"
 #include "study/sweep/sweep_private.h"
 
@@ -264,16 +265,6 @@ static void change_interfaces(struct thud_scene *scene, enum thud_input input, i
     }
 }
 
-/* Their stiffnesses and dashpots together. */
-static void change_links(struct thud_scene *scene, double size, double u)
-{
-    for (int i = 0; i < scene->nlinks; i++) {
-        scene->link[i].stiffness_npm = changed(THUD_INPUT_LINK, scene->link[i].stiffness_npm, size, u);
-        scene->link[i].slip_n = changed(THUD_INPUT_LINK, scene->link[i].slip_n, size, u);
-        scene->link[i].damping_nspm = changed(THUD_INPUT_LINK, scene->link[i].damping_nspm, size, u);
-    }
-}
-
 void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *drawn, double u, double *motion)
 {
     enum thud_input input = drawn->input;
@@ -282,7 +273,7 @@ void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *
     if (input == THUD_INPUT_MOTION)
         *motion = changed(input, *motion, drawn->size, u);
     else if (input == THUD_INPUT_LINK)
-        change_links(scene, drawn->size, u);
+        thud_stiffness_scale(scene, THUD_STIFFNESS_LINK, thud_input_times(drawn, u));
     else if (infos[input].each != THUD_INPUT_EACH_STRUCTURE)
         change_interfaces(scene, input, drawn->of, drawn->size, u);
     for (int s = 0; infos[input].each == THUD_INPUT_EACH_STRUCTURE && s < scene->nstructures; s++) {
