@@ -178,7 +178,7 @@ START_TEST(rows_without_values_are_left_out)
     ck_assert(has(&html, "<ol>\n<li><a href=\"#section-1\">1 One &amp; all</a></li>\n"
                          "<li><a href=\"#section-2\">2 Two</a></li>\n</ol>"));
     ck_assert(has(&html, "<h2 id=\"section-1\">1 One &amp; all</h2>") && has(&html, "<h2 id=\"section-2\">2 Two</h2>"));
-    ck_assert(has(&html, ">[8\u00a0MN/\u2060m, 7\u00a0&lt;MN&gt;]</td>")); /* no value breaks within its unit */
+    ck_assert(has(&html, ">[8\u00a0MN/\u2060m, 7 &lt;MN&gt;]</td>")); /* no value breaks within its unit */
     ck_assert_str_eq(markdown.data, "## One \\& all\n\n**Table 1. Values**\n\n| of | a | b |\n|---|---:|---:|\n"
                                     "| half | \\- | 1 |\n| list | \\[8 MN/m, 7 \\<MN\\>\\] | 1 |\n\n## Two\n");
 }
@@ -200,10 +200,21 @@ END_TEST
 
 START_TEST(lines_stay_as_they_are)
 {
-    thud_document_lines(&document, "a: [1, 2]\n  b: <c>\n");
+    thud_document_lines(&document, "a: [1, 2 mm]\n  b: <c>\n");
     write_both();
-    ck_assert(has(&html, "<pre>a: [1, 2]\n  b: &lt;c&gt;\n</pre>"));
-    ck_assert_str_eq(markdown.data, "    a: [1, 2]\n      b: <c>\n");
+    ck_assert(has(&html, "<pre>a: [1, 2 mm]\n  b: &lt;c&gt;\n</pre>"));
+    ck_assert_str_eq(markdown.data, "    a: [1, 2 mm]\n      b: <c>\n");
+}
+END_TEST
+
+/* U+00A0 between a number and its unit, U+2060 in it; not in Markdown, nor where no unit follows. */
+START_TEST(a_number_stays_with_its_unit)
+{
+    thud_document_paragraph(&document, "at 66 %% of 2 MN/m, 3 storeys, 4 metres and [0.36 kN/mm^2.65]");
+    write_both();
+    ck_assert(
+        has(&html, "<p>at 66\u00a0% of 2\u00a0MN/\u2060m, 3 storeys, 4 metres and [0.36\u00a0kN/\u2060mm^2.65]</p>"));
+    ck_assert(has(&markdown, "at 66 % of 2 MN/m, 3 storeys"));
 }
 END_TEST
 
@@ -220,6 +231,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, no_row_of_a_long_table_stands_alone);
     tcase_add_test(tcase, rows_without_values_are_left_out);
     tcase_add_test(tcase, lines_stay_as_they_are);
+    tcase_add_test(tcase, a_number_stays_with_its_unit);
     tcase_add_test(tcase, numbers_have_three_digits);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -1,5 +1,6 @@
 #include "app/report/document.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -273,6 +274,7 @@ static bool is_words(const char *text)
 static bool column_is_words(const struct thud_document *document, size_t table, int k)
 {
     int column = 0, row = 0;
+    bool empty = true;
     for (size_t i = table + 1; i < document->n; i++) {
         const struct thud_document_piece *piece = &document->piece[i];
         if (piece->kind == ROW) {
@@ -280,11 +282,13 @@ static bool column_is_words(const struct thud_document *document, size_t table, 
             column = 0;
         } else if (piece->kind != CELL) {
             break;
-        } else if (column++ == k && row > 0 && is_words(text_of(piece))) {
-            return true;
+        } else if (column++ == k && row > 0) {
+            if (is_words(text_of(piece)))
+                return true;
+            empty = empty && !*text_of(piece);
         }
     }
-    return false;
+    return empty;
 }
 
 /* ---- HTML ---- */
@@ -301,6 +305,34 @@ static void escape_html(struct thud_text *out, const char *text)
     }
 }
 
+/* The length of a word that is a unit: "%", "kN/mm", "m2"; 0: it is none. */
+static size_t unit_length(const char *at)
+{
+    static const char *const unit[] = {"%",  "mm", "cm", "km", "m",  "s",  "g",   "t",  "N",
+                                       "kN", "MN", "GN", "kJ", "MJ", "Hz", "MPa", "GPa"};
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+        const size_t n = strlen(unit[i]);
+        if (strncmp(at, unit[i], n) == 0 && !isalpha((unsigned char)at[n]))
+            return strcspn(at, " ,;:()[]|");
+    }
+    return 0;
+}
+
+/* Of sentences and cells: a number does not break from its unit, nor the unit within. */
+static void html_text(struct thud_text *out, const char *text)
+{
+    static const char no_break_space[] = "\u00a0", word_joiner[] = "\u2060";
+    const char *unit_end = text;
+    for (const char *at = text; *at; at++) {
+        const char letter[] = {*at, '\0'};
+        if (*at == ' ' && at > text && isdigit((unsigned char)at[-1]) && unit_length(at + 1) > 0)
+            unit_end = at + 1 + unit_length(at + 1);
+        escape_html(out, *at == ' ' && at < unit_end ? no_break_space : letter);
+        if (*at == '/' && at < unit_end)
+            thud_text_append(out, "%s", word_joiner);
+    }
+}
+
 /* A4: 210 mm less 10 mm on both sides is what a figure of 190 mm takes. */
 static const char style[] =
     "@page { size: A4; margin: 12mm 10mm 16mm 10mm; @bottom-right { content: 'page ' counter(page) ' of ' "
@@ -311,7 +343,7 @@ static const char style[] =
     "h1 { font-size: 1.6em; line-height: 1.2; margin: 0 0 .6em; string-set: title content() }\n"
     "h2 { font-size: 1.2em; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid }\n"
     "main > div { overflow-x: auto } tbody th { max-width: 22em; overflow-wrap: break-word }\n"
-    "p, li { margin: .4em 0 } ul { padding-left: 1.4em }\n"
+    "p, li { margin: .4em 0 } p.lead { break-after: avoid } ul { padding-left: 1.4em }\n"
     "table { border-collapse: collapse; margin: .8em 0; font-size: .9em; width: 100% }\n"
     "caption { text-align: left; font-weight: bold; margin-bottom: .3em }\n"
     "th, td { padding: .15em .5em; text-align: right; border-bottom: 1px solid #ccc; font-variant-numeric: "
@@ -355,7 +387,7 @@ static void html_leave(struct thud_text *out, struct place *place, enum kind nex
 static void html_element(struct thud_text *out, const char *open, const char *text, const char *close)
 {
     thud_text_append(out, "%s", open);
-    escape_html(out, text);
+    html_text(out, text);
     thud_text_append(out, "%s", close);
 }
 
@@ -396,17 +428,6 @@ static void html_row_opens(struct thud_text *out, const struct place *place, con
     thud_text_append(out, "<tr>");
 }
 
-/* A list as it is typed, "[412 t, 395 t]": no value of it breaks before or within its unit. */
-static void html_list(struct thud_text *out, const char *text)
-{
-    static const char no_break_space[] = "\u00a0", word_joiner[] = "\u2060";
-    for (const char *at = text; *at; at++) {
-        const char letter[] = {*at, '\0'};
-        escape_html(out, *at == ' ' && at > text && at[-1] != ',' ? no_break_space : letter);
-        thud_text_append(out, "%s", *at == '/' ? word_joiner : "");
-    }
-}
-
 /* To a section by its heading. */
 static void html_reference(struct thud_text *out, const struct thud_document *document, const char *heading)
 {
@@ -439,7 +460,7 @@ static void html_cell(struct thud_text *out, struct place *place, const struct t
         if (*text == '#')
             html_reference(out, document, text + 1);
         else
-            (*text == '[' ? html_list : escape_html)(out, text);
+            html_text(out, text);
         thud_text_append(out, "</td>");
     }
 }
@@ -517,7 +538,7 @@ static void html_contents(struct thud_text *out, const struct thud_document *doc
 
 static void html_piece(struct thud_text *out, struct place *place, const struct thud_document *document, size_t i)
 {
-    static const char *const tag[] = {[TITLE] = "h1", [PARAGRAPH] = "p", [LINES] = "pre"};
+    static const char *const tag[] = {[TITLE] = "h1", [PARAGRAPH] = "p"};
     const struct thud_document_piece *piece = &document->piece[i];
     html_leave(out, place, piece->kind);
     switch (piece->kind) {
@@ -530,10 +551,15 @@ static void html_piece(struct thud_text *out, struct place *place, const struct 
         break;
     case TITLE:
     case PARAGRAPH:
-    case LINES:
-        thud_text_append(out, "<%s>", tag[piece->kind]);
-        escape_html(out, text_of(piece));
+        thud_text_append(out, i + 1 < document->n && piece[1].kind == LINES ? "<%s class=\"lead\">" : "<%s>",
+                         tag[piece->kind]);
+        html_text(out, text_of(piece));
         thud_text_append(out, "</%s>\n", tag[piece->kind]);
+        break;
+    case LINES: /* as they are, to be copied */
+        thud_text_append(out, "<pre>");
+        escape_html(out, text_of(piece));
+        thud_text_append(out, "</pre>\n");
         break;
     case ITEM:
         thud_text_append(out, place->list ? "" : "<ul>\n");

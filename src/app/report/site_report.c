@@ -85,6 +85,8 @@ static enum thud_status run_cases(struct site *site, struct thud_error *err)
         *one->scene = *site->scene;
         if (which[i] != THUD_CASE_WHOLE)
             thud_scene_case(one->scene, i == SITE_FREE ? THUD_CASE_NONE : which[i], one->scene, NULL);
+        if (site->record) /* of a suite, which the scene need not name */
+            snprintf(one->scene->record.file, sizeof one->scene->record.file, "%.200s", site->record->file);
         if (i == SITE_FREE)
             thud_scene_case(one->scene, THUD_CASE_FREE, one->scene, NULL);
         status = run_case(site, one, err);
@@ -122,11 +124,7 @@ static void compare(struct site *site, const struct thud_checked_values *own, co
             continue;
         }
         double scale = fmax(fabs(a->value), fabs(b->value));
-        double difference = scale > 0 ? fabs(a->value - b->value) / scale : 0;
-        if (difference > site->second.difference || !site->second.of[0]) {
-            site->second.difference = difference;
-            snprintf(site->second.of, sizeof site->second.of, "%s", a->name);
-        }
+        site->second.difference = fmax(site->second.difference, scale > 0 ? fabs(a->value - b->value) / scale : 0);
     }
 }
 
@@ -257,7 +255,11 @@ static enum thud_status run_sensitivity(struct site *site, struct thud_error *er
 
 static enum thud_status run_stiffnesses(struct site *site, struct thud_error *err)
 {
-    return thud_stiffness_rows(site->own->scene, site->record, site->varied, site->row, &site->nrows, err);
+    enum thud_status status = THUD_OK;
+    for (int k = 0; k < THUD_STIFFNESSES && status == THUD_OK; k++)
+        status = thud_stiffness_rows(site->own->scene, site->record, (enum thud_stiffness)k, site->row[k],
+                                     &site->nrows[k], err);
+    return status;
 }
 
 /* What needs the cases and the suite, and nothing of each other: the longest first. Those of the suite follow. */
@@ -286,7 +288,6 @@ static enum thud_status run_all_beside(struct site *site, struct thud_error *err
 static enum thud_status compute(struct site *site, struct thud_error *err)
 {
     enum thud_status status = run_cases(site, err);
-    site->varied = thud_scene_has_bumper(site->scene) ? THUD_STIFFNESS_BUMPER : THUD_STIFFNESS_CONTACT;
     if (status == THUD_OK)
         status = draw_samples(site, err);
     if (status == THUD_OK && site->options->records->n > 1)

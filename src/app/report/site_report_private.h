@@ -67,10 +67,9 @@ struct site {
     int detail;                        /* which of them that is, from 0: a load case of the suite */
     struct thud_floor_spectra *floors; /* of the floors struck hardest; NULL: nothing is struck */
     struct thud_sensitivity *sensitivity;
-    enum thud_stiffness varied;
-    int nrows;
-    struct thud_stiffness_row row[THUD_STIFFNESS_ROWS], reversed; /* of the motion reversed */
-    struct thud_uncertainty *uncertainty;                         /* NULL: nothing was drawn */
+    int nrows[THUD_STIFFNESSES];
+    struct thud_stiffness_row row[THUD_STIFFNESSES][THUD_STIFFNESS_ROWS], reversed; /* of the motion reversed */
+    struct thud_uncertainty *uncertainty;                                           /* NULL: nothing was drawn */
     struct thud_uncertainty_study samples;
     struct site_suite suite;
     const struct site_code *code;                   /* whose gap is recommended */
@@ -84,7 +83,6 @@ struct site {
         const char *method;
         int values, counts; /* compared, 0: it was given up; impact counts that differ */
         double difference;  /* largest relative one */
-        char of[THUD_MEASURE_NAME_MAX];
     } second;
     struct thud_document document;
     enum thud_status pictures; /* THUD_OK, or what failed with the first that failed */
@@ -222,8 +220,6 @@ const char *thud_site_columns(const struct site *site, const struct thud_column_
 /* What a choice stands for, of "keep: it widens the clearance; recover: ..." the words behind the value's own, and their
  * length; NULL: its help has none. */
 const char *thud_site_choice(const struct thud_param *param, const char *value, int *length);
-/* "force of floor 4 of A and floor 4 of B", of a measure's name. */
-void thud_site_measure(const struct site *site, const char *name, char *text, size_t size);
 /* The contact with the largest force; NULL where there was no contact. */
 const struct thud_contact_result *thud_site_strongest(const struct thud_result *result);
 /* The caption ends in a stop. `share`: of its height to its width; 0: chosen for the figure. Takes the figure. */

@@ -9,6 +9,7 @@
 #include "ground/intensity.h"
 #include "ground/spectrum.h"
 #include "plot/figures/figures_record.h"
+#include "plot/figures/figures_scene.h"
 #include "plot/figures/figures_suite.h"
 #include "study/scene/building.h"
 #include "study/sweep/sweep_table.h"
@@ -128,14 +129,8 @@ void thud_site_scene(struct site *site)
                                thud_site_name(site, i), thud_site_name(site, i + 1), clearance, gap,
                                100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
     }
-    for (int i = 0; i < site->scene->nlinks; i++) {
-        const struct thud_link_result *l = &site->own->result->link[i];
-        char name[2 * THUD_NAME_MAX];
-        thud_link_name(site->scene, i, name, sizeof name);
-        thud_document_item(d, "Link %d, %s (%s): largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
-                           name, thud_link_law_name(site->scene, i), thud_site_number(1e-3 * l->force.value, 3).text,
-                           thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
-    }
+    thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
+                     "Elevation of the buildings, levels in metres, and the model that is computed.");
 }
 
 /* ---- load cases ---- */
@@ -279,7 +274,7 @@ void thud_site_loads(struct site *site)
         return;
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
-    thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.4,
+    thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
                      "Response spectrum of the ground motion at 5 % damping (Sa of the total acceleration, not the "
                      "pseudo-acceleration "
                      "of the tables), with the fundamental periods of the buildings.");

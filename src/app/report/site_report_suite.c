@@ -328,7 +328,6 @@ void thud_site_suite_verdicts(struct site *site)
 
 static void add_motions(struct site *site)
 {
-    char motion[320];
     struct thud_document *d = &site->document;
     const struct site_suite *suite = &site->suite;
     int ncases = suite->plan.ncases;
@@ -346,9 +345,8 @@ static void add_motions(struct site *site)
             thud_document_cell(d, "ratio of %s", thud_site_name(site, s));
     thud_document_row(d);
     for (int r = 0; r < suite->runs->nrecords; r++) {
-        thud_record_title(suite->plan.record[r], motion, sizeof motion);
-        thud_document_cells(d, "%d, %s\t%.3f\t%.4g\t%.1f", r + 1, motion,
-                            thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY, suite->plan.record[r]->scale,
+        thud_document_cells(d, "%d\t%.3f\t%.4g\t%.1f", r + 1, thud_record_peak(suite->plan.record[r]) / THUD_GRAVITY,
+                            suite->plan.record[r]->scale,
                             thud_summary_gap_cm(thud_needed_gap_widest(site->gaps.gap[r], 0, THUD_GAP_EXACT, NULL)));
         for (int k = 0; k < ncases; k++)
             thud_document_cell(

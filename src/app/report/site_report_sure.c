@@ -171,19 +171,23 @@ static void samples(struct site *site)
 void thud_site_samples_summary(struct site *site)
 {
     const struct thud_uncertainty *u = site->uncertainty;
+    struct thud_text text = {0};
+    double of = 0;
     for (int q = 0; u && q < u->nquantities; q++) {
         const struct thud_uncertainty_told *t = &site->samples.told[q];
         const struct thud_quantity_of_run *quantity = &u->quantity[q];
         if (!thud_quantity_is_ratio(quantity) || isnan(t->median))
             continue;
-        thud_document_item(&site->document,
-                           "Over samples of the uncertain inputs the %s %s the %s of %s in %.0f %% of "
-                           "%.0f (median ratio %.2f; %.2f to %.2f from 5 to 95 %%).",
-                           site->own->measure, thud_site_verb(site->own, "lowers").text,
-                           thud_measure_info(thud_measure_info(quantity->measure)->ratio_of)->words,
-                           thud_site_name(site, quantity->structure), 100 * t->below, t->count, t->median, t->low,
-                           t->high);
+        of = t->count;
+        thud_text_append(&text, "%s the %s of %s in %.0f %%", text.size > 0 ? "," : "",
+                         thud_measure_info(thud_measure_info(quantity->measure)->ratio_of)->words,
+                         thud_site_name(site, quantity->structure), 100 * t->below);
     }
+    if (text.size > 0)
+        thud_document_item(&site->document, "Over %.0f samples of the uncertain inputs the %s %s%s.", of,
+                           site->own->measure, thud_site_verb(site->own, "lowers").text, text.data);
+    site->document.failed = site->document.failed || text.failed;
+    thud_text_clear(&text);
 }
 
 /* ---- the contact's stiffness ---- */
@@ -203,10 +207,7 @@ static void stiffness(struct site *site)
 {
     struct thud_document *d = &site->document;
     char what[160];
-    const char *name = site->varied == THUD_STIFFNESS_BUMPER ? "bumper" : "contact";
-    if (site->nrows == 0)
-        return;
-    snprintf(what, sizeof what, "Stiffness of the %s %s, and the motion with reversed polarity", name,
+    snprintf(what, sizeof what, "Half and twice the stiffness %s, and the motion with reversed polarity",
              site->own->words);
     thud_document_table(d, what);
     thud_document_cells(d, "scene\timpacts\tforce MN");
@@ -216,16 +217,24 @@ static void stiffness(struct site *site)
                                 thud_site_name(site, s),
                                 site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
     thud_document_row(d);
-    for (int i = 0; i < site->nrows; i++) {
-        snprintf(what, sizeof what, site->row[i].factor == 1 ? "nominal" : "%g times the stiffness",
-                 site->row[i].factor);
-        add_stiffness_row(site, what, &site->row[i]);
-    }
+    bool nominal = false; /* of each kind the same */
+    for (int k = 0; k < THUD_STIFFNESSES; k++)
+        for (int i = 0; i < site->nrows[k]; i++) {
+            const struct thud_stiffness_row *row = &site->row[k][i];
+            if (row->factor == 1 && nominal)
+                continue;
+            nominal = nominal || row->factor == 1;
+            snprintf(what, sizeof what, row->factor == 1 ? "nominal" : "%g times the %s stiffness", row->factor,
+                     thud_stiffness_name((enum thud_stiffness)k));
+            add_stiffness_row(site, what, row);
+        }
     if (site->record)
         add_stiffness_row(site, "ground motion, reversed polarity", &site->reversed);
     thud_document_paragraph(
-        d, "Contact stiffness is the least certain input: estimates based on the slabs or the rubber differ by such "
-           "factors. If halving or doubling it changes a result, the result is uncertain by at least that change.");
+        d,
+        "Contact stiffness is the least certain input: estimates based on the slabs or the rubber differ by such "
+        "factors. If halving or doubling it changes a result, the result is uncertain by at least that change.%s",
+        site->nrows[THUD_STIFFNESS_LINK] > 0 ? " Of links stiffness, dashpot and slip force change together." : "");
 }
 
 void thud_site_sure_section(struct site *site)

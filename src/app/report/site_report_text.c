@@ -82,70 +82,17 @@ static enum side side_of(double ratio)
     return ratio < 1 - THUD_SITE_SAME ? LOWER : ratio > 1 + THUD_SITE_SAME ? HIGHER : SAME;
 }
 
-/* Writes "1-3, 5 of A; 2 of B": the floors whose ratio lies on a side; *furthest: the ratio furthest from 1. Returns how
- * many there are. */
-static int list_floors(const struct site *site, const struct site_case *one, int table, enum side side,
-                       struct thud_text *out, double *furthest)
-{
-    int n = 0;
-    *furthest = 1;
-    for (int s = 0; s < site->scene->nstructures; s++) {
-        int floors = site->own->result->structure[s].floors, begun = -1;
-        bool any = false;
-        const int slab = floor_table[table].storeys && site->scene->structure[s].kind == THUD_ISOLATED;
-        for (int i = slab; i <= floors; i++) { /* without the isolators */
-            double ratio = i < floors ? ratio_of(site, one, s, i, table) : NAN;
-            bool inside = side_of(ratio) == side;
-            if (inside && begun < 0)
-                begun = i;
-            if (inside && fabs(log(ratio)) > fabs(log(*furthest)))
-                *furthest = ratio;
-            if (inside || begun < 0)
-                continue;
-            thud_text_append(out, "%s%d", any ? ", " : n > 0 ? "; " : "", begun + 1 - slab);
-            if (i - 1 > begun)
-                thud_text_append(out, "-%d", i - slab);
-            n += i - begun;
-            begun = -1;
-            any = true;
-        }
-        if (any)
-            thud_text_append(out, " of %s", thud_site_name(site, s));
-    }
-    return n;
-}
-
 void thud_site_effect(const struct site *site, const struct site_case *one, bool drifts, int count[3])
 {
-    for (int side = LOWER; side <= (int)HIGHER; side++) {
-        struct thud_text floors = {0};
-        double furthest;
-        count[side] =
-            list_floors(site, one, drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION, (enum side)side, &floors, &furthest);
-        thud_text_clear(&floors);
-    }
-}
-
-static void say_effect(struct site *site, int table)
-{
-    static const char *const verb[] = {"lowers", "leaves", "raises"};
-    const char *quantity = table == FLOOR_DRIFT ? "drifts at storey" : "accelerations at floor";
-    for (int side = LOWER; side <= (int)HIGHER; side++) {
-        struct thud_text floors = {0};
-        double furthest;
-        int n = list_floors(site, site->own, table, (enum side)side, &floors, &furthest);
-        if (floors.failed)
-            site->document.failed = true;
-        else if (n > 0 && side == SAME)
-            thud_document_item(&site->document, "The %s %s the largest %s%s %s unchanged, within %.0f %%.",
-                               site->own->measure, thud_site_verb(site->own, "leaves").text, quantity, n > 1 ? "s" : "",
-                               floors.data, 100 * THUD_SITE_SAME);
-        else if (n > 0)
-            thud_document_item(&site->document, "The %s %s the largest %s%s %s, by up to %s %%.", site->own->measure,
-                               thud_site_verb(site->own, verb[side]).text, quantity, n > 1 ? "s" : "", floors.data,
-                               thud_site_number(100 * fabs(furthest - 1), 2).text);
-        thud_text_clear(&floors);
-    }
+    const int table = drifts ? FLOOR_DRIFT : FLOOR_ACCELERATION;
+    count[LOWER] = count[SAME] = count[HIGHER] = 0;
+    for (int s = 0; s < site->scene->nstructures; s++)
+        for (int i = drifts && site->scene->structure[s].kind == THUD_ISOLATED; /* without the isolators */
+             i < site->own->result->structure[s].floors; i++) {
+            const enum side side = side_of(ratio_of(site, one, s, i, table));
+            if (side != NOWHERE)
+                count[side]++;
+        }
 }
 
 /* The largest over the storeys of a structure; NaN: none has one. */
@@ -206,6 +153,19 @@ static void say_columns(struct site *site)
                        thud_site_columns(site, &own->column[most], name, sizeof name), said, limit);
 }
 
+static void say_links(struct site *site)
+{
+    for (int i = 0; i < site->scene->nlinks; i++) {
+        const struct thud_link_result *l = &site->own->result->link[i];
+        char name[2 * THUD_NAME_MAX];
+        thud_link_name(site->scene, i, name, sizeof name);
+        thud_document_item(
+            &site->document, "Link %d, %s (%s), %s: largest force %s kN, stroke %s mm, energy dissipated %s kJ.", i + 1,
+            name, thud_link_law_name(site->scene, i), site->own->words, thud_site_number(1e-3 * l->force.value, 3).text,
+            thud_site_number(1e3 * l->stroke.value, 3).text, thud_site_number(1e-3 * l->lost_j, 3).text);
+    }
+}
+
 /* The record's sign is a matter of chance. */
 static void say_reversed(struct site *site)
 {
@@ -245,15 +205,12 @@ static void say_results(struct site *site)
                                thud_site_number(b / THUD_GRAVITY, 3).text, thud_site_number(a / THUD_GRAVITY, 3).text,
                                thud_site_number(a / b, 3).text);
     }
-    if (site->ncases > SITE_MEASURE) {
-        say_effect(site, FLOOR_ACCELERATION);
-        say_effect(site, FLOOR_DRIFT);
-    } else {
+    if (site->ncases <= SITE_MEASURE)
         thud_document_item(d, "The scene has no bumper to compare with.");
-    }
     for (int s = 0; s < site->scene->nstructures; s++)
         say_yielding(site, s);
     say_columns(site);
+    say_links(site);
     say_reversed(site);
     if (!site->suite.leads) /* whose samples are over its motions */
         thud_site_samples_summary(site);
@@ -296,48 +253,38 @@ static void add_case_table(struct site *site, int s, int which)
     }
 }
 
+/* "c7-6", in a row of structures "A-B c7-6". */
 static void add_level_cell(struct site *site, int interface, int left, int right, int struck)
 {
-    char between[320];
-    thud_site_sides(site, interface, left, right, struck, between, sizeof between);
-    thud_document_cell(&site->document, "%s", between);
+    char pair[48];
+    thud_contact_pair_name(left, right, struck, pair, sizeof pair);
+    if (site->scene->nstructures > 2)
+        thud_document_cell(&site->document, "%s-%s %s", thud_site_name(site, interface - 1),
+                           thud_site_name(site, interface), pair);
+    else
+        thud_document_cell(&site->document, "%s", pair);
 }
 
-/* The columns of the table of contacts; one that no contact has a value for is omitted. */
-static const struct contact_column {
-    const char *name;
-    double unit;
-    int digits; /* significant ones; 0: a count */
-} contact_column[] = {{"impacts", 1, 0}, {"force MN", 1e6, 3}, {"compressed mm", 1e-3, 3}};
-enum { CONTACT_COLUMNS = sizeof contact_column / sizeof *contact_column };
-
-/* In the unit of its column; NaN: there is none. */
-static double contact_value(const struct thud_contact_result *r, int column)
-{
-    const double value[CONTACT_COLUMNS] = {r->impacts, thud_peak_force(r), thud_peak_depth(r)};
-    return value[column] / contact_column[column].unit;
-}
-
-/* Of two cases at a time, so that the table fits on paper. */
-static void add_contact_table(struct site *site, int from, int till)
+/* Contacts by level: how often, the largest force and compression. What no contact has a value for is omitted. */
+static void add_contact_table(struct site *site)
 {
     struct thud_document *d = &site->document;
     if (site->own->result->ncontacts == 0)
         return;
-    thud_site_case_table(site, from > SITE_NONE ? "Contacts, further cases" : "Contacts", SITE_NONE);
+    thud_site_case_table(site, "Contacts: number n, largest force F, compression d", SITE_NONE);
     thud_document_cell(d, "floors");
-    for (int i = from; i < till; i++)
-        for (int k = 0; k < CONTACT_COLUMNS; k++)
-            thud_document_cell(d, "%c: %s", thud_site_letter(i), contact_column[k].name);
+    for (int i = SITE_NONE; i < site->ncases; i++)
+        thud_document_cells(d, "%c: n\t%c: F MN\t%c: d mm", thud_site_letter(i), thud_site_letter(i),
+                            thud_site_letter(i));
     thud_document_row(d);
     for (int c = site->own->result->ncontacts - 1; c >= 0; c--) {
         const struct thud_contact_result *p = &site->own->result->contact[c];
         add_level_cell(site, p->interface, p->left_floor, p->right_floor, p->struck);
-        for (int i = from; i < till; i++)
-            for (int k = 0; k < CONTACT_COLUMNS; k++) {
-                const double value = contact_value(&site->cases[i].result->contact[c], k);
-                thud_document_cell(d, "%s", thud_site_number(value, contact_column[k].digits).text);
-            }
+        for (int i = SITE_NONE; i < site->ncases; i++) {
+            const struct thud_contact_result *r = &site->cases[i].result->contact[c];
+            thud_document_cells(d, "%d\t%s\t%s", r->impacts, thud_site_number(1e-6 * thud_peak_force(r), 3).text,
+                                thud_site_number(1e3 * thud_peak_depth(r), 3).text);
+        }
         thud_document_row(d);
     }
 }
@@ -424,8 +371,7 @@ static void results(struct site *site)
             for (int i = 0; i < FLOOR_TABLES; i++)
                 add_case_table(site, s, i);
         }
-    for (int i = SITE_NONE; i < site->ncases; i += 2)
-        add_contact_table(site, i, i + 2 < site->ncases ? i + 2 : site->ncases);
+    add_contact_table(site);
     add_column_table(site);
     for (int i = 0; i < site->ncases; i++)
         source[i] = source_of(site, &site->cases[i]);

@@ -11,7 +11,6 @@
 #include "core/methods/method.h"
 #include "ground/identity.h"
 #include "io/preset/preset.h"
-#include "plot/figures/figures_scene.h"
 
 void thud_site_verdict(struct site *site, const char *what, const char *found)
 {
@@ -137,12 +136,12 @@ static void measure_row(struct site *site, const struct site_case *one)
     char what[64];
     int a[3], d[3], impacts;
     char text[300];
-    snprintf(what, sizeof what, "%s of use", one->measure);
+    snprintf(what, sizeof what, "effect of the %s", one->measure);
     if (one->scene->nlinks == 0 && !thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
         bool in_contact = thud_contact_hardest(one->result, &impacts) != NULL;
         thud_site_verdict(site, what,
-                          in_contact ? "no: there is no contact without it, and it is struck"
-                                     : "no: there is no contact without it");
+                          in_contact ? "unfavourable: there is no contact without it, and it is struck"
+                                     : "none: there is no contact without it");
         return;
     }
     thud_site_effect(site, one, false, a);
@@ -150,16 +149,14 @@ static void measure_row(struct site *site, const struct site_case *one)
     const int lower = a[LOWER] + d[LOWER], higher = a[HIGHER] + d[HIGHER];
     size_t n = (size_t)snprintf(
         text, sizeof text,
-        "%s: of %d floor accelerations and %d storey drifts %s %s %d and %d by more than 2 %%, %s %d and %d, "
-        "%s %d and %d",
-        higher == 0 && lower > 0   ? "yes"
-        : lower == 0 && higher > 0 ? "no"
-        : lower == 0               ? (plural ? "they change nothing" : "it changes nothing")
-        : lower > higher           ? "partly; more peaks are lower than higher"
-                                   : "partly; no more peaks are lower than higher",
-        a[LOWER] + a[SAME] + a[HIGHER], d[LOWER] + d[SAME] + d[HIGHER], plural ? "they" : "it",
-        thud_site_verb(one, "lowers").text, a[LOWER], d[LOWER], thud_site_verb(one, "raises").text, a[HIGHER],
-        d[HIGHER], thud_site_verb(one, "leaves").text, a[SAME], d[SAME]);
+        "%s%s %s %d of %d floor accelerations and %d of %d storey drifts by more than 2 %%, and %s %d and %d",
+        higher == 0 && lower > 0   ? "favourable: "
+        : lower == 0 && higher > 0 ? "unfavourable: "
+        : lower == 0               ? "none: "
+        : lower > higher           ? "mixed, with more peaks lower than higher: "
+                                   : "mixed, with no more peaks lower than higher: ",
+        plural ? "they" : "it", thud_site_verb(one, "lowers").text, a[LOWER], a[LOWER] + a[SAME] + a[HIGHER], d[LOWER],
+        d[LOWER] + d[SAME] + d[HIGHER], thud_site_verb(one, "raises").text, a[HIGHER], d[HIGHER]);
     const struct thud_contact_result *without = thud_site_strongest(site->cases[SITE_NONE].result),
                                      *with = thud_site_strongest(one->result);
     if (without && with)
@@ -273,7 +270,7 @@ void thud_site_verdicts(struct site *site)
     for (int i = SITE_MEASURE; i < site->ncases; i++)
         measure_row(site, &site->cases[i]);
     if (site->ncases <= SITE_MEASURE)
-        thud_site_verdict(site, "bumper of use", "there is none");
+        thud_site_verdict(site, "effect of a bumper", "there is none");
     governing_rows(site);
     failing_row(site);
     if (!site->suite.leads)
@@ -338,9 +335,6 @@ static void begin_section(struct inputs *inputs, const char *section, const char
     char name[160], caption[200], path[80], source[THUD_SOURCE_MAX];
     if (!inputs->begun || strlen(inputs->owner) != n || strncmp(section, inputs->owner, n) != 0) {
         snprintf(inputs->owner, sizeof inputs->owner, "%.*s", (int)n, section);
-        if (strcmp(inputs->owner, "structures.1") == 0) /* after tables that fill the first page */
-            thud_site_figure(inputs->site, thud_figure_of_scene(inputs->site->scene, "scene", ""), 0.5,
-                             "Elevation of the buildings, levels in metres, and the model that is computed.");
         owner_name(inputs->site, inputs->owner, name, sizeof name);
         snprintf(caption, sizeof caption, "Inputs of %s", name);
         thud_document_table(d, caption);

@@ -172,59 +172,6 @@ const char *thud_site_choice(const struct thud_param *param, const char *value, 
     return at;
 }
 
-/* The quantity without its unit, blanks in place of `_`: "shear_lower_n" as "shear lower". */
-static void quantity_words(const char *quantity, char *text, size_t size)
-{
-    static const char *const unit[] = {"_mps2", "_mps", "_nm", "_ns", "_m", "_n", "_j"};
-    size_t n = strlen(quantity);
-    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
-        size_t k = strlen(unit[i]);
-        if (n > k && strcmp(quantity + n - k, unit[i]) == 0) {
-            n -= k;
-            break;
-        }
-    }
-    snprintf(text, size, "%.*s", (int)n, quantity);
-    for (char *at = text; *at; at++)
-        *at = *at == '_' ? ' ' : *at;
-    if (strcmp(text, "permanent") == 0)
-        snprintf(text, size, "permanent drift");
-}
-
-void thud_site_measure(const struct site *site, const char *name, char *text, size_t size)
-{
-    const char *dot = strrchr(name, '.');
-    char owner[THUD_MEASURE_NAME_MAX], quantity[64], place[320];
-    int interface = 0, used = 0;
-    if (!dot || strncmp(name, "energy.", 7) == 0) { /* "energy.contact_j" */
-        quantity_words(dot ? dot + 1 : name, quantity, sizeof quantity);
-        snprintf(text, size, "%s%s", quantity, dot ? " energy" : "");
-        return;
-    }
-    snprintf(owner, sizeof owner, "%.*s", (int)(dot - name), name);
-    quantity_words(dot + 1, quantity, sizeof quantity);
-    char *last = strrchr(owner, '.');
-    snprintf(place, sizeof place, "%s", owner);
-    if (sscanf(owner, "contact.%d.%n", &interface, &used) == 1 && used > 0) {
-        char left[16] = "", right[16] = "";
-        sscanf(owner + used, "%15[^-]-%15s", left, right);
-        const struct thud_result *r = site->own->result;
-        for (int c = 0; c < r->ncontacts; c++)
-            if (r->contact[c].interface == interface && r->contact[c].left_floor == atoi(left) &&
-                r->contact[c].right_floor == atoi(right))
-                thud_site_sides(site, interface, atoi(left), atoi(right), r->contact[c].struck, place, sizeof place);
-    } else if (sscanf(owner, "column.%d.%n", &interface, &used) == 1 && used > 0 && last) {
-        snprintf(place, sizeof place, "the columns below floor %s of %.*s", last + 1, (int)(last - owner - used),
-                 owner + used);
-    } else if (last && strspn(last + 1, "0123456789") == strlen(last + 1)) {
-        *last = '\0';
-        for (int s = 0; s < site->scene->nstructures; s++)
-            if (strcmp(site->scene->structure[s].name, owner) == 0)
-                thud_site_floor(site, s, atoi(last + 1), place, sizeof place);
-    }
-    snprintf(text, size, "%s of %s", quantity, place);
-}
-
 struct thud_site_unit thud_site_unit(enum thud_dimension kind)
 {
     static const struct thud_site_unit unit[THUD_DIMENSIONS] = {[THUD_RATIO] = {0.01, " %"},

@@ -5,6 +5,7 @@
 
 #include "base/quantity.h"
 #include "ground/intensity.h"
+#include "plot/figures/figures_run_internal.h"
 
 enum { PANELS = 3 };
 
@@ -27,6 +28,7 @@ struct thud_figure *thud_figure_of_motion(const struct thud_record *record, cons
         series[0]->y[i] = record->a_mps2[i] / THUD_GRAVITY;
     thud_record_integrate(record, series[1] ? series[1]->y : NULL, series[2] ? series[2]->y : NULL);
     thud_figure_note(figure, "Velocity and displacement from rest, of the acceleration less its mean.");
+    thud_figure_shorten(figure);
     return figure;
 }
 
@@ -71,7 +73,10 @@ struct thud_figure *thud_figure_of_spectrum(const struct thud_spectrum_point *po
         thud_panel_axis(panel, THUD_Y, text, unit[k]);
         thud_panel_log(panel, THUD_X);
         thud_panel_limits(panel, THUD_X, point[0].period_s, point[count - 1].period_s);
-        thud_panel_limits(panel, THUD_Y, 0, NAN);
+        double most = NAN; /* of the uppermost panel, with room for the names of the periods */
+        for (size_t i = 0; k == 0 && nmarks > 0 && i < count; i++)
+            most = fmax(most, 1.3 * value(&point[i], k));
+        thud_panel_limits(panel, THUD_Y, 0, most);
         struct thud_series *series =
             thud_panel_add(panel, (struct thud_style){.kind = THUD_LINES, .color = k}, "", count, NULL, NULL);
         for (size_t i = 0; series && i < count; i++) {
