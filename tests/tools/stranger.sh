@@ -232,7 +232,7 @@ shown_rule() { # 4 storeys of 3 m
 add_remark() { # a scene with a ground motion is remarked on
     FILES=2 TESTS='scene'
     after src/study/sweep/remark_list.h 'THUD_REMARK(RESULT, ONCE, FAILURE, collapse' <<'END'
-THUD_REMARK(RESULT, ONCE, UNUSUAL, stranger, "")
+THUD_REMARK(RESULT, ONCE, UNUSUAL, stranger, "", "", "")
 END
     cat >>src/study/sweep/remark_run.c <<'END'
 

@@ -1,4 +1,6 @@
 /* The rows of the list of remarks. */
+#include <string.h>
+
 #include "study/sweep/remark_rows.h"
 
 /* How often a row is asked. */
@@ -9,10 +11,10 @@ static const struct row {
     enum place at;
     enum thud_remark_weight weight;
     thud_remark_row *look;
-    const char *keys;
+    const char *key, *allowed, *keys;
 } rows[] = {
-#define THUD_REMARK(about, at, weight, name, keys)                                                                     \
-    {THUD_REMARK_##about, at, THUD_WEIGHT_##weight, thud_remark_##name, keys},
+#define THUD_REMARK(about, at, weight, name, key, allowed, keys)                                                       \
+    {THUD_REMARK_##about, at, THUD_WEIGHT_##weight, thud_remark_##name, key, allowed, keys},
 #include "study/sweep/remark_list.h"
 };
 enum { ROWS = sizeof rows / sizeof *rows };
@@ -48,6 +50,18 @@ static int places(const struct thud_remark_scope *scope, enum place at)
                              : 1;
 }
 
+/* Fills in the place and what is allowed where the row's function left them out; i: the number of its place, from 0. */
+static void complete(struct thud_error *said, const struct row *row, int i)
+{
+    const size_t n = strcspn(row->key, "N");
+    if (!said->key[0] && row->key[n])
+        thud_error_key(said, "%.*s%d%s", (int)n, row->key, i + 1, row->key + n + 1);
+    else if (!said->key[0])
+        thud_error_key(said, "%s", row->key);
+    if (!said->allowed[0])
+        thud_error_allow(said, "%s", row->allowed);
+}
+
 struct thud_remarks thud_remarks_find(const struct thud_remark_scope *scope, unsigned about)
 {
     struct thud_remarks out = {0};
@@ -65,6 +79,7 @@ struct thud_remarks thud_remarks_find(const struct thud_remark_scope *scope, uns
                     out.item[k].row = r;
                     out.item[k].weight = rows[r].weight;
                     out.item[k].keys = rows[r].keys;
+                    complete(&out.item[k].said, &rows[r], i);
                 }
             }
     }

@@ -22,9 +22,7 @@ void thud_remark_one_event(const struct thud_remark_scope *scope, int i, struct 
     }
     if (motions < 2)
         return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "all motions are of one event, %.90s", scope->record[0]->event);
-    thud_error_allow(said, "motions of several events");
+    thud_error_set(thud_remark_add(out), THUD_OK, "all motions are of one event, %.90s", scope->record[0]->event);
 }
 
 /* Nothing that the two say of themselves tells whether they are components of one station. */
@@ -106,20 +104,16 @@ void thud_remark_target(const struct thud_remark_scope *scope, int i, struct thu
 void thud_remark_factor(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     const double factor = scope->factor ? scope->factor[i] : fabs(scope->record[i]->scale);
-    if (factor <= 4 && factor >= 0.25)
-        return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "%.100s is scaled by %.3g", thud_path_name(scope->record[i]->file), factor);
-    thud_error_allow(said, "usually 1/4 to 4: beyond, it is no longer a motion of such a size");
+    if (factor > 4 || factor < 0.25)
+        thud_error_set(thud_remark_add(out), THUD_OK, "%.100s is scaled by %.3g",
+                       thud_path_name(scope->record[i]->file), factor);
 }
 
 void thud_remark_vertical(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
-    if (!thud_record_is_vertical(scope->record[i]))
-        return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "%.100s is a vertical component", thud_path_name(scope->record[i]->file));
-    thud_error_allow(said, "buildings pound by horizontal motion");
+    if (thud_record_is_vertical(scope->record[i]))
+        thud_error_set(thud_remark_add(out), THUD_OK, "%.100s is a vertical component",
+                       thud_path_name(scope->record[i]->file));
 }
 
 void thud_remark_twice(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
@@ -131,12 +125,10 @@ void thud_remark_twice(const struct thud_remark_scope *scope, int i, struct thud
         const bool same = thud_record_same_motion(record[i], record[k]);
         if (!same && !thud_record_same_station(record[i], record[k]))
             continue;
-        struct thud_error *said = thud_remark_add(out);
-        thud_error_set(said, THUD_OK,
+        thud_error_set(thud_remark_add(out), THUD_OK,
                        same ? "%.100s and %.100s are one motion"
                             : "%.100s and %.100s are two components of one station",
                        thud_path_name(record[k]->file), thud_path_name(record[i]->file));
-        thud_error_allow(said, "motions that are independent of each other");
         return;
     }
 }
@@ -154,5 +146,4 @@ void thud_remark_synthetic(const struct thud_remark_scope *scope, int i, struct 
     else
         thud_error_set(said, THUD_OK, "%d of the %d ground motions are synthetic: " THUD_RECORD_COMPUTED, n,
                        scope->nrecords);
-    thud_error_allow(said, "use recorded motions for a design: this is not an actual earthquake");
 }

@@ -50,15 +50,12 @@ void thud_remark_effort(const struct thud_remark_scope *scope, int i, struct thu
         return;
     bytes = 16 * contacts * (floors + contacts) + 25000 * floors; /* with the run without contact for the needed gap */
     const bool minutes = seconds >= 120;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK,
+    thud_error_set(thud_remark_add(out), THUD_OK,
                    "%.0f floors, up to %.0f contacts, %.0f steps of the ground motion: a run takes about %.2g GB and "
                    "%.2g %s, and several "
                    "times that with much contact",
                    floors, contacts, samples, fmax(bytes / 1e9, 0.01), minutes ? seconds / 60 : seconds,
                    minutes ? "min" : "s");
-    thud_error_key(said, "analysis");
-    thud_error_allow(said, "analysis.modes leaves each building's high modes out");
 }
 
 /* The stiffness of a bumper that is a number, and none that eq. (6) makes from its thickness; its index, else -1. */
@@ -89,14 +86,11 @@ void thud_remark_kept_stiffness(const struct thud_remark_scope *scope, int i, st
         return;
     char text[96];
     double exponent = is->bumper.value[thud_law_param(is->bumper.law, "exponent")];
-    struct thud_error *said = thud_remark_add(out);
     stiffness_text(scene, i, text, sizeof text);
-    thud_error_set(said, THUD_OK,
+    thud_error_set(thud_remark_add(out), THUD_OK,
                    "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g times that",
                    100 * is->bumper_thickness_m, 100 * was->bumper_thickness_m, text,
                    pow(was->bumper_thickness_m / is->bumper_thickness_m, exponent));
-    thud_error_allow(said, "alpha, area and material-stiffness in place of stiffness make it follow");
-    thud_error_key(said, "interfaces.%d.bumper.thickness", i + 1);
 }
 
 static bool varies(const struct thud_sweep_plan *plan, const char *end)
@@ -131,6 +125,5 @@ void thud_remark_kept_key(const struct thud_remark_scope *scope, int i, struct t
                        "the stiffness keeps the number of %s at every exponent, so that the force at the largest "
                        "strain changes with it",
                        text);
-    thud_error_allow(said, "alpha, area and material-stiffness in place of stiffness make it follow");
     thud_error_key(said, "%s", key);
 }

@@ -9,5 +9,5 @@ typedef void thud_remark_row(const struct thud_remark_scope *scope, int i, struc
 /* A remark, to be written by thud_error_set and its like. */
 struct thud_error *thud_remark_add(struct thud_remarks *remarks);
 
-#define THUD_REMARK(about, at, weight, name, keys) thud_remark_row thud_remark_##name;
+#define THUD_REMARK(about, at, weight, name, key, allowed, keys) thud_remark_row thud_remark_##name;
 #include "study/sweep/remark_list.h"

@@ -52,7 +52,6 @@ void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thu
                    most->indentation.value > thickness ? "more than its thickness" : "past its ultimate strain", often);
     if (!isnan(strain))
         thud_error_allow(said, "the rubber law applies up to %.4g mm", 1e3 * limit);
-    thud_error_key(said, "interfaces.%d.bumper", i + 1);
 }
 
 /* The largest drift over the height of its storey (from 1) in *storey; `drift_m` of a structure's floors. */
@@ -92,7 +91,6 @@ void thud_remark_drift(const struct thud_remark_scope *scope, int i, struct thud
                    "storey %d of %.40s reaches a drift of %.3g mm, %.2g %% of its height, but is modelled as elastic",
                    storey, s->name, 1e3 * worst * s->height_m[storey - 1], 100 * worst);
     thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
-    thud_error_key(said, "structures.%d", i + 1);
 }
 
 double thud_stability_coefficient(const struct thud_structure *structure, const struct thud_structure_result *result,
@@ -129,7 +127,6 @@ void thud_remark_theta(const struct thud_remark_scope *scope, int i, struct thud
                    worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
                                       : "the weight on the drift, which the run leaves out, adds to the response");
     thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
-    thud_error_key(said, "structures.%d", i + 1);
 }
 
 /* The storey that yields furthest beyond what a bilinear one stands for. */
@@ -160,7 +157,6 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
         storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m, 100 * drift_m / s->height_m[storey]);
     thud_error_allow(said, "bilinear storeys stand for ductilities up to %g and drifts up to %g %%", ductility_most,
                      100 * yielding_drift_most);
-    thud_error_key(said, "structures.%d.yield", i + 1);
 }
 
 bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_collapse *c, struct thud_error *out)
@@ -222,7 +218,6 @@ void thud_remark_struck(const struct thud_remark_scope *scope, int i, struct thu
                    worst->storey, scope->scene->structure[i].name, thud_digits(1e-3 * shear->value, 4, number[0]),
                    shear->time_s, worst->ratio, others);
     thud_error_allow(said, "up to %s kN", thud_digits(1e-3 * worst->capacity_n, 4, number[1]));
-    thud_error_key(said, "structures.%d.column.capacity", i + 1);
 }
 
 /* Isolators bear the building's weight and, about the middle of them, its overturning moment: beyond W b/2 those at an
@@ -246,7 +241,6 @@ void thud_remark_overturning(const struct thud_remark_scope *scope, int i, struc
                    thud_digits(r->overturning.value / held, 2, number[1]), thud_digits(1e-6 * held, 4, number[2]));
     thud_error_allow(said, "up to half of the weight times half the width, %s MN m",
                      thud_digits(1e-6 * part * held, 4, number[0]));
-    thud_error_key(said, "structures.%d.width", i + 1);
 }
 
 /* Energy that is not balanced, and contacts that made some. */

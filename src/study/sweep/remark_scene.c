@@ -124,7 +124,6 @@ void thud_remark_columns(const struct thud_remark_scope *scope, int i, struct th
         struct thud_error *said = thud_remark_add(out);
         thud_error_set(said, THUD_OK, "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g",
                        k + 1, 1e-6 * own, 1e-6 * storey);
-        thud_error_allow(said, "usually less than the storey's stiffness");
         thud_error_key(said, "structures.%d.column.%s", i + 1, s->column_stiffness_npm[k] > 0 ? "stiffness" : "EI");
     }
 }
@@ -135,13 +134,10 @@ void thud_remark_modes(const struct thud_remark_scope *scope, int i, struct thud
     const struct thud_structure *s = &scope->scene->structure[i];
     if (s->kind != THUD_MODES || s->shape_rows == 0 || s->shape_rows >= s->storeys)
         return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK,
+    thud_error_set(thud_remark_add(out), THUD_OK,
                    "%d of %d modes: what they omit is modelled with a tenth of their shortest period, so the local "
                    "compliance at a struck floor is not known",
                    s->shape_rows, s->storeys);
-    thud_error_allow(said, "as many modes as floors");
-    thud_error_key(said, "structures.%d.periods", i + 1);
 }
 
 /* Both codes fit their formulas to buildings of some storeys. */
@@ -155,7 +151,6 @@ void thud_remark_estimate(const struct thud_remark_scope *scope, int i, struct t
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK, "a period is estimated for a building of %.4g m", height);
     thud_error_allow(said, "EN 1998-1 4.3.3.2.2(3): up to %.4g m", most_m);
-    thud_error_key(said, "structures.%d.height", i + 1);
 }
 
 /* A cavity that leaves less of the bumper outside than it can be compressed by: the walls would touch first. */
@@ -170,7 +165,6 @@ void thud_remark_cavity(const struct thud_remark_scope *scope, int i, struct thu
                    100 * at->bumper_cavity_m);
     thud_error_allow(said, "usually up to thickness (1 - max-strain), %.4g cm",
                      100 * at->bumper_thickness_m * (1 - strain));
-    thud_error_key(said, "interfaces.%d.bumper.cavity", i + 1);
 }
 
 /* Force of a law between bodies of an effective mass that approach, at a depth and speed that are usual for pounding. */
@@ -212,7 +206,6 @@ void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct
                    "the wall of %.3g t hardly moves under a floor of %.3g t, but is not fixed: the dashpot of %s is "
                    "that of their effective mass, %.3g t",
                    1e-3 * wall->wall_mass_kg, 1e-3 * mass, choice->law->name, 1e-3 * effective);
-    thud_error_allow(said, "a wall without mass and stiffness stands fixed");
     thud_error_key(said, "structures.%d.mass", (int)(wall - scope->scene->structure) + 1);
 }
 
@@ -220,13 +213,10 @@ void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct
 void thud_remark_assumed_law(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     const struct thud_law_choice *choice = &scope->scene->interface[i].contact;
-    if (!choice->assumed)
-        return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "no impact law is given: %s is taken, with its usual values where none are given",
-                   choice->law->name);
-    thud_error_allow(said, "the law of Polycarpou and Komodromos (2011); others: `thud laws`");
-    thud_error_key(said, "interfaces.%d.contact.law", i + 1);
+    if (choice->assumed)
+        thud_error_set(thud_remark_add(out), THUD_OK,
+                       "no impact law is given: %s is taken, with its usual values where none are given",
+                       choice->law->name);
 }
 
 /* Neighbours none of whose floors can touch. */
@@ -248,7 +238,6 @@ void thud_remark_levels(const struct thud_remark_scope *scope, int at, struct th
         struct thud_error *said = thud_remark_add(out);
         thud_error_set(said, THUD_OK, "%s and %s have nothing at the same level, so they cannot touch", left->name,
                        right->name);
-        thud_error_allow(said, "floors at or between the other's floors: see heights and base");
         thud_error_key(said, "interfaces.%d", i + 1);
     }
 }
@@ -278,13 +267,10 @@ void thud_remark_faces(const struct thud_remark_scope *scope, int i, struct thud
     }
     if (few == 0)
         return;
-    struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK,
+    thud_error_set(thud_remark_add(out), THUD_OK,
                    "floor %d of %.40s and floor %d of %.40s overlap by %.3g cm of %.3g cm (%d such pairs): neither "
                    "floor-to-floor nor slab-to-column contact",
                    a, left->name, b, right->name, 100 * overlap, 100 * depth, few);
-    thud_error_allow(said, "usually a quarter of the shallower slab or more; see height and base");
-    thud_error_key(said, "structures.%d.slab-depth", i + 1);
 }
 
 /* A step in which much of a contact goes by. */
@@ -307,7 +293,6 @@ void thud_remark_step(const struct thud_remark_scope *scope, int i, struct thud_
     thud_error_set(said, THUD_OK, "%.4g ms is long for a contact with a period of %.4g ms", 1e3 * step_s,
                    1e3 * shortest);
     thud_error_allow(said, "usually up to a twentieth of that, %.4g ms", 50 * shortest);
-    thud_error_key(said, "analysis.step");
 }
 
 /* A scene of much detail: which command shows how much of it is needed. */
