@@ -357,7 +357,8 @@ is "have no counts, not 0 of 0" shows '^  bumper .*counts - [0-9] [0-9] of 3 at 
 is "and no row of numbers" gives 0 sweep towers --records "$three" --vary gap=2cm,40cm --cases none,bumper --quiet
 is "in the table" shows '^  bumper   A  *-    -      -      -      -       -       -  2 cm$'
 is "a force of 0 over 0 is equal" shows '^largest force  *-  *1.000  0  3  0$'
-is "gaps by rule in a row" gives 0 gap three-in-a-row --quiet
+is "where there is no bumper, none is left out" sh -c "\"\$THUD\" gap isolated-moat --quiet | grep -q '^Pounds in, MN: motions with contact at that gap, largest force;$'"
+is "in a row, the gaps by rule" gives 0 gap three-in-a-row --quiet
 is "are those of all its interfaces" shows '^the other interfaces have the gaps of the same rule\.$'
 is "refused: an unknown event" gives 2 fragility towers --event flood
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"

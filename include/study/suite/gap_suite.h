@@ -42,6 +42,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
 /* Range of the required gap of an interface (from 0) as the periods of its estimated buildings go from
  * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal logarithmic steps; those of neighbours independently. */
 struct thud_gap_range {
+    int interface;
     double least_m, most_m;
     double left_factor, right_factor; /* of the periods where it is most_m; NaN: not estimated */
 };
@@ -51,5 +52,5 @@ int thud_gap_periods(const struct thud_scene *scene);
  * Errors: those of thud_needed_gap_run. */
 enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
                                      double *need_m, struct thud_error *err);
-/* Makes the range from need_m (periods x interfaces); least_m is NaN if no neighbour is estimated. */
-void thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);
+/* Makes the ranges of the interfaces beside an estimated building from need_m (periods x interfaces); returns how many. */
+int thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);

@@ -493,10 +493,9 @@ static void row_gaps(struct site *site)
         return;
     thud_document_table(d, "Required gap in the row, cm, between bare faces");
     thud_document_head(d, "between|others as given|all together");
-    for (int i = 0; i + 1 < site->scene->nstructures; i++) {
-        if (row[i].all_together_m < 0)
-            continue;
-        thud_document_cell(d, "%s and %s", thud_site_name(site, i), thud_site_name(site, i + 1));
+    for (int i = 0; i < site->gaps.nrow; i++) {
+        thud_document_cell(d, "%s and %s", thud_site_name(site, row[i].interface - 1),
+                           thud_site_name(site, row[i].interface));
         add_gap_cell(d, row[i].others_as_given_m);
         add_gap_cell(d, row[i].all_together_m);
         thud_document_row(d);

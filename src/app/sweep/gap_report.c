@@ -50,10 +50,9 @@ static void put_records(const struct thud_gap_suite *suite, struct thud_text *ou
     for (int r = 0; r < suite->nrecords; r++) {
         int level = 0;
         thud_text_padded(out, suite->record[r], width);
-        for (int rule = THUD_GAP_SHORT - 1; rule >= THUD_GAP_EXACT; rule--)
-            thud_needed_gap_widest(suite->gap[r], 0, rule, &level);
         for (int rule = THUD_GAP_EXACT; rule < THUD_GAP_SHORT; rule++)
             put_gap(out, thud_needed_gap_widest(suite->gap[r], 0, rule, NULL));
+        thud_needed_gap_widest(suite->gap[r], 0, THUD_GAP_EXACT, &level);
         thud_text_append(out, "  %s\n", floors(&suite->gap[r]->level[level], text));
     }
 }
@@ -154,12 +153,10 @@ static void put_period(const struct thud_structure *s, const char *before, struc
 
 static void put_ranges(const struct thud_gap_study *study, const struct thud_scene *scene, struct thud_text *out)
 {
-    for (int i = 0; study->range && i + 1 < scene->nstructures; i++) {
-        const struct thud_structure *left = &scene->structure[i], *right = left + 1;
+    for (int i = 0; i < study->nranges; i++) {
         const struct thud_gap_range *x = &study->range[i];
+        const struct thud_structure *left = &scene->structure[x->interface - 1], *right = left + 1;
         const bool both = thud_period_is_estimated(left) && thud_period_is_estimated(right);
-        if (isnan(x->most_m))
-            continue;
         thud_text_append(out, "\nNeeds %.1f to %.1f cm, depending on the period of ", thud_summary_gap_cm(x->least_m),
                          thud_summary_gap_cm(x->most_m));
         if (thud_period_is_estimated(left))
@@ -180,10 +177,8 @@ static void put_row(const struct thud_gap_study *study, struct thud_text *out)
     if (!study->row)
         return;
     thud_text_append(out, "\n%-26s %16s %16s\n", "in the row (cm)", "others as given", "all together");
-    for (int i = 0; i < study->interfaces; i++) {
-        if (study->row[i].all_together_m < 0)
-            continue;
-        thud_text_append(out, "interface %-16d %8s", i + 1, "");
+    for (int i = 0; i < study->nrow; i++) {
+        thud_text_append(out, "interface %-16d %8s", study->row[i].interface, "");
         put_gap(out, study->row[i].others_as_given_m);
         thud_text_append(out, " %8s", "");
         put_gap(out, study->row[i].all_together_m);
@@ -251,8 +246,11 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
                              : "");
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
-    thud_text_append(out, "Pounds in, MN: motions with contact at that gap %s, largest force%s.\n",
-                     thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)),
+    thud_text_append(out, "Pounds in, MN: motions with contact at that gap%s%s, largest force%s.\n",
+                     thud_scene_has_measure(scene) ? " " : "",
+                     thud_scene_has_measure(scene)
+                         ? thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene))
+                         : "",
                      study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");
     for (int rule = 0; rule < THUD_GAP_RULES; rule++)
         if (*thud_gap_rule_at(rule)->source) {
@@ -346,35 +344,6 @@ struct thud_rows thud_gap_rule_rows(const struct thud_gap_study *study)
     return (struct thud_rows){&thud_gap_rule_schema, 0, rules_from(study, 0, &k, &rule), make_rule, study};
 }
 
-/* Of the interfaces beside an estimated building. */
-static void put_json_ranges(const struct thud_gap_study *study, struct thud_text *out)
-{
-    const char *before = ",\n \"periods\": [";
-    for (int i = 0; study->range && i < study->interfaces; i++) {
-        if (isnan(study->range[i].most_m))
-            continue;
-        thud_text_append(out, "%s\n  {\"interface\": %d, ", before, i + 1);
-        thud_json_members(&thud_gap_range_schema, 0, &study->range[i], out);
-        thud_text_append(out, "}");
-        before = ",";
-    }
-    thud_text_append(out, "%s", study->range ? "]" : "");
-}
-
-static void put_json_row(const struct thud_gap_study *study, struct thud_text *out)
-{
-    const char *before = ",\n \"row\": [";
-    for (int i = 0; study->row && i < study->interfaces; i++) {
-        if (study->row[i].all_together_m < 0)
-            continue;
-        thud_text_append(out, "%s\n  ", before);
-        thud_json_object(&thud_gap_row_schema, 0, &study->row[i], out);
-        before = ",";
-    }
-    if (study->row)
-        thud_text_append(out, "], \"row_runs\": %d", study->row_runs);
-}
-
 static enum thud_status put_json_suite(const struct thud_gap_study *study, struct thud_text *out,
                                        struct thud_error *err)
 {
@@ -399,6 +368,7 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
 {
     const struct thud_record_list *records = study->records;
     const struct thud_rows levels = thud_gap_level_rows(study), rules = thud_gap_rule_rows(study);
+    const struct thud_array ranges = {study->range, sizeof *study->range}, rowed = {study->row, sizeof *study->row};
     thud_text_append(out, "{");
     thud_json_head(out, scene->name);
     thud_text_append(out, ",\n \"records\": [");
@@ -421,8 +391,13 @@ enum thud_status thud_gap_json(const struct thud_gap_study *study, const struct 
     enum thud_status status = put_json_suite(study, out, err);
     thud_text_append(out, "]");
     thud_json_list("rules", &rules, out);
-    put_json_ranges(study, out);
-    put_json_row(study, out);
+    if (study->range)
+        thud_json_list("periods",
+                       &(struct thud_rows){&thud_gap_range_schema, 0, study->nranges, thud_array_row, &ranges}, out);
+    if (study->row) {
+        thud_json_list("row", &(struct thud_rows){&thud_gap_row_schema, 0, study->nrow, thud_array_row, &rowed}, out);
+        thud_text_append(out, ", \"row_runs\": %d", study->row_runs);
+    }
     thud_remarks_json(&(struct thud_remark_scope){.scene = scene,
                                                   .record = (const struct thud_record *const *)records->record,
                                                   .nrecords = records->n},

@@ -13,10 +13,10 @@ struct thud_gap_study {
     struct thud_gap_suite suite;
     const char **name;            /* (suite.nrecords) last parts of the files' names */
     struct thud_needed_gap **gap; /* (suite.nrecords) */
-    struct thud_gap_range *range; /* (interfaces); NULL: no building is estimated */
-    int interfaces;
-    struct thud_gap_row_fields *row; /* (interfaces) of three or more structures; else NULL */
-    int row_runs;
+    struct thud_gap_range *range; /* (nranges) of interfaces beside an estimated building; NULL: there is none */
+    int interfaces, nranges;
+    struct thud_gap_row_fields *row; /* (nrow) of three or more structures, interfaces that can touch; else NULL */
+    int nrow, row_runs;
     struct thud_gap_ruled *ruled; /* (THUD_GAP_RULES + 1 x interfaces), what is needed first; NULL: not asked for */
 };
 

@@ -71,7 +71,7 @@ static enum thud_status run_periods(const struct thud_scene *scene, const struct
                                        : thud_gap_at_periods(scene, r < records->n ? records->record[r] : NULL, p,
                                                              need_m + p * n, err);
     if (status == THUD_OK)
-        thud_gap_period_range(scene, need_m, out->range);
+        out->nranges = thud_gap_period_range(scene, need_m, out->range);
     free(need_m);
     return status;
 }
@@ -103,6 +103,9 @@ static enum thud_status run_row(const struct thud_scene *scene, const struct thu
             fmax(r == 0 ? -1 : row->all_together_m, thud_needed_gap_widest(out->gap[r], k + 1, THUD_GAP_EXACT, NULL));
         out->row_runs += status == THUD_OK;
     }
+    for (int k = 0; k < n; k++)
+        if (out->row[k].all_together_m >= 0)
+            out->row[out->nrow++] = out->row[k];
     return status;
 }
 

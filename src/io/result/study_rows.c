@@ -341,7 +341,8 @@ const struct thud_schema thud_gap_fractile_schema = THUD_SCHEMA("gap --json of e
 
 #define RANGE(member, text) THUD_FIELD(struct thud_gap_range, member, #member, text)
 static const struct thud_column ranges[] = {
-    RANGE(least_m, "Least required gap over all motions at one of the periods, m."), RANGE(most_m, "Widest, m."),
+    RANGE(interface, "Its number."), RANGE(least_m, "Least required gap over all motions at one of the periods, m."),
+    RANGE(most_m, "Widest, m."),
     RANGE(left_factor, "Over the estimated period of the building on the left, where the widest is needed; no value "
                        "where it is not estimated."),
     RANGE(right_factor, "The same of the building on the right.")};

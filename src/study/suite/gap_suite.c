@@ -192,21 +192,24 @@ enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struc
     return status;
 }
 
-void thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out)
+int thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out)
 {
     const int n = scene->nstructures - 1;
+    int ranges = 0;
     for (int i = 0; i < n; i++) {
-        out[i] = (struct thud_gap_range){NAN, NAN, NAN, NAN};
         if (!thud_period_is_estimated(&scene->structure[i]) && !thud_period_is_estimated(&scene->structure[i + 1]))
             continue;
+        struct thud_gap_range *range = &out[ranges++];
+        *range = (struct thud_gap_range){i + 1, NAN, NAN, NAN, NAN};
         for (int p = 0; p < thud_gap_periods(scene); p++) {
             const double need = need_m[p * n + i];
-            out[i].least_m = fmin(out[i].least_m, need);
-            if (need <= out[i].most_m)
+            range->least_m = fmin(range->least_m, need);
+            if (need <= range->most_m)
                 continue;
-            out[i].most_m = need;
-            out[i].left_factor = factor_of(scene, p, i);
-            out[i].right_factor = factor_of(scene, p, i + 1);
+            range->most_m = need;
+            range->left_factor = factor_of(scene, p, i);
+            range->right_factor = factor_of(scene, p, i + 1);
         }
     }
+    return ranges;
 }
