@@ -541,3 +541,16 @@ EOF
 else
     echo "ok - El Centro beside a wall # SKIP the record is not at hand"
 fi
+# bumpers of different thickness at each level: what is needed, and what is compressed most, are those of a level
+thick="--set=bumper.thickness-by-level=[8cm,5cm,4cm,3cm]"
+is "a gap that is enough at every level" gives 0 run towers "$thick" --set gap=22.8cm --quiet
+is "is told as such" shows '^summary  *NO CONTACT at 22.8 cm   needs 22.8 cm (19.8 bare)$'
+is "with its bumpers" shows '^interface 1 .* rubber bumper of 3 to 8 cm by level in a cavity of 0 cm'
+is "a millimetre less" gives 0 run towers "$thick" --set gap=22.7cm --quiet
+is "is not: the force has digits" shows '^summary  *POUNDS at 22.7 cm: 1 impact, 0.013 kN   needs 22.8 cm (19.8 bare)$'
+is "thud gap" gives 0 gap towers "$thick" --quiet
+is "says what they project" shows 'projects 3.00 to 8.00 cm by level; add this to the required gap of each'
+is "a thin bumper above thick ones" gives 0 run towers "--set=bumper.thickness-by-level=[5cm,5cm,5cm,3cm]"
+is "is the one remarked on" says 'the bumper of 30 mm is compressed by 39.[0-9]* mm at floor 4, .*more than its thickness'
+is "as over a study" gives 0 sweep towers "--set=bumper.thickness-by-level=[5cm,5cm,5cm,3cm]" --vary gap=10cm --cases bumper
+is "and by its thickness" says 'more than its thickness: one of 30 mm by 39.[0-9]* mm'

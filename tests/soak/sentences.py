@@ -11,7 +11,8 @@ import subprocess
 import sys
 
 VARIATIONS = [
-    ("towers", "", "--set gap=7.5cm", "--set gap=19.7cm", "--set gap=19.8cm --case none", "--case cavity", "--sign=-"),
+    ("towers", "", "--set gap=7.5cm", "--set gap=19.7cm", "--set gap=19.8cm --case none", "--case cavity", "--sign=-",
+     "--set bumper.thickness-by-level=[5cm,5cm,5cm,3cm]", "--set gap=22cm --set bumper.thickness-by-level=[8cm,5cm,4cm,3cm]"),
     ("slab-against-columns", "", "--case none", "--set structures.2.slab-depth=50cm"),
     ("towers-northridge", "", "--set gap=6cm", "--case none --set gap=14.3cm", "--set structures.2.damping=2%"),
     ("towers-san-fernando", "", "--set gap=12cm"),
@@ -55,9 +56,9 @@ def of_json(*arguments):
 
 
 def under(part, key):
-    """All numbers of a JSON value under a key."""
+    """All numbers of a JSON value under a key, or under that of its values by level."""
     if isinstance(part, dict):
-        return [x for name, inner in part.items() for x in (numbers(inner) if name == key else under(inner, key))]
+        return [x for name, inner in part.items() for x in (numbers(inner) if name.replace("-by-level", "") == key else under(inner, key))]
     return [x for inner in part for x in under(inner, key)] if isinstance(part, list) else []
 
 
@@ -133,13 +134,14 @@ def needs_of(document, needed, index):
     """What the lines of an interface are made of, by the keys of LINES."""
     scene = document["scene_si"]["interfaces"][index]
     bumper = scene.get("bumper", {})
-    stands_out = bumper.get("thickness_m", 0) - bumper.get("cavity_m", 0)
-    gaps = numbers(scene["gap_m"])
+    gaps, thick = numbers(scene["gap_m"]), numbers(bumper.get("thickness-by-level_m", bumper.get("thickness_m", 0)))
+    cavity = bumper.get("cavity_m", 0)
     contacts = [c for c in document["contacts"] if c["interface"] == index + 1]
     levels = [v for v in needed["records"][0]["levels"] if v["interface"] == index + 1] if needed else []
     most = {to: [max(v[of] for v in levels)] if levels else []
             for to, of in (("needs_m", "relative_displacement_m"), ("abs_m", "abs_m"), ("srss_m", "srss_m"))}
-    return {"gap_m": gaps, "clearance_m": [g - stands_out for g in gaps], **most, "needs_with_bumper_m": [x + stands_out for x in most["needs_m"]],
+    with_bumper = [v["relative_displacement_m"] + t - cavity for v, t in zip(levels, thick * (len(levels) if len(thick) == 1 else 1))]
+    return {"gap_m": gaps, "clearance_m": [g - t + cavity for g in gaps for t in thick], **most, "needs_with_bumper_m": [max(with_bumper, default=0)],
             "thickness_m": under(bumper, "thickness_m"), "cavity_m": under(bumper, "cavity_m"),
             "impacts": [sum(c["impacts"] for c in contacts)], "impulse_ns": [sum(under(contacts, "impulse_ns"))],
             "force_n": [max(under(contacts, "force_n"), default=0)]}

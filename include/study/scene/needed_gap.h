@@ -44,6 +44,9 @@ static inline bool thud_gap_is_wider(double gap_m, double widest_m)
 double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, int rule, int *level);
 /* Does the same over n levels. */
 double thud_gap_widest(const struct thud_gap_level *of, int n, int interface, int rule, int *level);
+/* Returns the gap that this interface (from 1) needs with its bumpers, whose projections may differ by level; -1: no
+ * levels. */
+double thud_needed_gap_with_bumpers(const struct thud_needed_gap *gap, const struct thud_scene *scene, int interface);
 
 /* Returns the damping ratio of a structure's first mode; 0: it has none. */
 double thud_gap_damping(const struct thud_model *model, int structure);

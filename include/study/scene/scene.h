@@ -471,7 +471,11 @@ struct thud_level_values thud_interface_level(const struct thud_interface *inter
 double thud_level_clearance(const struct thud_level_values *level);
 /* Gives the smallest and the largest gap (m) of its levels. */
 void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
-/* Writes "10 cm", "8 to 12 cm by level". */
+/* Returns the largest projection (m) of the bumpers at its levels, thickness less cavity; 0: there is none. *least_m gets
+ * the smallest if not NULL. */
+double thud_interface_projection(const struct thud_interface *interface, double *least_m);
+/* Writes "10 cm", "8 to 12 cm by level": of its gap, and of its bumper's thickness. */
+void thud_interface_thickness_text(const struct thud_interface *interface, char *text, unsigned long size);
 void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size);
 /* Multiplies every gap, but keeps at least the projection of its bumper. */
 void thud_interface_scale_gap(struct thud_interface *interface, double factor);

@@ -75,7 +75,8 @@ struct thud_remark {
     int row; /* of the list: of two cases the same remark has the same row and key */
     enum thud_remark_weight weight;
     /* Keys of the JSON beside it whose values the numbers of the sentence are, also a/b, a*b and a||b = ab/(a + b) of
-     * two. Empty: it has none, or the value at its place, or numbers without a key (counts, estimates of the effort). */
+     * two; values by level are those of their key. Empty: it has none, or the value at its place, or numbers without a
+     * key (counts, estimates of the effort). */
     const char *keys;
     struct thud_error said; /* place (its key), sentence (what) and condition (what is allowed) */
 };

@@ -136,18 +136,12 @@ const char *thud_site_gap_source(const struct site *site, char *text, size_t siz
 
 /* ---- the gap ---- */
 
-/* The projection of a bumper at an interface (from 1). */
-static double stands_out(const struct site *site, int interface)
-{
-    const struct thud_interface *f = &site->scene->interface[interface - 1];
-    return f->gap_m - thud_interface_clearance(f);
-}
-
 static void recommend(struct site *site, int i)
 {
-    const double bare = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i),
-                 out = stands_out(site, i);
-    char source[240], given[64], bumper[80] = "", rest[120] = "";
+    const double bare = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i);
+    double least;
+    const double out = thud_interface_projection(&site->scene->interface[i - 1], &least);
+    char source[240], given[64], bumper[96] = "", rest[120] = "";
     int more = 0;
     if (!(bare >= 0))
         return;
@@ -155,8 +149,8 @@ static void recommend(struct site *site, int i)
         more += thud_gap_falls_short(0.01 * ceil(100 * (bare + out) - 1e-9) - out,
                                      thud_needed_gap_widest(site->gaps.gap[r], i, THUD_GAP_EXACT, NULL));
     if (out > 0)
-        snprintf(bumper, sizeof bumper, ", and %s cm for the projection of the bumper",
-                 thud_site_number(100 * out, 3).text);
+        snprintf(bumper, sizeof bumper, ", and %s cm for the %sprojection of the bumper",
+                 thud_site_number(100 * out, 3).text, out > least ? "largest " : "");
     if (more > 0 && site->gaps.suite.nrecords > 1)
         snprintf(rest, sizeof rest, " Under %d of the %d ground motions more would be needed.", more,
                  site->gaps.suite.nrecords);
@@ -190,12 +184,13 @@ static void add_criterion(struct site *site, const char *limit, double value, do
 
 static void gap_criterion(struct site *site, int i)
 {
-    const double value = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i) + stands_out(site, i);
+    const double out = thud_interface_projection(&site->scene->interface[i - 1], NULL);
+    const double value = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i) + out;
     const struct thud_interface *f = &site->scene->interface[i - 1];
     char given[64], shown[32];
     double widest = -1, least, most;
     int governing = 0;
-    if (!(value >= stands_out(site, i)))
+    if (!(value >= out))
         return;
     for (int r = 0; r < site->gaps.suite.nrecords; r++) {
         const double needed = thud_needed_gap_widest(site->gaps.gap[r], i, THUD_GAP_EXACT, NULL);

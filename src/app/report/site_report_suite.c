@@ -247,7 +247,7 @@ static void gap_verdict(struct site *site, int i)
 {
     const struct thud_interface *f = &site->scene->interface[i - 1];
     const double required = thud_site_gap_by_code(site, &site->gaps, site->scene->nstructures, i);
-    const double out = f->gap_m - thud_interface_clearance(f);
+    const double out = thud_interface_projection(f, NULL);
     struct thud_fractiles exact;
     char what[200], text[600], given[64], from[240], bumper[64] = "";
     if (!(required >= 0))

@@ -72,7 +72,7 @@ static void gap_rows(struct site *site, int i)
     char what[200], text[400];
     int level;
     const double needed = site->gap ? thud_needed_gap_widest(site->gap, i, THUD_GAP_EXACT, &level) : NAN;
-    const double stands_out = f->gap_m - thud_interface_clearance(f);
+    const double stands_out = thud_interface_projection(f, NULL);
     snprintf(what, sizeof what, "gap between %.60s and %.60s", thud_site_name(site, i - 1), thud_site_name(site, i));
     if (!(needed >= 0)) {
         snprintf(text, sizeof text, "%.1f cm given", 100 * f->gap_m);

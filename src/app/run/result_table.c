@@ -27,13 +27,14 @@ static void add_head(const struct thud_report *report, struct thud_text *out)
         thud_text_append(out, "ground motion  none\n");
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         const struct thud_interface *f = &scene->interface[i];
-        char gap[64], clearance[2048];
+        char gap[64], thickness[64], clearance[2048];
         thud_interface_gap_text(f, gap, sizeof gap);
+        thud_interface_thickness_text(f, thickness, sizeof thickness);
         thud_interface_clearance_text(scene, i, clearance, sizeof clearance);
         thud_text_append(out, "interface %d    gap %s", i + 1, gap);
         if (f->has_bumper)
-            thud_text_append(out, ", %s bumper of %.4g cm in a cavity of %.4g cm", f->bumper.law->name,
-                             100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
+            thud_text_append(out, ", %s bumper of %s in a cavity of %.4g cm", f->bumper.law->name, thickness,
+                             100 * f->bumper_cavity_m);
         else
             thud_text_append(out, ", %s", f->contact.law->name);
         thud_text_append(out, ": clearance %s\n", clearance);
@@ -66,8 +67,7 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
             line.need_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_EXACT, NULL);
             line.abs_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_ABS, NULL);
             line.srss_m = thud_needed_gap_widest(report->gap, i, THUD_GAP_SRSS, NULL);
-            if (scene->interface[i - 1].has_bumper)
-                line.bumper_m = line.gap_m - thud_interface_clearance(&scene->interface[i - 1]);
+            line.bumper_m = thud_needed_gap_with_bumpers(report->gap, scene, i) - line.need_m;
         }
         thud_summary_line(&line, COLUMNS, text, sizeof text);
         if (line.in_row)

@@ -28,6 +28,10 @@ static void add(char *text, size_t size, int columns, const char *part)
 static void pounding_words(int impacts, double force_n, char text[64])
 {
     const double force = 1e-6 * force_n;
+    if (force < 5e-4) {
+        snprintf(text, 64, "%d impact%s, %.2g kN", impacts, impacts == 1 ? "" : "s", 1e-3 * force_n);
+        return;
+    }
     snprintf(text, 64, "%d impact%s, %.*f MN", impacts, impacts == 1 ? "" : "s",
              force >= 99.95     ? 0
              : force >= 9.995   ? 1

@@ -109,10 +109,17 @@ static void put_levels(const struct thud_gap_suite *suite, const struct thud_fra
 static void put_bumpers(const struct thud_scene *scene, struct thud_text *out)
 {
     for (int i = 0; i + 1 < scene->nstructures; i++) {
-        const struct thud_interface *f = &scene->interface[i];
-        if (f->has_bumper)
+        double least;
+        const double most = thud_interface_projection(&scene->interface[i], &least);
+        if (most > least)
+            thud_text_append(
+                out,
+                "The bumper at interface %d projects %.2f to %.2f cm by level; add this to the required gap "
+                "of each.\n",
+                i + 1, 100 * least, 100 * most);
+        else if (scene->interface[i].has_bumper)
             thud_text_append(out, "The bumper at interface %d projects %.2f cm; add this to the required gap.\n", i + 1,
-                             100 * (f->bumper_thickness_m - f->bumper_cavity_m));
+                             100 * most);
     }
 }
 
@@ -246,12 +253,11 @@ static void put_rules(const struct thud_gap_study *study, const struct thud_scen
                              : "");
     else
         thud_text_append(out, "\nuL and uR: largest displacements of the two sides.\n");
-    thud_text_append(out, "Pounds in, MN: motions with contact at that gap%s%s, largest force%s.\n",
-                     thud_scene_has_measure(scene) ? " " : "",
-                     thud_scene_has_measure(scene)
-                         ? thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene))
-                         : "",
-                     study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");
+    thud_text_append(
+        out, "Pounds in, MN: motions with contact at that gap%s%s, largest force%s.\n",
+        thud_scene_has_measure(scene) ? " " : "",
+        thud_scene_has_measure(scene) ? thud_case_phrase(thud_scene_measures(scene), thud_scene_bare(scene)) : "",
+        study->interfaces > 1 ? ";\nthe other interfaces have the gaps of the same rule" : "");
     for (int rule = 0; rule < THUD_GAP_RULES; rule++)
         if (*thud_gap_rule_at(rule)->source) {
             thud_text_append(out, "%s%s", before, thud_gap_rule_at(rule)->name);

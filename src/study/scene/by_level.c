@@ -60,14 +60,44 @@ void thud_interface_gaps(const struct thud_interface *interface, double *least_m
     }
 }
 
+double thud_interface_projection(const struct thud_interface *interface, double *least_m)
+{
+    double least = INFINITY, most = 0;
+    for (int l = 0; l == 0 || l < interface->thickness.n; l++) {
+        const struct thud_level_values at = thud_interface_level(interface, interface->thickness.n > 0 ? l : -1);
+        const double out = at.has_bumper ? at.thickness_m - at.cavity_m : 0;
+        least = fmin(least, out);
+        most = fmax(most, out);
+    }
+    if (least_m)
+        *least_m = least;
+    return most;
+}
+
+static void range_text(double least_m, double most_m, char *text, size_t size)
+{
+    if (most_m > least_m)
+        snprintf(text, size, "%.4g to %.4g cm by level", 100 * least_m, 100 * most_m);
+    else
+        snprintf(text, size, "%.4g cm", 100 * least_m);
+}
+
 void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size)
 {
     double least, most;
     thud_interface_gaps(interface, &least, &most);
-    if (most > least)
-        snprintf(text, size, "%.4g to %.4g cm by level", 100 * least, 100 * most);
-    else
-        snprintf(text, size, "%.4g cm", 100 * least);
+    range_text(least, most, text, size);
+}
+
+void thud_interface_thickness_text(const struct thud_interface *interface, char *text, unsigned long size)
+{
+    double least = interface->bumper_thickness_m, most = least;
+    for (int l = 0; l < interface->thickness.n; l++) {
+        const double at = thud_interface_level(interface, l).thickness_m;
+        least = l == 0 ? at : fmin(least, at);
+        most = l == 0 ? at : fmax(most, at);
+    }
+    range_text(least, most, text, size);
 }
 
 void thud_interface_scale_gap(struct thud_interface *interface, double factor)

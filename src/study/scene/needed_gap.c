@@ -237,6 +237,18 @@ double thud_needed_gap_widest(const struct thud_needed_gap *gap, int interface, 
     return thud_gap_widest(gap->level, gap->nlevels, interface, rule, level);
 }
 
+double thud_needed_gap_with_bumpers(const struct thud_needed_gap *gap, const struct thud_scene *scene, int interface)
+{
+    const struct thud_interface *at = &scene->interface[interface - 1];
+    double most = -1;
+    for (int i = 0; i < gap->nlevels; i++) {
+        const struct thud_level_values here = thud_interface_level(at, thud_needed_gap_level(gap->level, i));
+        if (gap->level[i].interface == interface)
+            most = fmax(most, gap->level[i].relative_displacement_m + here.gap_m - thud_level_clearance(&here));
+    }
+    return most;
+}
+
 int thud_needed_gap_level(const struct thud_gap_level *level, int i)
 {
     int first = i;

@@ -158,19 +158,23 @@ static double impacts(const struct thud_measured_run *run, const struct thud_mea
     return sum;
 }
 
+struct thud_level_values thud_sweep_level_values(const struct thud_scene *scene, const struct thud_sweep_point *point,
+                                                 int k, int contact)
+{
+    struct thud_interface cased = scene->interface[point->level[contact].interface - 1];
+    thud_interface_case(&cased, point->which[k]);
+    return thud_interface_level(&cased, thud_needed_gap_level(point->level, contact));
+}
+
 static double bumper_strain(const struct thud_measured_run *run, const struct thud_measure_info *info, int of_run)
 {
-    const struct thud_sweep_point *p = run->point;
-    const struct thud_sweep_contact *contact = thud_sweep_contacts(p, 0, run->k);
-    const struct thud_gap_level *level = thud_sweep_levels(p, p->which[run->k]);
+    const struct thud_sweep_contact *contact = thud_sweep_contacts(run->point, 0, run->k);
     double most = NAN;
     (void)of_run;
-    for (int c = 0; c < p->ncontacts; c++) {
-        struct thud_interface cased = run->scene->interface[level[c].interface - 1];
-        thud_interface_case(&cased, p->which[run->k]);
-        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(level, c));
-        if (at.thickness_m > 0)
-            most = thud_measure_larger(info, most, contact[c].indentation_m / at.thickness_m);
+    for (int c = 0; c < run->point->ncontacts; c++) {
+        const double thickness_m = thud_sweep_level_values(run->scene, run->point, run->k, c).thickness_m;
+        if (thickness_m > 0)
+            most = thud_measure_larger(info, most, contact[c].indentation_m / thickness_m);
     }
     return most;
 }
@@ -206,9 +210,7 @@ static double clearances(const struct thud_measured_run *run, bool beyond)
     double most = beyond ? -INFINITY : 0;
     for (int c = 0; c < p->ncontacts; c++) {
         const double closing = level[c].relative_displacement_m;
-        struct thud_interface cased = run->scene->interface[level[c].interface - 1];
-        thud_interface_case(&cased, p->which[run->k]);
-        const struct thud_level_values at = thud_interface_level(&cased, thud_needed_gap_level(level, c));
+        const struct thud_level_values at = thud_sweep_level_values(run->scene, p, run->k, c);
         const double clearance = thud_level_clearance(&at);
         if (beyond)
             most = fmax(most, closing - clearance);

@@ -6,6 +6,7 @@
 
 #include "study/scene/level.h"
 #include "study/sweep/remark_rows.h"
+#include "study/sweep/sweep_private.h"
 
 /* Elastic storeys are not for more: codes let buildings drift by 0.5 to 2.5 % where they yield. */
 static const double drift_most = 0.01;
@@ -15,43 +16,53 @@ static const double ductility_most = 6, yielding_drift_most = 0.02;
 /* EN 1998-1 4.4.2.2(2) and (4) */
 static const double theta_small = 0.1, theta_most = 0.3;
 
-static const struct thud_contact_result *deepest(const struct thud_result *result, int interface)
+/* The thickness of the bumper at a contact of an interface; 0: there is none. */
+static double thickness_at(const struct thud_interface *at, const struct thud_result *result, int contact)
 {
-    const struct thud_contact_result *most = NULL;
-    for (int c = 0; c < result->ncontacts; c++)
-        if (result->contact[c].interface == interface &&
-            (!most || result->contact[c].indentation.value > most->indentation.value))
-            most = &result->contact[c];
-    return most;
+    int level = 0;
+    for (int c = 0; c < contact; c++)
+        level += result->contact[c].interface == result->contact[contact].interface;
+    return thud_interface_level(at, level).thickness_m;
 }
 
 void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thud_remarks *out)
 {
     const struct thud_result *result = scope->result;
     const struct thud_interface *at = &scope->scene->interface[i];
-    double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
-    double limit = isnan(strain) ? thickness : strain * thickness;
-    const struct thud_contact_result *most = at->has_bumper ? deepest(result, i + 1) : NULL;
+    const double strain = thud_interface_max_strain(at), part = isnan(strain) ? 1 : strain;
+    const struct thud_contact_result *most = NULL;
+    double thickness = 0, worst = part;
     int count = 0, past = 0;
-    if (!most || !(most->indentation.value > limit))
+    for (int c = 0; c < result->ncontacts; c++) {
+        const double own = result->contact[c].interface == i + 1 ? thickness_at(at, result, c) : 0;
+        if (!(own > 0) || !(result->contact[c].indentation.value > worst * own))
+            continue;
+        most = &result->contact[c];
+        thickness = own;
+        worst = most->indentation.value / own;
+    }
+    if (!most)
         return;
-    for (int k = 0; k < scope->nimpacts; k++)
-        if (result->contact[scope->impact[k].contact].interface == i + 1) {
-            count++;
-            past += scope->impact[k].indentation_m > limit;
-        }
+    for (int k = 0; k < scope->nimpacts; k++) {
+        const int c = scope->impact[k].contact;
+        const double own = result->contact[c].interface == i + 1 ? thickness_at(at, result, c) : 0;
+        count += own > 0;
+        past += own > 0 && scope->impact[k].indentation_m > part * own;
+    }
     char often[96] = "", where[48] = "";
-    if (count > 0)
-        snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * limit, past, count);
+    if (count > 0 && at->thickness.n > 0)
+        snprintf(often, sizeof often, "; past that of its level in %d of %d impacts", past, count);
+    else if (count > 0)
+        snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * part * thickness, past, count);
     if (most->left_floor > 0 || most->right_floor > 0)
         snprintf(where, sizeof where, " at floor %d",
                  thud_slab_floor(most->left_floor, most->right_floor, most->struck));
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK, "the bumper of %.4g mm is compressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,
-                   most->indentation.value > thickness ? "more than its thickness" : "past its ultimate strain", often);
+                   worst > 1 ? "more than its thickness" : "past its ultimate strain", often);
     if (!isnan(strain))
-        thud_error_allow(said, "the rubber law applies up to %.4g mm", 1e3 * limit);
+        thud_error_allow(said, "the rubber law applies up to %.4g mm", 1e3 * part * thickness);
 }
 
 /* The largest drift over the height of its storey (from 1) in *storey; `drift_m` of a structure's floors. */
@@ -303,7 +314,6 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
 {
     const struct thud_sweep_floor *floor = point->floor + (ptrdiff_t)k * point->nfloors;
     const struct thud_sweep_contact *contact = point->contact + (ptrdiff_t)k * point->ncontacts;
-    const bool bumpers = point->which[k] != THUD_CASE_NONE && point->which[k] != THUD_CASE_LINK;
     bool drifts = false, bumper = false, pressed = false, beyond = false, unstable = false;
     for (int s = 0; s < point->nstructures; floor += point->floors[s], s++) {
         double drift_m[THUD_STOREYS_MAX + 1];
@@ -327,17 +337,17 @@ static void watch_case(struct thud_sweep_watch *w, const struct thud_scene *scen
         }
     }
     for (int c = 0; c < point->ncontacts; c++) {
-        int i = point->level[c].interface - 1;
-        const struct thud_interface *at = &scene->interface[i];
-        double strain = thud_interface_max_strain(at), thickness = at->bumper_thickness_m;
-        if (!bumpers || !at->has_bumper || !(thickness > 0))
+        const int i = point->level[c].interface - 1;
+        const double strain = thud_interface_max_strain(&scene->interface[i]),
+                     thickness = thud_sweep_level_values(scene, point, k, c).thickness_m,
+                     pressed_by = contact[c].indentation_m / thickness;
+        if (!(thickness > 0))
             continue;
         bumper = true;
-        pressed = pressed || contact[c].indentation_m > (isnan(strain) ? 1 : strain) * thickness;
-        beyond = beyond || contact[c].indentation_m > thickness;
-        if (contact[c].indentation_m / thickness > w->press.value) {
-            w->press =
-                (struct thud_sweep_worst){contact[c].indentation_m / thickness, point->index, point->which[k], i, 0};
+        pressed = pressed || pressed_by > (isnan(strain) ? 1 : strain);
+        beyond = beyond || pressed_by > 1;
+        if (pressed_by > w->press.value) {
+            w->press = (struct thud_sweep_worst){pressed_by, point->index, point->which[k], i, 0};
             w->press_m = contact[c].indentation_m;
             w->thickness_m = thickness;
         }

@@ -100,3 +100,7 @@ void thud_sweep_effort_taken(struct thud_sweep_effort *effort);
 /* The cases of a point (THUD_SWEEP_CASES_MAX + 1): the plan's, and `none` after them where the ratios need it. Returns
  * how many. */
 int thud_sweep_point_cases(const struct thud_sweep_plan *plan, const struct thud_scene *scene, enum thud_case *which);
+
+/* Gap and bumper of a contact in the case k of a point of that scene. */
+struct thud_level_values thud_sweep_level_values(const struct thud_scene *scene, const struct thud_sweep_point *point,
+                                                 int k, int contact);
