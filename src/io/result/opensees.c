@@ -56,36 +56,10 @@ bool thud_opensees_has_law(const struct thud_law *law)
     return false;
 }
 
-/* The options with which all contacts of a scene can be written: the nearest laws that OpenSees has. */
-static void add_options(struct thud_error *err, const struct thud_scene *scene)
+static enum thud_status check_contact(const struct thud_model_contact *c, struct thud_error *err)
 {
-    char text[sizeof err->allowed] = "";
-    size_t n = 0;
-    bool bumper = thud_scene_has_bumper(scene), pulls = false;
-    if (bumper)
-        n = (size_t)snprintf(text, sizeof text, "--case none");
-    for (int i = 0; i + 1 < scene->nstructures && n < sizeof text; i++) {
-        const struct thud_law *law = scene->interface[i].contact.law;
-        char of[24] = "";
-        if (!law || thud_opensees_has_law(law))
-            continue;
-        if (scene->nstructures > 2)
-            snprintf(of, sizeof of, "interfaces.%d.", i + 1);
-        n += (size_t)snprintf(text + n, sizeof text - n, "%s--set %scontact.law=kelvin-voigt", n > 0 ? " " : "", of);
-        pulls = true;
-    }
-    thud_error_allow(err, "%s%s%s%s", text, bumper ? ": without bumper" : "",
-                     bumper && pulls ? ","
-                     : pulls         ? ":"
-                                     : "",
-                     pulls ? " a contact that pulls at its end" : "");
-}
-
-static enum thud_status check_contact(const struct thud_scene *scene, const struct thud_model_contact *c,
-                                      struct thud_error *err)
-{
-    char key[64];
-    bool bumper = is_law(c, "rubber");
+    char key[64], allowed[120] = "none, linear, kelvin-voigt, hertz, hertz-damp, jankowski, impact-material";
+    const bool bumper = is_law(c, "rubber");
     if (c->struck != 0) {
         snprintf(key, sizeof key, "interfaces.%d", c->interface);
         return refuse(err, key,
@@ -96,16 +70,15 @@ static enum thud_status check_contact(const struct thud_scene *scene, const stru
     if (thud_opensees_has_law(c->law))
         return THUD_OK;
     snprintf(key, sizeof key, "interfaces.%d.%s.law", c->interface, bumper ? "bumper" : "contact");
-    refuse(err, key,
-           bumper ? "has no material whose curves of approach and restitution differ as the rubber's do"
-           : c->law->flags & THUD_LAW_IMPULSIVE ? "knows no impulse: its time steps need a force"
-           : is_law(c, "kelvin-voigt-no-tension")
-               ? "has no linear dashpot that separates when the force reaches 0 (its "
-                 "ViscoelasticGap pulls on, which is kelvin-voigt)"
-               : "has no such law",
-           "");
-    add_options(err, scene);
-    return THUD_INPUT;
+    if (bumper)
+        snprintf(allowed, sizeof allowed, "--case none, --set interfaces.%d.contact.law=kelvin-voigt", c->interface);
+    return refuse(err, key,
+                  bumper ? "has no material whose curves of approach and restitution differ as the rubber's do"
+                  : c->law->flags & THUD_LAW_IMPULSIVE ? "knows no impulse: its time steps need a force"
+                  : is_law(c, "kelvin-voigt-no-tension")
+                      ? "has no linear dashpot that separates when the force reaches 0 (its ViscoelasticGap pulls on)"
+                      : "has no such law",
+                  allowed);
 }
 
 enum thud_status thud_opensees_check(const struct thud_scene *scene, const struct thud_model *model,
@@ -123,7 +96,7 @@ enum thud_status thud_opensees_check(const struct thud_scene *scene, const struc
     if (model->left_out > 0)
         return refuse(err, "analysis.modes", "integrates every mode", "all modes");
     for (int c = 0; c < model->npairs && status == THUD_OK; c++)
-        status = check_contact(scene, &model->contact[c], err);
+        status = check_contact(&model->contact[c], err);
     return status;
 }
 
@@ -188,37 +161,40 @@ enum { SPRINGS = 200001, PLACES = 300001 };
 /* Of a matrix's element over its diagonal; and of the springs that hold a place, over that of what acts on it. */
 static const double rounding = 1e-12, stiff = 1e5;
 
-/* A storey's spring, with the number of the floor above it. */
+/* A material by its numbers, and the element of it between two nodes, both of one number. */
+static void element(struct thud_text *out, const char *material, int tag, const double *value, int n, int from, int to)
+{
+    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", material, tag);
+    for (int i = 0; i < n; i++) {
+        thud_text_append(out, ", ");
+        number(out, value[i]);
+    }
+    thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", tag, from, to,
+                     tag);
+}
+
+/* A storey's spring, with the number of the floor above it; `storey`: it yields. */
 static void spring(struct thud_text *out, double stiffness_npm, const struct thud_model_storey *storey, int node,
                    int below)
 {
-    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d, ", storey ? "Steel01" : "Elastic", node);
-    if (storey) {
-        number(out, stiffness_npm * storey->yield_m);
-        thud_text_append(out, ", ");
-    }
-    number(out, stiffness_npm);
-    if (storey) {
-        thud_text_append(out, ", ");
-        number(out, storey->hardening);
-    }
-    thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", node, below, node,
-                     node);
+    if (storey)
+        element(out, "Steel01", node, (double[]){stiffness_npm * storey->yield_m, stiffness_npm, storey->hardening}, 3,
+                below, node);
+    else
+        element(out, "Elastic", node, &stiffness_npm, 1, below, node);
 }
 
 /* P-Delta: a leaning column of so much weight on a storey of so much height, beside its spring. */
 static void weight(struct thud_text *out, double geometric_npm, int node, int below)
 {
-    thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, ", WEIGHT + node);
-    number(out, -geometric_npm);
-    thud_text_append(out, ")  # P-Delta: -W/h\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n",
-                     WEIGHT + node, below, node, WEIGHT + node);
+    thud_text_append(out, "# P-Delta: -W/h\n");
+    element(out, "Elastic", WEIGHT + node, &(double){-geometric_npm}, 1, below, node);
 }
 
 /* A matrix (n x n) of stiffness or damping as springs or dashpots: -K_ij between nodes i and j, and the sum of row i between
  * node i and the ground; what is up to `least` of row i's diagonal is none. */
-static void springs(struct thud_text *out, int n, const int *node, const double *matrix, const char *before,
-                    double least, int ground, int *tag)
+static void springs(struct thud_text *out, int n, const int *node, const double *matrix, bool dashpots, double least,
+                    int ground, int *tag)
 {
     for (int i = 0; i < n; i++) {
         double sum = 0;
@@ -228,11 +204,8 @@ static void springs(struct thud_text *out, int n, const int *node, const double 
             const double k = j < 0 ? sum : -matrix[i * n + j];
             if (fabs(k) <= least * matrix[i * n + i])
                 continue;
-            thud_text_append(out, "ops.uniaxialMaterial(\"Elastic\", %d, %s", *tag, before);
-            number(out, k);
-            thud_text_append(out, ")\nops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\n", *tag,
-                             j < 0 ? ground : node[j], node[i], *tag);
-            ++*tag;
+            element(out, "Elastic", (*tag)++, dashpots ? (double[]){0, k} : &k, 1 + dashpots, j < 0 ? ground : node[j],
+                    node[i]);
         }
     }
 }
@@ -269,7 +242,7 @@ static void place(struct thud_text *out, const struct thud_model *model, int row
     for (int i = 0; i < n * n; i++)
         matrix[i] = stiffness_npm * w[i / n] * w[i % n];
     thud_text_append(out, "ops.node(%d, 0.0)\n", node[0]);
-    springs(out, n, node, matrix, "", rounding, GROUND + side->structure + 1, tag);
+    springs(out, n, node, matrix, false, rounding, GROUND + side->structure + 1, tag);
 }
 
 /* out (n x n) = M Phi X Phi^T M of modal X, all modes; work of the same size. */
@@ -312,7 +285,7 @@ static void soil_springs(struct thud_text *out, const struct thud_model *model, 
         place(out, model, row, true, stiff * storey->stiffness_npm, tag);
         spring(out, storey->stiffness_npm, storey, m->first + above + 1, node_of(model, row, true));
     }
-    springs(out, n, node, k, "", rounding, GROUND + s + 1, tag);
+    springs(out, n, node, k, false, rounding, GROUND + s + 1, tag);
 }
 
 /* Of an isolated building its own damping above the slab and that of its isolators, and of one on soil all of it, as
@@ -340,7 +313,7 @@ static void matrices(struct thud_text *out, const struct thud_scene *scene, cons
             soil_springs(out, model, s, alone, modal, work, matrix, node, tag);
         if (alone->structure[0].damping) {
             physical(alone, alone->structure[0].damping, work, matrix);
-            springs(out, m->dofs, node, matrix, "0, ", rounding, GROUND + s + 1, tag);
+            springs(out, m->dofs, node, matrix, true, rounding, GROUND + s + 1, tag);
         }
     } else {
         out->failed = true;
@@ -393,7 +366,7 @@ static void nodes(struct thud_text *out, const struct thud_scene *scene, const s
                 weight(out, m->geometric_npm[i], at, below);
         }
         if (m->matrix_npm && !m->rise)
-            springs(out, m->n, node, m->matrix_npm, "", 0, GROUND + s + 1, &tag);
+            springs(out, m->n, node, m->matrix_npm, false, 0, GROUND + s + 1, &tag);
         if (m->rise || scene->structure[s].kind == THUD_ISOLATED)
             matrices(out, scene, model, s, &tag);
     }
@@ -438,18 +411,7 @@ static void damping(struct thud_text *out, const struct thud_scene *scene, const
     thud_text_append(out, ")\n");
 }
 
-/* A material by its numbers. */
-static void put_material(struct thud_text *out, const char *name, int tag, const double *value, int n)
-{
-    thud_text_append(out, "ops.uniaxialMaterial(\"%s\", %d", name, tag);
-    for (int i = 0; i < n; i++) {
-        thud_text_append(out, ", ");
-        number(out, value[i]);
-    }
-    thud_text_append(out, ")\n");
-}
-
-static void material(struct thud_text *out, const struct thud_model_contact *c, int tag)
+static void contact(struct thud_text *out, const struct thud_model_contact *c, int tag, int from, int to)
 {
     struct thud_law_memory memory = {0};
     thud_law_onset(c->law, &c->setup, 1, &memory);
@@ -483,12 +445,8 @@ static void material(struct thud_text *out, const struct thud_model_contact *c, 
         value[n++] = gap;
         value[n++] = b.p;
     }
-    put_material(out, name, tag, value, n);
-}
-
-static int contact_tag(const struct thud_model *model, int c)
-{
-    return model->ndof + c + 1;
+    element(out, name, tag, value, n, from, to);
+    thud_text_append(out, "CONTACTS.append(%d)\n", tag);
 }
 
 static void contacts(struct thud_text *out, const struct thud_model *model)
@@ -498,45 +456,39 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
         thud_text_append(out, "%s%d", i > 0 ? ", " : "",
                          model->structure[model->storey[i].structure].first + model->storey[i].floor + 1);
     thud_text_append(out, "]\n\n# contacts, and behind them links\nCONTACTS = []\n");
-    for (int i = 0; i < model->npairs; i++) {
-        const struct thud_model_contact *c = &model->contact[i];
-        int tag = contact_tag(model, i);
-        if (!has_contact(c))
-            continue;
-        material(out, c, tag);
-        thud_text_append(out,
-                         "ops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\nCONTACTS.append(%d)\n",
-                         tag, node_of(model, i, false), node_of(model, i, true), tag, tag);
-    }
+    for (int i = 0; i < model->npairs; i++)
+        if (has_contact(&model->contact[i]))
+            contact(out, &model->contact[i], model->ndof + i + 1, node_of(model, i, false), node_of(model, i, true));
 }
 
 /* Springs and dashpots always act, friction up to its slip force; a restrainer holds past a gap that opens, a strut and the
  * soil behind a wall push past one that closes. */
-static void link_material(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model, int i,
-                          int tag)
+static void link(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model, int i, int tag,
+                 int from, int to)
 {
     static const double strength_m = 1e3; /* what holds past a gap never yields */
     const struct thud_model_link *l = &model->link[i];
     if (l->storey >= 0) {
-        put_material(out, "ElasticPP", tag, (double[]){l->stiffness_npm, model->storey[l->storey].yield_m}, 2);
+        element(out, "ElasticPP", tag, (double[]){l->stiffness_npm, model->storey[l->storey].yield_m}, 2, from, to);
     } else if (l->contact < 0) {
-        put_material(out, "Elastic", tag, (double[]){l->stiffness_npm, l->damping_nspm}, 2);
+        element(out, "Elastic", tag, (double[]){l->stiffness_npm, l->damping_nspm}, 2, from, to);
     } else if (thud_link_wall(scene, i) >= 0) {
         const struct thud_structure *wall = &scene->structure[thud_link_wall(scene, i)];
         const double k = wall->backfill_stiffness_npm,
                      ratio = model->contact[l->contact].setup.value[thud_law_param(&thud_law_backfill, "ratio")];
-        put_material(out, "HyperbolicGapMaterial", tag,
-                     (double[]){k, k, ratio, -wall->backfill_strength_n,
-                                -fmax(model->contact[l->contact].clearance_m, least_gap_m)},
-                     5);
+        element(out, "HyperbolicGapMaterial", tag,
+                (double[]){k, k, ratio, -wall->backfill_strength_n,
+                           -fmax(model->contact[l->contact].clearance_m, least_gap_m)},
+                5, from, to);
     } else {
         const struct thud_link *link = &scene->link[i];
         const int side = link->law == THUD_LINK_RESTRAINER ? 1 : -1;
-        put_material(out, "ElasticPPGap", tag,
-                     (double[]){link->stiffness_npm, side * strength_m * link->stiffness_npm,
-                                side * fmax(link->slack_m, least_gap_m)},
-                     3);
+        element(out, "ElasticPPGap", tag,
+                (double[]){link->stiffness_npm, side * strength_m * link->stiffness_npm,
+                           side * fmax(link->slack_m, least_gap_m)},
+                3, from, to);
     }
+    thud_text_append(out, "CONTACTS.append(%d)\n", tag);
 }
 
 static void links(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model)
@@ -549,64 +501,51 @@ static void links(struct thud_text *out, const struct thud_scene *scene, const s
                   some = model->dof_structure[l->left_dof >= 0 ? l->left_dof : l->right_dof],
                   left = l->left_dof >= 0 ? l->left_dof + 1 : GROUND + some + (wall >= 0),
                   right = l->right_dof >= 0 ? l->right_dof + 1 : GROUND + some + 2 - (wall >= 0);
-        link_material(out, scene, model, i, tag);
-        thud_text_append(out,
-                         "ops.element(\"zeroLength\", %d, %d, %d, \"-mat\", %d, \"-dir\", 1)\nCONTACTS.append(%d)\n",
-                         tag, left, right, tag, tag);
+        link(out, scene, model, i, tag, left, right);
     }
 }
 
-/* What the run gave, row by row: name, what OpenSees recorded, at which place, the value. */
+/* A row of what the run gave: name, what OpenSees recorded, at which place, the value. */
+static void peak(struct thud_text *out, const char *name, const char *quantity, int place, double value)
+{
+    thud_text_append(out, "    (");
+    thud_json_string(out, name);
+    thud_text_append(out, ", \"%s\", %d, ", quantity, place);
+    number(out, value);
+    thud_text_append(out, "),\n");
+}
+
 static void expected(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model,
                      const struct thud_result *result)
 {
+    char name[2 * THUD_NAME_MAX + 32], level[24];
+    int place = 0;
     thud_text_append(out, "\n# peaks by thud: name, quantity, place among the recorded, value\nEXPECTED = [\n");
     for (int s = 0; s < result->nstructures; s++)
         for (int i = 0; i < result->structure[s].floors; i++) {
             const struct thud_floor_result *f = &result->structure[s].floor[i];
-            char name[THUD_NAME_MAX + 32];
-            for (int k = 0; k < 2; k++) {
-                snprintf(name, sizeof name, "%s floor %d", scene->structure[s].name, i + 1);
-                thud_text_append(out, "    (");
-                thud_json_string(out, name);
-                thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "acceleration" : "displacement",
-                                 model->structure[s].first + i);
-                number(out, k == 0 ? f->acceleration.value : f->displacement.value);
-                thud_text_append(out, "),\n");
-            }
+            snprintf(name, sizeof name, "%s floor %d", scene->structure[s].name, i + 1);
+            peak(out, name, "acceleration", model->structure[s].first + i, f->acceleration.value);
+            peak(out, name, "displacement", model->structure[s].first + i, f->displacement.value);
         }
-    int place = 0;
     for (int c = 0; c < result->ncontacts; c++) {
         const struct thud_contact_result *r = &result->contact[c];
         if (!has_contact(&model->contact[c]))
             continue;
-        thud_text_append(out, "    (\"interface %d floors %d-%d\", \"force\", %d, ", r->interface, r->left_floor,
-                         r->right_floor, place++);
-        number(out, r->force.value);
-        thud_text_append(out, "),\n");
+        snprintf(name, sizeof name, "interface %d floors %d-%d", r->interface, r->left_floor, r->right_floor);
+        peak(out, name, "force", place++, r->force.value);
     }
     for (int i = 0; i < result->nlinks; i++) {
-        char name[2 * THUD_NAME_MAX + 32];
         thud_link_name(scene, i, name, sizeof name);
-        thud_text_append(out, "    (");
-        thud_json_string(out, name);
-        thud_text_append(out, ", \"force\", %d, ", place++);
-        number(out, result->link[i].force.value);
-        thud_text_append(out, "),\n");
+        peak(out, name, "force", place++, result->link[i].force.value);
     }
     for (int i = 0; i < model->nstoreys - model->nslips; i++) {
         const struct thud_model_storey *storey = &model->storey[i];
         const struct thud_structure_result *r = &result->structure[storey->structure];
-        for (int k = 0; k < 2; k++) {
-            const struct thud_structure *own = &scene->structure[storey->structure];
-            char name[THUD_NAME_MAX + 32], level[24];
-            snprintf(name, sizeof name, "%s %s", own->name, thud_structure_level_name(own, storey->floor, true, level));
-            thud_text_append(out, "    (");
-            thud_json_string(out, name);
-            thud_text_append(out, ", \"%s\", %d, ", k == 0 ? "drift" : "shear", i);
-            number(out, k == 0 ? r->floor[storey->floor].drift.value : r->storey[storey->floor].shear.value);
-            thud_text_append(out, "),\n");
-        }
+        const struct thud_structure *own = &scene->structure[storey->structure];
+        snprintf(name, sizeof name, "%s %s", own->name, thud_structure_level_name(own, storey->floor, true, level));
+        peak(out, name, "drift", i, r->floor[storey->floor].drift.value);
+        peak(out, name, "shear", i, r->storey[storey->floor].shear.value);
     }
     thud_text_append(out, "]\n");
 }
