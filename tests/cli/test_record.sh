@@ -181,7 +181,9 @@ is "a record of zeros" gives 0 record info "$tmp/zeros.txt" --dt 0.5s --unit g
 is "has no duration" shows '^  D5-95  *none: the record is all zeros'
 mkdir "$tmp/folder" && cp "$tmp/ramp.txt" records/kobe-surrogate.csv "$tmp/folder"
 printf 'Dear reader,\nno numbers here.\n' >"$tmp/folder/letter.txt"
+printf 'PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  4000, DT= .01 SEC\n  .1E+00 .2E+00\n' >"$tmp/folder/cut.AT2"
 is "a list of a folder" gives 0 record list "$tmp/folder"
+is "a record that was cut off is no letter" shows '^cut.AT2  *cannot be read: the header states 4000 samples'
 is "what needs an option says which" shows '^ramp.txt  *needs --dt$'
 is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
 cp records/kobe-surrogate.csv "$tmp/folder/a-name-of-more-than-forty-four-signs-in-all-here-now.csv"

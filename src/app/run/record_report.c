@@ -140,14 +140,15 @@ static enum thud_status list_file(const char *path, const char *name, struct lis
     size_t size;
     thud_record_treatment_init(&treatment);
     enum thud_status status = thud_record_text_read(path, &bytes, &size, &err);
-    bool unreadable = status != THUD_OK;
-    if (!unreadable) {
+    bool is_record = true; /* one that cannot be opened, or is damaged, is shown */
+    if (status == THUD_OK) {
         status = thud_record_parse(bytes, size, path, &treatment.choice, &record, &err);
+        is_record = status == THUD_OK || err.key[0] || thud_record_is_recognized(bytes, size);
         free(bytes);
     }
     if (status == THUD_MEMORY)
         return thud_error_set(failure, THUD_MEMORY, "out of memory");
-    if (status && !unreadable && !err.key[0]) /* with a key: a record, but one that needs an option */
+    if (!is_record)
         return THUD_OK;
     char pair[1100] = "";
     struct thud_record *other = NULL;
@@ -155,7 +156,7 @@ static enum thud_status list_file(const char *path, const char *name, struct lis
         thud_record_companion(path, record, &treatment.choice, pair, sizeof pair, &other, NULL);
     else if (strcmp(err.key, "channel") == 0) /* several in one file */
         snprintf(pair, sizeof pair, "%s", err.allowed);
-    put_entry(listing, path, name, record, err.key, unreadable ? err.what : "",
+    put_entry(listing, path, name, record, err.key, status && !err.key[0] ? err.what : "",
               other    ? thud_path_name(pair)
               : record ? ""
                        : pair);

@@ -252,19 +252,32 @@ static enum thud_status build(const struct record_source *source, const struct r
     return status;
 }
 
+/* Without its byte-order mark. */
+static struct record_source source_of(const char *text, size_t size, const char *name, int skip)
+{
+    struct record_source source = {.name = name, .text = text, .size = size, .skip = skip};
+    if (begins_with(&source, "\xef\xbb\xbf", 3)) {
+        source.text += 3;
+        source.size -= 3;
+    }
+    return source;
+}
+
+bool thud_record_is_recognized(const char *text, size_t size)
+{
+    const struct record_source source = source_of(text, size, "", 0);
+    return refuse_kind(&source, NULL) == THUD_OK && find_format(&source);
+}
+
 enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err)
 {
     *out = NULL;
-    struct record_source source = {.name = name, .text = text, .size = size, .skip = choice->skip};
+    const struct record_source source = source_of(text, size, name, choice->skip);
     enum thud_status status = refuse_kind(&source, err);
     if (status)
         return status;
-    if (begins_with(&source, "\xef\xbb\xbf", 3)) {
-        source.text += 3;
-        source.size -= 3;
-    }
     const struct record_format *format = find_format(&source);
     if (!format) {
         struct thud_text names = {0};
