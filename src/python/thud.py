@@ -86,7 +86,12 @@ version = _lib.thud_version().decode()
 
 
 class Error(Exception):
-    """What the library says: its text; status, file, line, column, key, what, allowed."""
+    """What the library says: its text; status, file, line, column, key, what, allowed.
+
+    Where a storey collapsed (status 9), `results` are those up to the collapse; else None.
+    """
+
+    results = None
 
     def __init__(self, error):
         super().__init__(_lib.thud_error_text(byref(error), ctypes.create_string_buffer(1600), ctypes.c_ulong(1600)).decode())
@@ -162,7 +167,7 @@ class Scene:
     """A preset by name, file or (`yaml`) text; None: two neighbours to start from. scene["gap"] = "12 cm"."""
 
     def __init__(self, preset=None, yaml=None, set=None, **values):
-        self._handle, self._kept = c_void_p(), []
+        self._handle, self._kept, self._raised = c_void_p(), [], []
         if yaml is not None:
             text = yaml.encode()
             _call(_lib.thud_parse, text, c_size_t(len(text)), (preset or "scene.yaml").encode(), byref(self._handle))
@@ -193,9 +198,19 @@ class Scene:
     def copy(self):
         """Another scene with the same values, ground motion and laws."""
         other = Scene.__new__(Scene)
-        other._handle, other._kept = c_void_p(), list(self._kept)
+        other._handle, other._kept, other._raised = c_void_p(), list(self._kept), self._raised
         _call(_lib.thud_copy, self._handle, byref(other._handle))
         return other
+
+    def _guarded(self, function, otherwise=None):
+        """What a function raises ends the run that calls it, which raises it; in C it would be lost."""
+        def call(*arguments):
+            try:
+                return function(*arguments)
+            except BaseException as problem:
+                self._raised.append(problem)
+                return otherwise
+        return call
 
     def motion(self, acceleration_mps2, dt_s):
         """The ground's acceleration from any sequence of numbers."""
@@ -209,32 +224,49 @@ class Scene:
         past(mass_kg, restitution) holds beyond ultimate(mass_kg, restitution). With onset(mass_kg, v_mps, memory) or
         reversal(mass_kg, restitution, d_m, memory), which change its eight numbers, every function takes memory last.
         """
-        remembers = bool(onset or reversal)
+        remembers, nan = bool(onset or reversal), float("nan")
 
-        def given(function, *arguments, memory):
-            return function(*arguments, memory) if remembers else function(*arguments)
+        def given(function, otherwise):
+            guarded = self._guarded(function, otherwise)
+            return lambda *arguments, memory: guarded(*arguments, memory) if remembers else guarded(*arguments)
 
         def branch(function):
+            of = given(function, {"k_npm": nan})
+
             def put(_context, mass, memory, restitution, out):
-                for key, value in given(function, mass, bool(restitution), memory=memory).items():
+                for key, value in of(mass, bool(restitution), memory=memory).items():
                     setattr(out.contents, key, value)
-            return _FORCE(put) if function else _FORCE()
+            return _FORCE(self._guarded(put)) if function else _FORCE()
+        stored, least = given(energy, nan), given(ultimate, nan)
+        begin, turn = self._guarded(onset), self._guarded(reversal)
         law = _Law(ctypes.sizeof(_Law), name.encode(), None, pulls, branch(force),
-                   _ENERGY(lambda c, mass, memory, d: given(energy, mass, d, memory=memory)),
-                   _ONSET(lambda c, mass, v, memory: onset(mass, v, memory) and None) if onset else _ONSET(),
-                   _REVERSAL(lambda c, mass, r, d, memory: reversal(mass, bool(r), d, memory) and None) if reversal else _REVERSAL(),
-                   _ULTIMATE(lambda c, mass, memory, r: given(ultimate, mass, bool(r), memory=memory)) if ultimate else _ULTIMATE(),
+                   _ENERGY(lambda c, mass, memory, d: stored(mass, d, memory=memory)),
+                   _ONSET(lambda c, mass, v, memory: begin(mass, v, memory) and None) if onset else _ONSET(),
+                   _REVERSAL(lambda c, mass, r, d, memory: turn(mass, bool(r), d, memory) and None) if reversal else _REVERSAL(),
+                   _ULTIMATE(lambda c, mass, memory, r: least(mass, bool(r), memory=memory)) if ultimate else _ULTIMATE(),
                    branch(past), keeps_residual)
         _call(_lib.thud_set_law, self._handle, interface, byref(law))
         self._kept.append(law)
 
     def _do(self, function, *arguments, which=None, histories=False, threads=0, progress=None, step=None):
         handle = c_void_p()
-        watch = _PROGRESS(lambda _context, part: bool(progress(part))) if progress else _PROGRESS()
-        show = _STEP(lambda _context, moment: bool(step(moment.contents))) if step else _STEP()
+        told, seen = self._guarded(progress, True), self._guarded(step, True)
+        watch = _PROGRESS(lambda _context, part: bool(told(part))) if progress else _PROGRESS()
+        show = _STEP(lambda _context, moment: bool(seen(moment.contents))) if step else _STEP()
         control = _Control(ctypes.sizeof(_Control), which.encode() if which else None, histories, threads, watch, None, show)
-        _call(function, self._handle, *arguments, byref(control), byref(handle))
-        return Results(handle)
+        self._raised.clear()
+        try:
+            _call(function, self._handle, *arguments, byref(control), byref(handle))
+            failed = None
+        except Error as error:
+            failed = error
+        results = Results(handle) if handle else None
+        if self._raised:
+            raise self._raised[0]
+        if failed:
+            failed.results = results
+            raise failed
+        return results
 
     def run(self, **how):
         """which="bumper", histories=True, progress=function of the part done that stops by True.

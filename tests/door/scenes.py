@@ -77,6 +77,27 @@ except thud.Error as error:
     ok("a step ends the run", error.status == 8 and len(ends) == 3)
 
 
+def raised(what, **how):
+    """What a function raises comes out of the run that calls it."""
+    try:
+        bodies.run(**how)
+        ok(what, False)
+    except ZeroDivisionError:
+        ok(what, True)
+
+
+raised("what a step raises is raised", step=lambda moment: 1 / 0)
+raised("what a function of progress raises", progress=lambda part: 1 / 0)
+bodies.law("broken", lambda mass, restitution: {"k_npm": 1 / 0}, lambda mass, d: 0.0)
+raised("and what a law raises")
+yielding = {f"structures.{i}.hardening": "0 %" for i in (1, 2)}
+try:
+    thud.run("towers-yielding", which="none", set={**yielding, "p-delta": "yes"})
+    ok("a collapse is raised", False)
+except thud.Error as error:
+    ok("a collapse has the results up to it", error.status == 9 and abs(error.results.floors["B"].drift[0] - 0.3) < 1e-12)
+
+
 def turn(_mass, restitution, d_m, memory):
     """What lies beyond 1 mm is left."""
     if restitution and d_m > memory[0] + 1e-3:
