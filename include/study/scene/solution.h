@@ -57,3 +57,13 @@ double thud_floor_acceleration(const struct thud_result *result, int structure, 
 /* Returns the peaks of a contact; NaN: impulses of a law without force. */
 double thud_peak_force(const struct thud_contact_result *contact);
 double thud_peak_depth(const struct thud_contact_result *contact);
+
+/* Contacts of an interface together. */
+struct thud_contact_sum {
+    int impacts;
+    double force_n; /* the largest; NaN: some are impulses, which have none */
+    double impulse_ns;
+};
+struct thud_contact_sum thud_contacts_sum(const struct thud_result *result, int interface); /* from 1; 0: all */
+/* Returns the contact with the largest force, of those that were closed; NULL: none was. */
+const struct thud_contact_result *thud_contact_hardest(const struct thud_result *result, int interface);

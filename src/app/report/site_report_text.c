@@ -190,8 +190,7 @@ static void say_results(struct site *site)
 {
     struct thud_document *d = &site->document;
     const struct site_case *free_case = &site->cases[SITE_FREE], *none = &site->cases[SITE_NONE];
-    int impacts;
-    bool pounds = thud_contact_hardest(none->result, &impacts) != NULL;
+    bool pounds = thud_contact_hardest(none->result, 0) != NULL;
     for (int s = 0; pounds && s < site->scene->nstructures; s++) {
         static const char *const does[] = {"lowers", "leaves", "raises"};
         const double a = largest_of(none, s, FLOOR_ACCELERATION), b = largest_of(free_case, s, FLOOR_ACCELERATION);

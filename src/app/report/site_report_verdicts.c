@@ -113,9 +113,8 @@ static void gap_rows(struct site *site, int i)
 static void pounding_row(struct site *site, const struct site_case *one)
 {
     char what[64], text[400], between[320];
-    int n;
+    const int n = thud_contacts_sum(one->result, 0).impacts;
     const struct thud_contact_result *most = thud_site_strongest(one->result);
-    thud_contact_hardest(one->result, &n);
     snprintf(what, sizeof what, "pounding %s", one->words);
     if (!most) {
         snprintf(text, sizeof text, n == 0 ? "none" : "%d impacts, by a law without force", n);
@@ -134,11 +133,11 @@ static void measure_row(struct site *site, const struct site_case *one)
     enum { LOWER, SAME, HIGHER };
     const bool plural = thud_site_is_plural(one);
     char what[64];
-    int a[3], d[3], impacts;
+    int a[3], d[3];
     char text[300];
     snprintf(what, sizeof what, "effect of the %s", one->measure);
-    if (one->scene->nlinks == 0 && !thud_contact_hardest(site->cases[SITE_NONE].result, &impacts)) {
-        bool in_contact = thud_contact_hardest(one->result, &impacts) != NULL;
+    if (one->scene->nlinks == 0 && !thud_contact_hardest(site->cases[SITE_NONE].result, 0)) {
+        bool in_contact = thud_contact_hardest(one->result, 0) != NULL;
         thud_site_verdict(site, what,
                           in_contact ? "unfavourable: there is no contact without it, and it is struck"
                                      : "none: there is no contact without it");

@@ -352,23 +352,14 @@ double thud_live_peak(const struct thud_live *live, enum thud_live_which which, 
 double thud_live_impulse(const struct thud_live *live, enum thud_live_which which, int interface)
 {
     const struct thud_result *result = shown(live, which);
-    double sum = 0.0;
-    for (int i = 0; result && i < result->ncontacts; i++)
-        if (!interface || result->contact[i].interface == interface)
-            sum += result->contact[i].impulse_ns;
-    return sum;
+    return result ? thud_contacts_sum(result, interface).impulse_ns : 0.0;
 }
 
 double thud_live_force(const struct thud_live *live, enum thud_live_which which, int interface, int *impacts)
 {
     const struct thud_result *result = shown(live, which);
-    double most = result ? 0.0 : NAN;
-    *impacts = 0;
-    for (int i = 0; result && i < result->ncontacts; i++) {
-        if (interface && result->contact[i].interface != interface)
-            continue;
-        most = thud_larger(most, thud_peak_force(&result->contact[i]));
-        *impacts += result->contact[i].impacts;
-    }
-    return most;
+    const struct thud_contact_sum sum =
+        result ? thud_contacts_sum(result, interface) : (struct thud_contact_sum){.force_n = NAN};
+    *impacts = sum.impacts;
+    return sum.force_n;
 }

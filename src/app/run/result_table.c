@@ -6,7 +6,6 @@
 
 #include "app/run/sensitivity_table.h"
 #include "app/run/summary_line.h"
-#include "base/largest.h"
 #include "ground/identity.h"
 #include "io/result/result_rows.h"
 #include "study/scene/building.h"
@@ -55,12 +54,10 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
         char text[160], needs[96];
         double most;
         thud_interface_gaps(&scene->interface[i - 1], &line.gap_m, &most);
-        for (int c = 0; c < r->ncontacts; c++)
-            if (r->contact[c].interface == i) {
-                line.impacts += r->contact[c].impacts;
-                line.impulse_ns += r->contact[c].impulse_ns;
-                line.force_n = thud_larger(line.force_n, thud_peak_force(&r->contact[c]));
-            }
+        const struct thud_contact_sum contacts = thud_contacts_sum(r, i);
+        line.impacts = contacts.impacts;
+        line.impulse_ns = contacts.impulse_ns;
+        line.force_n = contacts.force_n;
         bool free_body =
             scene->structure[i - 1].kind == THUD_RIGID || scene->structure[i].kind == THUD_RIGID || !report->gap;
         if (!free_body && thud_needed_gap_widest(report->gap, i, THUD_GAP_EXACT, NULL) >= 0) {

@@ -209,19 +209,6 @@ static void put_structure(const struct thud_run_cases *cases, int s, bool drift,
     thud_rows_table(&(struct thud_rows){&schema, 0, floors, make_peaks, &peaks}, out);
 }
 
-const struct thud_contact_result *thud_contact_hardest(const struct thud_result *r, int *impacts)
-{
-    const struct thud_contact_result *most = NULL;
-    *impacts = 0;
-    for (int c = 0; c < r->ncontacts; c++) {
-        *impacts += r->contact[c].impacts;
-        if ((r->contact[c].impacts > 0 || r->contact[c].force.value > 0) &&
-            (!most || r->contact[c].force.value > most->force.value))
-            most = &r->contact[c];
-    }
-    return most;
-}
-
 /* "floor 4 of A and the columns below floor 5 of B"; `left`: the structures of the interface. */
 static void put_struck(const struct thud_structure *left, int left_floor, int right_floor, int struck,
                        struct thud_text *out)
@@ -243,9 +230,9 @@ static const char *meet_at(const struct thud_structure *left, int left_floor, in
 /* Writes "Without the bumper: 12 impacts; peak force 20.2 MN at floor 4, 7.094 s." */
 static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_text *out)
 {
-    int impacts, before;
+    const int impacts = thud_contacts_sum(result_of(cases, i), 0).impacts;
     char level[24], number[32];
-    const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), &impacts);
+    const struct thud_contact_result *most = thud_contact_hardest(result_of(cases, i), 0);
     char how[64];
     snprintf(how, sizeof how, "%s", thud_case_phrase(cases->measures, cases->item[i].which));
     how[0] = thud_ascii_upper(how[0]);
@@ -269,7 +256,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
     }
     int none = without(cases);
     const struct thud_contact_result *bare =
-        none && none != i ? thud_contact_hardest(result_of(cases, none), &before) : NULL;
+        none && none != i ? thud_contact_hardest(result_of(cases, none), 0) : NULL;
     if (bare && bare->force.value > 0)
         thud_text_append(out, " (%s relative to %s)", thud_change_text(most->force.value / bare->force.value, number),
                          thud_case_title(cases->measures, cases->item[none].which));
@@ -338,9 +325,7 @@ static void say_needs(const struct thud_scene *scene, const struct thud_needed_g
 /* Whether a bumper is all that two cases differ by, and neither comes to a contact: then no peak is another one. */
 static bool moves_alike(const struct thud_run_cases *cases, int a, int b)
 {
-    int impacts;
-    return !thud_contact_hardest(result_of(cases, a), &impacts) &&
-           !thud_contact_hardest(result_of(cases, b), &impacts) &&
+    return !thud_contact_hardest(result_of(cases, a), 0) && !thud_contact_hardest(result_of(cases, b), 0) &&
            cases->item[a].scene.nlinks == cases->item[b].scene.nlinks;
 }
 

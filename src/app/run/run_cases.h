@@ -30,8 +30,6 @@ enum thud_status thud_run_cases_make(struct thud_session *session, const char *t
                                      struct thud_error *err);
 void thud_run_cases_free(struct thud_run_cases *cases);
 /* Peaks of accelerations and deflections side by side, largest forces, sentences. */
-/* The contact with the largest force, of those that were closed; NULL: none was. *impacts: of all. */
-const struct thud_contact_result *thud_contact_hardest(const struct thud_result *result, int *impacts);
 void thud_run_cases_table(const struct thud_run_cases *cases, struct thud_text *out);
 /* For figures; source (THUD_RUN_CASES_MAX). Returns how many. */
 int thud_run_cases_sources(const struct thud_run_cases *cases, struct thud_figure_source *source);

@@ -12,20 +12,10 @@
 #include "base/quantity.h"
 #include "io/result/opensees.h"
 #include "study/scene/level.h"
+#include "study/scene/solution.h"
 
 /* Of a contact that is never pressed, m; and of one whose law has no stiffness, that of the paper's concrete, N/m. */
 static const double usual_depth_m = 0.01, usual_npm = 2.5e9;
-
-/* The contact of an interface (from 1) that was pressed hardest; -1: none was. */
-static int hardest(const struct thud_result *result, int interface)
-{
-    int found = -1;
-    for (int c = 0; c < result->ncontacts; c++)
-        if (result->contact[c].interface == interface && result->contact[c].force.value > 0 &&
-            (found < 0 || result->contact[c].force.value > result->contact[found].force.value))
-            found = c;
-    return found;
-}
 
 /* By its approach curve, which stores what it takes. */
 static double equivalent_stiffness(const struct thud_model_contact *c, double depth_m)
@@ -85,7 +75,8 @@ static enum thud_status replace_law(struct thud_scene *scene, const struct thud_
     struct thud_interface *interface = &scene->interface[i];
     const bool impulse = law->flags & THUD_LAW_IMPULSIVE;
     char key[64], restitution[64] = "1", stiffness[64];
-    int c = hardest(result, i + 1);
+    const struct thud_contact_result *hardest = thud_contact_hardest(result, i + 1);
+    int c = hardest && hardest->force.value > 0 ? (int)(hardest - result->contact) : -1;
     double depth_m = c >= 0 ? result->contact[c].indentation.value : usual_depth_m;
     for (int k = 0; c < 0 && k < model->npairs; k++)
         c = model->contact[k].interface == i + 1 ? k : c;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/largest.h"
 #include "base/quantity.h"
 
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
@@ -185,4 +186,30 @@ double thud_peak_force(const struct thud_contact_result *contact)
 double thud_peak_depth(const struct thud_contact_result *contact)
 {
     return thud_contact_struck(contact) ? NAN : contact->indentation.value;
+}
+
+struct thud_contact_sum thud_contacts_sum(const struct thud_result *result, int interface)
+{
+    struct thud_contact_sum sum = {0};
+    for (int c = 0; c < result->ncontacts; c++) {
+        const struct thud_contact_result *r = &result->contact[c];
+        if (interface > 0 && r->interface != interface)
+            continue;
+        sum.impacts += r->impacts;
+        sum.force_n = thud_larger(sum.force_n, thud_peak_force(r));
+        sum.impulse_ns += r->impulse_ns;
+    }
+    return sum;
+}
+
+const struct thud_contact_result *thud_contact_hardest(const struct thud_result *result, int interface)
+{
+    const struct thud_contact_result *most = NULL;
+    for (int c = 0; c < result->ncontacts; c++) {
+        const struct thud_contact_result *r = &result->contact[c];
+        if ((interface == 0 || r->interface == interface) && (r->impacts > 0 || r->force.value > 0) &&
+            (!most || r->force.value > most->force.value))
+            most = r;
+    }
+    return most;
 }

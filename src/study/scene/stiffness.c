@@ -72,11 +72,9 @@ void thud_stiffness_row_read(const struct thud_result *result, struct thud_stiff
             row->drift_m[s] = fmax(row->drift_m[s], result->structure[s].floor[i].drift.value);
         }
     }
-    row->force_n = result->ncontacts > 0 ? NAN : 0;
-    for (int c = 0; c < result->ncontacts; c++) {
-        row->force_n = fmax(row->force_n, thud_peak_force(&result->contact[c]));
-        row->impacts += result->contact[c].impacts;
-    }
+    const struct thud_contact_sum contacts = thud_contacts_sum(result, 0);
+    row->force_n = contacts.force_n;
+    row->impacts = contacts.impacts;
 }
 
 enum thud_status thud_stiffness_rows(const struct thud_scene *scene, const struct thud_record *record,

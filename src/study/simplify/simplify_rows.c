@@ -134,18 +134,13 @@ static bool make_law(struct thud_interface *at, const char *name, double stiffne
 static bool make_linear_law(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
     struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
-    double force = 0, depth = 0;
-    if (!choice->law || thud_law_is_linear(choice->law))
-        return false;
-    for (int c = 0; c < from->full->ncontacts; c++)
-        if (from->full->contact[c].interface == from->at + 1 && from->full->contact[c].force.value > force) {
-            force = from->full->contact[c].force.value;
-            depth = from->full->contact[c].indentation.value;
-        }
-    if (!(force > 0) || !(depth > 0))
+    const struct thud_contact_result *most = thud_contact_hardest(from->full, from->at + 1);
+    if (!choice->law || thud_law_is_linear(choice->law) || !most || !(most->force.value > 0) ||
+        !(most->indentation.value > 0))
         return false;
     const bool loses = law_value(choice, "restitution") < 1;
-    return make_law(&scene->interface[from->at], loses ? "kelvin-voigt-no-tension" : "linear", force / depth);
+    return make_law(&scene->interface[from->at], loses ? "kelvin-voigt-no-tension" : "linear",
+                    most->force.value / most->indentation.value);
 }
 
 static bool make_impulses(const struct thud_simplify_from *from, struct thud_scene *scene)

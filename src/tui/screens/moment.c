@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "study/scene/solution.h"
 #include "tui/document/field.h"
 #include "tui/screens/movement.h"
 
@@ -21,13 +22,8 @@ static const struct thud_run *shown_run(const struct thud_tui *tui, enum thud_li
 /* When the largest force of the interface shown acts, s. */
 static double time_of_largest(const struct thud_tui *tui, const struct thud_result *result)
 {
-    double most = -1.0, time_s = 0.0;
-    for (int i = 0; i < result->ncontacts; i++)
-        if (result->contact[i].interface == tui->interface + 1 && result->contact[i].force.value > most) {
-            most = result->contact[i].force.value;
-            time_s = result->contact[i].force.time_s;
-        }
-    return time_s;
+    const struct thud_contact_result *most = thud_contact_hardest(result, tui->interface + 1);
+    return most ? most->force.time_s : 0.0;
 }
 
 void thud_moment_title(const struct thud_tui *tui, char *text, size_t size)
