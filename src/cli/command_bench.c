@@ -39,7 +39,7 @@ static enum thud_status deliver(const struct thud_args *args, const char *preset
         thud_json_head(table, preset);
         const struct thud_rows costs = thud_bench_cost_rows(bench);
         thud_text_append(table, ", ");
-        THUD_JSON_FIELDS(table, {"moved", thud_bench_moved(bench)});
+        THUD_JSON_FIELDS(table, {"moved", bench->moved});
         thud_json_list("costs", &costs, table);
         thud_json_list("rows", rows, table);
         thud_text_append(table, "}\n");

@@ -2,6 +2,7 @@
  * reference. The study plans and judges the runs; the owner of a clock runs and times them. */
 #pragma once
 
+#include "study/methods/stepping.h"
 #include "study/scene/solution.h"
 
 enum thud_bench_state { THUD_BENCH_WAITING, THUD_BENCH_DONE, THUD_BENCH_FAILED, THUD_BENCH_SKIPPED };
@@ -15,10 +16,8 @@ struct thud_bench_errors {
 };
 
 struct thud_bench_point {
-    const struct thud_method *method;
-    bool locate;    /* events located */
-    double setting; /* step in s of a fixed-step method, else tolerance */
-    int curve;      /* points of one curve have the same number and stand together */
+    struct thud_stepping how;
+    int curve; /* points of one curve have the same number and stand together */
     enum thud_bench_state state;
     struct thud_bench_errors error;
     struct thud_work work;
@@ -28,7 +27,28 @@ struct thud_bench_point {
     char message[192]; /* why it failed or was skipped */
 };
 
-struct thud_bench;
+/* What is compared: peaks and impacts of one run. */
+struct thud_bench_solution {
+    double *acceleration, *drift, *force; /* (floors), (floors), (contacts) */
+    struct thud_impact *impact;           /* (nimpacts) those of some weight */
+    int floors, contacts, nimpacts;
+    bool there;
+};
+
+/* References: the program's own tightest, and an independent one. */
+enum { THUD_BENCH_REFERENCES = 2 };
+extern const char *const thud_bench_reference_name[THUD_BENCH_REFERENCES];
+
+struct thud_bench {
+    const struct thud_record *record;
+    struct thud_model *model;
+    struct thud_run_options options; /* common to all */
+    struct thud_bench_point *point;  /* (npoints) */
+    int npoints;
+    struct thud_bench_solution reference[THUD_BENCH_REFERENCES];
+    double reference_error; /* relative difference of the two, which bounds the trust in them; NaN: one has no result */
+    double moved;           /* thud_bench_move; NaN before */
+};
 
 /* Creates a bench. `scene` (of a case), record and the bench's points stay the caller's. Errors: THUD_MEMORY, those of
  * thud_scene_assemble. */
@@ -36,14 +56,8 @@ enum thud_status thud_bench_create(const struct thud_scene *scene, const struct 
                                    struct thud_bench **out, struct thud_error *err);
 void thud_bench_free(struct thud_bench *bench);
 
-/* Returns whether storeys of the scene yield, so that their events are located too. */
-bool thud_bench_yields(const struct thud_bench *bench);
-int thud_bench_count(const struct thud_bench *bench);
-struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i);
 /* Keeps only the curves of these methods. */
 void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods);
-/* Writes the name of a curve, as thud_stepping_name. */
-void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size);
 
 /* Returns the next point to run, the first pending one of its curve; -1: none. */
 int thud_bench_next(const struct thud_bench *bench);
@@ -63,19 +77,14 @@ extern const double thud_bench_level[THUD_BENCH_LEVELS]; /* 1 % and 0.1 % */
 int thud_bench_costs(const struct thud_bench *bench, double level, struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX]);
 
 /* Runs the scene with each of a few inputs 0.1 % less and more (thud_change_solve). The largest change of the peaks is
- * the smallest meaningful error of the scene: thud_bench_moved, NaN before. Errors: those of thud_scene_solve. */
+ * the smallest meaningful error of the scene. Errors: those of thud_scene_solve. */
 enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_scene *scene, struct thud_error *err);
-double thud_bench_moved(const struct thud_bench *bench);
 
-/* Creates runs of the reference: 0 the program's own tightest, 1 an independent one. The caller advances each and hands
- * it back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
+/* Creates runs of the references. The caller advances each and hands it back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
                                             struct thud_error *err);
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
                                              struct thud_error *err);
-/* Returns the relative difference of the two, which bounds the trust in the reference. NaN: no independent one. */
-double thud_bench_reference_error(const struct thud_bench *bench);
-const char *thud_bench_reference_name(const struct thud_bench *bench, int which);
 
 /* Creates a point's run, and judges it against the reference (for the reference's own method: the independent one) once
  * it is at its end (status THUD_OK) or has failed. The run stays the caller's. Errors: those of thud_run_create;

@@ -5,23 +5,8 @@
  * others keep it, so the worst of several starts is the verdict, by energy. */
 #pragma once
 
+#include "study/methods/stepping.h"
 #include "study/scene/solution.h"
-
-/* Time stepping of one run. */
-struct thud_stepping {
-    const struct thud_method *method;
-    bool locate;
-    double setting; /* step in s of a fixed-step method, else the tolerance */
-};
-
-/* Returns whether both are of one curve, whatever their settings. */
-static inline bool thud_stepping_same(const struct thud_stepping *a, const struct thud_stepping *b)
-{
-    return a->method == b->method && a->locate == b->locate;
-}
-
-/* Writes the name of a curve, for all tables: "rk4, located"; methods that always locate have only their name. */
-void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size);
 
 enum thud_stability_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };
 const char *thud_stability_verdict_word(enum thud_stability_verdict verdict);

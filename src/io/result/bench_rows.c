@@ -14,7 +14,7 @@ struct bench_row {
 static const struct thud_column bench_columns[] = {
     BENCH(method, "method", "Name of the method."),
     BENCH(located, "located", "1 where events are located."),
-    BENCH(own.setting, "setting", "Step in s, or tolerance."),
+    BENCH(own.how.setting, "setting", "Step in s, or tolerance."),
     BENCH(state, "state", "How the run ended: done, failed, skipped or not-run."),
     BENCH(own.seconds, "seconds", "Wall time, s."),
     BENCH(own.spread, "spread_s", "Its spread, s; no value of one timing."),
@@ -44,7 +44,7 @@ static void make_bench(const void *of, int i, void *out)
 {
     const struct thud_bench_point *p = (const struct thud_bench_point *)of + i;
     struct bench_row *row = out;
-    *row = (struct bench_row){p->method->name, states[p->state], p->locate, *p};
+    *row = (struct bench_row){p->how.method->name, states[p->state], p->how.locate, *p};
     if (!(p->processor_s > 0))
         row->own.processor_s = NAN;
     if (p->repeats <= 1)
@@ -59,7 +59,7 @@ static void make_bench(const void *of, int i, void *out)
 
 struct thud_rows thud_bench_rows(struct thud_bench *bench)
 {
-    return (struct thud_rows){&thud_bench_schema, 0, thud_bench_count(bench), make_bench, thud_bench_point(bench, 0)};
+    return (struct thud_rows){&thud_bench_schema, 0, bench->npoints, make_bench, bench->point};
 }
 
 struct cost_of_level {
@@ -73,7 +73,7 @@ static const struct thud_column level_columns[] = {
     LEVEL(cost.level, "level", "Largest relative error that is allowed."),
     LEVEL(method, "method", "Name of a method that keeps it."),
     LEVEL(located, "located", "1 where events are located."),
-    LEVEL(own.setting, "setting", "Step in s, or tolerance, of its quickest run."),
+    LEVEL(own.how.setting, "setting", "Step in s, or tolerance, of its quickest run."),
     LEVEL(own.error.all, "error", "Largest relative error of that run."),
     LEVEL(own.seconds, "seconds", "Its wall time, s."),
     LEVEL(own.work.steps, "steps", "Its steps."),
@@ -86,12 +86,13 @@ const struct thud_schema thud_bench_cost_schema =
 
 static void make_level(const void *of, int i, void *out)
 {
+    const struct thud_bench *bench = of;
     struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX];
     for (int k = 0; k < THUD_BENCH_LEVELS; k++) {
-        const int n = thud_bench_costs(of, thud_bench_level[k], cost);
+        const int n = thud_bench_costs(bench, thud_bench_level[k], cost);
         if (i < n) {
-            const struct thud_bench_point *p = thud_bench_point(of, cost[i].point);
-            *(struct cost_of_level *)out = (struct cost_of_level){p->method->name, p->locate, *p, cost[i]};
+            const struct thud_bench_point *p = &bench->point[cost[i].point];
+            *(struct cost_of_level *)out = (struct cost_of_level){p->how.method->name, p->how.locate, *p, cost[i]};
             return;
         }
         i -= n;

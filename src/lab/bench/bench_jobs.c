@@ -52,13 +52,13 @@ static enum thud_status make_reference(const struct bench_work *work, int which,
 /* Of the time of a run over that of the one before it on its curve: steps cost by their number, tolerances little. */
 static double growth(const struct thud_bench_point *p, const struct thud_bench_point *before)
 {
-    return p->method->flags & THUD_METHOD_FIXED_STEP ? before->setting / p->setting : 1.8;
+    return p->how.method->flags & THUD_METHOD_FIXED_STEP ? before->how.setting / p->how.setting : 1.8;
 }
 
 /* How long the point will take, by the one before it; 0: not known. */
 static double expected_s(struct thud_bench *bench, int i)
 {
-    const struct thud_bench_point *p = thud_bench_point(bench, i), *before = i > 0 ? p - 1 : NULL;
+    const struct thud_bench_point *p = &bench->point[i], *before = i > 0 ? p - 1 : NULL;
     return before && before->curve == p->curve ? before->seconds * growth(p, before) : 0;
 }
 
@@ -79,8 +79,8 @@ static double left_s(const struct bench_work *work)
 {
     double sum = 0, run_s = 0;
     const double before_s = spent_s(work);
-    for (int i = 0; i < thud_bench_count(work->bench); i++) {
-        const struct thud_bench_point *p = thud_bench_point(work->bench, i);
+    for (int i = 0; i < work->bench->npoints; i++) {
+        const struct thud_bench_point *p = &work->bench->point[i];
         run_s = p->state != THUD_BENCH_WAITING        ? p->seconds
                 : i > 0 && p->curve == (p - 1)->curve ? run_s * growth(p, p - 1)
                                                       : 0;
@@ -92,7 +92,7 @@ static double left_s(const struct bench_work *work)
 
 static bool skip_point(const struct bench_work *work, int i)
 {
-    struct thud_bench_point *p = thud_bench_point(work->bench, i);
+    struct thud_bench_point *p = &work->bench->point[i];
     const double expected = expected_s(work->bench, i), before_s = spent_s(work);
     if (!is_too_long(work->jobs, expected, before_s))
         return false;
@@ -108,7 +108,7 @@ static bool skip_point(const struct bench_work *work, int i)
 /* The first run of a point warms up and is judged, the others are for its time; it alone counts where it takes long. */
 static enum thud_status measure_point(const struct bench_work *work, int i, struct thud_error *err)
 {
-    struct thud_bench_point *p = thud_bench_point(work->bench, i);
+    struct thud_bench_point *p = &work->bench->point[i];
     double seconds[THUD_BENCH_REPEATS + 1], processor[THUD_BENCH_REPEATS + 1], warm_s = 0, unused;
     int timed = 0;
     for (bool first = true, again = true; again; first = false) {
@@ -161,9 +161,9 @@ enum thud_status thud_bench_jobs_run(struct thud_bench *bench, const struct thud
     for (int i; status == THUD_OK && (i = thud_bench_next(bench)) >= 0;) {
         char name[64], text[96];
         const double left = left_s(&work);
-        thud_bench_curve_name(thud_bench_point(bench, i), name, sizeof name);
+        thud_stepping_name(&bench->point[i].how, name, sizeof name);
         snprintf(text, sizeof text, left >= 1 ? "%s, about %.0f s left" : "%s", name, left);
-        show_progress(&work, text, thud_bench_ended(bench), thud_bench_count(bench));
+        show_progress(&work, text, thud_bench_ended(bench), bench->npoints);
         if (!skip_point(&work, i))
             status = measure_point(&work, i, err);
     }

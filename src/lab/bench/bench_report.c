@@ -11,9 +11,9 @@ static const char *state_word(const struct thud_bench_point *p)
 
 static void add_reference(struct thud_bench *bench, struct thud_text *out)
 {
-    double error = thud_bench_reference_error(bench);
-    thud_text_append(out, "reference: %s at its tightest, against %s: ", thud_bench_reference_name(bench, 0),
-                     thud_bench_reference_name(bench, 1));
+    double error = bench->reference_error;
+    thud_text_append(out, "reference: %s at its tightest, against %s: ", thud_bench_reference_name[0],
+                     thud_bench_reference_name[1]);
     if (isnan(error))
         thud_text_append(out, "not confirmed\n");
     else if (error > 0)
@@ -45,16 +45,17 @@ struct list_style {
 static void put_runs(struct thud_bench *bench, enum fault fault, const struct list_style *style, struct thud_text *out)
 {
     int curve = -1;
-    for (int i = 0; i < thud_bench_count(bench); i++) {
-        const struct thud_bench_point *p = thud_bench_point(bench, i);
+    for (int i = 0; i < bench->npoints; i++) {
+        const struct thud_bench_point *p = &bench->point[i];
         char name[64];
         if (!has_fault(p, fault))
             continue;
-        thud_bench_curve_name(p, name, sizeof name);
+        thud_stepping_name(&p->how, name, sizeof name);
         if (p->curve != curve)
-            thud_text_append(out, "%s%s%s%.0e", curve < 0 ? style->begin : style->curve, name, style->name, p->setting);
+            thud_text_append(out, "%s%s%s%.0e", curve < 0 ? style->begin : style->curve, name, style->name,
+                             p->how.setting);
         else
-            thud_text_append(out, "%s%.0e", style->run, p->setting);
+            thud_text_append(out, "%s%.0e", style->run, p->how.setting);
         if (fault == WORTHLESS)
             thud_text_append(out, " (%.3g times off)", p->error.all);
         curve = p->curve;
@@ -73,7 +74,7 @@ static void add_list(struct thud_bench *bench, enum fault fault, const char *beg
 static void add_costs(struct thud_bench *bench, struct thud_text *out)
 {
     struct thud_bench_cost cost[THUD_BENCH_CURVES_MAX];
-    const double moved = thud_bench_moved(bench);
+    const double moved = bench->moved;
     for (int k = 0; k < THUD_BENCH_LEVELS; k++) {
         const double level = thud_bench_level[k];
         const int n = thud_bench_costs(bench, level, cost);
@@ -82,10 +83,10 @@ static void add_costs(struct thud_bench *bench, struct thud_text *out)
         if (n > 0)
             thud_text_append(out, "  %-32s  setting    error  time ms    steps  times the least\n", "");
         for (int i = 0; i < n; i++) {
-            const struct thud_bench_point *p = thud_bench_point(bench, cost[i].point);
+            const struct thud_bench_point *p = &bench->point[cost[i].point];
             char name[64];
-            thud_bench_curve_name(p, name, sizeof name);
-            thud_text_append(out, "  %-32s %8.0e  %7.1e %8.3g %8ld  %.3g\n", name, p->setting, p->error.all,
+            thud_stepping_name(&p->how, name, sizeof name);
+            thud_text_append(out, "  %-32s %8.0e  %7.1e %8.3g %8ld  %.3g\n", name, p->how.setting, p->error.all,
                              1e3 * p->seconds, p->work.steps, cost[i].ratio);
         }
     }
@@ -101,29 +102,29 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
     int curve = -1;
     add_reference(bench, out);
     add_costs(bench, out);
-    for (int i = 0; i < thud_bench_count(bench); i++) {
-        const struct thud_bench_point *p = thud_bench_point(bench, i);
+    for (int i = 0; i < bench->npoints; i++) {
+        const struct thud_bench_point *p = &bench->point[i];
         char name[64];
         if (p->curve != curve) {
-            thud_bench_curve_name(p, name, sizeof name);
+            thud_stepping_name(&p->how, name, sizeof name);
             thud_text_append(out,
                              "\n%s%s\n%9s  time ms  spread    error  accel.   drift    force    impact s  missed    "
                              "steps    forces\n",
                              name,
-                             !thud_bench_yields(bench) ? ""
-                             : p->locate               ? ": impacts, yielding and unloading where they are"
-                                                       : ": impacts, yielding and unloading at ends of steps",
-                             p->method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
+                             bench->model->nstoreys == 0 ? ""
+                             : p->how.locate             ? ": impacts, yielding and unloading where they are"
+                                                         : ": impacts, yielding and unloading at ends of steps",
+                             p->how.method->flags & THUD_METHOD_FIXED_STEP ? "step s" : "tolerance");
             curve = p->curve;
         }
         if (p->state != THUD_BENCH_DONE) {
-            thud_text_append(out, "%9.0e  %s %s\n", p->setting, state_word(p), p->message);
+            thud_text_append(out, "%9.0e  %s %s\n", p->how.setting, state_word(p), p->message);
             continue;
         }
         char spread[16] = "-"; /* of one timing */
         if (p->repeats > 1)
             snprintf(spread, sizeof spread, "%.2g", 1e3 * p->spread);
-        thud_text_append(out, "%9.0e %8.3g %7s  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->setting,
+        thud_text_append(out, "%9.0e %8.3g %7s  %7.1e %7.1e  %7.1e  %7.1e  %7.1e  %3d+%-3d %8ld %9ld\n", p->how.setting,
                          1e3 * p->seconds, spread, p->error.all, p->error.acceleration, p->error.drift, p->error.force,
                          p->error.impact_time_s, p->error.missed, p->error.extra, p->work.steps,
                          p->work.force_evaluations);
@@ -137,11 +138,11 @@ void thud_bench_table(struct thud_bench *bench, struct thud_text *out)
 /* One curve into both panels of its column. */
 static void add_curve(struct thud_bench *bench, int first, int last, struct thud_panel *const panel[2], int color)
 {
-    const char *name = thud_bench_point(bench, first)->method->name;
+    const char *name = bench->point[first].how.method->name;
     double x[64], time[64], work[64], ring_x[64], ring_time[64], ring_work[64];
     size_t n = 0, rings = 0;
     for (int i = first; i < last && n < 64; i++) {
-        const struct thud_bench_point *p = thud_bench_point(bench, i);
+        const struct thud_bench_point *p = &bench->point[i];
         if (p->state != THUD_BENCH_DONE || !(p->error.all > 0) || has_fault(p, WORTHLESS))
             continue;
         x[n] = fmax(p->error.all, 1e-13);
@@ -172,10 +173,10 @@ static void add_note(struct thud_bench *bench, struct thud_figure *figure)
     static const struct list_style blown_up = {"Blown up, and not shown: ", "; ", " at ", ", "},
                                    off = {"Worthless, and not shown: ", "; ", " at ", ", "};
     struct thud_text part[4] = {{0}}, note = {0};
-    if (thud_bench_moved(bench) > 0)
+    if (bench->moved > 0)
         thud_text_append(&part[0], "Shaded: errors below what 0.1 %% of input moves");
-    for (int i = 0; i < thud_bench_count(bench) && part[1].size == 0; i++)
-        if (has_fault(thud_bench_point(bench, i), WRONG_IMPACTS))
+    for (int i = 0; i < bench->npoints && part[1].size == 0; i++)
+        if (has_fault(&bench->point[i], WRONG_IMPACTS))
             thud_text_append(&part[1], "Ringed: runs that missed impacts or added some");
     put_runs(bench, NO_RESULT, &blown_up, &part[2]);
     put_runs(bench, WORTHLESS, &off, &part[3]);
@@ -220,7 +221,7 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
         {"Work, events not located", "Work, events located"}};
     struct thud_figure *figure = thud_figure_create("bench", title, 2, 2);
     struct thud_panel *panel[2][2];
-    double trust = thud_bench_reference_error(bench), moved = thud_bench_moved(bench);
+    double trust = bench->reference_error, moved = bench->moved;
     for (int row = 0; row < 2; row++)
         for (int column = 0; column < 2; column++) {
             struct thud_panel *p = panel[column][row] = thud_figure_panel(figure, row, column, titles[row][column]);
@@ -233,15 +234,15 @@ struct thud_figure *thud_bench_figure(struct thud_bench *bench, const char *titl
             if (moved > 0)
                 thud_panel_mark(p, THUD_X, 1e-13, moved, "");
         }
-    int count = thud_bench_count(bench);
+    int count = bench->npoints;
     for (int first = 0, last; first < count; first = last) {
-        const struct thud_bench_point *p = thud_bench_point(bench, first);
-        for (last = first; last < count && thud_bench_point(bench, last)->curve == p->curve;)
+        const struct thud_bench_point *p = &bench->point[first];
+        for (last = first; last < count && bench->point[last].curve == p->curve;)
             last++;
-        bool exact = p->method->order == 0 && p->locate;
+        bool exact = p->how.method->order == 0 && p->how.locate;
         for (int column = 0; column < 2; column++)
-            if (exact || column == p->locate)
-                add_curve(bench, first, last, panel[column], color_of(p->method));
+            if (exact || column == p->how.locate)
+                add_curve(bench, first, last, panel[column], color_of(p->how.method));
     }
     struct thud_panel *const all[] = {panel[0][0], panel[1][0], panel[0][1], panel[1][1]}; /* time, time, work, work */
     add_note(bench, figure);

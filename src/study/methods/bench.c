@@ -5,26 +5,15 @@
 #include <stdlib.h>
 
 #include "study/methods/bench_private.h"
-#include "study/methods/stability.h"
 #include "study/sweep/sensitivity.h"
 
 static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 static const double steps[] = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
 enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, STEPS = sizeof steps / sizeof *steps };
 
-/* Tightest of the program's own, and of the independent method. */
-static const char *const reference_names[] = {"exact", "dormand-prince"};
+const char *const thud_bench_reference_name[THUD_BENCH_REFERENCES] = {"exact", "dormand-prince"};
 static const double reference_tolerances[] = {1e-13, 1e-12};
 
-struct thud_bench {
-    const struct thud_record *record;
-    struct thud_model *model;
-    struct thud_run_options options; /* common to all */
-    struct thud_bench_point *point;
-    int npoints;
-    struct thud_bench_solution reference[2];
-    double reference_error, moved;
-};
 const double thud_bench_level[THUD_BENCH_LEVELS] = {1e-2, 1e-3};
 
 static void add_curve(struct thud_bench *bench, const struct thud_method *method, bool locate, const double *setting,
@@ -32,14 +21,13 @@ static void add_curve(struct thud_bench *bench, const struct thud_method *method
 {
     int curve = bench->npoints > 0 ? bench->point[bench->npoints - 1].curve + 1 : 0;
     for (int i = 0; i < n; i++)
-        bench->point[bench->npoints++] =
-            (struct thud_bench_point){.method = method, .locate = locate, .setting = setting[i], .curve = curve};
+        bench->point[bench->npoints++] = (struct thud_bench_point){.how = {method, locate, setting[i]}, .curve = curve};
 }
 
 /* Whether a tolerance has nothing to act on: all motion between events is in closed form. */
 static bool is_closed_form(const struct thud_bench *bench, const struct thud_method *method)
 {
-    bool closed = method == thud_method_find(reference_names[0]);
+    bool closed = method == thud_method_find(thud_bench_reference_name[0]);
     for (int c = 0; c < bench->model->ncontacts; c++)
         closed = closed && thud_law_is_linear(bench->model->contact[c].law);
     return closed;
@@ -100,28 +88,13 @@ void thud_bench_free(struct thud_bench *bench)
     free(bench);
 }
 
-bool thud_bench_yields(const struct thud_bench *bench)
-{
-    return bench->model->nstoreys > 0;
-}
-
-int thud_bench_count(const struct thud_bench *bench)
-{
-    return bench->npoints;
-}
-
-struct thud_bench_point *thud_bench_point(const struct thud_bench *bench, int i)
-{
-    return &bench->point[i];
-}
-
 void thud_bench_only(struct thud_bench *bench, const struct thud_method *const *method, int methods)
 {
     int kept = 0;
     for (int i = 0; i < bench->npoints; i++) {
         bool wanted = false;
         for (int k = 0; k < methods; k++)
-            wanted = wanted || bench->point[i].method == method[k];
+            wanted = wanted || bench->point[i].how.method == method[k];
         if (wanted)
             bench->point[kept++] = bench->point[i];
     }
@@ -205,32 +178,16 @@ enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_sce
     return status;
 }
 
-double thud_bench_moved(const struct thud_bench *bench)
-{
-    return bench->moved;
-}
-
-void thud_bench_curve_name(const struct thud_bench_point *point, char *text, unsigned long size)
-{
-    thud_stepping_name(&(struct thud_stepping){.method = point->method, .locate = point->locate}, text, size);
-}
-
-const char *thud_bench_reference_name(const struct thud_bench *bench, int which)
-{
-    (void)bench;
-    return thud_method_find(reference_names[which]) ? reference_names[which] : "none";
-}
-
 enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
                                             struct thud_error *err)
 {
     struct thud_run_options options = bench->options;
     *out = NULL;
-    options.method = thud_method_find(reference_names[which]);
-    if (!options.method)
+    const struct thud_stepping how = {thud_method_find(thud_bench_reference_name[which]), true,
+                                      reference_tolerances[which]};
+    if (!how.method)
         return THUD_OK;
-    options.tolerance = reference_tolerances[which];
-    options.locate = true;
+    thud_stepping_apply(&how, &options);
     return thud_run_create(bench->model, bench->record, &options, out, err);
 }
 
@@ -244,21 +201,10 @@ enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which
     return status;
 }
 
-double thud_bench_reference_error(const struct thud_bench *bench)
-{
-    return bench->reference_error;
-}
-
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err)
 {
-    const struct thud_bench_point *p = &bench->point[i];
     struct thud_run_options options = bench->options;
-    options.method = p->method;
-    options.locate = p->locate;
-    if (p->method->flags & THUD_METHOD_FIXED_STEP)
-        options.step_s = p->setting;
-    else
-        options.tolerance = p->setting;
+    thud_stepping_apply(&bench->point[i].how, &options);
     return thud_run_create(bench->model, bench->record, &options, out, err);
 }
 
@@ -277,7 +223,7 @@ enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct 
     if (status != THUD_OK)
         return status;
     /* no method is its own judge */
-    bool own = bench->reference[1].there && p->method == thud_method_find(reference_names[0]);
+    bool own = bench->reference[1].there && p->how.method == thud_method_find(thud_bench_reference_name[0]);
     p->error = thud_bench_compare(&solution, &bench->reference[own]);
     p->state = THUD_BENCH_DONE;
     thud_bench_solution_clear(&solution);

@@ -2,14 +2,6 @@
 
 #include "study/methods/bench.h"
 
-/* What is compared: peaks and impacts of one run. */
-struct thud_bench_solution {
-    double *acceleration, *drift, *force; /* (floors), (floors), (contacts) */
-    struct thud_impact *impact;           /* (nimpacts) those of some weight */
-    int floors, contacts, nimpacts;
-    bool there;
-};
-
 /* Errors: THUD_MEMORY. */
 enum thud_status thud_bench_solution_take(const struct thud_run *run, struct thud_bench_solution *out,
                                           struct thud_error *err);

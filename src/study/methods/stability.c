@@ -22,12 +22,6 @@ enum {
     PAIR_STEPS = sizeof pair_steps_s / sizeof *pair_steps_s
 };
 
-void thud_stepping_name(const struct thud_stepping *how, char *text, unsigned long size)
-{
-    bool said = how->locate && how->method->flags & THUD_METHOD_FIXED_STEP;
-    snprintf(text, size, "%s%s", how->method->name, said ? ", located" : "");
-}
-
 const char *thud_stability_verdict_word(enum thud_stability_verdict verdict)
 {
     static const char *const words[] = {"-", "bounded", "growing", "blown up"};

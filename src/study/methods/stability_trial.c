@@ -57,15 +57,9 @@ static struct thud_run_options options_of(struct thud_stepping how, double tail_
 {
     struct thud_run_options options;
     thud_run_options_init(&options);
-    options.method = how.method;
+    thud_stepping_apply(&how, &options);
     options.tail_s = tail_s;
     options.keep_impacts = true;
-    if (how.method->flags & THUD_METHOD_FIXED_STEP) {
-        options.step_s = how.setting;
-        options.locate = how.locate;
-    } else {
-        options.tolerance = how.setting;
-    }
     options.unjudged = true; /* what it does to the energy is the finding */
     return options;
 }
@@ -138,17 +132,11 @@ enum thud_status thud_stability_scene(const struct thud_stability *s, struct thu
     enum thud_status status = THUD_OK;
     *out = NULL;
     *coarse = NULL;
-    options.method = how.method;
-    options.locate = how.locate;
+    thud_stepping_apply(&how, &options);
     options.unjudged = true;
-    if (how.method->flags & THUD_METHOD_FIXED_STEP) {
-        options.step_s = how.setting;
-        /* no step passes over a sample: a longer one takes the ground motion at its own ends */
-        if (s->record && options.step_s > s->record->dt_s)
-            status = thud_record_resample(s->record, options.step_s, coarse, err);
-    } else {
-        options.tolerance = how.setting;
-    }
+    /* no step passes over a sample: a longer one takes the ground motion at its own ends */
+    if (how.method->flags & THUD_METHOD_FIXED_STEP && s->record && how.setting > s->record->dt_s)
+        status = thud_record_resample(s->record, how.setting, coarse, err);
     if (status == THUD_OK)
         status = thud_run_create(s->model, *coarse ? *coarse : s->record, &options, out, err);
     for (bool done = false; status == THUD_OK && !done;)

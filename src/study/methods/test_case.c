@@ -262,12 +262,9 @@ static enum thud_status unloading(struct thud_stepping how, double *out, struct 
     struct thud_solution solution;
     struct thud_run_options options;
     thud_run_options_init(&options);
-    options.method = how.method;
-    options.locate = how.locate;
+    thud_stepping_apply(&how, &options);
     options.tail_s = 1;
     options.unjudged = true;
-    if (options.method->flags & THUD_METHOD_FIXED_STEP)
-        options.step_s = how.setting;
     enum thud_status status = thud_model_solve(&input, NULL, &options, &solution, err);
     if (status == THUD_OK)
         *out = 1e3 * thud_run_result(solution.run)->structure[0].storey[0].permanent_m;
