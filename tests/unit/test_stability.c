@@ -168,10 +168,9 @@ enum { STEPS = sizeof steps / sizeof *steps };
  * behind it; impacts located. */
 static double gain(const char *method, double omega_dt)
 {
-    struct thud_bouncer bouncer;
+    struct thud_two_body bouncer = thud_bouncer();
     struct thud_solution solution;
     int n;
-    thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, omega_c);
     ck_assert_int_eq(thud_bouncer_run(&bouncer, NULL, thud_stepping_of(method, omega_dt / omega_c, true), bounced_s,
                                       &solution, NULL, NULL),

@@ -294,8 +294,7 @@ static enum thud_status lankarani(struct rows *rows, struct thud_error *err)
     struct thud_solution solution = {0};
     struct thud_two_body pair;
     thud_two_body_concrete(&pair);
-    pair.law = thud_law_find("hertz-damp");
-    thud_law_defaults(pair.law, &pair.setup); /* formula muthukumar: 3 (1 - e^2)/4, as Lankarani and Nikravesh */
+    thud_two_body_law(&pair, thud_law_find("hertz-damp")); /* formula muthukumar: 3 (1 - e^2)/4, as both have it */
     thud_two_body_set(&pair, "restitution", 0.3);
     enum thud_status status = thud_two_body_run(&pair, 0, &solution, err);
     if (status == THUD_OK)

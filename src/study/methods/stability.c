@@ -206,10 +206,9 @@ static struct thud_stepping at_step(struct thud_stepping how, double omega_dt, d
 
 static enum thud_status run_free(struct thud_stability_cell *cell, struct thud_error *err)
 {
-    struct thud_bouncer bouncer;
+    struct thud_two_body bouncer = thud_bouncer();
     struct thud_solution solution;
     struct thud_bouncer_energy energy;
-    thud_bouncer_init(&bouncer);
     enum thud_status status =
         thud_bouncer_run(&bouncer, NULL, at_step(cell->how, cell->omega_dt, thud_bouncer_omega_radps), duration_s,
                          &solution, &energy, err);
@@ -222,9 +221,8 @@ static enum thud_status run_free(struct thud_stability_cell *cell, struct thud_e
 
 static enum thud_status run_wall(struct thud_stability_cell *cell, struct thud_error *err)
 {
-    struct thud_bouncer bouncer;
+    struct thud_two_body bouncer = thud_bouncer();
     double largest = 0;
-    thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, thud_stability_wall_radps);
     cell->end_least = INFINITY;
     cell->end_most = 0;
@@ -300,10 +298,8 @@ static enum thud_status run_restitution(struct thud_stability_restitution *r, st
 {
     struct thud_two_body pair;
     thud_two_body_rubber(&pair);
-    if (r->law != pair.law) {
-        pair.law = r->law;
-        thud_law_defaults(r->law, &pair.setup);
-    }
+    if (r->law != pair.law)
+        thud_two_body_law(&pair, r->law);
     if (!isnan(r->nominal))
         thud_two_body_set(&pair, "restitution", r->nominal);
     pair.approach_mps = r->approach_mps;

@@ -4,20 +4,11 @@
 #include "study/methods/stability.h"
 #include "study/scene/two_body.h"
 
-/* One floor on a spring of 1 Hz (or free), thrown towards a wall on its right. */
-struct thud_bouncer {
-    double mass_kg, velocity_mps, clearance_m;
-    bool free;                  /* no spring */
-    const struct thud_law *law; /* of the wall; NULL: no wall */
-    struct thud_law_setup setup;
-};
+/* One floor on a spring of 1 Hz, thrown towards a wall on its right, which is not there without a law. */
 extern const double thud_bouncer_omega_radps;
-
-void thud_bouncer_init(struct thud_bouncer *bouncer);
+struct thud_two_body thud_bouncer(void);
 /* A wall spring with sqrt(k/m) = omega. */
-void thud_bouncer_spring(struct thud_bouncer *bouncer, double omega_radps);
-void thud_bouncer_law(struct thud_bouncer *bouncer, const struct thud_law *law);
-void thud_bouncer_set(struct thud_bouncer *bouncer, const char *param, double value);
+void thud_bouncer_spring(struct thud_two_body *bouncer, double omega_radps);
 
 /* Kinetic, strain and contact energy over that at the start: the largest of the first and of the second half of the
  * time, looked at where each step ends, and at the end. */
@@ -26,7 +17,7 @@ struct thud_bouncer_energy {
 };
 
 /* As thud_scene_solve. `energy` may be NULL; INFINITY where the run diverged. */
-enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
+enum thud_status thud_bouncer_run(const struct thud_two_body *bouncer, const struct thud_record *record,
                                   struct thud_stepping how, double duration_s, struct thud_solution *out,
                                   struct thud_bouncer_energy *energy, struct thud_error *err);
 

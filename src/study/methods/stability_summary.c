@@ -13,9 +13,8 @@ static enum thud_status impact_error(struct thud_stepping how, double *mean_s, s
     enum thud_status status = THUD_OK;
     *mean_s = 0;
     for (int i = 0; i < THUD_STABILITY_STARTS && !thud_trial_failed(status); i++) {
-        struct thud_bouncer bouncer;
+        struct thud_two_body bouncer = thud_bouncer();
         double start_s[2] = {NAN, NAN};
-        thud_bouncer_init(&bouncer);
         thud_bouncer_spring(&bouncer, thud_stability_wall_radps);
         bouncer.clearance_m = thud_stability_start_m[i];
         for (int k = 0; k < 2 && !thud_trial_failed(status); k++) {

@@ -10,47 +10,19 @@ const double thud_stability_wall_radps = 62.83185307179586; /* ten times the mas
 const double thud_stability_start_m[THUD_STABILITY_STARTS] = {0.003, 0.012, 0.02, 0.031, 0.04, 0.05, 0.059, 0.068};
 const double thud_stability_usual_mps = 0.5;
 
-void thud_bouncer_init(struct thud_bouncer *bouncer)
+struct thud_two_body thud_bouncer(void)
 {
-    *bouncer = (struct thud_bouncer){.mass_kg = 320e3, .velocity_mps = 0.5, .clearance_m = 0.02};
+    return (struct thud_two_body){.mass_kg = {320e3},
+                                  .approach_mps = 0.5,
+                                  .clearance_m = 0.02,
+                                  .wall = true,
+                                  .spring_radps = thud_bouncer_omega_radps};
 }
 
-void thud_bouncer_law(struct thud_bouncer *bouncer, const struct thud_law *law)
+void thud_bouncer_spring(struct thud_two_body *bouncer, double omega_radps)
 {
-    bouncer->law = law;
-    thud_law_defaults(law, &bouncer->setup);
-}
-
-void thud_bouncer_set(struct thud_bouncer *bouncer, const char *param, double value)
-{
-    int index = thud_law_param(bouncer->law, param);
-    assert(index >= 0);
-    bouncer->setup.value[index] = value;
-}
-
-void thud_bouncer_spring(struct thud_bouncer *bouncer, double omega_radps)
-{
-    thud_bouncer_law(bouncer, thud_law_find("linear"));
-    thud_bouncer_set(bouncer, "stiffness", bouncer->mass_kg * omega_radps * omega_radps);
-}
-
-static enum thud_status assemble(const struct thud_bouncer *b, struct thud_model **model, struct thud_error *err)
-{
-    double stiffness = b->mass_kg * thud_bouncer_omega_radps * thud_bouncer_omega_radps;
-    struct thud_structure_input structures[2] = {{.n = 1,
-                                                  .mass_kg = &b->mass_kg,
-                                                  .stiffness_npm = b->free ? NULL : &stiffness,
-                                                  .velocity_mps = b->velocity_mps}};
-    struct thud_contact_input contact = {.interface = 1,
-                                         .left_floor = 1,
-                                         .left_structure = 0,
-                                         .right_structure = 1,
-                                         .clearance_m = b->clearance_m,
-                                         .law = b->law,
-                                         .setup = b->setup};
-    struct thud_model_input input = {
-        .nstructures = b->law ? 2 : 1, .structure = structures, .ncontacts = b->law ? 1 : 0, .contact = &contact};
-    return thud_model_create(&input, model, err);
+    thud_two_body_law(bouncer, thud_law_find("linear"));
+    thud_two_body_set(bouncer, "stiffness", bouncer->mass_kg[0] * omega_radps * omega_radps);
 }
 
 static struct thud_run_options options_of(struct thud_stepping how, double tail_s)
@@ -64,7 +36,7 @@ static struct thud_run_options options_of(struct thud_stepping how, double tail_
     return options;
 }
 
-enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const struct thud_record *record,
+enum thud_status thud_bouncer_run(const struct thud_two_body *bouncer, const struct thud_record *record,
                                   struct thud_stepping how, double duration_s, struct thud_solution *out,
                                   struct thud_bouncer_energy *energy, struct thud_error *err)
 {
@@ -72,7 +44,7 @@ enum thud_status thud_bouncer_run(const struct thud_bouncer *bouncer, const stru
     struct thud_run_options options = options_of(how, fmax(duration_s - record_s, 0));
     options.keep_history = record != NULL;
     *out = (struct thud_solution){0};
-    enum thud_status status = assemble(bouncer, &out->model, err);
+    enum thud_status status = thud_two_body_assemble(bouncer, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, &options, &out->run, err);
     if (energy)

@@ -13,8 +13,7 @@ static enum thud_status collide_springs(double left_kg, double right_kg, double 
 {
     struct thud_two_body pair;
     thud_two_body_concrete(&pair);
-    pair.law = thud_law_find("linear");
-    thud_law_defaults(pair.law, &pair.setup);
+    thud_two_body_law(&pair, thud_law_find("linear"));
     thud_two_body_set(&pair, "stiffness", stiffness_npm);
     pair.mass_kg[0] = left_kg;
     pair.mass_kg[1] = right_kg;
@@ -72,9 +71,8 @@ static enum thud_status onset(struct thud_stepping how, double *out, struct thud
 
 static enum thud_status trapezoidal(struct thud_stepping how, double *out, struct thud_error *err)
 {
-    struct thud_bouncer bouncer;
+    struct thud_two_body bouncer = thud_bouncer();
     struct thud_solution solution;
-    thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, wall_radps);
     enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 50, &solution, NULL, err);
     if (status == THUD_OK)
@@ -87,12 +85,11 @@ static enum thud_status trapezoidal(struct thud_stepping how, double *out, struc
 static enum thud_status throw_at_wall(double amplitude, bool speed, struct thud_stepping how, double *out,
                                       struct thud_error *err)
 {
-    struct thud_bouncer bouncer;
+    struct thud_two_body bouncer = thud_bouncer();
     struct thud_solution solution;
     int count = 0;
-    thud_bouncer_init(&bouncer);
     thud_bouncer_spring(&bouncer, 20 * thud_bouncer_omega_radps);
-    bouncer.velocity_mps = amplitude * bouncer.clearance_m * thud_bouncer_omega_radps;
+    bouncer.approach_mps = amplitude * bouncer.clearance_m * thud_bouncer_omega_radps;
     enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 0.4, &solution, NULL, err);
     if (status == THUD_OK) {
         const struct thud_impact *impact = thud_run_impacts(solution.run, &count);
@@ -121,21 +118,19 @@ static double exact_speed(void)
 /* ---- a body that is pushed against a wall: slow contact onset, sticking, and endless bounces ---- */
 
 /* The paper's bumper on the wall, and a free body at it. */
-static struct thud_bouncer at_bumper(double velocity_mps)
+static struct thud_two_body at_bumper(double velocity_mps)
 {
-    struct thud_bouncer b;
-    thud_bouncer_init(&b);
-    b.free = true;
-    b.clearance_m = 0;
-    b.velocity_mps = velocity_mps;
-    thud_bouncer_law(&b, thud_law_find("rubber"));
+    struct thud_two_body b = thud_bouncer();
+    b.spring_radps = b.clearance_m = 0;
+    b.approach_mps = velocity_mps;
+    thud_two_body_law(&b, thud_law_find("rubber"));
     b.setup.thickness_m = 0.05;
-    thud_bouncer_set(&b, "stiffness", 0.36e3 * pow(1000.0, 2.65));
+    thud_two_body_set(&b, "stiffness", 0.36e3 * pow(1000.0, 2.65));
     return b;
 }
 
 /* Runs the body while the ground moves away below it: a push of `a` reached after `rise` s and held until `end`. */
-static enum thud_status push(const struct thud_bouncer *b, double a_mps2, double rise_s, double end_s,
+static enum thud_status push(const struct thud_two_body *b, double a_mps2, double rise_s, double end_s,
                              double duration_s, struct thud_stepping how, struct thud_solution *out,
                              struct thud_error *err)
 {
@@ -168,11 +163,11 @@ static double at_the_end(const struct thud_solution *solution, enum quantity qua
 /* Speed at the end over the one that the energy stored at the largest indentation would give. */
 static enum thud_status rebound(double impact_speed, struct thud_stepping how, double *out, struct thud_error *err)
 {
-    struct thud_bouncer b = at_bumper(1e-9);
+    struct thud_two_body b = at_bumper(1e-9);
     struct thud_solution solution;
-    thud_bouncer_set(&b, "damping", 1); /* exact */
-    thud_bouncer_set(&b, "speed-floor", 1e-9);
-    thud_bouncer_set(&b, "impact-speed", impact_speed);
+    thud_two_body_set(&b, "damping", 1); /* exact */
+    thud_two_body_set(&b, "speed-floor", 1e-9);
+    thud_two_body_set(&b, "impact-speed", impact_speed);
     enum thud_status status = push(&b, 25, 0, 0.02, 2, how, &solution, err);
     if (status == THUD_OK) {
         const struct thud_model_contact *p = &solution.model->contact[0];
@@ -195,7 +190,7 @@ static enum thud_status onset_by_energy(struct thud_stepping how, double *out, s
 }
 
 /* A quantity at the end of a push; NaN: the run failed. */
-static enum thud_status push_to_end(const struct thud_bouncer *b, double a_mps2, double rise_s, double end_s,
+static enum thud_status push_to_end(const struct thud_two_body *b, double a_mps2, double rise_s, double end_s,
                                     double duration_s, enum quantity quantity, struct thud_stepping how, double *out,
                                     struct thud_error *err)
 {
@@ -209,8 +204,8 @@ static enum thud_status push_to_end(const struct thud_bouncer *b, double a_mps2,
 /* Damping of the floor of 1 mm/s makes restitution stiff, of rate F C/m: all motions soon go on at -1/C. */
 static enum thud_status stiff_restitution(struct thud_stepping how, double *out, struct thud_error *err)
 {
-    struct thud_bouncer b = at_bumper(1e-4);
-    thud_bouncer_set(&b, "damping", 1); /* exact */
+    struct thud_two_body b = at_bumper(1e-4);
+    thud_two_body_set(&b, "damping", 1); /* exact */
     enum thud_status status = push_to_end(&b, 25, 0, 0.02, 1, VELOCITY, how, out, err);
     *out = -*out * thud_rubber_cv(0.5) / 1e-3;
     return status;
@@ -220,17 +215,17 @@ static enum thud_status stiff_restitution(struct thud_stepping how, double *out,
 static enum thud_status sticking(struct thud_stepping how, double *out, struct thud_error *err)
 {
     const double push_mps2 = 62.5;
-    const struct thud_bouncer b = at_bumper(0.5);
+    const struct thud_two_body b = at_bumper(0.5);
     enum thud_status status = push_to_end(&b, push_mps2, 2, 3, 3, FORCE, how, out, err);
-    *out /= b.mass_kg * push_mps2;
+    *out /= b.mass_kg[0] * push_mps2;
     return status;
 }
 
 static enum thud_status zeno(struct thud_stepping how, double *out, struct thud_error *err)
 {
-    struct thud_bouncer b = at_bumper(0.5);
-    thud_bouncer_law(&b, thud_law_find("stereomechanical"));
-    thud_bouncer_set(&b, "restitution", 0.5);
+    struct thud_two_body b = at_bumper(0.5);
+    thud_two_body_law(&b, thud_law_find("stereomechanical"));
+    thud_two_body_set(&b, "restitution", 0.5);
     enum thud_status status = push_to_end(&b, 9.80665, 0, 3, 3, DISPLACEMENT, how, out, err);
     *out *= 1e3;
     return status;

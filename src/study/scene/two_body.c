@@ -12,12 +12,17 @@ void thud_two_body_set(struct thud_two_body *pair, const char *param, double val
     pair->setup.value[index] = value;
 }
 
+void thud_two_body_law(struct thud_two_body *pair, const struct thud_law *law)
+{
+    assert(law);
+    pair->law = law;
+    thud_law_defaults(law, &pair->setup);
+}
+
 static void start(struct thud_two_body *pair, const char *law)
 {
     *pair = (struct thud_two_body){.mass_kg = {320e3, 320e3}, .approach_mps = 0.5, .duration_s = 0.3};
-    pair->law = thud_law_find(law);
-    assert(pair->law);
-    thud_law_defaults(pair->law, &pair->setup);
+    thud_two_body_law(pair, thud_law_find(law));
 }
 
 void thud_two_body_concrete(struct thud_two_body *pair)
@@ -56,20 +61,26 @@ static bool have_parted(const struct thud_two_body *pair, const struct thud_solu
     return apart > 40 * pair->method_step_s * thud_two_body_separation(solution) && apart > 0;
 }
 
-static enum thud_status assemble(const struct thud_two_body *pair, struct thud_model **model, struct thud_error *err)
+enum thud_status thud_two_body_assemble(const struct thud_two_body *pair, struct thud_model **model,
+                                        struct thud_error *err)
 {
-    struct thud_structure_input bodies[2] = {
-        {.n = 1, .mass_kg = &pair->mass_kg[0], .velocity_mps = pair->approach_mps},
-        {.n = 1, .mass_kg = &pair->mass_kg[1]},
-    };
+    const double stiffness_npm = pair->mass_kg[0] * pair->spring_radps * pair->spring_radps;
+    struct thud_structure_input bodies[2] = {{.n = 1,
+                                              .mass_kg = &pair->mass_kg[0],
+                                              .stiffness_npm = stiffness_npm > 0 ? &stiffness_npm : NULL,
+                                              .velocity_mps = pair->approach_mps}};
+    if (!pair->wall)
+        bodies[1] = (struct thud_structure_input){.n = 1, .mass_kg = &pair->mass_kg[1]};
     struct thud_contact_input contact = {.interface = 1,
                                          .left_floor = 1,
-                                         .right_floor = 1,
+                                         .right_floor = !pair->wall,
                                          .left_structure = 0,
                                          .right_structure = 1,
+                                         .clearance_m = pair->clearance_m,
                                          .law = pair->law,
                                          .setup = pair->setup};
-    struct thud_model_input input = {.nstructures = 2, .structure = bodies, .ncontacts = 1, .contact = &contact};
+    struct thud_model_input input = {
+        .nstructures = pair->law ? 2 : 1, .structure = bodies, .ncontacts = pair->law != NULL, .contact = &contact};
     return thud_model_create(&input, model, err);
 }
 
@@ -89,7 +100,7 @@ enum thud_status thud_two_body_run(const struct thud_two_body *pair, double step
     }
     options.keep_impacts = options.keep_history = options.unjudged = true;
     options.history_step_s = step_s;
-    enum thud_status status = assemble(pair, &out->model, err);
+    enum thud_status status = thud_two_body_assemble(pair, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, NULL, &options, &out->run, err);
     while (status == THUD_OK && !done && !(pair->until_parted && have_parted(pair, out)))
