@@ -1,10 +1,13 @@
 #include "study/methods/verify.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "study/scene/level.h"
 #include "study/scene/solution.h"
 
 static const double least_tolerance = 1e-6, agreement = 1e-4;
@@ -32,103 +35,97 @@ static enum thud_status add(struct thud_checked_values *measures, const struct t
     return THUD_OK;
 }
 
-/* A number `PREFIX.WORD` with its unit. */
+/* A number `PREFIX.WORD` with its unit, and where it stands in a result. */
 struct part {
     const char *word, *unit;
-    double value;
-    bool count, ratio;
+    size_t offset;
+    enum { VALUE, COUNT, RATIO } kind; /* COUNT: an int; RATIO: of use over case `none` too */
 };
+#define AT(of_, member_) offsetof(struct thud_##of_##_result, member_)
+static const struct part floor_parts[] = {{"acceleration", "_mps2", AT(floor, acceleration.value), RATIO},
+                                          {"displacement", "_m", AT(floor, displacement.value), RATIO},
+                                          {"velocity", "_mps", AT(floor, velocity.value), VALUE},
+                                          {"drift", "_m", AT(floor, drift.value), RATIO}},
+                         storey_parts[] = {{"ductility", "", AT(storey, ductility), RATIO},
+                                           {"permanent", "_m", AT(storey, permanent_m), VALUE},
+                                           {"excursions", "", AT(storey, excursions), COUNT},
+                                           {"hysteretic", "_j", AT(storey, hysteretic_j), VALUE},
+                                           {"shear", "_n", AT(storey, shear.value), VALUE}},
+                         structure_parts[] = {{"base_shear", "_n", AT(structure, base_shear.value), VALUE},
+                                              {"overturning", "_nm", AT(structure, overturning.value), VALUE}},
+                         contact_parts[] = {{"impacts", "", AT(contact, impacts), COUNT},
+                                            {"force", "_n", AT(contact, force.value), VALUE},
+                                            {"indentation", "_m", AT(contact, indentation.value), VALUE},
+                                            {"impulse", "_ns", AT(contact, impulse_ns), VALUE}},
+                         column_parts[] =
+                             {{"shear_lower", "_n", AT(column, peak[THUD_COLUMN_SHEAR_LOWER].value), VALUE},
+                              {"shear_upper", "_n", AT(column, peak[THUD_COLUMN_SHEAR_UPPER].value), VALUE},
+                              {"moment_lower", "_nm", AT(column, peak[THUD_COLUMN_MOMENT_LOWER].value), VALUE},
+                              {"moment_upper", "_nm", AT(column, peak[THUD_COLUMN_MOMENT_UPPER].value), VALUE}},
+                         link_parts[] = {{"force", "_n", AT(link, force.value), VALUE},
+                                         {"stroke", "_m", AT(link, stroke.value), VALUE},
+                                         {"lost", "_j", AT(link, lost_j), VALUE}},
+                         energy_parts[] = {{"input", "_j", offsetof(struct thud_energy, input_j), VALUE},
+                                           {"viscous", "_j", offsetof(struct thud_energy, viscous_j), VALUE},
+                                           {"contact", "_j", offsetof(struct thud_energy, contact_j), VALUE}};
+#define PARTS(of_) of_##_parts, sizeof of_##_parts / sizeof *of_##_parts
 
-static enum thud_status add_parts(struct thud_checked_values *measures, enum thud_case which, const char *prefix,
-                                  const struct part *part, size_t n, struct thud_error *err)
+/* The first n parts of a result; `fmt` makes the prefix. */
+static enum thud_status add_parts(struct thud_checked_values *measures, enum thud_case which, const void *of,
+                                  const struct part *part, size_t n, struct thud_error *err, const char *fmt, ...)
+    THUD_PRINTF(7, 8);
+static enum thud_status add_parts(struct thud_checked_values *measures, enum thud_case which, const void *of,
+                                  const struct part *part, size_t n, struct thud_error *err, const char *fmt, ...)
 {
     enum thud_status status = THUD_OK;
+    char prefix[THUD_NAME_MAX + 48];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(prefix, sizeof prefix, fmt, args);
+    va_end(args);
     for (size_t i = 0; i < n && status == THUD_OK; i++) {
-        if (isnan(part[i].value)) /* of an impulse */
+        const char *at = (const char *)of + part[i].offset;
+        const bool count = part[i].kind == COUNT;
+        struct thud_checked_value one = {.which = which, .count = count};
+        one.value = count ? *(const int *)(const void *)at : *(const double *)(const void *)at;
+        if (isnan(one.value)) /* of an impulse */
             continue;
-        struct thud_checked_value one = {.which = which, .value = part[i].value, .count = part[i].count};
         int stem = snprintf(one.name, sizeof one.name, "%.100s.%s", prefix, part[i].word);
         snprintf(one.name + stem, sizeof one.name - (size_t)stem, "%s", part[i].unit);
-        one.stem = part[i].ratio ? stem : 0;
+        one.stem = part[i].kind == RATIO ? stem : 0;
         status = add(measures, &one, err);
     }
     return status;
 }
 
-static enum thud_status add_storey(struct thud_checked_values *measures, enum thud_case which, const char *prefix,
-                                   const struct thud_storey_result *s, struct thud_error *err)
-{
-    const struct part part[] = {{"ductility", "", s->ductility, false, true},
-                                {"permanent", "_m", s->permanent_m, false, false},
-                                {"excursions", "", s->excursions, true, false},
-                                {"hysteretic", "_j", s->hysteretic_j, false, false},
-                                {"shear", "_n", s->shear.value, false, false}};
-    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
-}
-
+/* A free body has no storeys. */
 static enum thud_status add_structure(struct thud_checked_values *measures, enum thud_case which, const char *name,
                                       const struct thud_result *result, int s, struct thud_error *err)
 {
     const struct thud_structure_result *r = &result->structure[s];
     enum thud_status status = THUD_OK;
-    bool free_body = r->floors > 0 && !isfinite(r->period_s[0]);
+    const bool free_body = r->floors > 0 && !isfinite(r->period_s[0]);
     for (int i = 0; i < r->floors && status == THUD_OK; i++) {
-        const struct thud_floor_result *f = &r->floor[i];
-        const struct part part[] = {{"acceleration", "_mps2", thud_floor_acceleration(result, s, i), false, true},
-                                    {"displacement", "_m", f->displacement.value, false, true},
-                                    {"velocity", "_mps", f->velocity.value, false, false},
-                                    {"drift", "_m", f->drift.value, false, true}};
-        char prefix[THUD_NAME_MAX + 16];
-        snprintf(prefix, sizeof prefix, "%s.%d", name, i + 1);
-        status = add_parts(measures, which, prefix, part, free_body ? 3 : 4, err);
+        struct thud_floor_result f = r->floor[i];
+        f.acceleration.value = thud_floor_acceleration(result, s, i);
+        status = add_parts(measures, which, &f, floor_parts, free_body ? 3 : 4, err, "%s.%d", name, i + 1);
         if (status == THUD_OK && r->storey && r->storey[i].yields)
-            status = add_storey(measures, which, prefix, &r->storey[i], err);
+            status = add_parts(measures, which, &r->storey[i], PARTS(storey), err, "%s.%d", name, i + 1);
     }
-    const struct part base[] = {{"base_shear", "_n", r->base_shear.value, false, false},
-                                {"overturning", "_nm", r->overturning.value, false, false}};
     return status == THUD_OK && r->floors > 0 && !free_body
-               ? add_parts(measures, which, name, base, r->overturning.value > 0 ? 2 : 1, err)
+               ? add_parts(measures, which, r, structure_parts, r->overturning.value > 0 ? 2 : 1, err, "%s", name)
                : status;
 }
 
 static enum thud_status add_contact(struct thud_checked_values *measures, enum thud_case which,
-                                    const struct thud_contact_result *c, struct thud_error *err)
+                                    const struct thud_contact_result *contact, struct thud_error *err)
 {
-    const struct part part[] = {{"impacts", "", c->impacts, true, false},
-                                {"force", "_n", thud_peak_force(c), false, false},
-                                {"indentation", "_m", thud_peak_depth(c), false, false},
-                                {"impulse", "_ns", c->impulse_ns, false, false}};
-    char prefix[64], floors[2][12] = {"wall", "wall"};
-    if (c->left_floor > 0)
-        snprintf(floors[0], sizeof floors[0], "%d", c->left_floor);
-    if (c->right_floor > 0)
-        snprintf(floors[1], sizeof floors[1], "%d", c->right_floor);
-    snprintf(prefix, sizeof prefix, "contact.%d.%s-%s", c->interface, floors[0], floors[1]);
-    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
-}
-
-static enum thud_status add_column(struct thud_checked_values *measures, enum thud_case which,
-                                   const struct thud_scene *scene, const struct thud_column_result *c,
-                                   struct thud_error *err)
-{
-    const struct part part[] = {{"shear_lower", "_n", c->peak[THUD_COLUMN_SHEAR_LOWER].value, false, false},
-                                {"shear_upper", "_n", c->peak[THUD_COLUMN_SHEAR_UPPER].value, false, false},
-                                {"moment_lower", "_nm", c->peak[THUD_COLUMN_MOMENT_LOWER].value, false, false},
-                                {"moment_upper", "_nm", c->peak[THUD_COLUMN_MOMENT_UPPER].value, false, false}};
-    char prefix[THUD_NAME_MAX + 48];
-    snprintf(prefix, sizeof prefix, "column.%d.%s.%d", c->interface, scene->structure[c->structure].name, c->storey);
-    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
-}
-
-static enum thud_status add_link(struct thud_checked_values *measures, enum thud_case which, int i,
-                                 const struct thud_link_result *l, struct thud_error *err)
-{
-    const struct part part[] = {{"force", "_n", l->force.value, false, false},
-                                {"stroke", "_m", l->stroke.value, false, false},
-                                {"lost", "_j", l->lost_j, false, false}};
-    char prefix[32];
-    snprintf(prefix, sizeof prefix, "link.%d", i + 1);
-    return add_parts(measures, which, prefix, part, sizeof part / sizeof *part, err);
+    struct thud_contact_result c = *contact;
+    char floors[40];
+    thud_contact_pair_name(c.left_floor, c.right_floor, 0, floors, sizeof floors);
+    c.force.value = thud_peak_force(contact);
+    c.indentation.value = thud_peak_depth(contact);
+    return add_parts(measures, which, &c, PARTS(contact), err, "contact.%d.%s", c.interface, floors);
 }
 
 enum thud_status thud_checked_values_add(struct thud_checked_values *measures, const struct thud_scene *scene,
@@ -139,14 +136,14 @@ enum thud_status thud_checked_values_add(struct thud_checked_values *measures, c
         status = add_structure(measures, which, scene->structure[s].name, result, s, err);
     for (int c = 0; c < result->ncontacts && status == THUD_OK; c++)
         status = add_contact(measures, which, &result->contact[c], err);
-    for (int i = 0; i < result->ncolumns && status == THUD_OK; i++)
-        status = add_column(measures, which, scene, &result->column[i], err);
+    for (int i = 0; i < result->ncolumns && status == THUD_OK; i++) {
+        const struct thud_column_result *c = &result->column[i];
+        status = add_parts(measures, which, c, PARTS(column), err, "column.%d.%s.%d", c->interface,
+                           scene->structure[c->structure].name, c->storey);
+    }
     for (int i = 0; i < result->nlinks && status == THUD_OK; i++)
-        status = add_link(measures, which, i, &result->link[i], err);
-    const struct part energy[] = {{"input", "_j", result->energy.input_j, false, false},
-                                  {"viscous", "_j", result->energy.viscous_j, false, false},
-                                  {"contact", "_j", result->energy.contact_j, false, false}};
-    return status == THUD_OK ? add_parts(measures, which, "energy", energy, 3, err) : status;
+        status = add_parts(measures, which, &result->link[i], PARTS(link), err, "link.%d", i + 1);
+    return status == THUD_OK ? add_parts(measures, which, &result->energy, PARTS(energy), err, "energy") : status;
 }
 
 enum thud_status thud_checked_values_add_ratios(struct thud_checked_values *measures, struct thud_error *err)
