@@ -268,6 +268,8 @@ void thud_record_choice_replace(struct thud_record_choice *choice, const char *f
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
 /* Selects a law with the defaults of its table (NaN where a value must be given). */
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
+/* Returns a parameter of the chosen law; NULL: there is no law, it has none of the name, or it is not given. */
+double *thud_law_given(struct thud_law_choice *choice, const char *name);
 /* Lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
  * ratios, of columns EI, stiffness and capacity, weights, coefficients of yield, and loads. */
 enum { THUD_STRUCTURE_LISTS = 13 };

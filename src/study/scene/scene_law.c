@@ -14,6 +14,12 @@ void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law 
     memcpy(choice->value, setup.value, sizeof setup.value);
 }
 
+double *thud_law_given(struct thud_law_choice *choice, const char *name)
+{
+    const int i = choice->law ? thud_law_param(choice->law, name) : -1;
+    return i < 0 || isnan(choice->value[i]) ? NULL : &choice->value[i];
+}
+
 double thud_law_exponent(const struct thud_law_choice *choice, const struct thud_param *param)
 {
     if (!choice || !choice->law || param->dimension != THUD_POWER_STIFFNESS)

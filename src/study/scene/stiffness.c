@@ -23,13 +23,8 @@ double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, do
 /* The parameter that stands for the stiffness: itself, or eq. (6)'s material stiffness where that is given. */
 static double *stiffness_of(struct thud_law_choice *choice)
 {
-    static const char *const names[] = {"stiffness", "material-stiffness"};
-    for (int i = 0; i < 2; i++) {
-        int param = thud_law_param(choice->law, names[i]);
-        if (param >= 0 && !isnan(choice->value[param]))
-            return &choice->value[param];
-    }
-    return NULL;
+    double *k = thud_law_given(choice, "stiffness");
+    return k ? k : thud_law_given(choice, "material-stiffness");
 }
 
 const char *thud_stiffness_name(enum thud_stiffness which)

@@ -106,17 +106,11 @@ static struct thud_law_choice *acting_law(struct thud_interface *at)
     return at->has_bumper ? &at->bumper : &at->contact;
 }
 
-static double law_value(const struct thud_law_choice *choice, const char *name)
-{
-    const int i = thud_law_param(choice->law, name);
-    return i < 0 ? NAN : choice->value[i];
-}
-
 /* Another law with the restitution of the one that acts; `stiffness` NaN: it has none. */
 static bool make_law(struct thud_interface *at, const char *name, double stiffness_npm)
 {
     struct thud_law_choice *choice = acting_law(at), now;
-    const double restitution = law_value(choice, "restitution");
+    const double *given = thud_law_given(choice, "restitution"), restitution = given ? *given : (double)NAN;
     thud_law_choice_init(&now, thud_law_find(name));
     const int r = thud_law_param(now.law, "restitution"), k = thud_law_param(now.law, "stiffness"),
               residual = thud_law_param(now.law, "residual");
@@ -138,7 +132,8 @@ static bool make_linear_law(const struct thud_simplify_from *from, struct thud_s
     if (!choice->law || thud_law_is_linear(choice->law) || !most || !(most->force.value > 0) ||
         !(most->indentation.value > 0))
         return false;
-    const bool loses = law_value(choice, "restitution") < 1;
+    const double *restitution = thud_law_given(choice, "restitution");
+    const bool loses = restitution && *restitution < 1;
     return make_law(&scene->interface[from->at], loses ? "kelvin-voigt-no-tension" : "linear",
                     most->force.value / most->indentation.value);
 }
@@ -165,11 +160,10 @@ static const char *const stiffnesses[] = {"twice", "half", NULL};
 static bool make_stiffness(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
     struct thud_law_choice *choice = acting_law(&scene->interface[from->at]);
-    const int k = choice->law ? thud_law_param(choice->law, "stiffness") : -1;
-    if (k < 0 || !isfinite(choice->value[k]))
-        return false;
-    choice->value[k] *= from->size == 0 ? 2 : 0.5;
-    return true;
+    double *k = thud_law_given(choice, "stiffness");
+    if (k)
+        *k *= from->size == 0 ? 2 : 0.5;
+    return k != NULL;
 }
 
 static bool make_without_link(const struct thud_simplify_from *from, struct thud_scene *scene)

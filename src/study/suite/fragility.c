@@ -10,6 +10,7 @@
 #include "base/statistics.h"
 #include "base/text.h"
 #include "study/scene/scene_elements.h"
+#include "study/scene/scene_words.h"
 
 /* ---- the lognormal curve ---- */
 
@@ -306,21 +307,19 @@ enum thud_status thud_limit_parse(const char *text, struct thud_event *out, stru
 
 enum thud_status thud_events_parse(const char *list, struct thud_event *out, int *n, struct thud_error *err)
 {
-    static const char between[] = ",[]";
+    char copy[THUD_VARY_TEXT + 3], *item[THUD_EVENTS_MAX];
+    const char *given = *list ? list : "pounding,worse";
     enum thud_status status = THUD_OK;
-    const char *at = *list ? list : "pounding,worse";
+    snprintf(copy, sizeof copy, *given == '[' ? "%s" : "[%s]", given);
+    const int count = thud_list_split(copy, item, THUD_EVENTS_MAX);
     *n = 0;
-    for (at += strspn(at, between); status == THUD_OK && *at; at += strspn(at, between)) {
-        char word[THUD_VARY_TEXT];
-        size_t length = strcspn(at, between), blanks = strspn(at, " ");
-        blanks = blanks < length ? blanks : length;
-        snprintf(word, sizeof word, "%.*s", (int)(length - blanks), at + blanks);
-        at += length;
-        for (size_t end = strlen(word); end > 0 && word[end - 1] == ' ';)
-            word[--end] = '\0';
-        if (*n == THUD_EVENTS_MAX)
-            return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
-        status = thud_event_parse(word, &out[(*n)++], err);
+    if (count > THUD_EVENTS_MAX)
+        return thud_error_set(err, THUD_USAGE, "more than %d events", THUD_EVENTS_MAX);
+    if (count < 0)
+        return thud_event_parse(given, out, err);
+    while (status == THUD_OK && *n < count) {
+        status = thud_event_parse(item[*n], &out[*n], err);
+        ++*n;
     }
     return status;
 }

@@ -112,15 +112,6 @@ static const struct {
                           [THUD_INPUT_BUMPER_STIFFNESS] = {"stiffness", .bumpers = true},
                           [THUD_INPUT_BUMPER_EXPONENT] = {"exponent", .bumpers = true}};
 
-/* A parameter of a law; NULL where the law has none of the name, or it is not given. */
-static double *law_value(struct thud_law_choice *choice, const char *name)
-{
-    for (int i = 0; choice->law && i < choice->law->nparams; i++)
-        if (strcmp(choice->law->params[i].name, name) == 0)
-            return isnan(choice->value[i]) ? NULL : &choice->value[i];
-    return NULL;
-}
-
 static double changed(enum thud_input input, double x, double size, double u)
 {
     static const double longest = THUD_ESTIMATE_MOST, shortest = THUD_ESTIMATE_LEAST;
@@ -139,14 +130,14 @@ double thud_input_times(const struct thud_drawn_input *input, double u)
 
 static void change_law(struct thud_law_choice *choice, enum thud_input input, double size, double u)
 {
-    double *value = law_value(choice, of_laws[input].name);
+    double *value = thud_law_given(choice, of_laws[input].name);
     if (!value)
         return;
     double x = changed(input, *value, size, u);
     if (input == THUD_INPUT_RESTITUTION)
         x = fmin(1, fmax(0.01, x));
     if (input == THUD_INPUT_BUMPER_EXPONENT) {
-        double *stiffness = law_value(choice, "stiffness");
+        double *stiffness = thud_law_given(choice, "stiffness");
         x = fmax(1, x);
         if (stiffness)
             *stiffness *= pow(1000, x - *value);
@@ -314,8 +305,8 @@ static bool has_law_value(const struct thud_scene *scene, enum thud_input input)
     const char *name = of_laws[input].name;
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         struct thud_interface own = scene->interface[i], *at = &own;
-        if ((of_laws[input].contacts && law_value(&at->contact, name)) ||
-            (of_laws[input].bumpers && at->has_bumper && law_value(&at->bumper, name)))
+        if ((of_laws[input].contacts && thud_law_given(&at->contact, name)) ||
+            (of_laws[input].bumpers && at->has_bumper && thud_law_given(&at->bumper, name)))
             return true;
     }
     return false;
