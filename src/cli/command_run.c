@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/run/event_list.h"
 #include "app/run/figure_files.h"
 #include "app/run/result_table.h"
 #include "app/run/run_cases.h"

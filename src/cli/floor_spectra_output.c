@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "app/run/figure_files.h"
-#include "app/run/floor_table.h"
+#include "app/run/result_table.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/file/file.h"

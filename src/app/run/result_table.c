@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "app/run/sensitivity_table.h"
 #include "app/run/summary_line.h"
 #include "ground/identity.h"
 #include "io/result/result_rows.h"
@@ -235,4 +234,50 @@ void thud_result_table(const struct thud_report *report, struct thud_text *out)
         add_truncation(report->truncation, out);
     if (report->sensitivity)
         thud_sensitivity_table(report, out);
+}
+
+void thud_event_list(const struct thud_report *report, enum thud_event_format format, struct thud_text *out)
+{
+    const struct thud_rows rows = thud_event_rows(report);
+    if (format == THUD_EVENTS_TEXT)
+        thud_rows_table(&rows, out);
+    else if (format == THUD_EVENTS_CSV)
+        thud_rows_csv(&rows, out);
+    else
+        thud_text_append(out, "{\"events\": [\n");
+    for (int i = 0; i < rows.n && format == THUD_EVENTS_JSON; i++) {
+        struct thud_row_room row;
+        rows.make(report, i, row.bytes);
+        thud_text_append(out, "{");
+        thud_json_members(rows.schema, thud_event_marks(report, i), row.bytes, out);
+        thud_text_append(out, i + 1 < rows.n ? "},\n" : "}\n");
+    }
+    if (format == THUD_EVENTS_JSON)
+        thud_text_append(out, "]}\n");
+}
+
+void thud_floor_table(const struct thud_scene *scene, const struct thud_floor_spectra *s, struct thud_text *out)
+{
+    thud_text_append(out, "%s: %s\n", scene->name, scene->title);
+    thud_text_append(
+        out,
+        "floor spectra, %.3g %% damping, %d periods from %.4g to %.4g s: largest acceleration of the floor, g;\n"
+        "largest pseudo-acceleration of an oscillator on it, g, and its period, s\n\n%-16s",
+        100 * s->damping, s->nperiods, s->period_s[0], s->period_s[s->nperiods - 1], "");
+    for (int i = 0; i < s->ncases; i++)
+        thud_text_append(out, "  %-22s", thud_floor_case_title(scene, i));
+    thud_text_append(out, "\n");
+    for (int f = 0; f < s->nfloors; f++) {
+        char name[THUD_NAME_MAX + 16];
+        snprintf(name, sizeof name, "%s.%d", scene->structure[s->floor[f].structure].name, s->floor[f].floor + 1);
+        thud_text_append(out, "%-16s", name);
+        for (int i = 0; i < s->ncases; i++) {
+            int k;
+            const double *sa = thud_floor_spectrum(s, i, f, &k), peak = s->peak_mps2[i * s->nfloors + f];
+            char own[24];
+            snprintf(own, sizeof own, isnan(peak) ? "-" : "%.3f", peak / THUD_GRAVITY);
+            thud_text_append(out, "  %7s %7.3f %6.3f", own, sa[k] / THUD_GRAVITY, s->period_s[k]);
+        }
+        thud_text_append(out, "\n");
+    }
 }

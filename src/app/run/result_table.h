@@ -1,7 +1,17 @@
-/* A finished run as a table for people. */
+/* A finished run as tables for people; its events also as rows. */
 #pragma once
 
 #include "io/result/result_file.h"
+#include "study/sweep/floor_response.h"
 
 /* 80 columns wide. */
 void thud_result_table(const struct thud_report *report, struct thud_text *out);
+/* The lines under it; report->sensitivity is there. */
+void thud_sensitivity_table(const struct thud_report *report, struct thud_text *out);
+
+/* The events of a run, one row each: when, where, which guard passed 0, and the state it led to. */
+enum thud_event_format { THUD_EVENTS_TEXT, THUD_EVENTS_CSV, THUD_EVENTS_JSON };
+void thud_event_list(const struct thud_report *report, enum thud_event_format format, struct thud_text *out);
+
+/* Floor spectra by their largest values. */
+void thud_floor_table(const struct thud_scene *scene, const struct thud_floor_spectra *spectra, struct thud_text *out);

@@ -1,4 +1,4 @@
-#include "app/run/sensitivity_table.h"
+#include "app/run/result_table.h"
 
 #include <stdio.h>
 
