@@ -74,6 +74,36 @@ START_TEST(whole_screens)
 }
 END_TEST
 
+/* Room is used: of no pane is more than a third empty below the last row that something stands in. */
+START_TEST(no_pane_is_a_third_empty)
+{
+    enum { WIDTH = 200, HEIGHT = 60 };
+    fixture_close(&f);
+    fixture_open(&f, "towers", WIDTH, HEIGHT, true);
+    snprintf(f.paths.records, sizeof f.paths.records, "records"); /* and presets: those that come with thud */
+    snprintf(f.paths.presets, sizeof f.paths.presets, "presets");
+    fixture_keys(&f, ":open towers<Enter>");
+    fixture_expect(&f, "kobe-surrogate.csv");
+    for (int screen = 0; screen < THUD_SCREEN_HELP; screen++) {
+        char keys[2] = {(char)('1' + screen), '\0'};
+        struct thud_rect pane[THUD_PANES_MAX];
+        fixture_keys(&f, keys);
+        const int n = thud_views[screen]->layout(f.tui, thud_tui_area(f.tui), pane);
+        for (int i = 0; i < n; i++) {
+            int empty = 0;
+            for (int y = pane[i].y + 1; y < pane[i].y + pane[i].h - 1; y++) {
+                bool any = false;
+                for (int x = pane[i].x + 1; x < pane[i].x + pane[i].w - 1; x++)
+                    any = any || f.tui->canvas.cell[y * WIDTH + x].glyph != ' ';
+                empty = any ? 0 : empty + 1;
+            }
+            ck_assert_msg(3 * empty <= pane[i].h - 2, "%s: of pane %d %d of %d rows are empty",
+                          thud_views[screen]->title, i + 1, empty, pane[i].h - 2);
+        }
+    }
+}
+END_TEST
+
 Suite *thud_suite(void);
 Suite *thud_suite(void)
 {
@@ -82,6 +112,7 @@ Suite *thud_suite(void)
     tcase_set_timeout(whole, 60.0);
     tcase_add_checked_fixture(whole, setup, teardown);
     tcase_add_loop_test(whole, whole_screens, 0, SIZES);
+    tcase_add_test(whole, no_pane_is_a_third_empty);
     suite_add_tcase(suite, whole);
     return suite;
 }

@@ -35,6 +35,12 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
         pane[FORM] = (struct thud_rect){area.x, area.y, form, area.h};
         pane[CURVE] = (struct thud_rect){area.x + form, area.y, curve, area.h - low};
         pane[CHECK] = (struct thud_rect){area.x + form, area.y + area.h - low, curve, low};
+        if (area.h >= THUD_MOMENT_TALL) { /* what the law gives below its form */
+            pane[CURVE].h = area.h;
+            pane[FORM].h -= low;
+            pane[CHECK].x = area.x;
+            pane[CHECK].w = form;
+        }
         pane[MOVE] = (struct thud_rect){area.x + form + curve, area.y, area.w - form - curve, area.h};
         return 4;
     }

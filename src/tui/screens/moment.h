@@ -3,7 +3,8 @@
 
 #include "tui/document/state.h"
 
-enum { THUD_MOMENT_WIDE = 120 }; /* columns from which it stands beside what a screen shows */
+/* Columns from which it stands beside what a screen shows, and rows from which forms share theirs with it. */
+enum { THUD_MOMENT_WIDE = 120, THUD_MOMENT_TALL = 44 };
 
 void thud_moment_title(const struct thud_tui *tui, char *text, size_t size);
 int thud_moment_draw(const struct thud_tui *tui, const struct thud_pane *pane);

@@ -7,6 +7,7 @@
 #include "ground/intensity.h"
 #include "tui/document/field.h"
 #include "tui/document/scene_edit.h"
+#include "tui/screens/moment.h"
 #include "tui/screens/movement.h"
 #include "tui/screens/plots.h"
 #include "tui/widgets/chart.h"
@@ -116,6 +117,12 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
         pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, upper};
         pane[MOVE] = (struct thud_rect){area.x + left, area.y + upper, area.w - left, area.h - upper};
         pane[SETUP] = (struct thud_rect){area.x, area.y, left, area.h};
+        if (area.h >= THUD_MOMENT_TALL) { /* the movement below the form */
+            left = area.w * 3 / 10;
+            pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
+            pane[SETUP] = (struct thud_rect){area.x, area.y, left, area.h / 2};
+            pane[MOVE] = (struct thud_rect){area.x, area.y + pane[SETUP].h, left, area.h - pane[SETUP].h};
+        }
         return 3;
     }
     int right = area.w * 3 / 8;

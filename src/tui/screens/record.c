@@ -68,10 +68,28 @@ static void filter(struct thud_tui *tui, const char *text)
     snprintf(state(tui)->filter, sizeof state(tui)->filter, "%.90s", text);
 }
 
+/* On a high screen one above the other: the list as long as it is, all that the motion says, and the buildings. */
+static int layout_high(const struct thud_tui *tui, struct thud_rect area, int left, struct thud_rect *pane)
+{
+    enum { LIST_LEAST = 8, DATA_ROWS = 27, MOVE_LEAST = 10 };
+    const int wanted = state(tui)->files.n + 4, most = area.h - DATA_ROWS,
+              list = wanted < LIST_LEAST ? LIST_LEAST
+                     : wanted < most     ? wanted
+                                         : most;
+    const bool moves = most - list >= MOVE_LEAST;
+    const int data = moves ? DATA_ROWS : area.h - list;
+    pane[LIST] = (struct thud_rect){area.x, area.y, left, list};
+    pane[DATA] = (struct thud_rect){area.x, area.y + list, left, data};
+    pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
+    pane[MOVE] = (struct thud_rect){area.x, area.y + list + data, left, area.h - list - data};
+    return moves ? 4 : 3;
+}
+
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
-    (void)tui;
     int left = area.w * 9 / 20 < 60 ? area.w * 9 / 20 : 60, data = area.h >= 30 ? 17 : area.h >= 18 ? 10 : area.h / 2;
+    if (area.w >= THUD_MOMENT_WIDE && area.h >= THUD_MOMENT_TALL)
+        return layout_high(tui, area, left, pane);
     pane[LIST] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CURVE] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h - data};
     pane[DATA] = (struct thud_rect){area.x + left, area.y + area.h - data, area.w - left, data};

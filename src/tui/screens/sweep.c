@@ -9,18 +9,23 @@
 #include "tui/document/field.h"
 #include "tui/document/motions.h"
 #include "tui/document/session_log.h"
+#include "tui/screens/moment.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui/widgets/chart.h"
 
-enum { FORM, CHART };
+enum { FORM, CHART, MOVE };
 
 static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect *pane)
 {
     (void)tui;
-    int left = area.w >= 110 ? 40 : area.w * 2 / 5;
+    int left = area.w >= 160 ? area.w / 4 : area.w >= 110 ? 40 : area.w * 2 / 5;
     pane[FORM] = (struct thud_rect){area.x, area.y, left, area.h};
     pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
-    return 2;
+    if (area.w < THUD_MOMENT_WIDE || area.h < THUD_MOMENT_TALL)
+        return 2;
+    pane[FORM].h = area.h / 2 - 6;
+    pane[MOVE] = (struct thud_rect){area.x, area.y + pane[FORM].h, left, area.h - pane[FORM].h};
+    return 3;
 }
 
 /* The figure on show. One that an edit started again appears whole, if that does not take long: until then the one before
@@ -84,8 +89,10 @@ static double here(const struct thud_tui *tui, const struct thud_sweep_state *s)
 static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
 {
     struct thud_sweep_state *s = thud_sweep_state(tui);
-    if (index == FORM) {
+    if (index != CHART) {
         snprintf(text, size, "Study");
+        if (index == MOVE)
+            thud_moment_title(tui, text, size);
         return;
     }
     refresh(tui);
@@ -111,6 +118,8 @@ static int draw(struct thud_tui *tui, int index, struct thud_pane *pane)
     struct thud_sweep_state *s = thud_sweep_state(tui);
     if (index == FORM)
         return thud_sweep_form_draw(tui, FORM, pane);
+    if (index == MOVE)
+        return thud_moment_draw(tui, pane);
     refresh(tui);
     if (s->shown) {
         struct thud_chart chart = thud_tui_reading(tui, tui->reading[tui->screen]);
@@ -336,6 +345,11 @@ static bool work(struct thud_tui *tui)
     return thud_sweep_state(tui)->data.running;
 }
 
+static enum thud_live_history history(const struct thud_tui *tui)
+{
+    return tui->canvas.height >= THUD_MOMENT_TALL ? thud_moment_history(tui) : THUD_LIVE_NO_HISTORY;
+}
+
 static double progress(struct thud_tui *tui)
 {
     const struct thud_live_study *d = &thud_sweep_state(tui)->data;
@@ -384,4 +398,5 @@ THUD_VIEW(sweep, "Sweep", SWEEP, .keys = "study.", .many = true, .size = sizeof(
           .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
           .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
           .next_figure = next_figure, .read = read_panel, .take = set_to_cursor, .live = live, .busy = busy,
-          .work = work, .progress = progress, .figures = figures, .make = make, .export_csv = export_csv);
+          .work = work, .progress = progress, .history = history, .figures = figures, .make = make,
+          .export_csv = export_csv);
