@@ -19,6 +19,14 @@ struct thud_figure_source {
     bool behind; /* of another state, to compare with: dashed */
 };
 
+/* Unit in which values up to a peak are shown: shown = SI x factor. */
+struct thud_shown_unit {
+    double factor;
+    const char *unit;
+};
+/* Returns the unit of energies up to `peak_j`: MJ, or kJ below 1 MJ. */
+struct thud_shown_unit thud_shown_energy(double peak_j);
+
 /* X(NAME, name of its files, maker, what a run must have for it); the makers are thud_figure_MAKER. */
 #define THUD_RUN_FIGURE_LIST(X)                                                                                        \
     X(FORCE, "force", forces, CONTACTS)                                                                                \

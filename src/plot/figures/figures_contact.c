@@ -80,7 +80,7 @@ static int most_contacts(int nsources)
 enum told { FORCE, FORCES, IMPULSES };
 
 static struct thud_panel *contact_strip(struct thud_figure *figure, int row, const struct thud_figure_source *source,
-                                        int nsources, int contact, enum told told, struct thud_shown shown)
+                                        int nsources, int contact, enum told told, struct thud_shown_unit shown)
 {
     const int color = thud_source_color(source, nsources);
     char name[160], text[256];
@@ -130,12 +130,12 @@ struct thud_figure *thud_figure_forces(enum thud_run_figure which, const struct 
     const bool ground = thud_source_ground(source), zoom = thud_source_zoom(source, nsources, &from, &to);
     enum told told = FORCE;
     int n = pick_contacts(source, nsources, false, most_contacts(nsources), index, &peak, &pounding);
-    struct thud_shown shown = thud_shown_force(peak);
+    struct thud_shown_unit shown = thud_shown_force(peak);
     for (int s = 0; s < nsources; s++)
         most = source[s].nimpacts > most ? source[s].nimpacts : most;
     if (n == 0 && (n = pick_contacts(source, nsources, true, most_contacts(nsources), index, &peak, &pounding)) > 0) {
         told = IMPULSES;
-        shown = (struct thud_shown){1e-3, "kN s"};
+        shown = (struct thud_shown_unit){1e-3, "kN s"};
     } else if (most > IMPACTS_MANY)
         told = FORCES;
     snprintf(what, sizeof what, "%s (%s)",
@@ -226,7 +226,7 @@ struct thud_figure *thud_figure_loops(enum thud_run_figure which, const struct t
     double peak;
     char text[3 * THUD_TEXT_MAX];
     int n = pick_contacts(source, nsources, false, nsources > 1 ? 1 : THUD_CURVES_MAX, index, &peak, &pounding);
-    struct thud_shown shown = thud_shown_force(peak);
+    struct thud_shown_unit shown = thud_shown_force(peak);
     thud_source_title(source, nsources, thud_run_words[which].title, text, sizeof text);
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, 1, 1);
     struct thud_panel *panel = thud_figure_panel(figure, 0, 0, "Every impact of the run");
@@ -265,7 +265,7 @@ struct thud_figure *thud_figure_energies(enum thud_run_figure which, const struc
     struct thud_figure *figure = thud_figure_create(thud_run_figure_name(which), text, rows, zoom ? 2 : 1);
     for (int s = 0; s < rows; s++)
         peak = fmax(peak, energy_peak(&source[s]));
-    struct thud_shown shown = thud_shown_energy(peak);
+    struct thud_shown_unit shown = thud_shown_energy(peak);
     for (int s = 0; s < rows; s++) {
         struct thud_panel *panel = thud_figure_panel(figure, s, 0, nsources > 1 ? source[s].name : "");
         thud_panel_axis(panel, THUD_X, "Time", "s");

@@ -6,13 +6,7 @@
 
 enum { THUD_CURVES_MAX = THUD_COLORS, THUD_ROWS_MAX = 6 };
 
-/* A shown unit fit for values up to `peak`. */
-struct thud_shown {
-    double factor; /* shown = SI x factor */
-    const char *unit;
-};
-struct thud_shown thud_shown_force(double peak_n);
-struct thud_shown thud_shown_energy(double peak_j);
+struct thud_shown_unit thud_shown_force(double peak_n);
 
 /* What a figure over time shows, and in which unit. */
 struct thud_run_words {

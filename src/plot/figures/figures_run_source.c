@@ -7,14 +7,14 @@
 #include "plot/figures/figures_run_internal.h"
 #include "study/scene/level.h"
 
-struct thud_shown thud_shown_force(double peak_n)
+struct thud_shown_unit thud_shown_force(double peak_n)
 {
-    return peak_n >= 1e6 ? (struct thud_shown){1e-6, "MN"} : (struct thud_shown){1e-3, "kN"};
+    return peak_n >= 1e6 ? (struct thud_shown_unit){1e-6, "MN"} : (struct thud_shown_unit){1e-3, "kN"};
 }
 
-struct thud_shown thud_shown_energy(double peak_j)
+struct thud_shown_unit thud_shown_energy(double peak_j)
 {
-    return peak_j >= 1e6 ? (struct thud_shown){1e-6, "MJ"} : (struct thud_shown){1e-3, "kJ"};
+    return peak_j >= 1e6 ? (struct thud_shown_unit){1e-6, "MJ"} : (struct thud_shown_unit){1e-3, "kJ"};
 }
 
 bool thud_source_zoom(const struct thud_figure_source *source, int nsources, double *from_s, double *to_s)

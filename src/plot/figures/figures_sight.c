@@ -59,8 +59,8 @@ struct thud_figure *thud_run_figure_at(enum thud_run_figure which, const struct 
     const struct thud_run_words *words = &thud_run_words[which];
     const bool speed = which == THUD_FIGURE_VELOCITY, loop = which == THUD_FIGURE_LOOP,
                force = which == THUD_FIGURE_FORCE || loop;
-    const struct thud_shown shown =
-        force ? thud_shown_force(thud_source_force(source, nsources)) : (struct thud_shown){words->factor, words->unit};
+    const struct thud_shown_unit shown = force ? thud_shown_force(thud_source_force(source, nsources))
+                                               : (struct thud_shown_unit){words->factor, words->unit};
     char place[160], what[256], title[3 * THUD_TEXT_MAX];
     if (force || speed)
         thud_source_contact_name(source, sight->contact, place, sizeof place);

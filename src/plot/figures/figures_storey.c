@@ -102,7 +102,7 @@ struct thud_figure *thud_figure_hysteresis(enum thud_run_figure which, const str
             shear = fmax(shear, force_of(&source[s], &place[k]));
         }
     int n = thud_pick_largest(lost, all, LOOPS_MAX, index), columns = n < LOOP_COLUMNS ? n > 0 ? n : 1 : LOOP_COLUMNS;
-    struct thud_shown shown = thud_shown_force(shear);
+    struct thud_shown_unit shown = thud_shown_force(shear);
     thud_source_title(source, nsources,
                       n > 0 && place[index[0]].structure < 0 ? "force against stroke" : "storey shear against drift",
                       text, sizeof text);

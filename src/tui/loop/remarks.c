@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plot/figures/figures_run.h"
 #include "study/sweep/remark.h"
 #include "tui/loop/loop.h"
 
@@ -72,10 +73,12 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     }
     thud_remarks_clear(&found);
     const struct thud_energy *e = &result->energy;
+    const struct thud_shown_unit shown = thud_shown_energy(e->input_j + e->initial_j);
     char a[24], b[24], c[24];
-    snprintf(text, sizeof text, "energy: input %s kJ, damping %s, contacts %s; unaccounted for %.1e of the largest",
-             thud_tui_number(1e-3 * (e->input_j + e->initial_j), a), thud_tui_number(1e-3 * e->viscous_j, b),
-             thud_tui_number(1e-3 * e->contact_j, c), e->error_ratio);
+    snprintf(text, sizeof text, "energy: input %s %s, damping %s, contact %s; unaccounted for %.1e of the largest",
+             thud_tui_number(shown.factor * (e->input_j + e->initial_j), a), shown.unit,
+             thud_tui_number(shown.factor * e->viscous_j, b), thud_tui_number(shown.factor * e->contact_j, c),
+             e->error_ratio);
     add(tui, "analysis.tolerance", text);
     char tolerance[96] = "";
     thud_scene_get(&tui->doc.scene, "analysis.tolerance", tolerance, sizeof tolerance, NULL);

@@ -7,6 +7,7 @@
 #include "base/quantity.h"
 #include "base/scan.h"
 #include "io/result/result_file.h"
+#include "plot/figures/figures_run.h"
 #include "study/scene/level.h"
 #include "study/sweep/remark.h"
 #include "tui/document/field.h"
@@ -330,16 +331,17 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
         double value;
     } row[] = {{"input", true, e->input_j + e->initial_j},
                {"damping", true, e->viscous_j},
-               {"contacts", true, e->contact_j},
+               {"contact", true, e->contact_j},
                {"kinetic", true, e->kinetic_j},
                {"strain", true, e->strain_j + e->stored_j},
                {"lost in yielding", e->hysteretic_j > 0, e->hysteretic_j},
                {"work of the weight", e->gravity_j > 0, e->gravity_j}};
+    const struct thud_shown_unit shown = thud_shown_energy(fmax(row[0].value, fmax(e->kinetic_j, e->strain_j)));
     char a[24];
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         if (row[i].shown)
-            thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s kJ", row[i].name,
-                            thud_tui_number(1e-3 * row[i].value, a));
+            thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %s %s", row[i].name,
+                            thud_tui_number(shown.factor * row[i].value, a), shown.unit);
     thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %.1e", "energy error", e->error_ratio);
     return y;
 }
