@@ -271,12 +271,25 @@ static bool click_chart(struct thud_tui *tui, int x, int y)
     return true;
 }
 
+/* The pane at a place, and where it is; -1: none is. */
+static int pane_at(struct thud_tui *tui, int x, int y, struct thud_rect *at)
+{
+    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
+    const int n = thud_tui_view(tui)->layout(tui, area, rect);
+    for (int i = 0; i < n; i++) {
+        *at = thud_tui_one_pane(tui) ? area : rect[i]; /* the one with the cursor has all the room */
+        if ((!thud_tui_one_pane(tui) || i == tui->form.pane[tui->screen]) && x >= at->x && y >= at->y &&
+            x < at->x + at->w && y < at->y + at->h)
+            return i;
+    }
+    return -1;
+}
+
 /* A click on a name of a screen goes there, on a field puts the cursor on it and, when it is there, edits it. */
 void thud_tui_click(struct thud_tui *tui)
 {
-    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
-    int n = thud_tui_view(tui)->layout(tui, area, rect), x = tui->backend->click_x, y = tui->backend->click_y;
-    bool small = thud_tui_one_pane(tui);
+    const int x = tui->backend->click_x, y = tui->backend->click_y;
+    struct thud_rect at;
     tui->dragged_x = x;
     if (tui->dialog.mode == THUD_MODE_CHOOSING) {
         if (thud_chooser_click(&tui->dialog.chooser, x, y))
@@ -289,24 +302,21 @@ void thud_tui_click(struct thud_tui *tui)
         thud_tui_go(tui, thud_tui_tab_at(tui, x));
         return;
     }
-    for (int i = 0; i < n; i++) {
-        struct thud_rect at = small ? area : rect[i];
-        if ((small && i != tui->form.pane[tui->screen]) || x < at.x || y < at.y || x >= at.x + at.w || y >= at.y + at.h)
-            continue;
-        int row = y - at.y - 1 + tui->form.scroll[tui->screen][i];
-        const struct thud_field *field = thud_form_at(&tui->form, i, x - at.x - 1, row);
-        bool again = field && field == thud_form_focus(&tui->form);
-        tui->form.pane[tui->screen] = i;
-        if (again)
-            thud_tui_act(tui, THUD_DO_EDIT);
-        else if (field)
-            thud_form_focus_on(&tui->form, tui->screen, field->path);
-        else if (!click_chart(tui, x, y) && thud_tui_view(tui)->click) {
-            struct thud_pane page = thud_canvas_pane(&tui->canvas),
-                             in = thud_pane_inside(&page, at.x + 1, at.y + 1, at.w - 2, at.h - 2);
-            thud_tui_view(tui)->click(tui, i, &in, x - at.x - 1, row);
-        }
+    const int i = pane_at(tui, x, y, &at);
+    if (i < 0)
         return;
+    const int row = y - at.y - 1 + tui->form.scroll[tui->screen][i];
+    const struct thud_field *field = thud_form_at(&tui->form, i, x - at.x - 1, row);
+    bool again = field && field == thud_form_focus(&tui->form);
+    tui->form.pane[tui->screen] = i;
+    if (again)
+        thud_tui_act(tui, THUD_DO_EDIT);
+    else if (field)
+        thud_form_focus_on(&tui->form, tui->screen, field->path);
+    else if (!click_chart(tui, x, y) && thud_tui_view(tui)->click) {
+        struct thud_pane page = thud_canvas_pane(&tui->canvas),
+                         in = thud_pane_inside(&page, at.x + 1, at.y + 1, at.w - 2, at.h - 2);
+        thud_tui_view(tui)->click(tui, i, &in, x - at.x - 1, row);
     }
 }
 
@@ -314,20 +324,17 @@ void thud_tui_drag(struct thud_tui *tui)
 {
     int x = tui->backend->click_x, y = tui->backend->click_y;
     const struct thud_chart_window *window = &tui->window[tui->screen];
-    struct thud_rect rect[THUD_PANES_MAX], area = thud_tui_area(tui);
-    const int panes = thud_tui_view(tui)->layout(tui, area, rect);
-    for (int i = 0; i < panes && tui->dialog.mode == THUD_MODE_NORMAL && thud_tui_view(tui)->drag; i++)
-        if (x >= rect[i].x && x < rect[i].x + rect[i].w && y >= rect[i].y && y < rect[i].y + rect[i].h &&
-            thud_tui_view(tui)->drag(tui, i, x - tui->dragged_x)) {
-            tui->dragged_x = x;
-            return;
-        }
-    if (tui->dialog.mode != THUD_MODE_NORMAL || isnan(chart_at(tui, x, y)))
+    struct thud_rect at;
+    if (tui->dialog.mode != THUD_MODE_NORMAL)
         return;
-    if (window->to > window->from) {
+    const int pane = thud_tui_view(tui)->drag ? pane_at(tui, x, y, &at) : -1;
+    const bool taken = pane >= 0 && thud_tui_view(tui)->drag(tui, pane, x - tui->dragged_x);
+    if (!taken && isnan(chart_at(tui, x, y)))
+        return;
+    if (!taken && window->to > window->from) {
         tui->window[tui->screen] = thud_chart_pan(&tui->chart, (double)(tui->dragged_x - x) / (tui->chart.plot.w - 1));
         tui->reading[tui->screen] = NAN; /* else what is shown would follow it back */
-    } else
+    } else if (!taken)
         click_chart(tui, x, y);
     tui->dragged_x = x;
 }

@@ -1,4 +1,5 @@
 /* The list of all fields. */
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -38,76 +39,65 @@ static void add_field(struct thud_tui *tui, const char *key, const struct thud_p
                          also_called(param->name));
 }
 
-/* Adds the parameters of a group under a prefix, those by floor for every floor. */
-static void add_group(struct thud_tui *tui, enum thud_group group, const char *prefix, int structure)
+/* Adds the parameters of a group under a prefix, those by floor of a structure (NULL: it is of none) for every floor. */
+THUD_PRINTF(4, 5)
+static void add_group(struct thud_tui *tui, enum thud_group group, const struct thud_structure *at, const char *fmt,
+                      ...)
 {
     const struct thud_param *param;
-    const struct thud_structure *at = structure >= 0 ? &tui->doc.scene.structure[structure] : NULL;
+    char prefix[64], key[THUD_PATH_MAX];
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(prefix, sizeof prefix, fmt, args);
+    va_end(args);
     for (int i = 0; (param = thud_group_param(group, i)); i++) {
-        char key[THUD_PATH_MAX];
         if (at && group == THUD_GROUP_STRUCTURE && !thud_structure_has(at->kind, i))
             continue;
-        snprintf(key, sizeof key, "%s.%s", prefix, param->name);
-        bool by_floor = at && thud_scene_by_floor(&tui->doc.scene, key);
+        const int n = snprintf(key, sizeof key, "%s%s%s", prefix, *prefix ? "." : "", param->name);
+        const bool by_floor = at && thud_scene_by_floor(&tui->doc.scene, key);
         for (int floor = 1; floor <= (by_floor ? at->storeys : 1); floor++) {
-            char number[16] = "";
             if (by_floor)
-                snprintf(number, sizeof number, ".%d", floor);
-            snprintf(key, sizeof key, "%s%s%s%s", prefix, *prefix ? "." : "", param->name, number);
+                snprintf(key + n, sizeof key - (size_t)n, ".%d", floor);
             add_field(tui, key, param);
         }
     }
 }
 
-static void add_law(struct thud_tui *tui, const char *prefix, const struct thud_law *law)
+static void add_law(struct thud_tui *tui, int interface, const char *part, const struct thud_law *law)
 {
     for (int i = 0; law && i < law->nparams; i++) {
         char key[THUD_PATH_MAX];
-        snprintf(key, sizeof key, "%s.%s", prefix, law->params[i].name);
+        snprintf(key, sizeof key, "interfaces.%d.%s.%s", interface, part, law->params[i].name);
         add_field(tui, key, &law->params[i]);
     }
 }
 
+/* What a structure or an interface has not, a scene does not give. */
 void thud_tui_fill_fields(struct thud_tui *tui)
 {
     const struct thud_scene *scene = &tui->doc.scene;
-    char prefix[64];
     thud_chooser_begin(&tui->dialog.chooser, "Find a field");
-    for (int i = 0; i + 1 < scene->nstructures; i++) {
-        snprintf(prefix, sizeof prefix, "interfaces.%d", i + 1);
-        add_group(tui, THUD_GROUP_INTERFACE, prefix, -1);
-        snprintf(prefix, sizeof prefix, "interfaces.%d.contact", i + 1);
-        add_group(tui, THUD_GROUP_CONTACT, prefix, -1);
-        add_law(tui, prefix, scene->interface[i].contact.law);
-        if (!scene->interface[i].has_bumper)
+    for (int i = 1; i < scene->nstructures; i++) {
+        const struct thud_interface *at = &scene->interface[i - 1];
+        add_group(tui, THUD_GROUP_INTERFACE, NULL, "interfaces.%d", i);
+        add_group(tui, THUD_GROUP_CONTACT, NULL, "interfaces.%d.contact", i);
+        add_law(tui, i, "contact", at->contact.law);
+        if (!at->has_bumper)
             continue;
-        snprintf(prefix, sizeof prefix, "interfaces.%d.bumper", i + 1);
-        add_group(tui, THUD_GROUP_BUMPER, prefix, -1);
-        add_law(tui, prefix, scene->interface[i].bumper.law);
+        add_group(tui, THUD_GROUP_BUMPER, NULL, "interfaces.%d.bumper", i);
+        add_law(tui, i, "bumper", at->bumper.law);
     }
-    for (int i = 0; i < scene->nlinks; i++) {
-        snprintf(prefix, sizeof prefix, "links.%d", i + 1);
-        add_group(tui, THUD_GROUP_LINK, prefix, -1);
+    for (int i = 1; i <= scene->nlinks; i++)
+        add_group(tui, THUD_GROUP_LINK, NULL, "links.%d", i);
+    for (int i = 1; i <= scene->nstructures; i++) {
+        const struct thud_structure *at = &scene->structure[i - 1];
+        add_group(tui, THUD_GROUP_STRUCTURE, at, "structures.%d", i);
+        for (int k = 0; k < THUD_NESTED_GROUPS; k++)
+            add_group(tui, thud_nested_group(k), at, "structures.%d.%s", i, thud_group_key(thud_nested_group(k)));
     }
-    for (int i = 0; i < scene->nstructures; i++) {
-        snprintf(prefix, sizeof prefix, "structures.%d", i + 1);
-        add_group(tui, THUD_GROUP_STRUCTURE, prefix, i);
-        snprintf(prefix, sizeof prefix, "structures.%d.backfill", i + 1);
-        if (scene->structure[i].kind == THUD_WALL)
-            add_group(tui, THUD_GROUP_BACKFILL, prefix, i);
-        if (!thud_kind_is_building(scene->structure[i].kind))
-            continue;
-        snprintf(prefix, sizeof prefix, "structures.%d.column", i + 1);
-        add_group(tui, THUD_GROUP_COLUMN, prefix, i);
-        snprintf(prefix, sizeof prefix, "structures.%d.foundation", i + 1);
-        add_group(tui, THUD_GROUP_FOUNDATION, prefix, i);
-        snprintf(prefix, sizeof prefix, "structures.%d.isolator", i + 1);
-        if (scene->structure[i].kind == THUD_ISOLATED)
-            add_group(tui, THUD_GROUP_ISOLATOR, prefix, i);
-    }
-    add_group(tui, THUD_GROUP_SCENE, "", -1);
-    add_group(tui, THUD_GROUP_RECORD, "record", -1);
-    add_group(tui, THUD_GROUP_ANALYSIS, "analysis", -1);
-    add_group(tui, THUD_GROUP_DOCUMENT, "document", -1);
-    add_group(tui, THUD_GROUP_STUDY, "study", -1);
+    add_group(tui, THUD_GROUP_SCENE, NULL, "%s", "");
+    add_group(tui, THUD_GROUP_RECORD, NULL, "record");
+    add_group(tui, THUD_GROUP_ANALYSIS, NULL, "analysis");
+    add_group(tui, THUD_GROUP_DOCUMENT, NULL, "document");
+    add_group(tui, THUD_GROUP_STUDY, NULL, "study");
 }

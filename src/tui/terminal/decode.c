@@ -100,46 +100,34 @@ static int mouse_report(struct thud_decode *decode, const char *text)
     return *text == 'M' || *text == 'm' ? mouse(decode, value[0], value[1], value[2], *text == 'M') : THUD_KEY_NONE;
 }
 
+struct code {
+    int code, key;
+};
+
+static int key_of(const struct code *table, size_t n, int code)
+{
+    for (size_t i = 0; i < n; i++)
+        if (table[i].code == code)
+            return table[i].key;
+    return THUD_KEY_NONE;
+}
+
 static int final_key(char final)
 {
-    switch (final) {
-    case 'A':
-        return THUD_KEY_UP;
-    case 'B':
-        return THUD_KEY_DOWN;
-    case 'C':
-        return THUD_KEY_RIGHT;
-    case 'D':
-        return THUD_KEY_LEFT;
-    case 'F':
-        return THUD_KEY_END;
-    case 'H':
-        return THUD_KEY_HOME;
-    case 'P':
-        return THUD_KEY_F1;
-    case 'Q':
-        return THUD_KEY_F2;
-    case 'M':
-        return THUD_KEY_ENTER; /* of the keypad, after ESC O */
-    case 'Z':
-        return THUD_KEY_BACKTAB;
-    default:
-        return THUD_KEY_NONE;
-    }
+    static const struct code table[] = {{'A', THUD_KEY_UP},   {'B', THUD_KEY_DOWN}, {'C', THUD_KEY_RIGHT},
+                                        {'D', THUD_KEY_LEFT}, {'F', THUD_KEY_END},  {'H', THUD_KEY_HOME},
+                                        {'P', THUD_KEY_F1},   {'Q', THUD_KEY_F2},   {'Z', THUD_KEY_BACKTAB},
+                                        {'M', THUD_KEY_ENTER}}; /* of the keypad, after ESC O */
+    return key_of(table, sizeof table / sizeof *table, final);
 }
 
 /* ESC [ number ~ */
 static int number_key(int number)
 {
-    static const struct {
-        int number, key;
-    } table[] = {{1, THUD_KEY_HOME}, {3, THUD_KEY_DELETE}, {4, THUD_KEY_END},       {5, THUD_KEY_PAGE_UP},
-                 {7, THUD_KEY_HOME}, {8, THUD_KEY_END},    {6, THUD_KEY_PAGE_DOWN}, {11, THUD_KEY_F1},
-                 {12, THUD_KEY_F2},  {200, THUD_KEY_PASTE}};
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-        if (table[i].number == number)
-            return table[i].key;
-    return THUD_KEY_NONE;
+    static const struct code table[] = {
+        {1, THUD_KEY_HOME}, {3, THUD_KEY_DELETE},    {4, THUD_KEY_END}, {5, THUD_KEY_PAGE_UP}, {7, THUD_KEY_HOME},
+        {8, THUD_KEY_END},  {6, THUD_KEY_PAGE_DOWN}, {11, THUD_KEY_F1}, {12, THUD_KEY_F2},     {200, THUD_KEY_PASTE}};
+    return key_of(table, sizeof table / sizeof *table, number);
 }
 
 /* What a whole sequence means; THUD_KEY_NONE: nothing. */
