@@ -1,5 +1,5 @@
-/* Allocates pieces of one block. Under the address sanitizer the space behind each piece is poisoned, so that an index
- * past the end of an array is seen inside the block too. */
+/* Allocates pieces of one block. Under the address sanitizer the space after each piece is poisoned, so an index past
+ * the end of an array is also detected inside the block. */
 #pragma once
 
 #include <stdbool.h>

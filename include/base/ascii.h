@@ -1,5 +1,5 @@
 /* Compares characters and keywords as ASCII, whatever the locale: in a Turkish one the library's tolower('I') is not
- * `i`. A byte of another character (0x80 and above) is none of these. */
+ * `i`. A byte of 0x80 or above belongs to none of these classes. */
 #pragma once
 
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-/* Return the larger and the smaller of two numbers; NaN where either is NaN, so that it is not lost on the way. */
+/* Return the larger and the smaller of two numbers; NaN if either is NaN, so that NaN propagates. */
 #pragma once
 
 #include <math.h>

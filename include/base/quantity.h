@@ -33,9 +33,9 @@ struct thud_quantity {
     double exponent;
 };
 
-/* Reads `text` as a quantity of the dimension. A missing unit is an error unless the dimension is THUD_NUMBER or
- * THUD_RATIO or `bare_unit` (a unit taken for bare numbers, NULL for none) is given. A decimal comma, a wrong dimension
- * (named), a word, infinities and NaN are refused with what is allowed. Errors: THUD_INPUT. */
+/* Reads `text` as a quantity of the dimension. A missing unit is an error, unless the dimension is THUD_NUMBER or
+ * THUD_RATIO, or `bare_unit` gives the unit of bare numbers (NULL: none). A decimal comma, another dimension (named), a
+ * word, infinities and NaN are refused with what is allowed. Errors: THUD_INPUT. */
 enum thud_status thud_quantity_parse(const char *text, enum thud_dimension dimension, const char *bare_unit,
                                      struct thud_quantity *out, struct thud_error *err);
 

@@ -12,16 +12,16 @@ size_t thud_sort_numbers(double *value, size_t n);
  * which must be positive. NaN for n = 0. */
 double thud_quantile(const double *sorted, size_t n, double p, bool logarithms);
 
-/* Fewest independent motions that have fractiles other than the median, and a band of a share. */
+/* Smallest number of independent motions with fractiles other than the median, and with a band of a fraction. */
 enum { THUD_SHARES_LEAST = 3 };
 
 /* Statistics of a quantity over a suite of ground motions. */
 struct thud_fractiles {
-    size_t n;                  /* numbers among the values; NaN is left out */
+    size_t n;                  /* number of values that are not NaN */
     double p16, median, p84;   /* of the logarithms where all values are positive; NaN for n = 0, and of few motions */
     double least, most, share; /* share: of the n values that are above `limit` */
-    size_t below, above;       /* how many values are, by more than rounding; the others equal `limit` */
-    size_t half, most84;       /* of gaps: for how many motions the median and p84 are enough */
+    size_t below, above; /* number of values below and above it, by more than round-off; the others equal `limit` */
+    size_t half, most84; /* of gaps: for how many motions the median and p84 are enough */
 };
 /* Computes them; sorts the values in place (NaN last). `draws`: number of values from independent motions. */
 struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, double limit);
@@ -31,6 +31,6 @@ struct thud_fractiles thud_fractiles_of(double *value, size_t n, int draws, doub
  * for n = 0. */
 void thud_share_band(size_t count, size_t n, double independent, double *low, double *high);
 
-/* Returns the smallest of n sorted values that suffices for at least a share p of them, and for how many it does, equal
- * ones included. NaN and 0 for n = 0. */
+/* Returns the smallest of n sorted values that is at least as large as a fraction p of them. *count: how many of them
+ * are not larger. NaN and 0 for n = 0. */
 double thud_enough(const double *sorted, size_t n, double p, size_t *count);

@@ -13,8 +13,8 @@ int thud_utf8_put(uint32_t code, char out[5]);
 /* Returns the screen columns of a character: 2 for East Asian scripts and pictures, 0 for combining marks (Unicode
  * Standard Annex 11). */
 int thud_utf8_width(uint32_t code);
-/* Returns whether a terminal or a reader obeys a character instead of showing it: C0 and C1 controls, marks and
- * embeddings of direction, joiners and characters without width. */
+/* Returns whether a character controls a terminal or a reader instead of being shown: C0 and C1 controls, direction
+ * marks and embeddings, joiners and zero-width characters. */
 bool thud_utf8_is_control(uint32_t code);
 /* Returns the columns of a text on the screen. */
 int thud_utf8_columns(const char *text);

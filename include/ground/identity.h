@@ -17,8 +17,8 @@ const char *thud_record_synthetic_mark(const struct thud_record *record);
 void thud_synthetic_text(int synthetic, int of, char *text, size_t size);
 int thud_records_synthetic(const struct thud_record *const *record, int n);
 
-/* Returns whether a component is vertical, by its own words or its file's name: UP, U-D, UD, VERT, a channel code such
- * as HNZ, and components 3 and 6 of KiK-net. */
+/* Returns whether a component is vertical, by its description or the name of its file: UP, U-D, UD, VERT, a channel
+ * code such as HNZ, and components 3 and 6 of KiK-net. */
 bool thud_record_is_vertical(const struct thud_record *record);
 /* Returns the azimuth in degrees from north towards east by a component's name: NS, E-W, HNE, N28W, 090, 90 DEG; NaN:
  * none. */

@@ -13,15 +13,15 @@ struct thud_intensity {
     double pga_mps2, pga_time_s;
     double pgv_mps, pgv_time_s;
     double pgd_m, pgd_time_s;
-    double mean_mps2;           /* of the acceleration, taken off for velocity and displacement */
+    double mean_mps2;           /* of the acceleration, removed for velocity and displacement */
     double end_m;               /* displacement at the last sample */
-    bool drifts;                /* the displacement is that of a baseline that is off, or of noise, not of the ground */
+    bool drifts;                /* the displacement is due to a baseline error or noise, not to the ground */
     double arias_mps;           /* pi/(2 g) times the integral of a^2 */
-    double arias_trapezoid_mps; /* the same by the trapezoidal rule on a^2, as PEER's flatfiles have it; larger */
+    double arias_trapezoid_mps; /* by the trapezoidal rule on a^2, as in the flatfiles of PEER; larger */
     double d5_95_s, d5_75_s;    /* between 5 % and 95 % (75 %) of the Arias intensity */
     double t5_s, t75_s, t95_s;  /* when they are reached */
     double cav_mps;             /* integral of |a| */
-    double bracketed_s;         /* from the first to the last time |a| is 0.05 g; 0 when it never is */
+    double bracketed_s;         /* from the first to the last time that |a| is 0.05 g; 0 if it never is */
     double duration_s;          /* (samples - 1) dt */
 };
 

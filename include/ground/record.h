@@ -15,15 +15,15 @@ struct thud_record {
     char station[96];
     char component[64];
     char event[96];
-    char licence[96];              /* under which its file may be passed on; empty: its file does not say */
-    char sha256[THUD_SHA256_TEXT]; /* of its file, unpacked; empty: it is of none */
-    int parts;                     /* motions that its file holds; 0: one */
-    char note[160];                /* how the samples were found in the file, for a person to see; may be empty */
+    char licence[96];              /* under which its file may be passed on; empty: not stated in the file */
+    char sha256[THUD_SHA256_TEXT]; /* of its file, unpacked; empty: no file */
+    int parts;                     /* number of motions in its file; 0: one */
+    char note[160];                /* how the samples were found in the file, for the user; may be empty */
     double dt_s;
     size_t samples;
     double *a_mps2; /* (samples), already scaled and signed */
     double scale;   /* what the file's samples were multiplied by, with the sign; 1: as recorded */
-    bool synthetic; /* computed, not recorded: a comment of its file says so in THUD_RECORD_COMPUTED's words */
+    bool synthetic; /* a comment of its file states this in the words of THUD_RECORD_COMPUTED */
 };
 
 /* Copies `samples` values. Errors: THUD_INPUT when dt is not positive or a value is not finite, THUD_MEMORY. */

@@ -20,13 +20,14 @@ enum thud_status thud_record_taper(struct thud_record *record, double taper_s, s
 enum thud_status thud_record_like(const struct thud_record *record, const double *a_mps2, size_t samples, double dt_s,
                                   struct thud_record **out, struct thud_error *err);
 
-/* Keeps one sample in `every` (1: all), starting with the first, after a low pass at half the rate of samples `spacing`
- * (1 or more) steps apart: a sinc in a Blackman window, without phase shift, which falls within a sixth of its corner.
- * The motion is 0 beyond its ends. Errors: THUD_INPUT (fewer than two remain), THUD_MEMORY. */
+/* Keeps one sample in `every` (1: all), starting with the first, after a low-pass filter at half the rate of samples
+ * that are `spacing` (1 or more) steps apart. The filter is a sinc in a Blackman window, without phase shift, which
+ * falls within a sixth of its corner frequency. The motion is 0 beyond its ends. Errors: THUD_INPUT (fewer than two
+ * remain), THUD_MEMORY. */
 enum thud_status thud_record_low_pass(struct thud_record *record, double spacing, int every, struct thud_error *err);
 
-/* Returns a new record at another step, by linear interpolation between the samples, as every run does: at a whole
- * fraction of the step the motion is the same, at any other it loses what lies between. Errors: THUD_INPUT (a step that
- * is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */
+/* Creates a record with another step, by linear interpolation between the samples, as in every run. At an integer
+ * fraction of the step the motion is the same; at any other step, peaks between the new samples are lost. Errors:
+ * THUD_INPUT (a step that is not positive or beyond the duration, more than 1e8 samples), THUD_MEMORY. */
 enum thud_status thud_record_resample(const struct thud_record *record, double dt_s, struct thud_record **out,
                                       struct thud_error *err);

@@ -6,8 +6,8 @@
 
 enum { THUD_FILTER_ORDER_MAX = 10 };
 
-/* Corner frequencies at which two passes leave half of the amplitude. `high_hz` NaN: a high pass above `low_hz`; both:
- * a band pass; `low_hz` NaN: none. `order` is that of one pass. */
+/* Corner frequencies at which two passes leave half of the amplitude. `high_hz` NaN: a high-pass filter; both given: a
+ * band-pass filter; `low_hz` NaN: no filter. `order` is that of one pass. */
 struct thud_record_filter {
     double low_hz, high_hz;
     int order;

@@ -26,7 +26,7 @@ struct thud_target {
     enum thud_target_kind kind;
     char text[THUD_TARGET_TEXT];     /* as typed; a file's name */
     char file[THUD_TARGET_TEXT];     /* of the points of ASCE 7-22 */
-    double damping;                  /* of the spectrum; 0.05 unless said */
+    double damping;                  /* of the spectrum; 0.05 by default */
     double ag_mps2;                  /* EN 1998-1: a_g, and type 0 (1) or 1 (2) */
     int type, ground;                /* ground type or site class, 0: A to 4: E */
     double sds_mps2, sd1_mps2, tl_s; /* ASCE 7-16; TL of ASCE 7-22 too */
@@ -36,12 +36,12 @@ struct thud_target {
     double period_s[THUD_TARGET_POINTS_MAX], sa_mps2[THUD_TARGET_POINTS_MAX];
 };
 
-/* Requirements of a spectrum's code on the motions scaled to it (from secondary sources): the least number, and the
- * number from which the mean of the results may replace the largest (0: never). */
+/* Requirements of the code of a spectrum on motions scaled to it (from secondary sources): the least number of motions,
+ * and the number at which the mean of the results may replace the largest (0: never). */
 struct thud_target_code {
     const char *name, *allowed;
     int least, mean;
-    const char *clause, *remark; /* of the numbers; what else to check, or NULL */
+    const char *clause, *remark; /* of the numbers; further requirement to check, or NULL */
 };
 /* Returns those of a target; of NULL, or of points without a code, EN 1998-1's numbers. */
 const struct thud_target_code *thud_target_code(const struct thud_target *target);
@@ -68,6 +68,6 @@ void thud_target_periods(double from_s, double to_s, size_t count, double *perio
 /* Computes the pseudo spectral acceleration of a motion at each period (0: its peak). */
 void thud_target_motion(const struct thud_record *record, double damping, const double *period_s, size_t count,
                         double *sa_mps2);
-/* Returns the factor that fits a motion's Sa best to the target's (least squares of the logarithms over the periods),
- * and the root mean square residual in *misfit. */
+/* Returns the factor with which the Sa of a motion fits the target best, by least squares of the logarithms over the
+ * periods. *misfit: root mean square residual. */
 double thud_target_factor(const double *target_mps2, const double *sa_mps2, size_t count, double *misfit);

@@ -1,5 +1,5 @@
-/* Reads lateral stiffness, flexibility, or periods and shapes of a building from tables of ETABS and SAP2000: CSV, one
- * row per floor or mode, the unit in the header or given with it. */
+/* Reads lateral stiffness, flexibility, or periods and mode shapes of a building from tables of ETABS and SAP2000. They
+ * are CSV with one row per floor or mode; the unit is in the header or given separately. */
 #pragma once
 
 #include <stdbool.h>
@@ -34,8 +34,8 @@ enum thud_status thud_building_file_read(const char *path, const struct thud_bui
                                          struct thud_building_table *out, struct thud_error *err);
 void thud_building_table_clear(struct thud_building_table *table);
 
-/* Moves a scene from one preset to another (paths): files that the new one would not find, or would find others in
- * place of, get their whole path if there is room. */
+/* Moves a scene from one preset to another (paths). Files that the new preset would not find, or whose names would find
+ * other files, get their full path if there is room. */
 void thud_building_files_move(struct thud_scene *scene, const char *from, const char *to);
 /* Reads the files named by a scene's structures and not read yet, from the working folder and beside the preset (path;
  * NULL: none). Errors: also the key. */

@@ -1,5 +1,5 @@
-/* Tables of storeys and of joints as ETABS and SAP2000 export them (CSV, or a sheet saved as CSV): a title, a row of
- * names, a row of units, and a row for each storey of each load case. */
+/* Tables of storeys and joints exported by ETABS and SAP2000 (CSV, or a sheet saved as CSV). They have a title, a row
+ * of names, a row of units, and a row for each storey of each load case. */
 #pragma once
 
 #include "study/scene/scene.h"
@@ -21,8 +21,7 @@ struct thud_storeys {
     double height_m[THUD_STOREYS_MAX];
 };
 
-/* Reads one, or two of which the second has what the first lacks; out->n is 0 where the only one is no such table, but
- * perhaps a matrix. Errors: THUD_INPUT with file, line and column;
- * THUD_MEMORY. */
+/* Reads one table, or two that complement each other. out->n is 0 if the only file is not such a table; it may be a
+ * matrix. Errors: THUD_INPUT with file, line and column; THUD_MEMORY. */
 enum thud_status thud_storey_files_read(const char *const *path, int n, const struct thud_storey_ask *ask,
                                         struct thud_storeys *out, struct thud_error *err);

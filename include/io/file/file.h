@@ -33,7 +33,7 @@ struct thud_file_draft {
     int fd;            /* of the part, where there is one */
 };
 
-/* Owner of a file. A file named by the user keeps its nature: a link still points to the file that is written, and a
+/* Owner of a file. The kind of a file named by the user is kept: a link still points to the file that is written, and a
  * pipe or device is written at once. A file of the program's own in a results folder replaces whatever has its name, so
  * nothing outside the folder is written. */
 enum thud_file_owner { THUD_FILE_NAMED, THUD_FILE_RESULT };
@@ -59,8 +59,8 @@ enum thud_status thud_folder_make(const char *path, struct thud_error *err);
 /* Checks this without creating anything: whether a file of its name is in the way. */
 enum thud_status thud_folder_check(const char *path, struct thud_error *err);
 
-/* Locks a folder for one study at a time; the lock ends with the process, and holds wherever the file system's locks
- * do, also between containers and hosts. Errors: THUD_OUTPUT (held by another study, or no lock possible). */
+/* Locks a folder for one study at a time. The lock ends with the process. It works wherever the locks of the file
+ * system work, also between containers and hosts. Errors: THUD_OUTPUT (held by another study, or no lock possible). */
 struct thud_folder_lock {
     int fd; /* -1: not held */
     char path[4200];

@@ -1,5 +1,5 @@
-/* Keeps made-by.txt: the program and scene that wrote the results in a folder, and the list of their files, so that
- * results of another scene neither replace them nor stay beside its own unnoticed. */
+/* Maintains made-by.txt: the program and scene that wrote the results in a folder, and the list of their files. Results
+ * of two scenes can therefore neither replace each other nor be mixed unnoticed. */
 #pragma once
 
 #include <stdbool.h>
@@ -20,10 +20,10 @@ struct thud_made_by {
     const struct thud_schema *(*schema)(int); /* kinds of rows, for datapackage.json; NULL: none is written */
 };
 
-/* Creates the folder. Its results may be continued or rewritten by the same program and scene; those of another scene,
- * or of the same group with other options, are refused or, with `replace`, removed (listed files only). Every later
- * result in the folder or below is recorded. One folder at a time. Errors: THUD_INPUT (refused, both named),
- * THUD_OUTPUT, THUD_MEMORY. */
+/* Creates the folder. The same program and scene may resume or rewrite its results. Results of another scene, or of the
+ * same group with other options, are refused or, with `replace`, removed (listed files only). Every later result in the
+ * folder or below is recorded. One folder at a time. Errors: THUD_INPUT (refused, both named), THUD_OUTPUT,
+ * THUD_MEMORY. */
 enum thud_status thud_made_by_begin(const struct thud_made_by *by, struct thud_error *err);
 /* Does the same in an existing folder, locked if others may write too. */
 enum thud_status thud_made_by_enter(const struct thud_made_by *by, struct thud_error *err);

@@ -1,6 +1,6 @@
-/* Schema of a kind of row: a table of its fields, from which CSV, JSON, tables of a terminal, thud-output(5) and the
- * description of tables (datapackage.json) are written. A new quantity of a result needs the code that computes it and
- * one line of such a table. */
+/* Schema of a kind of row: a table of its fields. CSV, JSON, tables on the terminal, thud-output(5) and the description
+ * of tables (datapackage.json) are written from it. A new quantity of a result needs the code that computes it and one
+ * line of such a table. */
 #pragma once
 
 #include <limits.h>
@@ -150,8 +150,8 @@ void thud_rows_table(const struct thud_rows *rows, struct thud_text *out); /* as
 /* Requested format. */
 enum thud_written { THUD_AS_TEXT, THUD_AS_CSV, THUD_AS_JSON };
 
-/* Writes a list row by row, each with inner rows (laws with their parameters): as JSON an object containing the list,
- * as CSV a line for each inner row after its outer fields. */
+/* Writes a list row by row, each with inner rows (laws with their parameters). JSON is an object containing the list;
+ * CSV has a line for each inner row, after its outer fields. */
 struct thud_nested {
     const char *name;
     struct thud_rows rows;

@@ -23,8 +23,9 @@ const struct thud_scene *thud_preset_scene(const struct thud_preset *preset);
  * THUD_MEMORY. */
 enum thud_status thud_preset_text(const struct thud_preset *preset, const struct thud_scene *scene, char **text,
                                   unsigned long *size, struct thud_error *err);
-/* Lists every key of a scene except those of its study, in preset order, with its value as written there: section
- * "structures.1.column" (the start of a path, empty for the scene's own), key "capacity". Errors: THUD_MEMORY. */
+/* Lists every key of a scene except those of its study, in preset order, with its value as written there. An example is
+ * section "structures.1.column" (the start of a path, empty for keys of the scene), key "capacity". Errors:
+ * THUD_MEMORY. */
 enum thud_status thud_preset_each(const struct thud_scene *scene, void *context,
                                   void (*each)(void *context, const char *section, const char *key, const char *value));
 /* Writes a temporary beside `path`, syncs and renames. Errors: THUD_OUTPUT, those of thud_preset_text. */

@@ -9,8 +9,8 @@
 /* Returns whether a name needs more than one component: rotd50, rotd100, rotN, governs. */
 bool thud_component_is_rotated(const char *component);
 
-/* Reads, as `choice` states, the other horizontal component of the recording at `path` from a file named like it in the
- * same folder, and gives its path; *out NULL with THUD_OK: none. Errors: THUD_INPUT, THUD_MEMORY. */
+/* Reads the other horizontal component of the recording at `path`, with the settings of `choice`, from a file with a
+ * similar name in the same folder. Gives its path; *out NULL with THUD_OK: none. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_record_companion(const char *path, const struct thud_record *record,
                                        const struct thud_record_choice *choice, char *other, size_t size,
                                        struct thud_record **out, struct thud_error *err);

@@ -10,9 +10,9 @@
 
 enum { THUD_RECORD_BYTES_MAX = 256 << 20 };
 
-/* Reads `path` with the dt, unit, channel, column and skip of `choice`, keeps the requested part, and applies factor,
- * peak or spectral acceleration, and sign (record.period must be given for `sa`: see thud_record_choice_resolve). What
- * the file does not state is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
+/* Reads `path` with the dt, unit, channel, column and skip of `choice`. Keeps the requested part and applies factor,
+ * peak or spectral acceleration, and sign. `sa` needs record.period (see thud_record_choice_resolve). What the file
+ * does not state is asked for by its option's name. Errors: THUD_INPUT with file and line, THUD_MEMORY. */
 enum thud_status thud_record_file_read(const char *path, const struct thud_record_choice *choice,
                                        struct thud_record **out, struct thud_error *err);
 

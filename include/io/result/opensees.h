@@ -1,6 +1,6 @@
-/* Writes a scene as a script for OpenSeesPy, if OpenSees has its laws: springs between floors, modal damping, a
- * zero-length element for each contact, Newmark's average acceleration. The script is self-contained and compares its
- * peaks with those of the given run. */
+/* Writes a scene as a script for OpenSeesPy, if OpenSees has its laws. It has springs between floors, modal damping, a
+ * zero-length element for each contact, and Newmark's average acceleration. The script is self-contained and compares
+ * its peaks with those of the given run. */
 #pragma once
 
 #include "base/text.h"

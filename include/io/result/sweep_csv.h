@@ -1,5 +1,5 @@
-/* Writes rows of a study as CSV (RFC 4180, lines end with a newline) and JSON: SI units, decimal point, all digits; a
- * missing number is an empty field or null. */
+/* Writes rows of a study as CSV (RFC 4180, lines end with a newline) and JSON, in SI units with a decimal point and all
+ * digits. A missing number is an empty field or null. */
 #pragma once
 
 #include "io/file/schema.h"

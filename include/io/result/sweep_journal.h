@@ -1,4 +1,4 @@
-/* Journal of a study in its folder: finished points in their order, so that an interrupted study resumes and parts of
+/* Journal of a study in its folder: finished points in their order. With it, an interrupted study resumes, and parts of
  * several machines can be joined. A point is added in one write; a torn last line is dropped on reopening. The head
  * carries preset, varied keys, cases and records' names, enough to write every file of the study. */
 #pragma once
@@ -26,7 +26,7 @@ static inline long thud_sweep_shard_point(struct thud_sweep_shard shard, long i)
 enum thud_status thud_sweep_journal_open(const char *folder, const struct thud_sweep_plan *plan, const char *preset,
                                          struct thud_sweep_shard shard, bool replace, struct thud_sweep_journal **out,
                                          long *done, struct thud_error *err);
-/* Does the same for the journal of samples, whose lines are rows of numbers: finished ones are read into `row` (rows x
+/* Does the same for the journal of samples, whose lines are rows of numbers. Finished rows are read into `row` (rows x
  * numbers), which must outlive it. Its name differs, since the folder may hold the beginning of a sweep too. */
 enum thud_status thud_sample_journal_open(const char *folder, unsigned long long fingerprint, double *row, long rows,
                                           size_t numbers, bool replace, struct thud_sweep_journal **out, long *done,

@@ -2,8 +2,8 @@
  * charts draw the same object; nothing here knows either.
  *
  * A figure owns everything reached from it; texts and numbers handed over are copied, one thud_figure_free gives all
- * back. Out of memory is remembered: every function takes NULL and a failed figure and then does nothing, so a figure
- * is built without looking at single calls and asked once, by thud_figure_check, before it is drawn. */
+ * back. Running out of memory marks a figure as failed. Every function accepts NULL and a failed figure, and then does
+ * nothing, so a figure is built without checks and checked once before it is drawn (thud_figure_check). */
 #pragma once
 
 #include <stdbool.h>
@@ -23,8 +23,8 @@ enum thud_series_kind {
     THUD_BARS   /* from 0 to y */
 };
 
-/* Colours are indices into one palette: the first seven told apart also by the colour-blind (Okabe and Ito 2008), five
- * darker ones for figures with many curves, which points of another shape tell apart; an index past the end starts
+/* Colours are indices into one palette. The first seven are distinguishable with colour blindness (Okabe and Ito 2008).
+ * Five darker colours, with points of another shape, are for figures with many curves. An index past the end starts
  * again. */
 enum { THUD_COLORS = 7, THUD_COLORS_ALL = 12, THUD_COLOR_GREY = -1 };
 unsigned thud_color_rgb(int color); /* 0xRRGGBB */
@@ -123,8 +123,8 @@ struct thud_figure *thud_figure_create(const char *name, const char *title, int 
 void thud_figure_free(struct thud_figure *figure);
 /* Returns a copy; NULL when out of memory. */
 struct thud_figure *thud_figure_copy(const struct thud_figure *figure);
-/* Write a figure as bytes for another process of the same program, and read the next one from them; NULL: cut off, or
- * out of memory. */
+/* Write a figure as bytes for another process of the same program, and read the next figure from such bytes; NULL:
+ * incomplete, or out of memory. */
 void thud_figure_write(const struct thud_figure *figure, struct thud_text *out);
 struct thud_figure *thud_figure_read(const char **bytes, const char *end);
 /* Renames the files of the figure. */
@@ -191,7 +191,7 @@ int thud_figure_key(const struct thud_figure *figure, const struct thud_series *
 char *thud_axis_text(const struct thud_axis *axis, char *text, size_t size);
 
 /* Writes all data of a figure as CSV: panel, series, then a column for each variable (an axis, a map's quantity, the
- * upper end of a band), headed by its name and unit; a row has numbers in those of its panel. */
+ * upper end of a band), headed by its name and unit. A row has numbers only in the columns of its panel. */
 void thud_figure_csv(const struct thud_figure *figure, struct thud_text *out);
 
 /* Writes a sentence for each panel of a figure: its quantities, and the range of each curve. */

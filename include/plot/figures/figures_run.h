@@ -1,4 +1,5 @@
-/* Figures of one scene's runs: histories, loops, envelopes, energy; one run, or a few cases: histories one above the other, the rest over each other. */
+/* Figures of the runs of one scene: histories, loops, envelopes, energy. Several cases have their histories one above
+ * the other, and the other curves in the same panels. */
 #pragma once
 
 #include <stdbool.h>
@@ -58,9 +59,9 @@ bool thud_run_figure_has(enum thud_run_figure which, const struct thud_figure_so
 struct thud_figure_sight {
     int contact, structure, floor;
 };
-/* Draws one quantity at one place, with overlaid curves of the sources; these may have other structures and contacts
- * than the first, which has the place. FORCE, LOOP and VELOCITY (of approach) are of the contact, ACCELERATION,
- * DISPLACEMENT and DRIFT of the floor. Ask thud_figure_check. */
+/* Draws one quantity at one place, with overlaid curves of the sources. Only the first source must have this place;
+ * structures and contacts of the others may differ. FORCE, LOOP and VELOCITY (of approach) are of the contact,
+ * ACCELERATION, DISPLACEMENT and DRIFT of the floor. Ask thud_figure_check. */
 struct thud_figure *thud_run_figure_at(enum thud_run_figure which, const struct thud_figure_source *source,
                                        int nsources, const struct thud_figure_sight *sight);
 /* Draws a figure. One source: a curve per floor or contact (the seven with the largest peaks of more). Several: a curve

@@ -12,17 +12,17 @@ struct thud_bench_errors {
     double all; /* of acceleration, drift and force */
     double acceleration, drift, force;
     double impact_time_s;
-    int missed, extra; /* impacts of some weight that the run has not, or has besides */
+    int missed, extra; /* significant impacts that the run misses, and additional ones */
 };
 
 struct thud_bench_point {
     struct thud_stepping how;
-    int curve; /* points of one curve have the same number and stand together */
+    int curve; /* points of one curve have the same number and are contiguous */
     enum thud_bench_state state;
     struct thud_bench_errors error;
     struct thud_work work;
-    double seconds, spread; /* median and half the range of the middle half of the timings; filled by who times */
-    double processor_s;     /* median of processor time, which other programs do not stretch; 0: not taken */
+    double seconds, spread; /* median and half the interquartile range of the timings; filled by the caller */
+    double processor_s;     /* median of processor time, unaffected by other programs; 0: not measured */
     int repeats;
     char message[192]; /* why it failed or was skipped */
 };
@@ -86,9 +86,9 @@ enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which,
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,
                                              struct thud_error *err);
 
-/* Creates a point's run, and judges it against the reference (for the reference's own method: the independent one) once
- * it is at its end (status THUD_OK) or has failed. The run stays the caller's. Errors: those of thud_run_create;
- * THUD_MEMORY. */
+/* Create the run of a point, and compare it with the reference after its end (status THUD_OK) or failure. A run by the
+ * method of the reference is compared with the independent reference. The run stays the caller's. Errors: those of
+ * thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_start(struct thud_bench *bench, int i, struct thud_run **out, struct thud_error *err);
 enum thud_status thud_bench_judge(struct thud_bench *bench, int i, const struct thud_run *run, enum thud_status status,
                                   const struct thud_error *failure, struct thud_error *err);

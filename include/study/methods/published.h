@@ -30,7 +30,7 @@ struct thud_published_row {
     double published, computed;  /* in the unit */
     double difference;           /* relative; absolute where 0 is published */
     double tolerance;            /* of the difference */
-    bool check; /* no published value: an identity, an input that comes back, or another program's result */
+    bool check; /* not a published value: an identity, a recovered input, or another program's result */
     bool holds;
 };
 enum { THUD_PUBLISHED_ROWS_MAX = 12 };

@@ -1,8 +1,8 @@
-/* Where methods fail: every method over its steps on free vibration, on a wall spring from several starts and on the
- * scene; the restitution really obtained; and scenes in which a naive method goes wrong.
+/* Limits of methods: every method over its steps in free vibration, on a wall spring from several initial conditions,
+ * and in the scene. Also the restitution actually obtained, and scenes in which a naive method fails.
  *
- * A contact that opens and closes has no spectral radius: at one step some starts gain energy a hundred times over and
- * others keep it, so the worst of several starts is the verdict, by energy. */
+ * A contact that opens and closes has no spectral radius. At one step, the energy grows a hundredfold from some initial
+ * conditions and is kept from others. The verdict is therefore based on the energy in the worst of several runs. */
 #pragma once
 
 #include "study/methods/stepping.h"
@@ -16,15 +16,13 @@ enum { THUD_STABILITY_FREE, THUD_STABILITY_WALL, THUD_STABILITY_SCENE, THUD_STAB
 /* Initial distances of the mass from the wall, and steps tried for one cell of the scene. */
 enum { THUD_STABILITY_STARTS = 8, THUD_STABILITY_SCENE_STEPS = 3 };
 
-/* A method at a step; INFINITY once blown up.
- * `growth`, free vibration: the largest energy in the second half of 50 s over that in the first (linear, so one start
- * stands for all, and how far a stable method's energy goes up and down does not count);
- * wall: the largest energy within 50 s over that at the start, of the start where it is most;
- * scene: the largest displacement over the exact one, of the floor and of the step (up to 6 % shorter) where it is
- * most. */
+/* A method at a step; INFINITY: diverged. `growth` is a ratio. Free vibration: largest energy in the second half of 50
+ * s over that in the first, so oscillations of a stable method have no effect; one initial condition is enough, since
+ * the system is linear. Wall: largest energy within 50 s over the initial energy, for the worst initial condition.
+ * Scene: largest displacement over the exact one, for the worst floor and step (up to 6 % shorter). */
 struct thud_stability_cell {
     struct thud_stepping how;
-    double omega_dt; /* with the oscillator's, the wall spring's, the scene's fastest omega; NaN: of its own choice */
+    double omega_dt; /* omega of the oscillator, the wall spring or the scene's fastest mode; NaN: adaptive steps */
     enum thud_stability_verdict verdict[THUD_STABILITY_KINDS];
     double growth[THUD_STABILITY_KINDS];
     double end_least, end_most; /* energy after 50 s at the wall over that at the start, of all starts */
@@ -35,16 +33,15 @@ struct thud_stability_restitution {
     const struct thud_law *law;
     struct thud_stepping how;
     double nominal;                          /* coefficient of restitution; NaN: the law has none */
-    double approach_mps, expected, obtained; /* by the law itself, by the method; NaN: blown up */
+    double approach_mps, expected, obtained; /* by the law, by the method; NaN: diverged */
 };
 
 /* Summary of a method in one row. Steps in s (tolerances of a method with adaptive steps); NaN: not known, or none. */
 struct thud_stability_summary {
     struct thud_stepping how;
-    double
-        order; /* of the time of a fourth impact on the wall spring, from 4 ms to 1 ms; NaN: steps of its own, or exact */
+    double order; /* of the time of the fourth impact on the wall spring, 4 ms to 1 ms; NaN: adaptive steps, or exact */
     double keeps[2];              /* largest step that keeps the scene's peaks and impacts to 10 % and to 1 % */
-    double diverges_s;            /* least step of the scene's verdicts that blows up */
+    double diverges_s;            /* smallest step of the scene's verdicts that diverges */
     double wall_least, wall_most; /* energy after 50 s on the wall spring over that at the start, omega dt 0.5 */
     double expected, obtained;    /* restitution of concrete of 0.5 at 0.5 m/s in steps of 1 ms */
 };
@@ -53,7 +50,7 @@ struct thud_stability_summary {
 struct thud_test_case {
     const char *name, *scene, *quantity;
     const char *method;            /* the naive one */
-    double exact, naive, computed; /* the quantity: exact, by the naive method (INFINITY: blown up), by thud */
+    double exact, naive, computed; /* the quantity: exact, by the naive method (INFINITY: diverged), by thud */
 };
 
 struct thud_bench_solution;
@@ -61,7 +58,8 @@ struct thud_stability {
     struct thud_stability_cell *cell;
     struct thud_stability_restitution *restitution;
     struct thud_test_case *test_case;
-    struct thud_stability_summary *summary; /* but for what thud_stability_summary_of reads from the other lists */
+    struct thud_stability_summary
+        *summary; /* except the values that thud_stability_summary_of reads from the other lists */
     int ncells, nrestitutions, ntest_cases, nsummaries;
     struct thud_model *model;
     const struct thud_record *record;
@@ -77,7 +75,7 @@ enum thud_status thud_stability_create(const struct thud_scene *scene, const str
                                        struct thud_stability **out, struct thud_error *err);
 void thud_stability_free(struct thud_stability *stability);
 int thud_stability_jobs(const struct thud_stability *stability);
-/* Runs a job (from 0), which writes its own row: several may run at once, each once. Errors: THUD_MEMORY, and
+/* Runs a job (from 0), which writes its own row. Several may run at the same time, each once. Errors: THUD_MEMORY, and
  * THUD_DIVERGED of an exact method. */
 enum thud_status thud_stability_job(struct thud_stability *stability, int job, struct thud_error *err);
 /* Returns a summary (from 0) after all jobs. */

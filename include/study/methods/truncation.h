@@ -3,8 +3,8 @@
 
 #include "study/scene/solution.h"
 
-/* Largest relative difference over floors and contacts, by kind of peak, to the run with all modes; a peak below a
- * thousandth of the largest of its kind counts by that. INFINITY: a peak where all modes give none. */
+/* Largest relative difference from the run with all modes over floors and contacts, by kind of peak. A peak below
+ * 1/1000 of the largest of its kind is relative to that value. INFINITY: a peak that does not exist with all modes. */
 struct thud_truncation {
     int modes, left_out; /* kept of each building; left out in all */
     double acceleration, drift, force;

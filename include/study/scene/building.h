@@ -22,9 +22,9 @@ enum thud_status thud_structure_check_shape(const struct thud_scene *scene, int 
 /* Checks that a building is stable under its weight: K - K_G of P-Delta is positive definite. Errors: THUD_INPUT with
  * key, THUD_MEMORY. */
 enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int structure, struct thud_error *err);
-/* Foundation, springs and dashpots of a building on soil, as they are given or as they follow for a disk of radius a on
- * an elastic half-space (static stiffnesses; dashpots of the waves that travel down, Gazetas 1991, Formulas and charts
- * for impedances of surface and embedded foundations, J. Geotech. Eng. 117(9)):
+/* Foundation, springs and dashpots of a building on soil. Values that are not given follow for a disk of radius a on an
+ * elastic half-space, with static stiffnesses and dashpots of the waves that travel down (Gazetas 1991, Formulas and
+ * charts for impedances of surface and embedded foundations, J. Geotech. Eng. 117(9)):
  *
  *     K_x = 8 G a/(2 - nu),   C_x = rho V_s A,          G = rho V_s^2,  A = pi a^2
  *     K_t = 8 G a^3/(3 (1 - nu)),   C_t = rho V_p I,    V_p = V_s sqrt(2 (1 - nu)/(1 - 2 nu)),  I = pi a^4/4
@@ -36,8 +36,8 @@ struct thud_foundation_input thud_structure_foundation(const struct thud_structu
 enum thud_status thud_structure_check_foundation(const struct thud_structure *structure, int index,
                                                  struct thud_error *err);
 
-/* Returns whether a building by its matrix or modes bends as a wall, its top storey drifting more than its lowest in
- * its first mode, rather than as a frame: for pictures. */
+/* Returns whether a building given by its matrix or modes deforms like a wall: its top storey drifts more than its
+ * lowest in the first mode. For pictures. */
 struct thud_model_structure;
 bool thud_structure_bends(const struct thud_structure *structure, const struct thud_model_structure *part);
 
@@ -55,11 +55,12 @@ static inline bool thud_period_is_estimated(const struct thud_structure *structu
 {
     return structure->kind == THUD_ESTIMATED && !(structure->period_s > 0);
 }
-/* Computes masses from area and load, where they are given; of an estimated building masses from the area, and
- * stiffnesses from its period, given or EN 1998-1's, times period_factor; scales the stiffnesses of a shear building to
- * its given first period. */
+/* Computes masses from area and load, if they are given. For an estimated building, computes masses from the area, and
+ * stiffnesses from its period (given, or by EN 1998-1) times period_factor. Scales the stiffnesses of a shear building
+ * to its given first period. */
 void thud_structure_fill_estimate(struct thud_structure *structure);
-/* Properties of a storey (from 0): V_y, u_y and V_y/W are NaN where it stays elastic, k too of a matrix or modes. */
+/* Properties of a storey (from 0): V_y, u_y and V_y/W are NaN if it is elastic, and so is k of a building by matrix or
+ * modes. */
 struct thud_storey {
     double stiffness_npm, weight_n, yield_shear_n, yield_m, yield_ratio; /* W: of this floor and those above */
 };

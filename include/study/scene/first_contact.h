@@ -9,8 +9,8 @@ struct thud_first_contact {
 };
 /* Finds it at the clearances of `scene` (of a case). `gap`: of the given motion, with the scene's links. If the
  * response without pounding scales (thud_scene_scales), the factor is the smallest clearance over relative
- * displacement. Else both are found by runs without contact at rising factors, to a part in 1e6: contact need not be
- * monotone in the factor, and a window narrower than 3 % without a larger displacement before it may be missed. Errors:
+ * displacement. Otherwise both are found by runs without contact at increasing factors, to 1e-6. Contact need not be
+ * monotonic in the factor; a window narrower than 3 % without a larger displacement before it may be missed. Errors:
  * those of thud_needed_gap_run. */
 enum thud_status thud_first_contact_find(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_needed_gap *gap, struct thud_first_contact *out,

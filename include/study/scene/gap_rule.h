@@ -26,9 +26,8 @@ struct thud_gap_level {
     int struck;                             /* as thud_model_contact.struck */
     bool aligned;                           /* the floor elevations of the two buildings are the same, all of them */
     double left_m, right_m;                 /* largest displacement of each side: floor, or struck place */
-    double relative_displacement_m;         /* largest u_left - u_right: a clearance this wide is never used up */
-    double correlation; /* of DDC, from the first periods and damping ratios; NaN where a storey yielded: they are no
-                           longer those that it moves with */
+    double relative_displacement_m;         /* largest u_left - u_right: the clearance that prevents contact */
+    double correlation; /* of DDC, from the elastic first periods and damping ratios; NaN if a storey yielded */
     double height_m;    /* of the level above the ground of its building; NaN: not known */
     double lower_m;     /* height of the lower one of the two buildings; NaN: not known */
     struct thud_gap_code code;
@@ -51,10 +50,10 @@ struct thud_gap_rule {
     const char *clause;  /* or the reference */
     const char *edition; /* of the code; "" for a rule of combination */
     const char *title;   /* a few words */
-    const char *source;  /* what the row was written from, where that was not the text itself; else "" */
+    const char *source;  /* source of the row if not the text of the code; else "" */
     const char *formula; /* uL, uR: largest displacements; h: height of the level, H: of the lower building */
     const char *numbers; /* the same in cm, with $ before what stands for a number (gap_rule.c) */
-    const char *lacks;   /* why there is no value, where there is none */
+    const char *lacks;   /* why there may be no value */
     double (*value)(const struct thud_gap_level *level); /* m; NaN: it does not apply */
 };
 const struct thud_gap_rule *thud_gap_rule_at(int rule);

@@ -1,6 +1,6 @@
-/* The rules for the gap. A rule is a row: its word in enum thud_gap_rule_id, name, column, clause or reference, edition
- * of the code, title, what it was written from where that was not the text itself, formula in letters and in numbers, why
- * it may have no value, what its column means, and its value for a level `l`, m (NaN: it does not apply).
+/* The rules for the gap. A row of a rule has its word in enum thud_gap_rule_id, name, column, clause or reference,
+ * edition of the code, title, and source if not the text of the code. The formula in letters and in numbers, why it may
+ * have no value, and the meaning of its column follow. Last is its value for a level `l`, m (NaN: it does not apply).
  * THUD_RULE: a column of narrow tables; THUD_RULE_CODE: the others. A new rule goes last. */
 #if !defined THUD_RULE && !defined THUD_RULE_CODE
 struct thud_gap_level; /* the header alone says no more than this */

@@ -22,25 +22,24 @@ double thud_face_overlap(double a, double a_depth, double b, double b_depth);
 /* Possible contact. */
 struct thud_contact_pair {
     int left_floor, right_floor; /* from 1, 0 for a wall; of struck columns the floor above them */
-    int struck; /* whose columns the other's slab strikes: -1 the left one's, 1 the right one's; 0: floor to floor */
+    int struck; /* the side whose columns are struck by the other's slab: -1 left, 1 right; 0: floor to floor */
     double a_m,
-        b_m; /* of the middle of the slab's face over the floor (or ground) below the clear columns, and under the
-                        face of the floor above */
+        b_m; /* distances of the middle of the slab's face from the lower and the upper end of the clear columns */
 };
 enum { THUD_CONTACT_PAIRS_MAX = 2 * (THUD_STOREYS_MAX + 1) };
 
 /* Lists the possible contacts of an interface (from 0), lowest first, into out (THUD_CONTACT_PAIRS_MAX); returns their
- * number. Floors meet if their faces overlap, their levels are within 1 cm, or the middle of one is within 1 cm of the
- * other's face. Any other floor whose face's middle lies in the clear height of a storey of the neighbour strikes its
- * columns. A floor above the neighbour's top floor, below its ground, or within 1 cm of it strikes nothing. With levels
- * = aligned nothing strikes columns; with contact-levels only its floors meet. */
+ * number. Floors collide if their faces overlap, their levels are within 1 cm, or the middle of one face is within 1 cm
+ * of the other face. Any other floor strikes the columns of the storey whose clear height contains the middle of its
+ * face. A floor above the neighbour's top floor, below its ground, or within 1 cm of it strikes nothing. With levels =
+ * aligned nothing strikes columns; with contact-levels only these floors collide. */
 int thud_interface_contact_pairs(const struct thud_scene *scene, int interface, struct thud_contact_pair *out);
 
 /* Returns the floor by which `contact-levels` names a contact: the left building's, or the right one's if it has none.
  */
 int thud_contact_level(const struct thud_scene *scene, int interface, const struct thud_contact_pair *pair);
 
-/* Return the side of a contact's floor (not a wall's; of struck columns that of the slab), and that floor. */
+/* Return the side of a contact's floor (not of a wall; for struck columns, that of the slab), and that floor. */
 bool thud_slab_is_left(int left_floor, int struck);
 int thud_slab_floor(int left_floor, int right_floor, int struck);
 /* Returns the side of the struck columns: "left", "right", "". */

@@ -1,5 +1,5 @@
-/* Required gap: the largest relative displacement of neighbouring floors without pounding, exact for a ground motion,
- * beside the estimates of the codes' rules from the two peak displacements only. */
+/* Required gap: the largest relative displacement of neighbouring floors without pounding, which is exact for a ground
+ * motion. The rules of codes estimate it from the two peak displacements only. */
 #pragma once
 
 #include <math.h>
@@ -17,19 +17,19 @@ void thud_gap_levels(const bool *aligned, const struct thud_model *model, const 
 
 /* Required gap under one ground motion. */
 struct thud_needed_gap {
-    struct thud_collapse collapse; /* without contact: what is needed is that until then */
+    struct thud_collapse collapse; /* without contact: the required gap is that until then */
     int nlevels, ncolumns;
     double ductility; /* the largest of the storeys that can yield; 0: there is none */
     double *shear_n;  /* (ncolumns) the larger shear of each storey whose columns are struck, by drift alone */
     struct thud_gap_level level[]; /* (nlevels) */
 };
-/* Computes it for `scene` as written; its bumpers and gaps do not matter. For a bumper, add its thickness less its
+/* Computes it for `scene` as written; bumpers and gaps have no effect. For a bumper, add its thickness minus its
  * cavity. Free with free(). Errors: those of thud_scene_assemble; THUD_DIVERGED. */
 enum thud_status thud_needed_gap_run(const struct thud_scene *scene, const struct thud_record *record,
                                      struct thud_needed_gap **out, struct thud_error *err);
-/* Computes the required gap of an interface (from 1) of a row with the others at their gaps and bumpers: its largest
- * relative displacement in a run with it open, which no wider gap changes. NaN: a storey collapses there; -1: nothing
- * could touch. */
+/* Computes the required gap of an interface (from 1) of a row while the others keep their gaps and bumpers. It is the
+ * largest relative displacement in a run with this interface open, which no wider gap changes. NaN: a storey collapses
+ * there; -1: nothing could touch. */
 enum thud_status thud_needed_gap_in_row(const struct thud_scene *scene, int interface, const struct thud_record *record,
                                         double *need_m, struct thud_error *err);
 /* Returns the index of a level (from 0) among those of its interface. */
@@ -48,7 +48,7 @@ double thud_gap_widest(const struct thud_gap_level *of, int n, int interface, in
  * levels. */
 double thud_needed_gap_with_bumpers(const struct thud_needed_gap *gap, const struct thud_scene *scene, int interface);
 
-/* Returns the damping ratio of a structure's first mode; 0: it has none. */
+/* Returns the damping ratio of the first mode of a structure; 0: it has no modes. */
 double thud_gap_damping(const struct thud_model *model, int structure);
 /* Returns whether a rule requires too little, by more than rounding. */
 bool thud_gap_falls_short(double asked_m, double needed_m);

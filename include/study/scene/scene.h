@@ -1,5 +1,5 @@
-/* Scene as a person describes it: a plain value (copy, compare and undo with `=`; fully zeroed by thud_scene_init so
- * that memcmp compares). SI units. Lists run from the lowest floor up. */
+/* Scene as the user describes it. It is a plain value that `=` copies; thud_scene_init sets all bytes, so memcmp
+ * compares scenes. SI units. Lists run from the lowest floor up. */
 #pragma once
 
 #include <stdbool.h>
@@ -10,7 +10,7 @@
 #include "core/laws/law.h"
 
 enum { THUD_STOREYS_MAX = 200, THUD_STRUCTURES_MAX = 20, THUD_LINKS_MAX = 32, THUD_TEXT_MAX = 256, THUD_NAME_MAX = 64 };
-enum { THUD_NESTED_GROUPS = 4, THUD_SOURCE_MAX = 512 }; /* of a structure; bytes that tell where values are from */
+enum { THUD_NESTED_GROUPS = 4, THUD_SOURCE_MAX = 512 }; /* groups of a structure; bytes of a source */
 
 enum thud_structure_kind {
     THUD_SHEAR,
@@ -37,17 +37,17 @@ static inline bool thud_kind_is_read(enum thud_structure_kind kind)
 /* System of a building whose period is estimated. */
 enum thud_system { THUD_CONCRETE_FRAME, THUD_STEEL_FRAME, THUD_WALLS, THUD_MASONRY };
 
-/* Order of the floors in such a file; ask: refused if they seem to run from the roof down. */
+/* Order of the floors in such a file; ask: refused if floors seem to be listed from the roof down. */
 enum thud_floor_order { THUD_ORDER_ASK, THUD_ORDER_LOWEST_FIRST, THUD_ORDER_ROOF_FIRST };
 /* Room for such files' data of all structures: a building of 79 floors, or four of 39; every copy of a scene has it. */
 enum { THUD_SHAPE_ROOM = 6400 };
 
-/* Shape of a struck place between the floors, which also divides a slab's force: a member clamped in both, or a
- * straight line. */
+/* Displacement of a struck point between the floors, which also distributes the slab's force: of a member clamped in
+ * both, or linear. */
 enum thud_column_shape { THUD_COLUMN_CLAMPED, THUD_COLUMN_LINEAR };
 
-/* Law of isolators: a spring; or bilinear with kinematic hardening, by strength Q_d, stiffness K_d beyond yield and
- * yield displacement u_y, of a pendulum Q_d = mu W and K_d = W/R with the weight W above. */
+/* Law of isolators: linear, or bilinear with kinematic hardening. The latter has the strength Q_d, the stiffness K_d
+ * beyond yield and the yield displacement u_y; a pendulum has Q_d = mu W and K_d = W/R with the weight W above. */
 enum thud_isolator_law { THUD_ISOLATOR_LINEAR, THUD_ISOLATOR_LEAD_RUBBER, THUD_ISOLATOR_PENDULUM };
 
 struct thud_structure {
@@ -69,8 +69,8 @@ struct thud_structure {
     /* Isolated only: its isolators; NaN: not given, or not of that law. */
     double isolator_law; /* enum thud_isolator_law */
     double isolator_strength_n, isolator_post_yield_npm, isolator_yield_m, isolator_radius_m, isolator_friction;
-    /* Buildings on soil: the foundation, springs and dashpots under it, and the soil that they follow from where they are
-     * not given; NaN: not given. */
+    /* Buildings on soil: the foundation, springs and dashpots under it, and the soil, from which values not given
+     * follow; NaN: not given. */
     double foundation_mass_kg, foundation_inertia_kgm2;
     double sway_npm, sway_nspm, rocking_nmprad, rocking_nmsprad;
     double soil_vs_mps, soil_density_kgpm3, soil_poisson, foundation_radius_m;
@@ -89,8 +89,8 @@ struct thud_structure {
     double column_capacity_n[THUD_STOREYS_MAX];    /* against shear */
     double column_shape;                           /* enum thud_column_shape */
     double gravity_n[THUD_STOREYS_MAX];            /* of each floor, weight that P-Delta counts; 0: of its mass */
-    /* By matrix or modes. The data read are a part of the scene's `shape` in SI units, lowest floor first; of a matrix,
-     * rows of the stiffness; of modes, rows of a period and the shape's values, at most one by floor. */
+    /* By matrix or modes. The data read are a part of the scene's `shape` in SI units, lowest floor first. A matrix has
+     * the rows of the stiffness; modes have rows of a period and the values of the shape, at most one row per floor. */
     char stiffness_file[THUD_TEXT_MAX], flexibility_file[THUD_TEXT_MAX], periods_file[THUD_TEXT_MAX];
     char unit[16];            /* for files that do not say; empty: not given */
     double order;             /* enum thud_floor_order */
@@ -98,11 +98,11 @@ struct thud_structure {
     double period_s;          /* the first one, to which its stiffnesses are scaled; NaN or 0: they are as given */
     int shape_at, shape_rows; /* shape_rows 0: it has not been read */
     /* Estimated: its masses and stiffnesses follow (thud_structure_fill_estimate). */
-    double system;                      /* enum thud_system */
-    double area_m2;                     /* of a floor; 0: not given */
-    char file_sha256[THUD_SHA256_TEXT]; /* of the file that has been read; empty: none. What stands behind it changes
-                                           the fingerprint of a scene only where it is given. */
-    int modes;                          /* its lowest ones alone; 0: analysis.modes */
+    double system;  /* enum thud_system */
+    double area_m2; /* of a floor; 0: not given */
+    /* Fields from here on change the fingerprint of a scene only if they are given. */
+    char file_sha256[THUD_SHA256_TEXT];                   /* of the file that has been read; empty: none */
+    int modes;                                            /* its lowest ones alone; 0: analysis.modes */
     char source[1 + THUD_NESTED_GROUPS][THUD_SOURCE_MAX]; /* of its values, and of those of its nested groups */
     double cracked;                   /* factor of its storeys' stiffness and its columns' EI; 0: not given */
     double load_pa[THUD_STOREYS_MAX]; /* weight over area_m2, which gives the masses; 0: not given */
@@ -110,7 +110,7 @@ struct thud_structure {
 /* Returns the file of matrix or modes that a structure names; "": none. */
 const char *thud_structure_file(const struct thud_structure *structure);
 
-/* Returns the length (m) of the columns of a storey (from 0) between the floor (or ground) below and the face of the floor above. */
+/* Returns the clear length (m) of the columns of a storey (from 0): floor or ground below to the face above. */
 double thud_clear_height(const struct thud_structure *structure, int storey);
 /* Returns EI (N m2) of the struck columns of a storey (from 0), from EI or stiffness; NaN: not given. */
 double thud_column_ei(const struct thud_structure *structure, int storey);
@@ -122,7 +122,7 @@ struct thud_law_choice {
     bool assumed; /* a preset names no law: it is the paper's */
 };
 
-/* Contacts of an interface: floors at the same level and slabs against columns, or the former only. */
+/* Contacts of an interface: floor to floor and slab to columns, or floor to floor only. */
 enum thud_levels { THUD_LEVELS_ALL, THUD_LEVELS_ALIGNED };
 
 /* Values for each pair of floors, or of slab and columns, that can meet at an interface, lowest first (n 0: not given);
@@ -162,7 +162,7 @@ struct thud_link {
     double stiffness_npm, damping_nspm;
     double slip_n;                /* friction: its largest force */
     double slack_m;               /* restrainer and strut: they act beyond it */
-    char source[THUD_SOURCE_MAX]; /* changes no fingerprint: what acts stands before it */
+    char source[THUD_SOURCE_MAX]; /* not part of the fingerprint, unlike the fields before it */
 };
 
 struct thud_record_choice {
@@ -175,17 +175,17 @@ struct thud_record_choice {
     double factor;                     /* 1 unless given */
     int sign;                          /* +1 or -1 */
     double from_s, to_s; /* the part that is used, in the file's own time; NaN: from its beginning, to its end */
-    double dt_s;         /* for files that do not say; NaN: not given */
+    double dt_s;         /* for files that do not state it; NaN: not given */
     double resample_s;   /* for times in unequal steps, by linear interpolation; NaN: not given */
     char unit[16];       /* for files that do not say; empty: not given */
     char channel[32];    /* file with several; empty: not given */
     char component
         [32]; /* a direction, rotd50, rotd100, rotN or governs (io/record/record_component.h); empty: not given */
     int part; /* the n-th horizontal component of the file; 0: not asked for */
-    char event[96], station[96], licence[96]; /* in place of what the file says; empty: as it says */
+    char event[96], station[96], licence[96]; /* override those of the file; empty: as in the file */
     int column; /* from 1; 0: not given; -1 (`all`): the values of every line one after another */
     int skip;   /* lines; -1: not given */
-    int every;  /* of the scaled samples one in so many, after a low pass; 0: all */
+    int every;  /* keeps one scaled sample in this number, after a low-pass filter; 0: all */
     char source[THUD_SOURCE_MAX];
 };
 
@@ -200,14 +200,14 @@ struct thud_analysis {
 };
 
 enum thud_case {
-    THUD_CASE_FREE = -2, /* no pounding at all: what cases are compared with, not one of them */
+    THUD_CASE_FREE = -2, /* no pounding: the reference of the cases, not one of them */
     THUD_CASE_AS_WRITTEN,
     THUD_CASE_NONE,
     THUD_CASE_BUMPER,
     THUD_CASE_CAVITY,
     THUD_CASE_LINK,
     THUD_CASES,
-    THUD_CASE_WHOLE = THUD_CASES /* with all that the scene has; for words alone */
+    THUD_CASE_WHOLE = THUD_CASES /* with all parts of the scene; for texts only */
 };
 enum { THUD_CASES_MAX = THUD_CASES + 1 }; /* of a study: each of them, and as written */
 /* Returns whether the scene's links stay in a case. */
@@ -243,7 +243,7 @@ struct thud_title_block {
 struct thud_scene {
     char name[THUD_NAME_MAX]; /* the preset's name, from its file name */
     char title[THUD_TEXT_MAX];
-    bool p_delta; /* the weight on drifting storeys counts */
+    bool p_delta; /* the weight on drifting storeys is included */
     struct thud_record_choice record;
     int nstructures;
     struct thud_structure structure[THUD_STRUCTURES_MAX];
@@ -262,7 +262,7 @@ struct thud_scene {
 void thud_scene_init(struct thud_scene *scene);
 /* Clears a record choice: no file, no scaling. */
 void thud_record_choice_init(struct thud_record_choice *choice);
-/* Selects another file, as recorded, and clears the settings of the one before (peak, factor, sign, part, unit, ...). `file` may be empty. */
+/* Selects another file (may be empty), as recorded, and clears the settings of the previous one (peak, factor, ...). */
 void thud_record_choice_replace(struct thud_record_choice *choice, const char *file);
 /* Sets the defaults of a kind, with one storey if it has storeys; required values are NaN. The name is empty. */
 void thud_structure_init(struct thud_structure *structure, enum thud_structure_kind kind);
@@ -270,8 +270,8 @@ void thud_structure_init(struct thud_structure *structure, enum thud_structure_k
 void thud_law_choice_init(struct thud_law_choice *choice, const struct thud_law *law);
 /* Returns a parameter of the chosen law; NULL: there is no law, it has none of the name, or it is not given. */
 double *thud_law_given(struct thud_law_choice *choice, const char *name);
-/* Lists of floors and storeys: masses, stiffnesses, heights, depths of slabs, yield drifts, yield shears, hardening
- * ratios, of columns EI, stiffness and capacity, weights, coefficients of yield, and loads. */
+/* Lists by floor or storey: mass, stiffness, height, slab depth, yield drift, yield shear, hardening ratio, EI,
+ * stiffness and capacity of columns, weight, yield coefficient, load. */
 enum { THUD_STRUCTURE_LISTS = 13 };
 double *thud_structure_list(struct thud_structure *structure, int which);
 /* Returns the stiffness (N/m) that storey i (from 0) has, cracked if it is. */
@@ -296,8 +296,8 @@ bool thud_isolator_slides(const struct thud_structure *structure);
 bool thud_structure_on_soil(const struct thud_structure *structure);
 /* Return whether a wall moves against the ground, and whether it has soil behind it. */
 bool thud_wall_gives(const struct thud_structure *structure);
-/* Usual values, each under its key, up to an empty key: a concrete wall that stands on its foot, 15 m long, 1.5 m high
- * and 0.5 m thick, and the soil of bridge abutments behind it, 20.3 MN/m and 326 kN per metre. */
+/* Usual values, each under its key, up to an empty key. The wall is a concrete cantilever 15 m long, 1.5 m high and 0.5
+ * m thick; the soil is that of bridge abutments, 20.3 MN/m and 326 kN per metre. */
 extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
 /* Usual bearings under so much mass, up to an empty key: 2.5 s beyond yielding or sliding, and 5 % of the weight to get
  * there. */
@@ -367,7 +367,7 @@ enum thud_group {
 const struct thud_param *thud_group_param(enum thud_group group, int i);
 /* Returns the key of the group in presets: "structures", "record", ...; empty for THUD_GROUP_SCENE. */
 const char *thud_group_key(enum thud_group group);
-/* Return the group that its key stands in, and the one with this key in a group; THUD_GROUPS: there is none. */
+/* Return the group that contains a group, and the group with this key in a group; THUD_GROUPS: none. */
 enum thud_group thud_group_in(enum thud_group group);
 enum thud_group thud_group_find(enum thud_group in, const char *key);
 /* Returns whether the scene has a list of them: structures, interfaces, links. */
@@ -375,7 +375,7 @@ static inline bool thud_group_is_list(enum thud_group group)
 {
     return group == THUD_GROUP_STRUCTURE || group == THUD_GROUP_INTERFACE || group == THUD_GROUP_LINK;
 }
-/* Returns where the only one of a group stands in the scene (record, analysis, ...); 0: of structures and others. */
+/* Returns the offset in the scene of a group that occurs once (record, analysis, ...); 0 for structures and others. */
 size_t thud_group_base(enum thud_group group);
 /* Returns whether structures of the kind have this parameter of THUD_GROUP_STRUCTURE (by index). */
 bool thud_structure_has(enum thud_structure_kind kind, int param);
@@ -386,9 +386,9 @@ const char *thud_kind_name(enum thud_structure_kind kind);
 
 /* Sets one value by its path (`structures.1.mass`, `interfaces.1.gap`, `gap`, `contact.restitution`,
  * `bumper.thickness`, `analysis.tolerance`, `record.peak`; lists `[320 t, 250 t]` or one value for every floor; one
- * floor by `structures.1.mass.2`, `structures.1.column.EI.2`). The empty text takes back what need not be given. The exponent typed in a unit must
- * be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors: THUD_INPUT with key
- * and what is allowed. */
+ * floor by `structures.1.mass.2`, `structures.1.column.EI.2`). An empty text removes an optional value. The exponent
+ * typed in a unit must be the law's; setting the exponent keeps the number of its stiffness in the shown unit. Errors:
+ * THUD_INPUT with key and what is allowed. */
 enum thud_status thud_scene_set(struct thud_scene *scene, const char *path, const char *text, struct thud_error *err);
 /* Writes the value as text in its shown unit; empty: not given. Errors: THUD_INPUT (no such key). */
 enum thud_status thud_scene_get(const struct thud_scene *scene, const char *path, char *text, unsigned long size,
@@ -399,8 +399,9 @@ enum thud_status thud_scene_get_in(const struct thud_scene *scene, const char *p
                                    unsigned long size, struct thud_error *err);
 /* Returns the described parameter of a path, with its floor index in *floor (-1: all); NULL: unknown. */
 const struct thud_param *thud_scene_param(const struct thud_scene *scene, const char *path, int *floor);
-/* Returns the rank of a key by its last part, of `length`: kind, law and varied key, number of storeys and exponent are set
- * before the keys whose values depend on them, and period and load, which determine others, after them. */
+/* Returns the rank of a key in the order of setting, by its last part, of `length`. Kind, law, varied key, number of
+ * storeys and exponent come before the keys that depend on them; period and load, which determine others, come after
+ * them. */
 enum { THUD_RANK_STOREYS = 3, THUD_RANK_USUAL = 5, THUD_RANK_LAST = 6 };
 int thud_key_rank(const char *name, unsigned long length);
 /* Returns whether a key changes no run: the title, a structure's name, sources, the study and the title block. */
@@ -418,9 +419,9 @@ void thud_study_vary_text(const struct thud_scene *scene, int i, char *text, uns
 /* Checks values against each other (thickness - cavity <= gap, nothing missing, ...). Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check(const struct thud_scene *scene, struct thud_error *err);
 
-/* Returns the number of values needed to describe structures, interfaces and links: one for values equal at every
- * floor; of a building with omitted modes, period and modal mass of each mode that stays and its shape at the floors
- * that meet a neighbour. */
+/* Returns the number of values needed to describe structures, interfaces and links. Values equal at every floor count
+ * once. A building with omitted modes has the period and modal mass of each remaining mode, and its shape at the floors
+ * that face a neighbour. */
 int thud_scene_inputs(const struct thud_scene *scene);
 
 /* ---- cases ---- */
@@ -428,9 +429,10 @@ int thud_scene_inputs(const struct thud_scene *scene);
 /* Copies a scene for reading, without the unused structures and their parts: a tenth of the bytes for two structures.
  */
 void thud_scene_copy(struct thud_scene *to, const struct thud_scene *from);
-/* Makes the scene of a case: `none` drops every bumper and link, `link` the bumpers, `bumper` and `cavity` the links;
- * `bumper` sets it flush, `cavity` thickness (1 - max-strain) deep; without pounding there are no bumpers, and contacts
- * without a force. `out` may be the scene itself. Errors: THUD_INPUT (a case without its bumper or link). */
+/* Makes the scene of a case: `none` removes every bumper and link, `link` the bumpers, `bumper` and `cavity` the links.
+ * `bumper` sets the bumper flush, `cavity` at a depth of thickness (1 - max-strain). Without pounding there are no
+ * bumpers, and contacts have no force. `out` may be the scene itself. Errors: THUD_INPUT (a case without its bumper or
+ * link). */
 enum thud_status thud_scene_case(const struct thud_scene *scene, enum thud_case which, struct thud_scene *out,
                                  struct thud_error *err);
 /* Applies a case to one interface only. */
@@ -447,8 +449,8 @@ const char *thud_case_name(enum thud_case which); /* "none", "bumper", "cavity",
 /* Parts that a case may omit. */
 enum { THUD_HAS_BUMPER = 1, THUD_HAS_LINKS = 2 };
 int thud_scene_measures(const struct thud_scene *scene);
-/* Return the words for a case of a scene with these measures (THUD_HAS_...), in every table and figure, and in a
- * sentence: "no bumper", "neither bumper nor links"; "without the bumper", "with the links and without the bumper". */
+/* Return the words for a case of a scene with these measures (THUD_HAS_...). Tables and figures use "no bumper",
+ * "neither bumper nor links"; sentences use "without the bumper", "with the links and without the bumper". */
 const char *thud_case_title(int measures, enum thud_case which);
 const char *thud_case_phrase(int measures, enum thud_case which);
 /* Returns the compared cases of one bumper: no pounding, no bumper, bumper. */

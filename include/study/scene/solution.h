@@ -15,8 +15,8 @@ void thud_interface_contact(const struct thud_interface *interface, int level, s
 enum thud_status thud_scene_options(const struct thud_scene *scene, struct thud_run_options *out,
                                     struct thud_error *err);
 
-/* Fills in the period where a spectral acceleration is asked for without one: the mean of the fundamental periods of
- * the scene's buildings. Errors: those of thud_scene_assemble; THUD_INPUT (no building has a period). */
+/* Fills in the period of a spectral acceleration that is given without one: the mean of the fundamental periods of the
+ * scene's buildings. Errors: those of thud_scene_assemble; THUD_INPUT (no building has a period). */
 enum thud_status thud_record_choice_resolve(const struct thud_scene *scene, struct thud_record_choice *choice,
                                             struct thud_error *err);
 
@@ -44,7 +44,7 @@ void thud_solution_clear(struct thud_solution *solution);
 /* Checks that the contacts of a finished run made no energy to speak of. Errors: THUD_DIVERGED. */
 enum thud_status thud_result_check(const struct thud_result *result, struct thud_error *err);
 
-/* Checks that something moves a valid scene: a ground motion (NULL: none) that is not 0 throughout, or a body's
+/* Checks that a valid scene moves: it needs a ground motion (NULL: none) that is not 0 throughout, or a body with a
  * velocity. Errors: THUD_INPUT with key. */
 enum thud_status thud_scene_check_motion(const struct thud_scene *scene, const struct thud_record *record,
                                          struct thud_error *err);

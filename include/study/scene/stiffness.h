@@ -1,6 +1,6 @@
-/* Estimates of contact stiffness, and the sensitivity of the results to it. The literature's estimate for concrete is
- * the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011), for a rubber bumper eq. (6) of
- * Polycarpou and Komodromos (2011). Neither is measured: they may be off by a factor of 2. */
+/* Estimates of contact stiffness, and the sensitivity of the results to it. In the literature, the estimate for
+ * concrete is the axial stiffness of the colliding slab (Maison and Kasai 1990; Cole et al. 2011). For a rubber bumper
+ * it is eq. (6) of Polycarpou and Komodromos (2011). Neither is measured; each may be wrong by a factor of 2. */
 #pragma once
 
 #include "core/model/result.h"
@@ -9,13 +9,13 @@
 
 /* Returns E A/L, N/m, of a slab pushed at its edge: A the section's area, L the length along the impact. */
 double thud_stiffness_slab(double area_m2, double length_m, double modulus_pa);
-/* Returns the stiffness of two slabs that meet: springs in series, N/m. */
+/* Returns the stiffness of two colliding slabs, N/m: springs in series. */
 double thud_stiffness_series(double a_npm, double b_npm);
 /* Returns the stiffness of a bumper, k = alpha A K_r/d^n, N/m^n. */
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
-/* Varied stiffness: of every interface with a bumper the bumper, which alone is struck there, of the others the
- * contact; of links stiffness, dashpot and slip force together. */
+/* Varied stiffness: that of the bumper at interfaces with a bumper, which carries every impact there; that of the contact
+ * at the others; of links stiffness, dashpot and slip force together. */
 enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER, THUD_STIFFNESS_LINK, THUD_STIFFNESSES };
 /* "contact", "bumper", "link" */
 const char *thud_stiffness_name(enum thud_stiffness which);

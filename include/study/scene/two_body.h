@@ -13,7 +13,7 @@ struct thud_two_body {
     bool wall;           /* in place of the right body; without a law there is none */
     double spring_radps; /* sqrt(k/m) of a spring that holds the left body to the ground; 0: it is free */
     double duration_s;
-    bool until_parted; /* ends once they have been apart for so long that nothing changes any more */
+    bool until_parted; /* ends once they are far enough apart that nothing changes any more */
     const struct thud_law *law;
     struct thud_law_setup setup;      /* value[] and thickness_m */
     const struct thud_method *method; /* NULL: auto, to 1e-9 */
@@ -21,9 +21,9 @@ struct thud_two_body {
     bool locate;
 };
 
-/* Sets Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t approaching at 0.5 m/s, concrete on concrete (k
- * 2500 kN/mm, restitution 0.6), or with the 5 cm rubber bumper (k 0.36 kN/mm^2.65, exponent 2.65, restitution 0.5, 2500
- * kN/mm past 0.8 of the thickness). All other parameters are the laws' defaults. */
+/* Sets Table 1 of Polycarpou and Komodromos (2011): two bodies of 320 t approaching at 0.5 m/s. Contact is concrete on
+ * concrete (k 2500 kN/mm, restitution 0.6), or the 5 cm rubber bumper (k 0.36 kN/mm^2.65, exponent 2.65, restitution
+ * 0.5, 2500 kN/mm beyond 0.8 of the thickness). All other parameters are the laws' defaults. */
 void thud_two_body_concrete(struct thud_two_body *pair);
 void thud_two_body_rubber(struct thud_two_body *pair);
 

@@ -7,8 +7,8 @@
 enum thud_simplify_group { THUD_SIMPLIFY_MODEL, THUD_SIMPLIFY_CONTACT, THUD_SIMPLIFY_MOTION, THUD_SIMPLIFY_METHOD };
 const char *thud_simplify_group_name(enum thud_simplify_group group);
 
-/* Difference from the full run: the largest of a peak over the largest peak of its group there (accelerations and
- * drifts: of the same building), and of the required gap over itself. Peaks below 1 % of the largest of their kind in
+/* Difference from the full run. Each peak is relative to the largest peak of its group in the full run (accelerations
+ * and drifts: of the same building), and the required gap to itself. Peaks below 1 % of the largest of their kind in
  * both runs are not compared. INFINITY: contacts or a collapse in one run only, or a lost peak. NaN: no such peaks. */
 struct thud_simplify_change {
     double acceleration, drift, force, gap;
@@ -55,8 +55,8 @@ bool thud_simplification_within(const struct thud_simplify_found *found, const s
 
 struct thud_simplify;
 /* Creates the study. `scene` is copied; the records (n 0: none) stay the caller's and are as the scene's record states.
- * With several, the search is on the governing one; its cheapest is then run on all, and loses its last steps until it
- * keeps the accuracy on all. Errors: THUD_MEMORY. */
+ * With several motions, the search uses the governing one. Its cheapest model is then run on all, and its last steps
+ * are removed until the accuracy holds for all. Errors: THUD_MEMORY. */
 enum thud_status thud_simplify_create(const struct thud_scene *scene, struct thud_record *const *record, int n,
                                       const struct thud_simplify_ask *ask, struct thud_simplify **out,
                                       struct thud_error *err);

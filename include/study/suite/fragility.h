@@ -7,10 +7,9 @@
  * after Baker, "Efficient analytical fragility function fitting using dynamic structural analysis", Earthquake Spectra
  * 31 (2015) 579-599: the counts are binomial, and the likelihood of all stripes together is made largest; a band for it
  * by the bootstrap over the ground motions; and with a hazard curve the annual rate. Motions are taken as independent,
- * but the two signs of one are sampled jointly. A curve is reported only for events that an intensity makes more likely (a
- * gap less likely), where the likelihood has a maximum and the deviance does not reject it; else the counts are all
- * that is known.
- */
+ * but the two signs of one are sampled jointly. A curve is reported only for events that become more likely with the
+ * intensity (less likely with the gap), if the likelihood has a maximum and the deviance does not reject the curve.
+ * Otherwise only the counts are known. */
 #pragma once
 
 #include <stdbool.h>
@@ -100,14 +99,14 @@ struct thud_fragility {
     double *low, *high; /* (n) 5 and 95 % of the curve's bootstrap; NaN without */
     struct thud_lognormal curve;
     double least, most; /* value that was tried */
-    /* Bounds of the median: theta if there is a curve and theta lies within the values tried; else bounds, 0 and
-     * INFINITY for none, both NaN if the counts give none. */
+    /* Bounds of the median: theta, if there is a curve and theta lies within the values tried. Otherwise they are
+     * bounds: 0 and INFINITY if open, both NaN if the counts give none. */
     double theta, above, below;
     double theta_low, theta_high, beta_low, beta_high; /* 5 and 95 % of the bootstrap; NaN without */
     double rate_low, rate_high;                        /* 16 and 84 % of its annual rates; NaN without */
-    /* Of pounding, without a fit: the least value at which each motion causes contact (along a gap: at which it does
-     * not), sorted; NULL: not requested, or not known. Then the values at which at least 16, 50 and 84 % of them do,
-     * and 5 and 95 % of the bootstrap of the middle one. */
+    /* For pounding, without a fit: the smallest value at which each motion causes contact (for a gap: no contact),
+     * sorted. NULL: not requested, or not known. Then the values at which at least 16, 50 and 84 % of them do, and 5
+     * and 95 % of the bootstrap of the middle one. */
     int nexact;
     double *exact; /* (nexact) */
     /* Same along an intensity, as factors on the motions of the study in their order. */
@@ -122,16 +121,17 @@ enum thud_status thud_fragility_make(const struct thud_suite *suite, const struc
                                      struct thud_fragility *out, struct thud_error *err);
 void thud_fragility_clear(struct thud_fragility *fragility);
 
-/* Annual rate of an event: a number if the bounds of the hazard curve's range agree within 1 %, else bounds; and 16 and
- * 84 % of the number by the bootstrap over the motions, NaN without. */
+/* Annual rate of an event: a number if the bounds due to the range of the hazard curve agree within 1 %, else these
+ * bounds. 16 and 84 % of the number are by bootstrap over the motions; NaN: no bootstrap. */
 struct thud_rate {
     double least, value, most; /* value: NaN where there are only bounds; most: INFINITY where there is none */
     double low, high;
 };
-/* Computes the rate: for pounding the mean of each motion's exact rate; else int P |d lambda| of a curve whose median
- * lies within the values tried, of counts that separate, and of events that never or always happen. If the hazard curve
- * does not cover the weight of P, bounds: beyond its last point P lies between its value there and 1; before its first
- * the rate is unknown. All NaN if neither is known, or the event becomes rarer with the intensity. */
+/* Computes the rate. For pounding it is the mean of the exact rates of the motions. Otherwise it is int P |d lambda|,
+ * for a curve whose median lies within the values tried, for counts that separate, and for events that never or always
+ * happen. If the hazard curve does not cover the range where P matters, it gives bounds: beyond its last point P lies
+ * between its value there and 1; before its first point the rate is unknown. All NaN if neither is known, or the event
+ * becomes rarer with the intensity. */
 struct thud_rate thud_hazard_rate(const struct thud_hazard *hazard, const struct thud_fragility *fragility);
 /* Returns the probability of at least one event in this many years of a Poisson process: 1 - exp(-rate years). */
 double thud_hazard_probability(double rate, double years);

@@ -13,8 +13,8 @@ struct thud_gap_suite {
     int recordings;                     /* that these motions are of (thud_motions_recordings) */
 };
 /* Computes fractiles over the ground motions at a level (from 0; -1: the widest over the levels of `interface`, from 1;
- * 0: of all): 16, 50 and 84 % are the smallest gaps sufficient for that share of them, order statistics. `share`: of
- * the motions with a value of the rule, those for which it requires too little. Errors: THUD_MEMORY. */
+ * 0: of all). 16, 50 and 84 % are order statistics: the smallest gaps sufficient for this fraction of the motions.
+ * `share`: of the motions with a value of the rule, those for which it requires too little. Errors: THUD_MEMORY. */
 enum thud_status thud_gap_suite_fractiles(const struct thud_gap_suite *suite, int interface, int level, int rule,
                                           struct thud_fractiles *out, struct thud_error *err);
 
@@ -26,21 +26,22 @@ struct thud_gap_ruled {
     double force_n;              /* the largest of any of them */
     int worst;                   /* the ground motion of it; -1 */
 };
-/* Evaluates a rule at every interface (from 0, nstructures - 1 of them), from the means of the displacements over the
- * ground motions, or the largest ones if fewer than its code requires are independent; the needed gap is the largest of
- * all. Nothing pounds yet. */
+/* Evaluates a rule at every interface (from 0, nstructures - 1 of them). It uses the means of the displacements over
+ * the ground motions, or the largest ones if fewer motions are independent than its code requires. The required gap is
+ * the largest of all. Nothing pounds yet. */
 bool thud_gap_suite_means(const struct thud_gap_suite *suite, int rule); /* else the largest */
 void thud_gap_suite_rule(const struct thud_gap_suite *suite, int rule, int interfaces, struct thud_gap_ruled *out);
-/* Adds a ground motion to the response at the gaps of a rule, all interfaces at once; where it has no value, at the
- * scene's own gap: a run without bumpers, and none if there is no contact. Errors: those of thud_scene_solve. */
+/* Adds a ground motion to the response at the gaps of a rule, set at all interfaces together; an interface without a
+ * value keeps its own gap. This takes a run without bumpers, or none if there is no contact. Errors: those of
+ * thud_scene_solve. */
 enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thud_record *record,
                                 const struct thud_gap_suite *suite, int motion, struct thud_gap_ruled *ruled,
                                 struct thud_error *err);
 
 /* ---- over the periods of estimated buildings ---- */
 
-/* Range of the required gap of an interface (from 0) as the periods of its estimated buildings go from
- * THUD_ESTIMATE_LEAST to THUD_ESTIMATE_MOST times, in equal logarithmic steps; those of neighbours independently. */
+/* Range of the required gap of an interface (from 0) for periods of its estimated buildings from THUD_ESTIMATE_LEAST to
+ * THUD_ESTIMATE_MOST times, in equal logarithmic steps. The periods of two neighbours vary independently. */
 struct thud_gap_range {
     int interface;
     double least_m, most_m;

@@ -1,5 +1,5 @@
-/* Statistics of a study over its ground motions: a few numbers of every run, so that tens of thousands of runs fit, and
- * their fractiles over the motions at each setting of the other varied keys. */
+/* Statistics of a study over its ground motions. A few numbers of every run are stored, so tens of thousands of runs
+ * fit. Fractiles over the motions are computed at each setting of the other varied keys. */
 #pragma once
 
 #include "base/statistics.h"
@@ -7,7 +7,7 @@
 #include "study/sweep/sweep.h"
 #include "study/sweep/sweep_table.h"
 
-/* Fewest independent motions that have a bootstrapped band. */
+/* Smallest number of independent motions with a bootstrap band. */
 enum { THUD_DRAWS_LEAST = 7 };
 
 /* Setting i (of thud_suite_settings) of ground motion r is point r x settings + i of the plan. */
@@ -36,7 +36,7 @@ double thud_suite_value(const struct thud_suite *suite, int record, long setting
 struct thud_fractiles thud_suite_fractiles(const struct thud_suite *suite, long setting, int k,
                                            enum thud_measure measure, int structure, double limit, double *room);
 
-/* Computes Wilson's band of a share of the motions (see thud_share_band), where both signs of a motion count as one;
+/* Computes Wilson's band of a fraction of the motions (see thud_share_band); both polarities of a motion count as one.
  * NaN: fewer than three motions. */
 void thud_suite_share_band(const struct thud_suite *suite, size_t count, size_t n, double *low, double *high);
 

@@ -1,5 +1,5 @@
-/* Floor response spectra of a scene without pounding, without the bumper and with it: largest pseudo-acceleration of damped
- * oscillators on its floors. */
+/* Floor response spectra of a scene without pounding, without the bumper and with it: largest pseudo-acceleration of
+ * damped oscillators on its floors. */
 #pragma once
 
 #include "ground/record.h"

@@ -1,6 +1,6 @@
 /* Table of measures: every number that studies report of a run, with its name, words, reader from a finished point,
- * event, and places of report. Suites, events, `solve`, the list of lowered responses and uncertainty iterate over it,
- * so a new measure is a line here, a line of the table, and its reader. */
+ * event, and places of report. Suites, events, `solve`, the list of lowered responses and uncertainty iterate over it.
+ * A new measure is a line here, a line of the table, and its reader. */
 #pragma once
 
 #include "base/quantity.h"
@@ -87,8 +87,8 @@ struct thud_measure_info {
 };
 
 const struct thud_measure_info *thud_measure_info(enum thud_measure measure);
-/* Returns the index of a measure among the values that a document keeps of a run of this many structures, its first one
- * of several; of THUD_MEASURES the number of values. */
+/* Returns the index of a measure among the values of a run that a document stores, the first of several, for this
+ * number of structures; for THUD_MEASURES, the number of values. */
 int thud_measure_place(enum thud_measure_document document, int nstructures, enum thud_measure measure);
 /* Lists the measures that a document reports of what has `features`, in its order; returns how many. */
 int thud_measures_told(enum thud_measure_document document, unsigned features, enum thud_measure told[THUD_MEASURES]);
@@ -97,9 +97,10 @@ unsigned thud_measure_features(const struct thud_sweep_plan *plan);
 
 /* Returns the larger of two values of a measure: unknown if either is, or that one is ignored (`unknown`). */
 double thud_measure_larger(const struct thud_measure_info *info, double a, double b);
-/* Returns one of THUD_TOLD_BY_FLOORS in case k (k = ncases: no pounding) of a variant of a point, on a floor of a structure from
- * 1; 0: the mean over its floors, of what yielding storeys tell over those that do, of the sizes (permanent drifts to
- * either side would cancel), of a ratio that of the means. NaN: there is none, as for 0/0. */
+/* Returns one of THUD_TOLD_BY_FLOORS in case k (k = ncases: no pounding) of a variant of a point, on a floor of a
+ * structure (from 1; 0: the mean over its floors). Measures of yielding storeys have the mean over these storeys, of
+ * absolute values (permanent drifts in both directions would cancel); ratios are those of the means. NaN: there is
+ * none, as for 0/0. */
 double thud_measure_of_floor(const struct thud_sweep_point *point, int variant, int k,
                              const struct thud_measure_info *info, int structure, int floor);
 /* Returns a measure; one of the run ignores `structure`. NaN: there is none, or it is not known. */

@@ -24,8 +24,8 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_coll
 enum thud_status thud_collapse_status(const struct thud_scene *scene, const struct thud_collapse *fall,
                                       struct thud_error *err);
 
-/* Counts over the runs of a study: collapses, drifts beyond the elastic range of buildings, and bumpers compressed past
- * their ultimate strain, or by more than their thickness; and the worst place of each. Zeros at first. */
+/* Counts over the runs of a study, with the worst place of each: collapses, drifts beyond the elastic range of
+ * buildings, and bumpers compressed beyond their ultimate strain or their thickness. Zeros at first. */
 struct thud_sweep_worst {
     double value; /* drift over height; stability coefficient; compression over thickness */
     long point;
@@ -50,12 +50,12 @@ enum thud_remark_about {
     THUD_REMARK_SCENE = 1,     /* values that are allowed but unusual */
     THUD_REMARK_EFFORT = 2,    /* a run that takes long */
     THUD_REMARK_MOTIONS = 4,   /* the ground motions, each and together */
-    THUD_REMARK_CHANGE = 8,    /* what a change of the scene, or a varied key, does not change */
+    THUD_REMARK_CHANGE = 8,    /* changes of the scene, or varied keys, that have no effect */
     THUD_REMARK_RESULT = 16,   /* what the peaks of a run show */
     THUD_REMARK_STUDY = 32,    /* what the runs of a study show */
-    THUD_REMARK_COMPUTED = 64, /* motions that no earthquake was like */
-    THUD_REMARK_LEDGER = 128,  /* energy of a run that is not balanced */
-    THUD_REMARK_SIMPLER = 256  /* what a scene might do without: the command that tells */
+    THUD_REMARK_COMPUTED = 64, /* synthetic motions */
+    THUD_REMARK_LEDGER = 128,  /* energy error of a run */
+    THUD_REMARK_SIMPLER = 256  /* the command that finds what a scene can omit */
 };
 /* Remarks on the input of a study, and with its results: those at the end of its JSON. */
 enum {
@@ -64,11 +64,11 @@ enum {
 };
 /* Weight of a remark; the heaviest come first where few are shown. */
 enum thud_remark_weight {
-    THUD_WEIGHT_FAILURE, /* from there on the numbers have no meaning */
-    THUD_WEIGHT_MOTION,  /* the ground motion is not one to design by */
-    THUD_WEIGHT_MODEL,   /* the model does not reach so far */
-    THUD_WEIGHT_DIGITS,  /* fewer digits mean anything than are shown */
-    THUD_WEIGHT_UNUSUAL, /* a value to look at */
+    THUD_WEIGHT_FAILURE, /* later numbers are meaningless */
+    THUD_WEIGHT_MOTION,  /* the ground motion is not suitable for design */
+    THUD_WEIGHT_MODEL,   /* outside the range of the model */
+    THUD_WEIGHT_DIGITS,  /* fewer digits are significant than are shown */
+    THUD_WEIGHT_UNUSUAL, /* an unusual value */
     THUD_WEIGHTS
 };
 struct thud_remark {

@@ -1,11 +1,11 @@
-/* Significant digits of a peak: pounding can amplify a small change, so the scene is run again with each of a few
- * inputs a little smaller and a little larger. */
+/* Significant digits of a peak. Pounding can amplify a small change, so the scene is run again with each of a few
+ * inputs slightly decreased and increased. */
 #pragma once
 
 #include "study/scene/solution.h"
 
-/* Changes of stiffness are of every second structure at a time: a common change moves no building relative to its
- * neighbour, which is what makes them pound. */
+/* Stiffness changes apply to every second structure at a time: a common change would not alter one building relative to
+ * its neighbour, and so would hardly affect pounding. */
 enum thud_change {
     THUD_CHANGE_GAP,
     THUD_CHANGE_SCALE,
@@ -20,16 +20,17 @@ struct thud_spread {
     double by[THUD_CHANGES];
 };
 double thud_spread_most(const struct thud_spread *spread);
-/* Returns the number of significant leading digits under this relative change: the change is below one of the last of
- * them, whatever the number; at most 15. */
+/* Returns the number of significant leading digits under this relative change, at most 15: the change is below one unit
+ * of the last of them, for any number. */
 int thud_spread_digits(double spread);
 
-/* Changes gaps or stiffnesses of a case's scene: every interface's gap, but never less than a bumper takes; the
- * stiffness of every storey and isolator of every second structure. The scale is the ground motion's, which no scene holds. */
+/* Changes the scene of a case: the gap of every interface, but not below the projection of a bumper, or the stiffness
+ * of every storey and isolator of every second structure. The scale is that of the ground motion, which is not part of
+ * a scene. */
 void thud_change_scene(struct thud_scene *scene, enum thud_change change, double factor);
 
-/* Runs a case's scene with one input times a factor, by its own method. The result needs neither the changed scene nor
- * the changed motion any more, but its history must not be asked for. Errors: THUD_MEMORY, those of thud_scene_solve. */
+/* Runs a case's scene with one input times a factor, by its own method. The result is independent of the changed scene
+ * and motion, except that its history must not be read. Errors: THUD_MEMORY, those of thud_scene_solve. */
 enum thud_status thud_change_solve(const struct thud_scene *scene, const struct thud_record *record,
                                    enum thud_change change, double factor, struct thud_solution *solution,
                                    struct thud_error *err);
@@ -43,7 +44,7 @@ enum { THUD_CONTACT_SPREADS = 2 }; /* force, indentation */
 
 struct thud_sensitivity {
     double change; /* the relative change of the inputs */
-    int runs;      /* made for it, the given one included */
+    int runs;      /* including the given run */
     int nfloors, ncontacts;
     struct thud_spread (*floor)[THUD_FLOOR_SPREADS];     /* (nfloors): structures one after the other */
     struct thud_spread (*contact)[THUD_CONTACT_SPREADS]; /* (ncontacts) */

@@ -1,9 +1,9 @@
-/* Parametric studies: a scene, its records, a grid of varied keys and the cases. A study is made of points (one record,
- * one set of parameters), numbered from 0 in a fixed order; a point holds a run for each case. Points are independent
- * of each other, but those that share their structures and record share one motion without pounding (group), which
- * saves most of the work (see enum thud_sweep_shortcut). Work goes in slices, so that a study can be cancelled, shown
- * and shared among threads; everything here may be used by several threads at once as long as each task is one thread's
- * own. */
+/* Parametric studies: a scene, its records, a grid of varied keys and the cases. A study consists of points (one
+ * record, one set of parameters), numbered from 0 in a fixed order. A point has a run for each case. Points are
+ * independent, but points with the same structures and record form a group with one response without pounding, which
+ * saves most of the work (see enum thud_sweep_shortcut). Work advances in slices, so a study can be cancelled, shown
+ * and distributed to threads. Several threads may call these functions at the same time, if each task belongs to one
+ * thread. */
 #pragma once
 
 #include <stdbool.h>
@@ -19,9 +19,9 @@
 enum thud_sweep_shortcut {
     THUD_SWEEP_FREE =
         1, /* clearances at least as wide as the largest relative displacements take the contact-free result */
-    THUD_SWEEP_START = 2,  /* a run begins where the first contact could be */
-    THUD_SWEEP_LEVELS = 4, /* contacts that nothing can close (between walls, of laws without force) are left out */
-    THUD_SWEEP_SAME = 8,   /* of runs whose contacts are the same one is made */
+    THUD_SWEEP_START = 2,  /* a run begins at the earliest possible contact */
+    THUD_SWEEP_LEVELS = 4, /* contacts that cannot close (between walls, of laws without force) are omitted */
+    THUD_SWEEP_SAME = 8,   /* runs with equal contacts are made once */
     THUD_SWEEP_ALL = 15
 };
 
@@ -34,16 +34,16 @@ struct thud_sweep_plan {
     struct thud_scene scene;
     int nrecords;
     const struct thud_record *const
-        *record; /* (nrecords) scaled as the scene's record choice says; NULL: no ground motion */
+        *record; /* (nrecords) scaled according to the scene's record choice; NULL: no ground motion */
     int naxes;
     struct thud_sweep_axis
-        axis[THUD_VARY_MAX]; /* those that change the motion without pounding come first; the last runs fastest */
+        axis[THUD_VARY_MAX]; /* keys that change the response without pounding come first; the last varies fastest */
     int nouter;              /* how many do */
     bool yields;             /* a storey of some point does: the scene's, or by a varied key */
     int ncases;
     enum thud_case cases[THUD_SWEEP_CASES_MAX];
     unsigned shortcuts;
-    double sensitivity; /* every run again with gaps, motion and stiffnesses changed by this much; 0: not */
+    double sensitivity; /* relative change of gaps, motion and stiffnesses for the repeated runs; 0: none */
 };
 
 /* Makes a plan of the scene only: no axes, no records, case as written. */
@@ -88,21 +88,21 @@ enum thud_status thud_sweep_group_create(const struct thud_sweep_plan *plan, lon
 enum thud_status thud_sweep_group_advance(struct thud_sweep_group *group, long budget, bool *done,
                                           struct thud_error *err);
 void thud_sweep_group_free(struct thud_sweep_group *group);
-/* Returns the point that makes case k (k = ncases: `none` for the ratios) of a point; its own one if no other run is
- * the same. The group is done. */
+/* Returns the point that runs case k (k = ncases: `none` for the ratios) of a point; the point itself if no other run
+ * is the same. The group is done. */
 long thud_sweep_maker(const struct thud_sweep_group *group, long point, int k);
-enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* most that a group keeps for that */
+enum { THUD_SWEEP_SAME_BYTES = 8 << 20 }; /* memory limit of a group for this */
 
 /* Outcome of a run. */
 struct thud_sweep_effort {
     enum thud_status status;   /* THUD_OK; THUD_INPUT: not possible (a bumper wider than the gap); THUD_DIVERGED */
-    bool made;                 /* false: answered without a run */
-    bool reused;               /* not made, but another run's with the same contacts */
-    bool reference;            /* not asked for: case `none`, run for the ratios */
+    bool made;                 /* false: result without a run */
+    bool reused;               /* result of another run with the same contacts */
+    bool reference;            /* not requested: case `none`, run for the ratios */
     double shared_s, end_s;    /* motion taken from the baseline, and the whole */
-    struct thud_collapse fall; /* the peaks are those until then; of a point that was read `happened` alone */
-    double link_n;             /* largest force of all links; NaN: there are none */
-    int left_out;              /* contacts left out */
+    struct thud_collapse fall; /* the peaks are those until then; of a point that was read, only `happened` */
+    double link_n;             /* largest force of all links; NaN: none */
+    int left_out;              /* omitted contacts */
     long steps, events;
 };
 
@@ -114,7 +114,7 @@ struct thud_sweep_floor {
 
 /* Cost of the changed runs of a point. */
 struct thud_sweep_changed {
-    int made, free, failed; /* runs; answered without one; without a result */
+    int made, free, failed; /* runs; results without a run; no result */
     long steps, events;
 };
 
@@ -123,17 +123,17 @@ struct thud_sweep_point {
     long index;
     double gap_m;
     int nstructures, nfloors, ncontacts;
-    int ncases; /* those of the plan, and `none` after them where it had to be added */
+    int ncases;                                     /* those of the plan, then `none` if it was added */
     enum thud_case which[THUD_SWEEP_CASES_MAX + 1]; /* (ncases) */
     struct thud_sweep_effort effort[THUD_SWEEP_CASES_MAX + 1];
-    bool awaited[THUD_SWEEP_CASES_MAX + 1]; /* left to another point; settled before anything is read */
+    bool awaited[THUD_SWEEP_CASES_MAX + 1]; /* result of another point, filled in before anything is read */
     int nvariants;                          /* 1, or THUD_SWEEP_VARIANTS */
     struct thud_sweep_changed changed;
     int floors[THUD_STRUCTURES_MAX]; /* (nstructures) */
     struct thud_sweep_floor
         *floor; /* (nvariants x (ncases + 1) x nfloors): NaN where a case has no result; the last is no pounding */
     struct thud_sweep_contact *contact; /* (nvariants x ncases x ncontacts): force NaN where a case has no result */
-    /* (nlinkages x ncontacts) with the scene's links, and behind them without those where the scene has links */
+    /* (nlinkages x ncontacts) with the scene's links, then without them if the scene has links */
     int nlinkages;
     struct thud_gap_level *level;
     struct thud_collapse fall[2]; /* (nlinkages) without pounding */
@@ -154,11 +154,11 @@ void thud_sweep_task_leave(struct thud_sweep_task *task, long first, long step);
 /* Hands over the point of a task that is done. */
 struct thud_sweep_point *thud_sweep_task_take(struct thud_sweep_task *task);
 void thud_sweep_task_free(struct thud_sweep_task *task);
-/* Makes a point at once, with a group of its own. Errors: those of thud_sweep_group_advance and of the task. */
+/* Runs a point with a group of its own. Errors: those of thud_sweep_group_advance and of the task. */
 enum thud_status thud_sweep_point_make(const struct thud_sweep_plan *plan, long index, struct thud_sweep_point **out,
                                        struct thud_error *err);
-/* Settles the shared results of a finished point: keeps those that others need, and fills in those it omitted. For all
- * points of the group in order, one at a time. Errors: THUD_MEMORY. */
+/* Exchanges the shared results of a finished point: stores those that other points need, and fills in those that it
+ * omitted. To be called for all points of the group in order, one at a time. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_group_settle(struct thud_sweep_group *group, struct thud_sweep_point *point,
                                          struct thud_error *err);
 
@@ -182,7 +182,7 @@ bool thud_sweep_numbers_read(const char *line, long *index, double *x, size_t n)
 /* Identifies a plan: equal for equal scenes, records, axes, cases and sensitivity. */
 unsigned long long thud_sweep_fingerprint(const struct thud_sweep_plan *plan);
 
-/* Sums over points: what a study cost and what was saved. */
+/* Sums over points: cost of a study, and savings. */
 struct thud_sweep_total {
     long points, asked, made, reused, references, free, impossible, diverged, shared_runs, left_out, steps, events;
     double shared_s, end_s; /* of the runs made */

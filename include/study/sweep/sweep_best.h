@@ -12,12 +12,12 @@ struct thud_sweep_best {
     double ratio, drift_ratio; /* there; of the mean drifts also the largest over the structures */
     double worst_ratio;        /* over the key's values */
     int values;                /* how many had a result */
-    bool at_end;               /* the best is the first or the last value: beyond there may be a better one */
-    bool idle; /* there the ratio is 1.000: the bumper is struck by nothing, or hardly, and no value is best */
+    bool at_end;               /* the best is the first or the last value, so a better one may lie outside the range */
+    bool idle; /* the ratio there is 1.000: nothing, or hardly anything, strikes the bumper, and no value is best */
 };
 enum { THUD_SWEEP_BEST_PER_CENT = 5 };
 
-/* Makes rows for `axis` of the table: by record, case and the other keys in their order, and with several records after
- * each group the one for all. *out is to be freed; returns their number, -1 when out of memory. Case `none` has no
- * rows. */
+/* Makes rows for `axis` of the table, by record, case and the other keys in their order. With several records, the row
+ * for all of them follows each group. *out is to be freed; returns their number, -1 when out of memory. Case `none` has
+ * no rows. */
 long thud_sweep_best(const struct thud_sweep_table *table, int axis, struct thud_sweep_best **out);

@@ -12,15 +12,15 @@
 struct thud_sweep_axis {
     char key[96];
     const struct thud_param *param;
-    int n, own;                  /* own: the preset's own value among them; -1: it is not there, or is no number */
-    bool words;                  /* of choices, texts or lists, which no number says */
+    int n, own;                  /* own: index of the preset's own value; -1: not among them, or not a number */
+    bool words;                  /* choices, texts or lists instead of numbers */
     double *value;               /* (n) SI; of words their places in the list, from 0 */
     char (*text)[THUD_NAME_MAX]; /* (n) as thud_scene_set takes it */
     double range[3];             /* from, to, step, SI; NaN: the values were listed */
     double period_s;             /* of a spectral acceleration; NaN: the mean first period of each point's buildings */
 };
 
-/* What a run makes of a contact. */
+/* Results of a contact. */
 struct thud_sweep_contact {
     int impacts;
     double force_n, indentation_m, impulse_ns, contact_time_s;
@@ -34,14 +34,14 @@ struct thud_sweep_contact_row {
     double gap_m; /* of the first interface; NaN where there is none */
     struct thud_gap_level level;
     struct thud_sweep_contact of;
-    /* Over the changed runs and the one as asked for. NaN where no spread was asked for or a run has no result. */
+    /* Over the nominal and the changed runs. NaN if no spread is requested or a run has no result. */
     double force_low_n, force_high_n, indentation_low_m, indentation_high_m;
 };
 
 /* Required gap of a level, from the response without pounding, and the codes' rules. */
 struct thud_sweep_need_row {
     int record;
-    int at[THUD_VARY_MAX]; /* place of its value on each axis; of those that change no motion without pounding 0 */
+    int at[THUD_VARY_MAX]; /* index of its value on each axis; 0 on axes that do not affect motion without pounding */
     struct thud_gap_level level;
-    struct thud_collapse fall; /* without pounding: the gap is that until then */
+    struct thud_collapse fall; /* without pounding: the gap required until then */
 };

@@ -14,8 +14,8 @@ struct thud_sweep_ratio {
 };
 enum thud_sweep_end { THUD_SWEEP_VALUE, THUD_SWEEP_LOW, THUD_SWEEP_HIGH };
 
-/* Shares of a suite's ground motions, for a run whose own values are medians: those with contact, and those with a
- * larger mean acceleration of a structure than in case `none`. */
+/* Fractions of the ground motions of a suite, for a run whose own values are medians: with contact, and with a larger
+ * mean acceleration of a structure than in case `none`. */
 struct thud_sweep_shares {
     double pounding, worse;
     /* Wilson's 90 % bands, low and high, both signs of a motion as one; NaN: of so few motions there are none. */
@@ -42,10 +42,10 @@ struct thud_sweep_table {
     int measures;       /* of the scene, for the names of cases */
     double sensitivity; /* of the spread; 0: there is none */
     int motions; /* over how many ground motions the values are medians, low and high 16 and 84 %; 0: of one each */
-    int draws;   /* of those the independent ones: fewer than THUD_SHARES_LEAST have medians alone */
+    int draws;   /* number of independent motions: fewer than THUD_SHARES_LEAST have medians only */
     const char *const *record; /* (nrecords) names */
     const struct thud_record *const
-        *motion; /* (nrecords) whose own words figures show where the name is the file's; NULL: names alone */
+        *motion; /* (nrecords) whose description figures show if the name is that of the file; NULL: names only */
     const char *const *structure;         /* (nstructures) names */
     const enum thud_structure_kind *kind; /* (nstructures) */
     const struct thud_sweep_axis *axis;   /* (naxes) */
@@ -71,9 +71,9 @@ long thud_sweep_table_settings(const struct thud_sweep_table *table, int axis);
 /* (settings x nrecords) the points of a table; NULL: no result. To be freed; NULL: out of memory. */
 const struct thud_sweep_summary **thud_sweep_table_points(const struct thud_sweep_table *table);
 
-/* The table of a suite: one record, whose points hold the statistics over all records of `table`: medians, and as low
- * and high the 16 and 84 % fractiles (of the logarithms where positive). It points to the names and axes of `table`.
- * Free with thud_sweep_suite_free. Errors: THUD_MEMORY. */
+/* Makes the table of a suite: one record, whose points have the statistics over all records of `table`. These are
+ * medians, and as low and high the 16 and 84 % fractiles (of the logarithms if positive). It points to the names and
+ * axes of `table`. Free with thud_sweep_suite_free. Errors: THUD_MEMORY. */
 enum thud_status thud_sweep_suite_make(const struct thud_sweep_table *table, struct thud_sweep_table **out,
                                        struct thud_error *err);
 void thud_sweep_suite_free(struct thud_sweep_table *suite);
@@ -110,7 +110,7 @@ static inline double thud_sweep_summary_value(const struct thud_sweep_summary *d
     const struct thud_measure_info *info = thud_measure_info(measure);
     if (!info->of_structure || structure >= 0)
         return *thud_sweep_summary_measure(d, k, measure, structure, end);
-    double most = NAN; /* a NaN gives way */
+    double most = NAN; /* NaN is ignored */
     for (int s = 0; s < d->nstructures; s++)
         most = fmax(most, *thud_sweep_summary_measure(d, k, measure, s, end));
     return most;

@@ -1,7 +1,6 @@
-/* Propagation of input uncertainty: inputs not known in practice, each with a size; changed one at a time (tornado) and
- * all together, drawn at random. Stiffness, mass, damping, yield, columns and elevation of every building are separate
- * inputs, and so is every gap: it is the difference of two buildings' periods that makes them pound, which a common
- * factor hides. */
+/* Propagation of input uncertainty: each uncertain input has a size, and inputs are changed one at a time (tornado) or
+ * sampled jointly. Stiffness, mass, damping, yield, columns and elevation of every building are separate inputs, and so
+ * is every gap. A common factor would hide the difference of two buildings' periods, which causes pounding. */
 #pragma once
 
 #include "ground/record.h"
@@ -50,8 +49,8 @@ const struct thud_input_info *thud_input_info(enum thud_input input);
 enum { THUD_INPUTS_OWN_MAX = 64 };
 struct thud_inputs {
     double size[THUD_INPUTS];   /* of each building, or interface, on its own */
-    double common[THUD_INPUTS]; /* of what all of them share besides */
-    bool asked[THUD_INPUTS];    /* with another size than none: the scene must have such a thing */
+    double common[THUD_INPUTS]; /* of the part that all of them share */
+    bool asked[THUD_INPUTS];    /* given with a size: the scene must have this input */
     int nown;
     struct thud_input_own {
         enum thud_input input;
@@ -78,7 +77,7 @@ double thud_input_times(const struct thud_drawn_input *input, double u);
  * less than its bumper takes. */
 void thud_input_change(struct thud_scene *scene, const struct thud_drawn_input *input, double u, double *motion);
 
-/* ---- what is asked of every sample ---- */
+/* ---- quantities of a sample ---- */
 
 /* Quantity of a sample: a measure of a run; the required gap is the scene's, the widest level, without a bumper's
  * projection. */
@@ -111,9 +110,9 @@ struct thud_uncertainty {
 };
 
 /* Creates the study. `which`: THUD_CASE_AS_WRITTEN and a scene without a bumper: only that; with one: none and bumper;
- * else none and `which`. `suite` (nsuite) must outlive it; of more than one ground motion each sample draws one, and
- * without a `record` the nominal one is that of the median required separation. Errors: those of thud_needed_gap_run,
- * THUD_INPUT (nothing is uncertain; a size of what is not there), THUD_MEMORY. */
+ * else none and `which`. `suite` (nsuite) must outlive it. With several ground motions each sample draws one; without a
+ * `record` the nominal motion is that with the median required gap. Errors: those of thud_needed_gap_run, THUD_INPUT
+ * (nothing is uncertain; a size for an input that the scene does not have), THUD_MEMORY. */
 enum thud_status thud_uncertainty_create(const struct thud_scene *scene, const struct thud_record *record,
                                          const struct thud_record *const *suite, int nsuite, enum thud_case which,
                                          const struct thud_inputs *inputs, struct thud_uncertainty **out,
