@@ -72,7 +72,7 @@ by_tidy() {
 sources=$(find src -name '*.c' | sort)
 lint house nm "$sources"
 # of the manual, of comments, and of what the program prints
-lint words perl "$(ls README.md CHANGELOG.md .github/CONTRIBUTING.md man/*; find src include -name '*.[ch]' | sort)"
+lint words perl "$(ls README.md CHANGELOG.md .github/CONTRIBUTING.md records/README.md man/*; find src include -name '*.[ch]' | sort)"
 lint shellcheck shellcheck "$(find tests .ci -name '*.sh' -o -path '.ci/*' | sort)"
 lint format clang-format "$(find src include tests -name '*.[ch]' | sort)"
 lint mandoc mandoc "$(find man -name '*.[1-8]' 2>/dev/null | sort)"
