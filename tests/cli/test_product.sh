@@ -344,7 +344,7 @@ if [ -d gap ] && [ -d one ]; then
     fi
     # in words, rounded: what run says, what the report says, what the terminal says
     "$THUD" run $scene $cut --quiet >run.txt 2>/dev/null
-    sed -n 's/^summary .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\1/p; t; s/^summary .*needs \([0-9.]*\) cm.*/\1/p' run.txt | widest >said-run
+    sed -n 's/^\(summary\|  \) .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\2/p; t; s/^\(summary\|  \) .*needs \([0-9.]*\) cm.*/\2/p' run.txt | widest >said-run
     sed -n 's/^| gap between .*[^0-9.]\([0-9.]*\) cm required.*/\1/p' report/report.md | widest >said-report
     for said in run report; do # rounded up to what is shown
         [ ! -s said-$said ] || awk -v said="$(cat said-$said)" '{ p = index(said, "."); unit = p ? 10 ^ -(length(said) - p) : 1
@@ -359,7 +359,7 @@ if [ -d gap ] && [ -d one ]; then
     "$THUD" --play session >played.txt 2>played.err || complain "the terminal: $(head -c 200 played.err)"
     # of one of its interfaces; what a setting leaves as it was is not said again
     sed '1,/^> open/d' played.txt | sed -n 's/.*needs \([0-9.]*\) cm.*/\1/p' | tail -1 >said-terminal
-    [ -z "$cut" ] || sed -n 's/^summary .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\1/p; t; s/^summary .*needs \([0-9.]*\) cm.*/\1/p' run.txt | awk -v said="$(cat said-terminal)" '$1 + 0 == said + 0 { found = 1 } END { exit !found }' ||
+    [ -z "$cut" ] || sed -n 's/^\(summary\|  \) .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\2/p; t; s/^\(summary\|  \) .*needs \([0-9.]*\) cm.*/\2/p' run.txt | awk -v said="$(cat said-terminal)" '$1 + 0 == said + 0 { found = 1 } END { exit !found }' ||
         complain "the required gap of terminal and run: $(cat said-terminal) and $(cat said-run) cm"
 fi
 tell "the required gap of run, gap, sweep, uncertainty, report and terminal"

@@ -2,7 +2,7 @@
  * reference. The study plans and judges the runs; the owner of a clock runs and times them. */
 #pragma once
 
-#include "study/methods/stepping.h"
+#include "study/methods/time_stepping.h"
 #include "study/scene/solution.h"
 
 enum thud_bench_state { THUD_BENCH_WAITING, THUD_BENCH_DONE, THUD_BENCH_FAILED, THUD_BENCH_SKIPPED };

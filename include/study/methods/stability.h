@@ -5,7 +5,7 @@
  * conditions and is kept from others. The verdict is therefore based on the energy in the worst of several runs. */
 #pragma once
 
-#include "study/methods/stepping.h"
+#include "study/methods/time_stepping.h"
 #include "study/scene/solution.h"
 
 enum thud_stability_verdict { THUD_VERDICT_NONE, THUD_BOUNDED, THUD_GROWING, THUD_BLOWN_UP };

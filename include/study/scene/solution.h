@@ -38,8 +38,6 @@ enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct t
 enum thud_status thud_model_solve(const struct thud_model_input *input, const struct thud_record *record,
                                   const struct thud_run_options *options, struct thud_solution *out,
                                   struct thud_error *err);
-/* Advances a started run (`status` THUD_OK) to the end, and clears what failed: all but THUD_DIVERGED. */
-enum thud_status thud_solution_finish(struct thud_solution *solution, enum thud_status status, struct thud_error *err);
 void thud_solution_clear(struct thud_solution *solution);
 /* Checks that the contacts of a finished run made no energy to speak of. Errors: THUD_DIVERGED. */
 enum thud_status thud_result_check(const struct thud_result *result, struct thud_error *err);

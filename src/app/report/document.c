@@ -1,11 +1,11 @@
 #include "app/report/document.h"
 
-#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/ascii.h"
 #include "io/file/file.h"
 
 enum kind { TITLE, CONTENTS, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
@@ -312,7 +312,7 @@ static size_t unit_length(const char *at)
                                        "kN", "MN", "GN", "kJ", "MJ", "Hz", "MPa", "GPa"};
     for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
         const size_t n = strlen(unit[i]);
-        if (strncmp(at, unit[i], n) == 0 && !isalpha((unsigned char)at[n]))
+        if (strncmp(at, unit[i], n) == 0 && !thud_ascii_is_alpha(at[n]))
             return strcspn(at, " ,;:()[]|");
     }
     return 0;
@@ -325,7 +325,7 @@ static void html_text(struct thud_text *out, const char *text)
     const char *unit_end = text;
     for (const char *at = text; *at; at++) {
         const char letter[] = {*at, '\0'};
-        if (*at == ' ' && at > text && isdigit((unsigned char)at[-1]) && unit_length(at + 1) > 0)
+        if (*at == ' ' && at > text && thud_ascii_is_digit(at[-1]) && unit_length(at + 1) > 0)
             unit_end = at + 1 + unit_length(at + 1);
         escape_html(out, *at == ' ' && at < unit_end ? no_break_space : letter);
         if (*at == '/' && at < unit_end)

@@ -65,7 +65,7 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size)
 {
     const double bare_cm = thud_summary_gap_cm(line->need_m);
-    if (line->bumper_m > 0)
+    if (line->bumper_m > 1e-9) /* a difference: rounding is no bumper */
         snprintf(text, size, "needs %.1f cm (%.1f bare)%s", thud_summary_gap_cm(line->need_m + line->bumper_m), bare_cm,
                  line->in_row ? ALONE : "");
     else if (line->in_row)

@@ -58,7 +58,8 @@ enum thud_status thud_result_check(const struct thud_result *result, struct thud
                              -1e-3 * e->contact_j, -100 * e->contact_j / (e->initial_j + e->input_j), result->method);
 }
 
-enum thud_status thud_solution_finish(struct thud_solution *out, enum thud_status status, struct thud_error *err)
+/* Advances a started run (`status` THUD_OK) to the end, and clears what failed: all but THUD_DIVERGED. */
+static enum thud_status finish(struct thud_solution *out, enum thud_status status, struct thud_error *err)
 {
     for (bool done = false; status == THUD_OK && !done;)
         status = thud_run_advance(out->run, 1000, &done, err);
@@ -72,7 +73,7 @@ enum thud_status thud_scene_solve(const struct thud_scene *scene, const struct t
                                   struct thud_error *err)
 {
     enum thud_status status = thud_scene_start(scene, record, options, out, err);
-    status = thud_solution_finish(out, status, err);
+    status = finish(out, status, err);
     return status == THUD_OK ? thud_result_check(thud_run_result(out->run), err) : status;
 }
 
@@ -84,7 +85,7 @@ enum thud_status thud_model_solve(const struct thud_model_input *input, const st
     enum thud_status status = thud_model_create(input, &out->model, err);
     if (status == THUD_OK)
         status = thud_run_create(out->model, record, options, &out->run, err);
-    return thud_solution_finish(out, status, err);
+    return finish(out, status, err);
 }
 
 void thud_solution_clear(struct thud_solution *solution)

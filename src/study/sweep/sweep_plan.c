@@ -485,3 +485,8 @@ enum thud_status thud_sweep_case(const struct thud_sweep_plan *plan, const struc
         thud_change_scene(cased, change, factor);
     return status;
 }
+
+const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which)
+{
+    return point->level + thud_sweep_linkage(point->nlinkages, which) * point->ncontacts;
+}

@@ -41,11 +41,6 @@ struct thud_sweep_point *thud_sweep_point_create(int ncases, int nfloors, int nc
     return point;
 }
 
-const struct thud_gap_level *thud_sweep_levels(const struct thud_sweep_point *point, enum thud_case which)
-{
-    return point->level + thud_sweep_linkage(point->nlinkages, which) * point->ncontacts;
-}
-
 /* Floors' peaks of a result of the scene. */
 static void take_floors(struct thud_sweep_floor *to, const struct thud_scene *scene, const struct thud_result *result)
 {

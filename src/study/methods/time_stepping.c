@@ -1,4 +1,4 @@
-#include "study/methods/stepping.h"
+#include "study/methods/time_stepping.h"
 
 #include <stdio.h>
 
