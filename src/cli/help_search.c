@@ -198,7 +198,8 @@ static int higher(const void *a, const void *b)
     return x->score != y->score ? (x->score < y->score) - (x->score > y->score) : (x->at > y->at) - (x->at < y->at);
 }
 
-/* A paragraph that has more of the question's words comes first, the rare ones before all, and a long one behind a short one. */
+/* A paragraph that has more of the question's words comes first, the rare ones before all. Rows of tables, and long
+ * paragraphs, come behind. */
 static void rank(struct pages *p, char word[WORDS_MAX][32], int words)
 {
     double weight[WORDS_MAX], all = 0;
@@ -215,10 +216,10 @@ static void rank(struct pages *p, char word[WORDS_MAX][32], int words)
         double found = 0, sum = 0;
         for (int k = 0; k < words; k++) {
             found += p->list[i].hits[k] > 0 ? weight[k] : 0;
-            sum += weight[k] * p->list[i].hits[k] / (0.5 + p->list[i].hits[k]);
+            sum += weight[k] * p->list[i].hits[k] / (0.3 + p->list[i].hits[k]);
         }
-        const double shorter = 1 + 1e-3 * (double)strlen(p->text.data + p->list[i].at);
-        p->list[i].score = 3 * found < all ? 0 : sum * found / shorter;
+        const double length = (double)strlen(p->text.data + p->list[i].at);
+        p->list[i].score = 3 * found < all ? 0 : sum * found / ((1 + length / 1000) * (1 + 40 / length));
     }
     qsort(p->list, (size_t)p->n, sizeof *p->list, higher);
 }

@@ -183,7 +183,7 @@ static const struct thud_option options[] = {
     {"ascii", NULL, "draw with ASCII characters only", THUD_WORD_NONE, false, SCREEN},
     {"no-color", NULL, "use no colour", THUD_WORD_NONE, false, SCREEN},
     {"words", "LIST", "the words of a list, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
-    {"complete", "LINE", "what may stand at its end, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
+    {"complete", "LINE", "the words allowed at its end, for shells", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
     {"mdoc", "PART", "a part of thud-preset(5), from the tables", THUD_WORD_TEXT, false, 1 << THUD_COMMAND_HELP},
     {"completion", "SHELL", "a completion script: bash, zsh, fish", THUD_WORD_CHOICE, false, 1 << THUD_COMMAND_HELP},
     {"help", NULL, "the options of the command", THUD_WORD_NONE, false, ALL},
