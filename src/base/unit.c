@@ -28,12 +28,13 @@ static const struct {
     [THUD_TIME] = {"a time", "s, ms"},
     [THUD_VELOCITY] = {"a velocity", "m/s, cm/s, mm/s, in/s, ft/s"},
     [THUD_ACCELERATION] = {"an acceleration", "m/s2, cm/s2, mm/s2, in/s2, ft/s2, g, gal"},
-    [THUD_BENDING] = {"a bending stiffness", "N m2, kN m2, MN m2, GN m2"},
-    [THUD_DASHPOT] = {"a dashpot", "N s/m, kN s/m, MN s/m"},
-    [THUD_ROCKING] = {"a rotational stiffness", "N m/rad, kN m/rad, MN m/rad, GN m/rad"},
-    [THUD_ROCKING_DASHPOT] = {"a rotational dashpot", "N m s/rad, kN m s/rad, MN m s/rad, GN m s/rad"},
-    [THUD_INERTIA] = {"a moment of inertia", "kg m2, t m2"},
-    [THUD_DENSITY] = {"a density", "kg/m3, t/m3"},
+    [THUD_BENDING] = {"a bending stiffness", "N m2, kN m2, MN m2, GN m2, kip in2, kip ft2"},
+    [THUD_DASHPOT] = {"a dashpot", "N s/m, kN s/m, MN s/m, kip s/in, kip s/ft"},
+    [THUD_ROCKING] = {"a rotational stiffness", "N m/rad, kN m/rad, MN m/rad, GN m/rad, kip in/rad, kip ft/rad"},
+    [THUD_ROCKING_DASHPOT] = {"a rotational dashpot",
+                              "N m s/rad, kN m s/rad, MN m s/rad, GN m s/rad, kip in s/rad, kip ft s/rad"},
+    [THUD_INERTIA] = {"a moment of inertia", "kg m2, t m2, kip in s2, kip ft s2, lb ft2"},
+    [THUD_DENSITY] = {"a density", "kg/m3, t/m3, lb/ft3, pcf"},
 };
 
 const char *thud_dimension_units(enum thud_dimension dimension)
