@@ -31,8 +31,8 @@ bool thud_record_same_event(const struct thud_record *a, const struct thud_recor
 bool thud_record_same_station(const struct thud_record *a, const struct thud_record *b);
 /* Returns whether both may be of one event: not where the texts of their events state different years. */
 bool thud_record_may_be_same_event(const struct thud_record *a, const struct thud_record *b);
-/* Returns whether two motions are read from one file, whatever their factors, signs and windows; columns of a table are
- * files of their own. */
+/* Returns whether two motions are read from one file, whatever their factors, signs and windows; columns of a table and
+ * channels may be of different recordings, and are files of their own. */
 bool thud_record_same_file(const struct thud_record *a, const struct thud_record *b);
 /* Returns whether two motions are the same except for factor, start and processing: their correlation coefficient
  * exceeds 0.9 at the best lag of up to 5 s. */

@@ -245,23 +245,30 @@ bool thud_motion_is_turned(const char *own, const char *other)
     return n > cut && strcmp(own + n - cut, turned) == 0 && strncmp(own, other, n - cut) == 0;
 }
 
-/* The length of a file's name without its settings (FILE:KEY=VALUE...). A table's columns and channels are no settings:
- * they may be of different recordings. */
+/* The length of a file's name without its settings (FILE:KEY=VALUE...). */
 static size_t name_length(const char *file)
 {
-    const char *end = file + strlen(file);
-    for (const char *colon = strchr(file, ':'); colon; colon = strchr(colon + 1, ':')) {
-        const char *rest = colon + 1 + strspn(colon + 1, "abcdefghijklmnopqrstuvwxyz-");
-        if (*rest == '=' && strncmp(colon, ":column", 7) != 0 && strncmp(colon, ":channel", 8) != 0)
+    for (const char *colon = strchr(file, ':'); colon; colon = strchr(colon + 1, ':'))
+        if (colon[1 + strspn(colon + 1, "abcdefghijklmnopqrstuvwxyz-")] == '=')
             return (size_t)(colon - file);
-    }
-    return (size_t)(end - file);
+    return strlen(file);
+}
+
+/* Whether a setting, ":KEY=", has the same value in both names, or stands in neither. */
+static bool same_setting(const char *a, const char *b, const char *key)
+{
+    const char *of_a = strstr(a, key), *of_b = strstr(b, key);
+    if (!of_a || !of_b)
+        return !of_a && !of_b;
+    const size_t n = strlen(key), length = strcspn(of_a + n, ":");
+    return length == strcspn(of_b + n, ":") && strncmp(of_a + n, of_b + n, length) == 0;
 }
 
 bool thud_record_same_file(const struct thud_record *a, const struct thud_record *b)
 {
     const size_t n = name_length(a->file);
-    return n == name_length(b->file) && strncmp(a->file, b->file, n) == 0;
+    return n == name_length(b->file) && strncmp(a->file, b->file, n) == 0 &&
+           same_setting(a->file, b->file, ":column=") && same_setting(a->file, b->file, ":channel=");
 }
 
 static bool same_recording(const struct thud_record *a, const struct thud_record *b)

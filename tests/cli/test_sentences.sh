@@ -1,7 +1,7 @@
 #!/bin/sh
 # Sentences of `thud run`, `thud run --cases` and `thud gap` against the JSON beside them, key by key: eight scenes of the more
-# than forty of tests/soak/sentences.py (`make soak` does all): towers, also under a weak motion and another record; a slab
-# against columns; a row of three, reversed; lead-rubber bearings; links; storeys that yield.  TAP.
+# than forty of tests/soak/sentences.py (`make soak` does all): towers, with bumpers by level, under another record and on soil;
+# rows of three, one with slabs against columns and storeys that yield; a moat with soil behind its walls; bodies.  TAP.
 # shellcheck source=tests/cli/program.sh
 . "$(dirname "$0")/program.sh"
 if [ -n "$python" ]; then

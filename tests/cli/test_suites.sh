@@ -511,7 +511,8 @@ round "two parts of a motion" "kobe-surrogate.csv:to=9s,kobe-surrogate.csv:from=
 round "two columns in a unit with a slash" "two.csv:column=2:unit=cm/s2:to=9s,two.csv:column=3:unit=cm/s2:to=9s"
 round "peaks, factors and signs" "kobe-surrogate.csv:peak=0.3g:to=9s,kobe-surrogate.csv:factor=0.7:sign=-:to=9s,plain:peak=0.2g:sign=-:to=9s"
 round "in a folder with such a name" "$tmp/odd/a b#c:to=9s"
-is "a name has its settings whole" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2:unit=cm/s2,two.csv:column=3:unit=cm/s2 --quiet | grep -q '^two.csv:column=3:unit=cm/s2 '"
+is "a name has its settings whole" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2:unit=cm/s2,two.csv:column=3:unit=cm/s2 --quiet >'$tmp/out'" && shows '^two.csv:unit=cm/s2:column=3 '
+is "and is a file of its own" shows '! 2 files, '
 is "two motions that say nothing of themselves" sh -c "cd '$tmp/odd' && \"\$THUD\" suite two.csv:column=2,plain --quiet >'$tmp/out'"
 is "count as independent, which is said" shows "! 2 files, 2 recordings, 2 of unknown station: fewer than codes accept"
 is "one that says it is not of those" sh -c "cd '$tmp/odd' && \"\$THUD\" suite kaikoura-wtmc.csv,two.csv:column=2 --quiet | grep -q '2 recordings, 1 of unknown station'"
