@@ -469,6 +469,9 @@ row="--set interfaces.1.gap=20cm --set interfaces.2.gap=10cm"
 # shellcheck disable=SC2086 # words
 is "a row whose end pushes the others" report 0 three-in-a-row $row --samples 0 --no-pdf
 is "is judged by its run" in_text "20.0 cm given; 19.8 cm required between bare faces under this motion, 24.8 cm with the bumper between them, when nothing else touches: not enough, since another building pushes them together"
+is "bumpers of a thickness by level" report 0 towers "--set=bumper.thickness-by-level=[3cm,4cm,5cm,8cm]" --samples 0 --no-pdf --no-simplify
+is "project by the thickest" in_text "8.00 cm for the largest projection of the bumper"
+is "and are described so" in_text "thickness of the bumper 3 to 8 cm by level"
 # shellcheck disable=SC2086
 is "its first line" gives 0 run three-in-a-row $row --case none --quiet
 is "says what the required gap is of" shows '^summary 1 *POUNDS at 20 cm: 2 impacts, 6.09 MN$'

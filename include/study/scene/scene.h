@@ -475,6 +475,8 @@ struct thud_level_values thud_interface_level(const struct thud_interface *inter
 double thud_level_clearance(const struct thud_level_values *level);
 /* Gives the smallest and the largest gap (m) of its levels. */
 void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
+/* Gives the smallest and the largest thickness (m) of the bumpers at its levels; 0: there is none. */
+void thud_interface_thicknesses(const struct thud_interface *interface, double *least_m, double *most_m);
 /* Returns the largest projection (m) of the bumpers at its levels, thickness less cavity; 0: there is none. *least_m gets
  * the smallest if not NULL. */
 double thud_interface_projection(const struct thud_interface *interface, double *least_m);

@@ -54,8 +54,11 @@ static enum thud_status run_scene(struct site *site, const struct thud_scene *sc
     v->gap_m = INFINITY;
     v->required_m = NAN;
     for (int i = 0; i + 1 < scene->nstructures; i++) {
-        v->gap_m = fmin(v->gap_m, scene->interface[i].gap_m);
-        v->bumper_m = fmax(v->bumper_m, scene->interface[i].has_bumper ? scene->interface[i].bumper_thickness_m : 0);
+        double least_m, most_m;
+        thud_interface_gaps(&scene->interface[i], &least_m, &most_m);
+        v->gap_m = fmin(v->gap_m, least_m);
+        thud_interface_thicknesses(&scene->interface[i], &least_m, &most_m);
+        v->bumper_m = fmax(v->bumper_m, most_m);
     }
     for (int r = 0; r < count_motions(site) && status == THUD_OK; r++) {
         struct thud_solution solution = {0};

@@ -120,14 +120,16 @@ void thud_site_scene(struct site *site)
     for (int s = 0; s < site->scene->nstructures; s++)
         say_sliding(site, s);
     for (int i = 0; i + 1 < site->scene->nstructures; i++) {
-        char gap[64], clearance[2048];
+        char gap[64], thickness[64], clearance[2048];
         const struct thud_interface *f = &site->scene->interface[i];
         thud_interface_gap_text(f, gap, sizeof gap);
+        thud_interface_thickness_text(f, thickness, sizeof thickness);
         thud_interface_clearance_text(site->scene, i, clearance, sizeof clearance);
         if (f->has_bumper)
-            thud_document_item(d, "Clearance between %s and %s: %s (gap %s, bumper %.4g cm thick, cavity %.4g cm).",
-                               thud_site_name(site, i), thud_site_name(site, i + 1), clearance, gap,
-                               100 * f->bumper_thickness_m, 100 * f->bumper_cavity_m);
+            thud_document_item(d,
+                               "Clearance between %s and %s: %s (gap %s, thickness of the bumper %s, cavity %.4g cm).",
+                               thud_site_name(site, i), thud_site_name(site, i + 1), clearance, gap, thickness,
+                               100 * f->bumper_cavity_m);
     }
     thud_site_figure(site, thud_figure_of_scene(site->scene, "scene", ""), 0.5,
                      "Elevation of the buildings, levels in metres, and the model that is computed.");

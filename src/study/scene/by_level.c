@@ -60,18 +60,23 @@ void thud_interface_gaps(const struct thud_interface *interface, double *least_m
     }
 }
 
+void thud_interface_thicknesses(const struct thud_interface *interface, double *least_m, double *most_m)
+{
+    *least_m = *most_m = thud_interface_level(interface, interface->thickness.n > 0 ? 0 : -1).thickness_m;
+    for (int l = 1; l < interface->thickness.n; l++) {
+        const double thickness = thud_interface_level(interface, l).thickness_m;
+        *least_m = fmin(*least_m, thickness);
+        *most_m = fmax(*most_m, thickness);
+    }
+}
+
 double thud_interface_projection(const struct thud_interface *interface, double *least_m)
 {
-    double least = INFINITY, most = 0;
-    for (int l = 0; l == 0 || l < interface->thickness.n; l++) {
-        const struct thud_level_values at = thud_interface_level(interface, interface->thickness.n > 0 ? l : -1);
-        const double out = at.has_bumper ? at.thickness_m - at.cavity_m : 0;
-        least = fmin(least, out);
-        most = fmax(most, out);
-    }
+    double least, most;
+    thud_interface_thicknesses(interface, &least, &most);
     if (least_m)
-        *least_m = least;
-    return most;
+        *least_m = least > 0 ? least - interface->bumper_cavity_m : 0;
+    return most > 0 ? most - interface->bumper_cavity_m : 0;
 }
 
 static void range_text(double least_m, double most_m, char *text, size_t size)
@@ -91,12 +96,8 @@ void thud_interface_gap_text(const struct thud_interface *interface, char *text,
 
 void thud_interface_thickness_text(const struct thud_interface *interface, char *text, unsigned long size)
 {
-    double least = interface->bumper_thickness_m, most = least;
-    for (int l = 0; l < interface->thickness.n; l++) {
-        const double at = thud_interface_level(interface, l).thickness_m;
-        least = l == 0 ? at : fmin(least, at);
-        most = l == 0 ? at : fmax(most, at);
-    }
+    double least, most;
+    thud_interface_thicknesses(interface, &least, &most);
     range_text(least, most, text, size);
 }
 
