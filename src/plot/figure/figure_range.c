@@ -128,11 +128,12 @@ static struct thud_range data_range(const struct thud_panel *panel, enum thud_si
 struct thud_range thud_panel_range(const struct thud_panel *panel, enum thud_side side)
 {
     const struct thud_axis *axis = &panel->axis[side];
-    struct thud_range range = data_range(panel, side);
-    if (!isnan(axis->least))
-        range.least = axis->least;
-    if (!isnan(axis->most))
-        range.most = axis->most;
+    struct thud_range range = {axis->least, axis->most, 0.0};
+    if (!is_set(axis)) { /* else no sample is looked at */
+        range = data_range(panel, side);
+        range.least = isnan(axis->least) ? range.least : axis->least;
+        range.most = isnan(axis->most) ? range.most : axis->most;
+    }
     if (isnan(range.least) && !isnan(range.most))
         range.least = axis->log ? 0.1 * range.most : range.most - 1.0;
     if (isnan(range.most) && !isnan(range.least))

@@ -197,8 +197,7 @@ void thud_chart_words(const struct thud_panel *panel, double x, char *text, size
     const struct thud_axis *across = &panel->axis[THUD_X], *up = &panel->axis[THUD_Y];
     size_t n = (size_t)snprintf(text, size, "%s %.5g%s%s:", across->label ? across->label : "x", x,
                                 across->unit && *across->unit ? " " : "", across->unit ? across->unit : "");
-    struct thud_range range = thud_panel_range(panel, THUD_Y);
-    double rounding = 1e-12 * fmax(fabs(range.least), fabs(range.most));
+    static const double rounding = 1e-12; /* in any unit that is shown */
     for (int i = 0; i < panel->nseries && n < size; i++) {
         const struct thud_series *s = panel->series[i];
         double value = thud_chart_value(s, x);
