@@ -15,7 +15,6 @@
 
 #include "cli/commands.h"
 #include "io/file/file.h"
-#include "io/file/output.h"
 
 static char folder[64];
 
@@ -156,7 +155,7 @@ END_TEST
 static _Noreturn void interrupted(bool watched, int signals)
 {
     struct thud_file_draft draft;
-    struct thud_output output;
+    struct thud_file_draft output;
     struct thud_folder_lock lock;
     signal(SIGINT, SIG_DFL);
     thud_interrupt_start();
@@ -164,7 +163,7 @@ static _Noreturn void interrupted(bool watched, int signals)
         thud_interrupt_watch();
     if (thud_folder_lock(folder, &lock, NULL) != THUD_OK ||
         thud_file_draft(in_folder("a.csv"), "x", 1, THUD_FILE_RESULT, &draft, NULL) != THUD_OK ||
-        thud_output_open(in_folder("b.csv"), &output, NULL) != THUD_OK)
+        thud_file_begin(in_folder("b.csv"), &output, NULL) != THUD_OK)
         _exit(1);
     for (int i = 0; i < signals; i++)
         raise(SIGINT);

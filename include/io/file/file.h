@@ -26,22 +26,29 @@ bool thud_file_is_same(const char *a, const char *b);
  * Errors: THUD_OUTPUT. */
 enum thud_status thud_file_write(const char *path, const char *text, size_t size, struct thud_error *err);
 
-/* Draft of a file: completely written, but invisible under its name before thud_file_keep. So a group of files appears
- * whole or not at all, except for failures of rename(2). */
+/* Draft of a file: written, but invisible under its name before thud_file_keep. So a group of files appears whole or not
+ * at all, except for failures of rename(2). {0}: nothing is in the making. */
 struct thud_file_draft {
-    char *path, *part; /* NULL: nothing is in the making */
-    int fd;            /* of the part, where there is one */
+    bool is_open, is_synced;
+    int fd;
+    char path[4096], part[4200];
 };
+
+/* Begins an empty draft, and adds what `text` holds so far when it is at least `least` bytes, emptying it. Errors:
+ * THUD_OUTPUT, THUD_MEMORY. */
+enum thud_status thud_file_begin(const char *path, struct thud_file_draft *out, struct thud_error *err);
+enum thud_status thud_file_add(struct thud_file_draft *draft, struct thud_text *text, size_t least,
+                               struct thud_error *err);
 
 /* Owner of a file. The kind of a file named by the user is kept: a link still points to the file that is written, and a
  * pipe or device is written at once. A file of the program's own in a results folder replaces whatever has its name, so
  * nothing outside the folder is written. */
 enum thud_file_owner { THUD_FILE_NAMED, THUD_FILE_RESULT };
 
-/* Does as thud_file_write without renaming. Errors: THUD_OUTPUT, THUD_MEMORY; *out is then as {0}. */
+/* Does as thud_file_write without renaming. Errors: THUD_OUTPUT; nothing is in the making then. */
 enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
                                  struct thud_file_draft *out, struct thud_error *err);
-/* Renames and ends the draft, also on failure. Errors: THUD_OUTPUT. */
+/* Syncs, renames and ends the draft, also on failure. Errors: THUD_OUTPUT. */
 enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err);
 void thud_file_drop(struct thud_file_draft *draft);
 

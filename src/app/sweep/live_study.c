@@ -8,7 +8,6 @@
 #include "app/sweep/sweep_study_private.h"
 #include "ground/identity.h"
 #include "io/file/file.h"
-#include "io/file/output.h"
 #include "plot/figures/figures_gap.h"
 #include "plot/figures/figures_sweep.h"
 
@@ -224,17 +223,17 @@ struct thud_figure *thud_live_study_figure(struct thud_live_study *study, int in
 }
 
 static enum thud_status export_rows(const struct thud_live_study *study, enum thud_sweep_csv which,
-                                    struct thud_output *file, struct thud_text *text, struct thud_error *err)
+                                    struct thud_file_draft *file, struct thud_text *text, struct thud_error *err)
 {
     enum thud_status status = THUD_OK;
     thud_sweep_csv_header(&study->plan, which, text);
     for (long i = 0; i < study->next && status == THUD_OK; i++) {
         thud_sweep_csv_rows(&study->plan, which, study->done[i], text);
-        status = thud_output_drain(file, text, CHUNK, err);
+        status = thud_file_add(file, text, CHUNK, err);
     }
     if (status == THUD_OK)
-        status = thud_output_drain(file, text, 0, err);
-    return status == THUD_OK ? thud_output_commit(file, err) : status;
+        status = thud_file_add(file, text, 0, err);
+    return status == THUD_OK ? thud_file_keep(file, err) : status;
 }
 
 static enum thud_status export_suite(const struct thud_live_study *study, const char *folder, const char *stem,
@@ -259,13 +258,13 @@ enum thud_status thud_live_study_export(const struct thud_live_study *study, con
     enum thud_status status = THUD_OK;
     for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++) {
         char path[4096];
-        struct thud_output file = {.fd = -1};
+        struct thud_file_draft file;
         struct thud_text text = {0};
         snprintf(path, sizeof path, "%s/%s%s", folder, stem, ending[i]);
-        status = thud_output_open(path, &file, err);
+        status = thud_file_begin(path, &file, err);
         if (status == THUD_OK)
             status = export_rows(study, (enum thud_sweep_csv)i, &file, &text, err);
-        thud_output_abandon(&file);
+        thud_file_drop(&file);
         thud_text_clear(&text);
     }
     return status == THUD_OK && study->suite ? export_suite(study, folder, stem, err) : status;

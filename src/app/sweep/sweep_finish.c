@@ -5,7 +5,7 @@
 #include "app/run/figure_files.h"
 #include "app/run/threads.h"
 #include "app/sweep/sweep_study_private.h"
-#include "io/file/output.h"
+#include "io/file/file.h"
 #include "io/result/sweep_csv.h"
 
 /* Points are read one after the other; their rows are written by several threads, each those of some points in a row. */
@@ -19,7 +19,7 @@ struct share {
 };
 
 struct files {
-    struct thud_output output[THUD_SWEEP_CSVS];
+    struct thud_file_draft output[THUD_SWEEP_CSVS];
     int shares;
     struct share share[SHARES_MAX];
 };
@@ -34,7 +34,7 @@ static void free_points(struct share *share)
 static void abandon(struct files *files)
 {
     for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        thud_output_abandon(&files->output[i]);
+        thud_file_drop(&files->output[i]);
     for (int k = 0; k < files->shares; k++) {
         free_points(&files->share[k]);
         for (int i = 0; i < THUD_SWEEP_CSVS; i++)
@@ -50,7 +50,7 @@ static enum thud_status open_files(const struct thud_sweep_study *study, struct 
         if (snprintf(path, sizeof path, "%s/%s", study->folder, thud_sweep_csv_name((enum thud_sweep_csv)i)) >=
             (int)sizeof path)
             return thud_error_set(err, THUD_OUTPUT, "the folder's name is too long");
-        status = thud_output_open(path, &files->output[i], err);
+        status = thud_file_begin(path, &files->output[i], err);
         thud_sweep_csv_header(study->plan, (enum thud_sweep_csv)i, &files->share[0].text[i]);
     }
     return status;
@@ -74,7 +74,7 @@ static enum thud_status put(const struct thud_sweep_study *study, struct files *
     enum thud_status status = study->no_rows ? THUD_OK : thud_threads_run(&jobs, NULL, err);
     for (int k = 0; k < files->shares && !study->no_rows; k++)
         for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK; i++)
-            status = thud_output_drain(&files->output[i], &files->share[k].text[i], 0, err);
+            status = thud_file_add(&files->output[i], &files->share[k].text[i], 0, err);
     return status;
 }
 
@@ -147,8 +147,6 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
     struct files *files = calloc(1, sizeof *files);
     if (!files)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
-    for (int i = 0; i < THUD_SWEEP_CSVS; i++)
-        files->output[i].fd = -1;
     files->shares = thud_threads_count(study->threads, (thud_sweep_points(study->plan) - 1) / POINTS + 1, SHARES_MAX);
     for (int k = 0; k < files->shares; k++)
         files->share[k].study = study;
@@ -156,7 +154,7 @@ enum thud_status thud_sweep_study_finish(const struct thud_sweep_study *study, s
     if (status == THUD_OK)
         status = copy_points(study, journal, n, files, out, err);
     for (int i = 0; i < THUD_SWEEP_CSVS && status == THUD_OK && !study->no_rows; i++)
-        status = thud_output_commit(&files->output[i], err);
+        status = thud_file_keep(&files->output[i], err);
     abandon(files);
     free(files);
     if (status == THUD_OK && study->table && study->figures && !out->too_many)

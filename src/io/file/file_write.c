@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,25 +29,6 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-/* A whole file beside `path`, its name in `name`, open in *fd; 0, or the errno of what went wrong. */
-static int write_beside(const char *path, const struct stat *old, const char *text, size_t size, char *name,
-                        size_t name_size, int *fd)
-{
-    *fd = thud_file_open_beside(path, name, name_size);
-    if (*fd < 0)
-        return errno;
-    int why = write_all(*fd, text, size);
-    if (!why && old && fchmod(*fd, old->st_mode & 07777) != 0)
-        why = errno;
-    if (!why && fsync(*fd) != 0)
-        why = errno;
-    if (!why)
-        return 0;
-    thud_file_remove(name);
-    close(*fd);
-    return why;
-}
-
 static int write_through(const char *path, const char *text, size_t size)
 {
     int fd = open(path, O_WRONLY | O_CLOEXEC);
@@ -61,10 +43,39 @@ static enum thud_status not_written(const char *path, int why, struct thud_error
     return thud_error_in(err, THUD_OUTPUT, path, 0, "cannot be written: %s", strerror(why));
 }
 
+enum thud_status thud_file_begin(const char *path, struct thud_file_draft *out, struct thud_error *err)
+{
+    *out = (struct thud_file_draft){.fd = -1};
+    if (strlen(path) >= sizeof out->path)
+        return thud_error_set(err, THUD_OUTPUT, "the name of the file is too long");
+    strcpy(out->path, path);
+    out->fd = thud_file_open_beside(path, out->part, sizeof out->part);
+    out->is_open = out->fd >= 0;
+    return out->is_open ? THUD_OK : not_written(path, errno, err);
+}
+
+enum thud_status thud_file_add(struct thud_file_draft *draft, struct thud_text *text, size_t least,
+                               struct thud_error *err)
+{
+    if (text->failed)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    if (text->size < least || text->size == 0)
+        return THUD_OK;
+    int why = write_all(draft->fd, text->data, text->size);
+    text->size = 0;
+    return why ? not_written(draft->path, why, err) : THUD_OK;
+}
+
+static int sync_file(int fd)
+{
+    return fsync(fd) != 0 ? errno : 0;
+}
+
 enum thud_status thud_file_draft(const char *path, const char *text, size_t size, enum thud_file_owner owner,
                                  struct thud_file_draft *out, struct thud_error *err)
 {
     struct stat about;
+    char whole[PATH_MAX];
     bool named = owner == THUD_FILE_NAMED, there = (named ? stat(path, &about) : lstat(path, &about)) == 0;
     *out = (struct thud_file_draft){0};
     if (there && S_ISDIR(about.st_mode))
@@ -74,47 +85,43 @@ enum thud_status thud_file_draft(const char *path, const char *text, size_t size
         int why = write_through(path, text, size);
         return why ? not_written(path, why, err) : THUD_OK;
     }
-    char part[4200];
-    out->path = there && named ? realpath(path, NULL) : NULL; /* a link stays a link */
-    if (!out->path)
-        out->path = strdup(path);
-    int why =
-        out->path ? write_beside(out->path, regular ? &about : NULL, text, size, part, sizeof part, &out->fd) : ENOMEM;
-    if (!why && !(out->part = strdup(part))) {
-        thud_file_remove(part);
-        close(out->fd);
-        why = ENOMEM;
-    }
+    if (there && named && realpath(path, whole)) /* a link stays a link */
+        path = whole;
+    enum thud_status status = thud_file_begin(path, out, err);
+    if (status != THUD_OK)
+        return status;
+    int why = write_all(out->fd, text, size);
+    if (!why && regular && fchmod(out->fd, about.st_mode & 07777) != 0)
+        why = errno;
+    if (!why)
+        why = sync_file(out->fd);
+    out->is_synced = true;
     if (!why)
         return THUD_OK;
-    free(out->path);
-    *out = (struct thud_file_draft){0};
+    thud_file_drop(out);
     return not_written(path, why, err);
-}
-
-/* The draft's part is where it belongs or gone. */
-static void end_draft(struct thud_file_draft *draft)
-{
-    if (draft->part)
-        close(draft->fd);
-    free(draft->part);
-    free(draft->path);
-    *draft = (struct thud_file_draft){0};
 }
 
 void thud_file_drop(struct thud_file_draft *draft)
 {
-    if (draft->part)
-        thud_file_remove(draft->part);
-    end_draft(draft);
+    if (!draft->is_open)
+        return;
+    thud_file_remove(draft->part);
+    close(draft->fd);
+    draft->is_open = false;
 }
 
 enum thud_status thud_file_keep(struct thud_file_draft *draft, struct thud_error *err)
 {
-    int why = draft->part ? thud_file_replace(draft->part, draft->path) : 0;
-    enum thud_status status = why ? not_written(draft->path, why, err) : THUD_OK;
-    end_draft(draft);
-    return status;
+    int why = draft->is_open && !draft->is_synced ? sync_file(draft->fd) : 0;
+    if (why)
+        thud_file_drop(draft);
+    if (draft->is_open) {
+        why = thud_file_replace(draft->part, draft->path);
+        close(draft->fd);
+        draft->is_open = false;
+    }
+    return why ? not_written(draft->path, why, err) : THUD_OK;
 }
 
 static enum thud_status write_as(const char *path, const char *text, size_t size, enum thud_file_owner owner,
