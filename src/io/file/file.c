@@ -25,45 +25,35 @@ static void wait_for_writer(int fd, int most_ms)
     poll(&wanted, 1, most_ms);
 }
 
-/* Reads until the end or until `limit` bytes are exceeded (then *size is limit + 1). */
-static enum thud_status read_all(int fd, size_t limit, size_t expected, char **text, size_t *size,
-                                 struct thud_error *err, const char *path)
+static enum thud_status read_all(int fd, size_t limit, char **text, size_t *size, struct thud_error *err,
+                                 const char *path)
 {
-    size_t capacity = expected + 2;
-    char *data = malloc(capacity);
-    *size = 0;
-    while (data && *size <= limit) {
-        if (*size + 1 >= capacity) {
-            capacity *= 2;
-            char *more = realloc(data, capacity);
-            if (!more)
-                break;
-            data = more;
-        }
-        ssize_t n = read(fd, data + *size, capacity - *size - 1);
-        if (n < 0 && (errno == EINTR || errno == EAGAIN)) {
-            wait_for_writer(fd, -1);
-            continue;
-        }
-        if (n < 0) {
+    struct thud_text all = {0};
+    char room[1 << 16];
+    thud_text_bytes(&all, "", 0);
+    for (ssize_t n = 1; n != 0 && all.size <= limit && !all.failed;) {
+        n = read(fd, room, sizeof room);
+        if (n < 0 && errno != EINTR && errno != EAGAIN) {
             int why = errno;
-            free(data);
+            thud_text_clear(&all);
             return thud_file_refuse(err, THUD_INPUT, path, strerror(why));
         }
-        if (n == 0) {
-            data[*size] = '\0';
-            *text = data;
-            return THUD_OK;
-        }
-        *size += (size_t)n;
+        if (n < 0)
+            wait_for_writer(fd, -1);
+        else
+            thud_text_bytes(&all, room, (size_t)n);
     }
-    int large = data && *size > limit;
-    free(data);
-    if (!large)
-        return thud_file_refuse(err, THUD_MEMORY, path, "out of memory");
-    thud_file_refuse(err, THUD_INPUT, path, "the file is too large");
-    thud_error_allow(err, "at most %zu bytes", limit);
-    return THUD_INPUT;
+    *text = all.data;
+    *size = all.size;
+    if (!all.failed && all.size <= limit)
+        return THUD_OK;
+    *text = NULL;
+    enum thud_status status = thud_file_refuse(err, all.failed ? THUD_MEMORY : THUD_INPUT, path,
+                                               all.failed ? "out of memory" : "the file is too large");
+    if (!all.failed)
+        thud_error_allow(err, "at most %zu bytes", limit);
+    thud_text_clear(&all);
+    return status;
 }
 
 enum thud_status thud_file_read(const char *path, size_t limit, char **text, size_t *size, struct thud_error *err)
@@ -71,7 +61,7 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
     *text = NULL;
     struct stat about;
     if (strcmp(path, "-") == 0)
-        return read_all(STDIN_FILENO, limit, 4096, text, size, err, path);
+        return read_all(STDIN_FILENO, limit, text, size, err, path);
     if (stat(path, &about) != 0)
         return thud_file_refuse(err, THUD_INPUT, path, strerror(errno));
     if (S_ISDIR(about.st_mode))
@@ -84,10 +74,7 @@ enum thud_status thud_file_read(const char *path, size_t limit, char **text, siz
         return thud_file_refuse(err, THUD_INPUT, path, strerror(errno));
     if (is_pipe) /* a writer may come a little later than the reader, or never */
         wait_for_writer(fd, PIPE_PATIENCE_MS);
-    size_t expected = 4096;
-    if (S_ISREG(about.st_mode) && about.st_size > 0)
-        expected = (unsigned long long)about.st_size > limit ? limit : (size_t)about.st_size;
-    enum thud_status status = read_all(fd, limit, expected, text, size, err, path);
+    enum thud_status status = read_all(fd, limit, text, size, err, path);
     close(fd);
     if (status != THUD_OK || !is_pipe || *size > 0)
         return status;

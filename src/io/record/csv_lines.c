@@ -1,6 +1,5 @@
 #include "io/record/csv_lines.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static void end_field(void *text, size_t size, void *data)
@@ -10,21 +9,9 @@ static void end_field(void *text, size_t size, void *data)
         lines->many = true;
         return;
     }
-    if (lines->capacity - lines->size <= size) {
-        size_t capacity = 2 * (lines->size + size + 32);
-        char *more = realloc(lines->text, capacity);
-        if (!more) {
-            lines->failed = true;
-            return;
-        }
-        lines->text = more;
-        lines->capacity = capacity;
-    }
-    lines->field[lines->fields++] = lines->size;
-    if (size)
-        memcpy(lines->text + lines->size, text, size);
-    lines->size += size;
-    lines->text[lines->size++] = '\0';
+    lines->field[lines->fields++] = lines->row.size;
+    thud_text_bytes(&lines->row, text, size);
+    thud_text_bytes(&lines->row, "", 1);
 }
 
 static void end_row(int end, void *data)
@@ -47,18 +34,17 @@ enum thud_status csv_lines_open(struct csv_lines *lines, struct record_cursor cu
 void csv_lines_close(struct csv_lines *lines)
 {
     csv_free(&lines->parser);
-    free(lines->text);
-    lines->text = NULL;
+    thud_text_clear(&lines->row);
 }
 
 const char *csv_lines_field(const struct csv_lines *lines, size_t i)
 {
-    return lines->text + lines->field[i];
+    return lines->row.data + lines->field[i];
 }
 
 static enum thud_status refuse(const struct csv_lines *lines, struct thud_error *err)
 {
-    if (lines->failed || csv_error((struct csv_parser *)&lines->parser) == CSV_ENOMEM)
+    if (lines->row.failed || csv_error((struct csv_parser *)&lines->parser) == CSV_ENOMEM)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     record_refuse(lines->cursor.source, lines->line, 0, err,
                   lines->many ? "more than %d columns" : "a quotation mark stands inside a field or has no partner",
@@ -68,14 +54,15 @@ static enum thud_status refuse(const struct csv_lines *lines, struct thud_error 
 
 static bool feed(struct csv_lines *lines, const char *text, size_t size)
 {
-    return csv_parse(&lines->parser, text, size, end_field, end_row, lines) == size && !lines->failed && !lines->many;
+    return csv_parse(&lines->parser, text, size, end_field, end_row, lines) == size && !lines->row.failed &&
+           !lines->many;
 }
 
 enum thud_status csv_lines_next(struct csv_lines *lines, enum csv_what *what, struct record_line *line,
                                 struct thud_error *err)
 {
     lines->fields = 0;
-    lines->size = 0;
+    lines->row.size = 0;
     lines->done = false;
     lines->line = 0;
     while (!lines->done) {

@@ -14,12 +14,11 @@ enum { CSV_FIELDS_MAX = 256 };
 struct csv_lines {
     struct csv_parser parser;
     struct record_cursor cursor;
-    char *text; /* of the row, each field with a NUL */
-    size_t size, capacity;
+    struct thud_text row;         /* each field with a NUL */
     size_t field[CSV_FIELDS_MAX]; /* where each begins */
     size_t fields;
     int line; /* where the row begins */
-    bool done, failed, many;
+    bool done, many;
 };
 
 enum thud_status csv_lines_open(struct csv_lines *lines, struct record_cursor cursor, char separator,

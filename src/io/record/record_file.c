@@ -300,18 +300,17 @@ enum thud_status thud_record_parse(const char *text, size_t size, const char *na
 /* Text of a file that may be compressed by gzip. */
 static enum thud_status unpack(const char *path, char **text, size_t *size, struct thud_error *err)
 {
-    char *plain;
-    size_t length;
+    struct thud_text plain = {0};
     if (*size < 2 || memcmp(*text, "\x1f\x8b", 2) != 0)
         return THUD_OK;
-    enum thud_status status = record_gunzip(*text, *size, THUD_RECORD_BYTES_MAX, &plain, &length, err);
+    enum thud_status status = record_gunzip(*text, *size, THUD_RECORD_BYTES_MAX, &plain, err);
     if (status) {
         thud_error_place(err, path, 0, 0);
         return status;
     }
     free(*text);
-    *text = plain;
-    *size = length;
+    *text = plain.data;
+    *size = plain.size;
     return THUD_OK;
 }
 

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/status.h"
+#include "base/text.h"
 #include "study/scene/scene.h"
 
 /* A file in memory. Lines end with LF, CRLF or CR. The first `skip` lines are the user's --skip. */
@@ -145,7 +145,7 @@ enum thud_status record_channels_read(const struct record_source *source, const 
                                       const struct thud_record_choice *choice, struct record_raw *raw,
                                       struct thud_error *err);
 
-/* Unpacks what gzip(1) made, all its members, into *out with a NUL after it (free with free()). Errors: THUD_INPUT (cut
- * off, damaged, more than `most` bytes), THUD_MEMORY. */
-enum thud_status record_gunzip(const char *packed, size_t size, size_t most, char **out, size_t *length,
+/* Unpacks what gzip(1) made, all its members, into *out. Errors: THUD_INPUT (cut off, damaged, more than `most` bytes),
+ * THUD_MEMORY. */
+enum thud_status record_gunzip(const char *packed, size_t size, size_t most, struct thud_text *out,
                                struct thud_error *err);
