@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "cli/help.h"
 #include "io/file/file.h"
 #include "io/file/paths.h"
@@ -23,7 +24,7 @@ struct paragraph {
 struct pages {
     struct thud_text text; /* paragraphs, each ended by a NUL */
     struct paragraph *list;
-    int n, room;
+    int n;
     char page[24], section[64]; /* that is read now */
     size_t from;                /* of the paragraph that grows */
     bool failed;
@@ -34,16 +35,12 @@ static void end_paragraph(struct pages *p)
     if (p->text.size == p->from)
         return;
     thud_text_bytes(&p->text, "", 1);
-    if (p->n == p->room) {
-        const int room = p->room ? 2 * p->room : 512;
-        struct paragraph *more = realloc(p->list, (size_t)room * sizeof *more);
-        p->failed = !more;
-        if (!more)
-            return;
-        p->list = more;
-        p->room = room;
-    }
-    struct paragraph *to = &p->list[p->n++];
+    struct paragraph *more = thud_grow(p->list, (size_t)p->n, sizeof *more);
+    p->failed = !more;
+    if (!more)
+        return;
+    p->list = more;
+    struct paragraph *to = &more[p->n++];
     *to = (struct paragraph){.at = p->from};
     memcpy(to->page, p->page, sizeof to->page);
     memcpy(to->section, p->section, sizeof to->section);

@@ -20,7 +20,7 @@ struct thud_checked_value {
 };
 struct thud_checked_values {
     struct thud_checked_value *item; /* (n) */
-    size_t n, capacity;
+    size_t n;
 };
 
 /* Adds the results of a case's run, except those that are always 0 (storeys of a free body, a wall). Errors:
@@ -44,7 +44,7 @@ struct thud_expectation {
 };
 struct thud_expectations {
     struct thud_expectation *item; /* (n) */
-    size_t n, capacity;
+    size_t n;
 };
 /* Adds an expectation. Errors: THUD_MEMORY. */
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,

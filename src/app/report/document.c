@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "io/file/file.h"
 
 enum kind { TITLE, CONTENTS, HEADING, PARAGRAPH, ITEM, LINES, TABLE, CELL, ROW, FIGURE };
@@ -19,17 +20,13 @@ enum { SENTENCES_MAX = 4000 };
 
 static struct thud_document_piece *add(struct thud_document *d, enum kind kind, const char *text)
 {
-    if (d->n == d->capacity) {
-        size_t more = d->capacity ? 2 * d->capacity : 64;
-        struct thud_document_piece *grown = realloc(d->piece, more * sizeof *grown);
-        if (!grown) {
-            d->failed = true;
-            return NULL;
-        }
-        d->piece = grown;
-        d->capacity = more;
+    struct thud_document_piece *grown = thud_grow(d->piece, d->n, sizeof *grown);
+    if (!grown) {
+        d->failed = true;
+        return NULL;
     }
-    struct thud_document_piece *piece = &d->piece[d->n++];
+    d->piece = grown;
+    struct thud_document_piece *piece = &grown[d->n++];
     *piece = (struct thud_document_piece){.kind = kind};
     thud_text_bytes(&piece->text, text, strlen(text));
     d->failed = d->failed || piece->text.failed;

@@ -10,7 +10,7 @@
 
 struct thud_document {
     struct thud_document_piece *piece; /* (n) */
-    size_t n, capacity;
+    size_t n;
     bool failed;
 };
 

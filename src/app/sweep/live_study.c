@@ -6,6 +6,7 @@
 
 #include "app/sweep/study_keys.h"
 #include "app/sweep/sweep_study_private.h"
+#include "base/grow.h"
 #include "ground/identity.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_gap.h"
@@ -37,7 +38,7 @@ static void clear_points(struct thud_live_study *study)
         free(study->done[i]);
     free(study->done);
     study->done = NULL;
-    study->next = study->points = study->room = 0;
+    study->next = study->points = 0;
     thud_sweep_outcome_clear(&study->out);
     thud_sweep_plan_clear(&study->plan);
 }
@@ -103,17 +104,9 @@ enum thud_status thud_live_study_start(struct thud_live_study *study, struct thu
 static enum thud_status keep_point(struct thud_live_study *study, struct thud_sweep_point *point,
                                    struct thud_error *err)
 {
-    enum thud_status status = THUD_OK;
-    if (study->next == study->room) {
-        long room = study->room ? 2 * study->room : 64;
-        struct thud_sweep_point **larger = realloc(study->done, (size_t)room * sizeof *larger);
-        if (larger) {
-            study->done = larger;
-            study->room = room;
-        } else {
-            status = thud_error_set(err, THUD_MEMORY, "no memory for a point");
-        }
-    }
+    struct thud_sweep_point **larger = thud_grow(study->done, (size_t)study->next, sizeof *larger);
+    enum thud_status status = larger ? THUD_OK : thud_error_set(err, THUD_MEMORY, "no memory for a point");
+    study->done = larger ? larger : study->done;
     const struct thud_sweep_study into = {.plan = &study->plan, .table = true, .suite = study->suite};
     if (status == THUD_OK)
         status = thud_sweep_study_deliver(&into, point, &study->out, err);

@@ -16,8 +16,8 @@ struct thud_live_study {
     bool both_signs;
     struct thud_sweep_work *work;   /* NULL: nothing is running */
     struct thud_sweep_outcome out;  /* names, rows and sums of what is done */
-    struct thud_sweep_point **done; /* (next, room for `room`) */
-    long next, points, room;
+    struct thud_sweep_point **done; /* (next) */
+    long next, points;
     struct thud_suite *suite; /* of several motions; NULL: of one */
     /* Of a suite, once a figure of it was asked for: */
     int told;                              /* of so many motions, the first ones; 0: not yet */

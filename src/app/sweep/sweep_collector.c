@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "base/grow.h"
+
 void thud_sweep_collector_init(struct thud_sweep_collector *collector, const struct thud_sweep_plan *plan,
                                const char *const *record)
 {
@@ -27,15 +29,9 @@ static bool reserve(struct thud_sweep_collector *c)
 {
     if (!c->need)
         c->need = calloc(2 * (size_t)c->table.nrecords, sizeof *c->need);
-    if (c->table.npoints < c->room)
-        return c->need != NULL;
-    size_t room = c->room ? 2 * c->room : 64;
-    struct thud_sweep_summary **larger = realloc(c->point, room * sizeof *larger);
-    if (!larger)
-        return false;
-    c->point = larger;
-    c->room = room;
-    return c->need != NULL;
+    struct thud_sweep_summary **larger = thud_grow(c->point, c->table.npoints, sizeof *larger);
+    c->point = larger ? larger : c->point;
+    return larger && c->need;
 }
 
 /* Keeps the level that decides the gap of a group of points where it is the widest, or the narrowest, of its record. */

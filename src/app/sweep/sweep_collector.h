@@ -6,7 +6,6 @@
 struct thud_sweep_collector {
     struct thud_sweep_table table; /* points into the plan, the names and what is below */
     struct thud_sweep_summary **point;
-    size_t room;
     struct thud_sweep_need_row *need; /* (2 x table.nrecords) */
     const char *structure[THUD_STRUCTURES_MAX];
     enum thud_structure_kind kind[THUD_STRUCTURES_MAX];

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "base/version.h"
 #include "io/file/json.h"
 
@@ -23,7 +24,7 @@ struct table {
     const char *name;
     const struct thud_schema *(*schema)(int);
     struct found *column; /* (n) */
-    size_t n, capacity;
+    size_t n;
     bool comments;
 };
 
@@ -110,15 +111,11 @@ static bool is_number(const char *text)
 
 static bool add_column(struct table *table, const char *name)
 {
-    if (table->n == table->capacity) {
-        size_t capacity = table->capacity ? 2 * table->capacity : 32;
-        struct found *column = realloc(table->column, capacity * sizeof *column);
-        if (!column)
-            return false;
-        table->column = column;
-        table->capacity = capacity;
-    }
-    struct found *own = &table->column[table->n++];
+    struct found *column = thud_grow(table->column, table->n, sizeof *column);
+    if (!column)
+        return false;
+    table->column = column;
+    struct found *own = &column[table->n++];
     *own = (struct found){0};
     own->column = find_column(table->schema, table->name, name, &own->own);
     thud_text_append(&own->name, "%s", name);

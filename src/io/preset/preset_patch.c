@@ -2,21 +2,19 @@
 
 #include <stdlib.h>
 
+#include "base/grow.h"
+
 void thud_patch_add(struct thud_patches *patches, size_t start, size_t end, struct thud_text *text)
 {
-    if (patches->count == patches->capacity) {
-        size_t capacity = patches->capacity ? 2 * patches->capacity : 16;
-        struct thud_patch *patch = realloc(patches->patch, capacity * sizeof *patch);
-        if (!patch) {
-            patches->failed = true;
-            thud_text_clear(text);
-            return;
-        }
-        patches->patch = patch;
-        patches->capacity = capacity;
+    struct thud_patch *patch = thud_grow(patches->patch, patches->count, sizeof *patch);
+    if (!patch) {
+        patches->failed = true;
+        thud_text_clear(text);
+        return;
     }
+    patches->patch = patch;
     patches->failed = patches->failed || text->failed;
-    patches->patch[patches->count] = (struct thud_patch){start, end, patches->count, text->data, text->size};
+    patch[patches->count] = (struct thud_patch){start, end, patches->count, text->data, text->size};
     patches->count++;
     *text = (struct thud_text){0};
 }

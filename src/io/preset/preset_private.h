@@ -95,7 +95,7 @@ struct thud_patch {
 };
 struct thud_patches {
     struct thud_patch *patch;
-    size_t count, capacity;
+    size_t count;
     bool failed; /* out of memory */
 };
 

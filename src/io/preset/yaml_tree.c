@@ -6,6 +6,8 @@
 #include <string.h>
 #include <yaml.h>
 
+#include "base/grow.h"
+
 /* What reading needs; libyaml counts characters, so `byte` says where each begins. */
 struct reading {
     struct thud_yaml *tree;
@@ -65,24 +67,20 @@ static bool map_characters(struct reading *r)
 static int add(struct reading *r, enum thud_yaml_kind kind, yaml_mark_t start, yaml_mark_t end)
 {
     struct thud_yaml *tree = r->tree;
-    if (tree->count == tree->capacity) {
-        int capacity = tree->capacity ? 2 * tree->capacity : 64;
-        struct thud_yaml_node *node = realloc(tree->node, (size_t)capacity * sizeof *node);
-        if (!node)
-            return -1;
-        tree->node = node;
-        tree->capacity = capacity;
-    }
+    struct thud_yaml_node *node = thud_grow(tree->node, (size_t)tree->count, sizeof *node);
+    if (!node)
+        return -1;
+    tree->node = node;
     int index = tree->count++;
-    tree->node[index] = (struct thud_yaml_node){.kind = kind,
-                                                .line = (int)start.line + 1,
-                                                .column = (int)start.column + 1,
-                                                .start = byte_of(r, start),
-                                                .end = byte_of(r, end),
-                                                .parent = r->open,
-                                                .next = -1,
-                                                .first = -1,
-                                                .last = -1};
+    node[index] = (struct thud_yaml_node){.kind = kind,
+                                          .line = (int)start.line + 1,
+                                          .column = (int)start.column + 1,
+                                          .start = byte_of(r, start),
+                                          .end = byte_of(r, end),
+                                          .parent = r->open,
+                                          .next = -1,
+                                          .first = -1,
+                                          .last = -1};
     if (r->open >= 0) {
         struct thud_yaml_node *parent = &tree->node[r->open];
         if (parent->last >= 0)

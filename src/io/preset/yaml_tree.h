@@ -23,7 +23,7 @@ struct thud_yaml_node {
 
 struct thud_yaml {
     struct thud_yaml_node *node; /* node[0] is the root */
-    int count, capacity;
+    int count;
     char *pool;
     size_t used, room;
 };

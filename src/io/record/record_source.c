@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "base/quantity.h"
 
 struct record_cursor record_start(const struct record_source *source)
@@ -77,15 +78,11 @@ void record_copy(char *to, size_t size, const char *from, const char *end)
 
 enum thud_status record_add(struct record_raw *raw, double value, struct thud_error *err)
 {
-    if (raw->count == raw->capacity) {
-        size_t capacity = raw->capacity ? 2 * raw->capacity : 4096;
-        double *more = realloc(raw->value, capacity * sizeof *more);
-        if (!more)
-            return thud_error_set(err, THUD_MEMORY, "out of memory after %zu samples", raw->count);
-        raw->value = more;
-        raw->capacity = capacity;
-    }
-    raw->value[raw->count++] = value;
+    double *more = thud_grow(raw->value, raw->count, sizeof *more);
+    if (!more)
+        return thud_error_set(err, THUD_MEMORY, "out of memory after %zu samples", raw->count);
+    raw->value = more;
+    more[raw->count++] = value;
     return THUD_OK;
 }
 

@@ -44,7 +44,7 @@ void record_copy(char *to, size_t size, const char *from, const char *end);
 /* What a file holds, before it becomes a record. Texts may be empty. */
 struct record_raw {
     double *value;
-    size_t count, capacity;
+    size_t count;
     double dt_s;        /* NaN: the file does not say */
     double factor;      /* to m/s2; NaN: the file does not say */
     bool dt_from_prose; /* found in free text: an option may say otherwise */

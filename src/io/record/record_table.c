@@ -360,7 +360,6 @@ static enum thud_status take_column(struct record_table *table, int column, stru
         free(raw->value);
         raw->value = table->cells.value;
         raw->count = table->cells.count;
-        raw->capacity = table->cells.capacity;
         table->cells.value = NULL;
         return THUD_OK;
     }
@@ -405,7 +404,6 @@ static enum thud_status resample(const struct record_table *table, int time, dou
     free(raw->value);
     raw->value = even.value;
     raw->count = even.count;
-    raw->capacity = even.capacity;
     raw->dt_s = dt;
     size_t n = strlen(raw->note);
     snprintf(raw->note + n, sizeof raw->note - n, "%s%zu samples in unequal steps", n ? ", " : "", table->rows);

@@ -7,27 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "study/scene/level.h"
 #include "study/scene/solution.h"
 
 static const double least_tolerance = 1e-6, agreement = 1e-4;
 
-/* Room for one more; NULL when there is no memory. */
-static void *grow(void *item, size_t n, size_t *capacity, size_t size)
-{
-    if (n < *capacity)
-        return item;
-    size_t more = *capacity ? 2 * *capacity : 64;
-    void *grown = realloc(item, more * size);
-    if (grown)
-        *capacity = more;
-    return grown;
-}
-
 static enum thud_status add(struct thud_checked_values *measures, const struct thud_checked_value *one,
                             struct thud_error *err)
 {
-    struct thud_checked_value *item = grow(measures->item, measures->n, &measures->capacity, sizeof *item);
+    struct thud_checked_value *item = thud_grow(measures->item, measures->n, sizeof *item);
     if (!item)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     measures->item = item;
@@ -180,7 +169,7 @@ void thud_checked_values_clear(struct thud_checked_values *measures)
 enum thud_status thud_expectations_add(struct thud_expectations *list, const struct thud_expectation *one,
                                        struct thud_error *err)
 {
-    struct thud_expectation *item = grow(list->item, list->n, &list->capacity, sizeof *item);
+    struct thud_expectation *item = thud_grow(list->item, list->n, sizeof *item);
     if (!item)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     list->item = item;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "study/scene/building.h"
 #include "study/scene/level.h"
 #include "study/scene/scene_elements.h"
@@ -23,7 +24,7 @@ struct assembly {
     struct thud_contact_pair meeting[THUD_CONTACT_PAIRS_MAX];
     double *matrix_npm[THUD_STRUCTURES_MAX]; /* (n x n) of a building by its matrix, else NULL */
     struct thud_contact_input *contact;
-    int ncontacts, capacity;
+    int ncontacts;
     struct thud_link_input link[THUD_LINKS_MAX + 2];
     int nlinks;
 };
@@ -151,15 +152,11 @@ static struct thud_struck_input columns(const struct thud_structure *s, int floo
 static bool add_contact(struct assembly *a, const struct thud_scene *scene, int index, int level,
                         const struct thud_contact_pair *meeting)
 {
-    if (a->ncontacts == a->capacity) {
-        int more = a->capacity ? 2 * a->capacity : 64;
-        struct thud_contact_input *p = realloc(a->contact, (size_t)more * sizeof *p);
-        if (!p)
-            return false;
-        a->contact = p;
-        a->capacity = more;
-    }
-    struct thud_contact_input *to = &a->contact[a->ncontacts++];
+    struct thud_contact_input *larger = thud_grow(a->contact, (size_t)a->ncontacts, sizeof *larger);
+    if (!larger)
+        return false;
+    a->contact = larger;
+    struct thud_contact_input *to = &larger[a->ncontacts++];
     *to = (struct thud_contact_input){.interface = index + 1,
                                       .left_floor = meeting->left_floor,
                                       .right_floor = meeting->right_floor,
@@ -230,7 +227,7 @@ enum thud_status thud_scene_assemble(const struct thud_scene *scene, struct thud
     if (!a)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     a->contact = NULL;
-    a->ncontacts = a->capacity = a->nlinks = 0;
+    a->ncontacts = a->nlinks = 0;
     memset(a->matrix_npm, 0, sizeof a->matrix_npm);
     enum thud_status status = THUD_OK;
     for (int s = 0; status == THUD_OK && s < scene->nstructures; s++) {

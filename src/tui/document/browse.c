@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "base/quantity.h"
 #include "base/text.h"
 #include "io/preset/preset.h"
@@ -48,15 +49,11 @@ static struct thud_browse_item *add(struct thud_browse *browse, const char *name
 {
     if (browse->n == FILES_MAX || has(browse, name))
         return NULL;
-    if (browse->n == browse->room) {
-        int room = browse->room ? 2 * browse->room : 64;
-        struct thud_browse_item *larger = realloc(browse->item, (size_t)room * sizeof *larger);
-        if (!larger)
-            return NULL;
-        browse->item = larger;
-        browse->room = room;
-    }
-    struct thud_browse_item *item = &browse->item[browse->n++];
+    struct thud_browse_item *larger = thud_grow(browse->item, (size_t)browse->n, sizeof *larger);
+    if (!larger)
+        return NULL;
+    browse->item = larger;
+    struct thud_browse_item *item = &larger[browse->n++];
     *item = (struct thud_browse_item){0};
     snprintf(item->name, sizeof item->name, "%s", name);
     return item;

@@ -18,7 +18,7 @@ struct thud_browse_item {
 
 struct thud_browse {
     enum thud_browse_kind kind;
-    int n, room;
+    int n;
     struct thud_browse_item *item; /* (n) files, then folders, by name */
 };
 

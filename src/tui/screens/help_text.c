@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "core/methods/method.h"
 #include "tui/document/field.h"
 
@@ -37,15 +38,11 @@ static const char *const model[] = {
 
 static struct thud_help_line *add(struct thud_help_text *text, enum thud_help_kind kind)
 {
-    if (text->n == text->capacity) {
-        int capacity = text->capacity ? 2 * text->capacity : 256;
-        struct thud_help_line *line = realloc(text->line, (size_t)capacity * sizeof *line);
-        if (!line)
-            return NULL;
-        text->line = line;
-        text->capacity = capacity;
-    }
-    struct thud_help_line *line = &text->line[text->n++];
+    struct thud_help_line *larger = thud_grow(text->line, (size_t)text->n, sizeof *larger);
+    if (!larger)
+        return NULL;
+    text->line = larger;
+    struct thud_help_line *line = &larger[text->n++];
     *line = (struct thud_help_line){.kind = kind};
     return line;
 }

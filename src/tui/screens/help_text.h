@@ -13,7 +13,7 @@ struct thud_help_line {
 };
 struct thud_help_text {
     struct thud_help_line *line; /* (n) */
-    int n, capacity;
+    int n;
 };
 
 /* For a screen, in so many columns. Out of memory what could not be kept is left out. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/ascii.h"
+#include "base/grow.h"
 #include "tui/widgets/chooser.h"
 
 void thud_chooser_begin(struct thud_chooser *chooser, const char *title)
@@ -16,15 +17,11 @@ void thud_chooser_begin(struct thud_chooser *chooser, const char *title)
 
 void thud_chooser_add(struct thud_chooser *chooser, const char *value, const char *fmt, ...)
 {
-    if (chooser->n == chooser->capacity) {
-        int capacity = chooser->capacity ? 2 * chooser->capacity : 64;
-        struct thud_choice *choice = realloc(chooser->choice, (size_t)capacity * sizeof *choice);
-        if (!choice)
-            return;
-        chooser->choice = choice;
-        chooser->capacity = capacity;
-    }
-    struct thud_choice *choice = &chooser->choice[chooser->n++];
+    struct thud_choice *larger = thud_grow(chooser->choice, (size_t)chooser->n, sizeof *larger);
+    if (!larger)
+        return;
+    chooser->choice = larger;
+    struct thud_choice *choice = &larger[chooser->n++];
     snprintf(choice->value, sizeof choice->value, "%s", value);
     va_list args;
     va_start(args, fmt);
@@ -152,5 +149,5 @@ void thud_chooser_free(struct thud_chooser *chooser)
 {
     free(chooser->choice);
     chooser->choice = NULL;
-    chooser->n = chooser->capacity = 0;
+    chooser->n = 0;
 }

@@ -11,7 +11,7 @@ struct thud_choice {
 struct thud_chooser {
     char title[96];
     struct thud_choice *choice; /* (n) */
-    int n, capacity;
+    int n;
     struct thud_pane drawn; /* the lines, as last drawn */
     bool fuzzy;             /* letters in their order are enough */
     int at, top;            /* the marked line among those shown, and the first shown */

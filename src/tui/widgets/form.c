@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
+
 #include "tui/widgets/form.h"
 
 void thud_form_begin(struct thud_form *form, int screen)
@@ -15,15 +17,11 @@ void thud_form_begin(struct thud_form *form, int screen)
 void thud_form_add(struct thud_form *form, enum thud_field_kind kind, int pane, int x, int y, int w, int index,
                    const char *path)
 {
-    if (form->n == form->capacity) {
-        int capacity = form->capacity ? 2 * form->capacity : 128;
-        struct thud_field *field = realloc(form->field, (size_t)capacity * sizeof *field);
-        if (!field)
-            return;
-        form->field = field;
-        form->capacity = capacity;
-    }
-    struct thud_field *field = &form->field[form->n++];
+    struct thud_field *larger = thud_grow(form->field, (size_t)form->n, sizeof *larger);
+    if (!larger)
+        return;
+    form->field = larger;
+    struct thud_field *field = &larger[form->n++];
     *field = (struct thud_field){.kind = kind, .pane = pane, .x = x, .y = y, .w = w, .index = index};
     snprintf(field->path, sizeof field->path, "%s", path);
 }
@@ -243,5 +241,5 @@ void thud_form_free(struct thud_form *form)
 {
     free(form->field);
     form->field = NULL;
-    form->n = form->capacity = 0;
+    form->n = 0;
 }

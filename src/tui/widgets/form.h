@@ -21,7 +21,7 @@ struct thud_field {
 enum { THUD_FORM_SCREENS = 9, THUD_FORM_PANES = 6 };
 struct thud_form {
     struct thud_field *field; /* (n) in the order they were drawn */
-    int n, capacity;
+    int n;
     int screen;
     char focus[THUD_FORM_SCREENS][THUD_PATH_MAX]; /* the field the cursor is on, by screen */
     int pane[THUD_FORM_SCREENS];                  /* the pane with the cursor */
