@@ -23,6 +23,20 @@ START_TEST(csv_in_its_spellings)
 END_TEST
 
 /* What stands for the same times and accelerations, and each is read as what it says. */
+START_TEST(decimal_commas_between_semicolons)
+{
+    const double a[] = {0.5, -0.1, 2, 0.6};
+    reads("\xef\xbb\xbfZeit (s);NS (m/s\xb2)\r\n0,00;0,5\r\n0,01;-,1\r\n0,02;2\r\n0,03;6,0e-1\r\n", "CSV", 0.01, 4, a);
+    char late[2000] = "t;a (m/s2)\n"; /* whole numbers up to the last one */
+    double value[80];
+    for (int i = 0; i < 80; i++) {
+        value[i] = i < 79 ? 1 : 1.5;
+        snprintf(late + strlen(late), sizeof late - strlen(late), i < 79 ? "%d;1\n" : "%d;1,5\n", i);
+    }
+    reads(late, "CSV", 1, 80, value);
+}
+END_TEST
+
 START_TEST(headers_with_units)
 {
     static const struct {
@@ -405,6 +419,7 @@ Suite *thud_suite(void)
     TCase *all = tcase_create("all");
     tcase_add_checked_fixture(all, setup, teardown);
     tcase_add_test(all, csv_in_its_spellings);
+    tcase_add_test(all, decimal_commas_between_semicolons);
     tcase_add_test(all, headers_with_units);
     tcase_add_test(all, columns_in_their_spellings);
     tcase_add_test(all, at2_in_its_spellings);

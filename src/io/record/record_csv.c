@@ -48,61 +48,77 @@ static bool header_agrees(const struct record_source *source, const struct recor
     return agrees;
 }
 
-/* The numbers' decimal sign is a comma: `0,02;0,5`, `0,02 0,5`, or `0,5` alone with never a point in sight. */
+/* Between semicolons, numbers with a comma beside numbers with a point: 1,234 may be 1.234 or 1234. */
+static bool mixes_signs(const struct record_source *source, int *where)
+{
+    struct record_line line;
+    bool point = false;
+    if (!record_table_first(source, &line))
+        return false;
+    struct record_cursor cursor = record_start(source);
+    for (const int first = line.number; record_next(&cursor, &line);) {
+        if (line.number < first || record_is_comment(&line) || line.length == 0)
+            continue;
+        point = point || memchr(line.at, '.', line.length);
+        *where = *where == 0 && comma_in_number(line.at, line.at + line.length) ? line.number : *where;
+        if (point && *where)
+            return true;
+    }
+    return false;
+}
+
+/* The numbers' decimal sign is a comma where no semicolon parts them: `0,02 0,5`, or `0,5` alone with never a point in
+ * sight. */
 static bool decimal_comma(const struct record_source *source, char sep, const struct thud_record_choice *choice,
                           int *where)
 {
     struct record_line line, first;
+    if (sep == ';')
+        return mixes_signs(source, where);
     if (!record_table_first(source, &first))
         return false;
     struct record_cursor cursor = record_start(source);
-    bool whole = sep == ',' && choice->column == 0 && !header_agrees(source, &first);
+    bool whole = choice->column == 0 && !header_agrees(source, &first);
     for (int i = 0; i < first.number + 60 && record_next(&cursor, &line); i++) {
         if (line.number < first.number || record_is_comment(&line) || line.length == 0)
             continue;
         const char *end = line.at + line.length, *comma = comma_in_number(line.at, end);
         *where = comma && *where == 0 ? line.number : *where;
-        if (sep == ';' && comma)
-            return true;
         const char *blank = comma ? memchr(comma, ' ', (size_t)(end - comma)) : NULL;
         if (!blank && comma)
             blank = memchr(comma, '\t', (size_t)(end - comma));
-        if (sep == ',' && blank && blank[-1] != ',' && comma_in_number(blank, end) &&
-            !memchr(line.at, '.', line.length))
+        if (blank && blank[-1] != ',' && comma_in_number(blank, end) && !memchr(line.at, '.', line.length))
             return true;
         whole = whole && commas(&line) % 2 == 1 && comma && !memchr(line.at, '.', line.length);
     }
     return whole && *where > 0;
 }
 
-static enum thud_status refuse_comma(const struct record_source *source, char sep, int line, struct thud_error *err)
+static enum thud_status refuse_comma(const struct record_source *source, int line, struct thud_error *err)
 {
     record_refuse(source, line, 0, err, "a comma for the decimal point");
-    if (sep == ';')
-        thud_error_allow(err, "write 0.5, not 0,5: `sed 's/,/./g' FILE`; the semicolons stay");
-    else
-        thud_error_allow(
-            err,
-            "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; `record.column: N` where it is");
+    thud_error_allow(
+        err,
+        "write 0.5, not 0,5: `sed 's/,/./g'` where the comma is not the separator; `record.column: N` where it is");
     return THUD_INPUT;
 }
 
-/* `1,5` between semicolons, `-,5` too. */
-static bool is_comma_number(const char *word)
-{
-    size_t n = strspn(word, "+-0123456789,eE"), digits = strcspn(word, "0123456789");
-    return n > 1 && !word[n] && digits < n && strchr(word, ',') != NULL;
-}
-
 /* The numbers of a row; false when one of its fields is no number (*bad). An empty field at the end is a separator too
- * many. */
+ * many, and a comma between semicolons a decimal one. */
 static bool numbers(const struct csv_lines *lines, double *value, size_t *count, size_t *bad, enum record_scan *scan)
 {
     *count = lines->fields;
     while (*count > 0 && csv_lines_field(lines, *count - 1)[0] == '\0')
         --*count;
     for (*bad = 0; *bad < *count; ++*bad) {
-        const char *at = csv_lines_field(lines, *bad), *end = at + strlen(at);
+        char plain[64];
+        const char *at = csv_lines_field(lines, *bad);
+        if (csv_get_delim((struct csv_parser *)&lines->parser) == ';' && strchr(at, ',') && strlen(at) < sizeof plain) {
+            strcpy(plain, at);
+            *strchr(plain, ',') = '.'; /* only one: 1,234,5 is no number */
+            at = plain;
+        }
+        const char *end = at + strlen(at);
         *scan = record_scan(&at, end, &value[*bad]);
         double extra;
         if (*scan == RECORD_NUMBER && record_scan(&at, end, &extra) != RECORD_NONE)
@@ -122,8 +138,6 @@ static enum thud_status read_row(struct record_table *table, const struct csv_li
     if (numbers(lines, value, &count, &bad, &scan))
         return record_table_row(table, value, count, lines->line, err);
     const char *word = csv_lines_field(lines, bad);
-    if (is_comma_number(word)) /* a comma that separates is in no field */
-        return refuse_comma(table->source, ';', lines->line, err);
     if (table->rows > 0 || scan == RECORD_RANGE)
         return record_refuse(table->source, lines->line, 0, err,
                              scan == RECORD_RANGE ? "\"%.40s\" is too large a number"
@@ -162,7 +176,7 @@ static enum thud_status read_csv(const struct record_source *source, const struc
     char sep = separator(source);
     int where = 0;
     if (decimal_comma(source, sep, choice, &where))
-        return refuse_comma(source, sep, where, err);
+        return refuse_comma(source, where, err);
     struct record_table table = {.source = source};
     struct record_cursor cursor = record_start(source);
     struct record_line line;

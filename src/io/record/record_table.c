@@ -126,7 +126,9 @@ static bool name_begins(const struct record_table *table, size_t i, const char *
 static bool name_is_time(const struct record_table *table, size_t i)
 {
     return name_begins(table, i, "time", false) || name_begins(table, i, "t", true) ||
-           name_begins(table, i, "sec", true) || name_begins(table, i, "seconds", true);
+           name_begins(table, i, "sec", true) || name_begins(table, i, "seconds", true) ||
+           (has_name(table, i) && strpbrk(table->name[i], "([") &&
+            record_name_seconds(table->name[i], (char[TABLE_NAME_MAX]){0}, TABLE_NAME_MAX) > 0); /* Zeit (s) */
 }
 
 static bool name_is_other(const struct record_table *table, size_t i)
