@@ -1,4 +1,5 @@
 /* thud new: a commented preset of two neighbours to start from, by questions at a terminal or by --set. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -174,6 +175,21 @@ static enum thud_status assign(const struct thud_args *args, struct thud_new_pre
     return status;
 }
 
+/* Before anything is asked: whether the file can be written at the end. */
+static enum thud_status check_place(const char *path, struct thud_error *err)
+{
+    char folder[1024];
+    const int length = (int)(thud_path_name(path) - path);
+    if (strcmp(path, "-") == 0)
+        return THUD_OK;
+    if (access(path, F_OK) == 0)
+        return thud_error_in(err, THUD_OUTPUT, path, 0, "is there already: thud new writes over no file");
+    snprintf(folder, sizeof folder, "%.*s", length > 0 ? length : 1, length > 0 ? path : ".");
+    return access(folder, W_OK) == 0
+               ? THUD_OK
+               : thud_error_in(err, THUD_OUTPUT, path, 0, "cannot be written: %s", strerror(errno));
+}
+
 enum thud_status thud_command_new(const struct thud_args *args, struct thud_error *err)
 {
     struct thud_new_preset preset;
@@ -183,12 +199,10 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
     if (args->noperands != 1)
         return thud_error_refuse(err, THUD_USAGE, NULL, "such as mine.yaml; - writes to standard output",
                                  "thud new needs the name of one file");
-    if (!to_output && access(path, F_OK) == 0)
-        return thud_error_in(err, THUD_OUTPUT, path, 0, "is there already: thud new writes over no file");
     thud_new_preset_init(&preset);
     title_of(path, preset.text[THUD_NEW_NAME][0], sizeof preset.text[THUD_NEW_NAME][0]);
-    enum thud_status status = THUD_OK;
-    if (!thud_args_has(args, "set") && isatty(STDIN_FILENO))
+    enum thud_status status = check_place(path, err);
+    if (status == THUD_OK && !thud_args_has(args, "set") && isatty(STDIN_FILENO))
         status = ask_all(&preset, err);
     if (status == THUD_OK)
         status = thud_new_preset_text(&preset, &text, err);

@@ -48,6 +48,9 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "each kind is asked for what it has in place of a stiffness" $?
     grep -q 'thud: the answers ended at ' "$tmp/out" && [ ! -e "$tmp/e.yaml" ]
     ok "where the answers end nothing is written" $?
+    answered "$tmp/none/f.yaml" '' ''
+    grep -q 'f.yaml: cannot be written: No such file or directory' "$tmp/out" && ! grep -q 'left kind' "$tmp/out"
+    ok "nothing is asked for a file that cannot be written" $?
 else
     echo "ok - thud new at a terminal # SKIP no script(1)"
 fi
