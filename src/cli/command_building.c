@@ -118,6 +118,8 @@ static enum thud_status put_built(const struct thud_scene *scene, enum thud_writ
     for (int s = 0; s < scene->nstructures && form == THUD_AS_TEXT; s++)
         if (storeys_of(&b, s) > 0)
             put_structure(&(struct built){scene, b.model, s}, out);
+    if (storeys.n == 0 && form == THUD_AS_TEXT)
+        thud_text_append(out, "\nNo structure has storeys.\n");
     thud_model_free(b.model);
     return THUD_OK;
 }

@@ -190,5 +190,7 @@ is "is the same building" gives 0 building again.yaml --csv
 cp out again.csv
 "$THUD" building known.yaml --csv >known.csv
 is "byte for byte" cmp -s again.csv known.csv
+is "free bodies" gives 0 building rigid-concrete
+is "have no storeys" shows '^No structure has storeys[.]$'
 is "a scene as JSON" gives 0 building towers --json
 is "with periods and storeys" shows '^    {"structure": "B", "storey": 6, "height_m": 3, "mass_kg": 250000, "stiffness_npm": 600000000, "weight_n": 2451662.5, "yield_shear_n": null'
