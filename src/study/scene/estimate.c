@@ -4,11 +4,7 @@
  *     ASCE/SEI 7-16, 12.8.2.1        T = C_t H^x      C_t, x 0.0724, 0.8 steel frames, 0.0466, 0.9 concrete frames,
  *                                                     0.0488, 0.75 others
  *
- * Floors are equally heavy and storeys equally stiff; of n of them
- *
- *     omega_1 = 2 sqrt(k/m) sin(pi / (2 (2 n + 1)))
- *
- * (Blevins, Formulas for Natural Frequency and Mode Shape, 1979), from which k follows for the first of both periods. */
+ * Storeys are equally stiff, and have the first of both periods. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,13 +16,6 @@
 static const struct {
     double en1998_ct, asce7_ct, asce7_x;
 } systems[] = {{0.075, 0.0466, 0.9}, {0.085, 0.0724, 0.8}, {0.050, 0.0488, 0.75}, {0.050, 0.0488, 0.75}};
-
-/* Of each of so many equal storeys under equal floors, N/m, from the first period. */
-static double uniform_stiffness(int storeys, double mass_kg, double period_s)
-{
-    const double half = THUD_PI / period_s / sin(THUD_PI / (2 * (2 * storeys + 1)));
-    return mass_kg * half * half;
-}
 
 struct thud_estimate thud_structure_estimate(const struct thud_structure *s)
 {
@@ -70,21 +59,17 @@ static double estimated_period(const struct thud_structure *s)
 
 void thud_structure_fill_estimate(struct thud_structure *s)
 {
-    bool equal = true;
     for (int i = 0; i < s->storeys && thud_kind_is_building(s->kind); i++) {
         if (s->area_m2 > 0 && s->load_pa[i] > 0)
             s->mass_kg[i] = s->area_m2 * s->load_pa[i] / THUD_GRAVITY;
         else if (s->kind == THUD_ESTIMATED)
             s->mass_kg[i] = THUD_ESTIMATE_KGPM2 * s->area_m2;
-        equal &= s->mass_kg[i] == s->mass_kg[0];
     }
     if (s->kind == THUD_SHEAR)
         fill_period(s, s->period_s);
     if (s->kind != THUD_ESTIMATED)
         return;
-    const double stiffness = uniform_stiffness(s->storeys, s->mass_kg[0], estimated_period(s));
-    for (int i = 0; i < s->storeys; i++)
-        s->stiffness_npm[i] = stiffness;
-    if (!equal)
-        fill_period(s, estimated_period(s));
+    for (int i = 1; i < s->storeys; i++)
+        s->stiffness_npm[i] = s->stiffness_npm[0];
+    fill_period(s, estimated_period(s));
 }
