@@ -66,7 +66,7 @@ refused() { # WHAT PATTERN ARGUMENTS...
 refused "rubber is refused with --strict" '^thud: interfaces.1.bumper.law: OpenSees has no material.*--case none' towers --strict
 refused "a law that lets go at zero force" 'contact.law: OpenSees has no linear dashpot that separates.*kelvin-voigt' towers --case none --strict
 # shellcheck disable=SC2016 # of sed
-advertised() { sed -n 's/.*`thud export opensees PRESET\( [^`]*\)`.*/\1/p' "$(dirname "$0")/../../README.md"; }
+advertised() { sed -n 's/.*`thud export opensees PRESET\( [^`]*\)`.*/\1/p' "$(dirname "$0")/../../README.md" | sed "s,DIR,$tmp/readme,"; }
 # shellcheck disable=SC2046 # options
 is "the README's options make it work" gives 0 export opensees towers $(advertised)
 refused "a row of bumpers and contacts" '^thud: interfaces.1.bumper.law: ' three-in-a-row --strict
