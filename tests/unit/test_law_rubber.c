@@ -82,10 +82,11 @@ static double at_knee(const struct thud_law_setup *setup, enum thud_phase phase,
     struct thud_law_memory memory;
     thud_law_onset(rubber(), setup, 1, &memory);
     struct thud_branch b = rubber()->branch(setup, &memory, phase, past);
-    return thud_branch_force(&b, thud_law_ultimate(rubber(), setup, &memory, phase), v, NULL, NULL);
+    return thud_branch_force(&b, thud_law_ultimate(rubber(), setup, &memory, THUD_APPROACH), v, NULL, NULL);
 }
 
-/* Force is continuous at the ultimate compression in approach, and in restitution by either unloading. */
+/* Force is continuous at the ultimate compression in approach, and in restitution by either unloading; the paper's has no
+ * other branch beyond. */
 START_TEST(knee)
 {
     for (int unloading = 0; unloading < 2; unloading++) {
@@ -94,6 +95,8 @@ START_TEST(knee)
         ck_assert_int_eq(thud_law_prepare(rubber(), &setup, NULL), THUD_OK);
         ck_assert_double_eq_tol(thud_law_ultimate(rubber(), &setup, &(struct thud_law_memory){0}, THUD_APPROACH), 0.04,
                                 1e-17);
+        ck_assert_double_eq(thud_law_ultimate(rubber(), &setup, &(struct thud_law_memory){0}, THUD_RESTITUTION),
+                            unloading == 0 ? INFINITY : setup.value[thud_law_param(rubber(), "max-strain")] * 0.05);
         for (double v = -0.5; v < 0.6; v += 0.25)
             for (int phase = 0; phase < 2; phase++) {
                 double below = at_knee(&setup, (enum thud_phase)phase, false, v);

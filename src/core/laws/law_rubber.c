@@ -181,8 +181,8 @@ static struct thud_branch branch(const struct thud_law_setup *setup, const struc
 static double ultimate(const struct thud_law_setup *setup, const struct thud_law_memory *memory, enum thud_phase phase)
 {
     (void)memory;
-    (void)phase;
-    return setup->constant[ULTIMATE];
+    return phase == THUD_RESTITUTION && setup->value[UNLOADING] == UNLOADING_PAPER ? INFINITY
+                                                                                   : setup->constant[ULTIMATE];
 }
 
 /* All of m v^2/2 is stored at the velocity reversal; restitution starts with what lies under its own curve. */
