@@ -267,6 +267,12 @@ static inline const struct thud_view *thud_tui_view(const struct thud_tui *tui)
     return tui->view[tui->screen];
 }
 
+/* "no pounding", ... of this scene. */
+static inline const char *thud_tui_case_name(const struct thud_tui *tui, enum thud_live_which which)
+{
+    return thud_live_name(thud_scene_measures(&tui->doc.scene), which);
+}
+
 /* ask.c: the only place that changes what is said, what is asked, and whether the screen is drawn. */
 void thud_tui_say(struct thud_tui *tui, enum thud_role role, const char *fmt, ...) THUD_PRINTF(3, 4);
 void thud_tui_say_error(struct thud_tui *tui, const struct thud_error *err);

@@ -44,15 +44,22 @@ static struct thud_design *row_at(struct thud_tui *tui, int i)
     return NULL;
 }
 
-void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
+/* NULL: there is none of that name, which is said. */
+static const struct thud_design *named(struct thud_tui *tui, const char *name)
 {
     const struct thud_design *d = thud_designs_named(&tui->designs, name);
+    if (!d)
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no design \"%.40s\"; U lists them", name);
+    return d;
+}
+
+void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
+{
+    const struct thud_design *d = named(tui, name);
     struct thud_error err = {0};
     char what[80], text[40];
-    if (!d) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no design \"%.40s\"; U lists them", name);
+    if (!d)
         return;
-    }
     struct thud_scene *next = malloc(sizeof *next);
     enum thud_status status = next ? THUD_OK : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
     snprintf(what, sizeof what, "design %s", thud_design_called(d, text));
@@ -76,14 +83,12 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
 /* Empty, or the one that is chosen already: changes are compared with the state before them again. */
 void thud_tui_compare_with(struct thud_tui *tui, const char *name)
 {
-    struct thud_design *d = *name ? thud_designs_named(&tui->designs, name) : NULL;
+    const struct thud_design *d = *name ? named(tui, name) : NULL;
     struct thud_record *record = NULL;
     struct thud_error err = {0};
     char text[40];
-    if (*name && !d) {
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! there is no design \"%.40s\"; U lists them", name);
+    if (*name && !d)
         return;
-    }
     if (!d || (tui->base.chosen && strcmp(tui->base.name, thud_design_called(d, text)) == 0)) {
         thud_base_clear(&tui->base);
         thud_tui_log(tui, "compare");
@@ -316,6 +321,14 @@ static const struct thud_design *reference(struct thud_tui *tui)
     return d ? d : tui->designs.n > 0 ? &tui->designs.item[0] : NULL;
 }
 
+/* What a design has other than the reference; of that one itself the change that led to it. */
+static const char *words_of(const struct thud_design *d, const struct thud_design *of, char *text, size_t size)
+{
+    if (of && of != d)
+        thud_design_differences(d->scene, of->scene, text, size);
+    return of && of != d ? text : d->what;
+}
+
 static void draw_row(struct thud_tui *tui, const struct list *list, const struct thud_design *d,
                      const struct thud_pane *in, int y, bool here)
 {
@@ -339,10 +352,6 @@ static void draw_row(struct thud_tui *tui, const struct list *list, const struct
         thud_pane_right(in, at, y, thud_look(role, 0), number);
         at -= column[c].width;
     }
-    if (!of || of == d)
-        snprintf(words, sizeof words, "%s", d->what);
-    else
-        thud_design_differences(d->scene, of->scene, words, sizeof words);
     thud_pane_print(in, 0, y, thud_look(THUD_ROLE_KEY, 0), "%c%c", d->marked ? '+' : ' ',
                     of == d && tui->base.chosen ? '=' : ' ');
     const bool now = thud_doc_runs_alike(d->scene, &tui->doc.scene);
@@ -350,7 +359,7 @@ static void draw_row(struct thud_tui *tui, const struct list *list, const struct
                                 now ? "*" : "", thud_utf8_fit(thud_design_called(d, name), 14, fitted, sizeof fitted));
     if (at - x > 8)
         thud_pane_put(in, x + 1, y, thud_look(THUD_ROLE_PLAIN, attr),
-                      thud_utf8_fit(words, at - x - 2, fitted, sizeof fitted));
+                      thud_utf8_fit(words_of(d, of, words, sizeof words), at - x - 2, fitted, sizeof fitted));
 }
 
 static void draw(struct thud_tui *tui, const struct thud_pane *area)
@@ -368,21 +377,14 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
         at -= column[c].width;
     }
     thud_pane_put(&in, 2, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), at > 24 ? "design and what it changes" : "design");
-    if (list->at >= tui->designs.n)
-        list->at = tui->designs.n > 0 ? tui->designs.n - 1 : 0;
-    if (list->at < list->top)
-        list->top = list->at;
-    if (rows > 0 && list->at >= list->top + rows)
-        list->top = list->at - rows + 1;
+    thud_list_scroll(&list->at, &list->top, tui->designs.n, rows);
     const struct thud_design *d;
     for (int i = 0; i < rows && (d = row_at(tui, list->top + i)) != NULL; i++)
         draw_row(tui, list, d, &in, 1 + i, list->top + i == list->at);
     const struct thud_design *here = row_at(tui, list->at), *of = reference(tui);
-    char words[500] = "";
-    if (here && of && here != of)
-        thud_design_differences(here->scene, of->scene, words, sizeof words);
+    char words[500];
     if (here && in.h > 3)
-        thud_pane_print(&in, 1, in.h - 1, thud_look(THUD_ROLE_MUTED, 0), "%.200s", *words ? words : here->what);
+        thud_pane_put(&in, 1, in.h - 1, thud_look(THUD_ROLE_MUTED, 0), words_of(here, of, words, sizeof words));
 }
 
 static void take_key(struct thud_tui *tui, int key)

@@ -237,7 +237,7 @@ static void draw(struct thud_tui *tui, const struct thud_pane *area)
                       : in.h > 2 * LEAST_HELP     ? LEAST_HELP
                                                   : 0,
               rows = in.h - below > 0 ? in.h - below : 1;
-    form->top = form->at < form->top ? form->at : form->at >= form->top + rows ? form->at - rows + 1 : form->top;
+    thud_list_scroll(&form->at, &form->top, form->n, rows);
     for (int i = form->top; i < form->n && i < form->top + rows; i++)
         draw_row(form, &in, i, i - form->top);
     draw_below(form, &in, in.h - below + (form->n < rows));

@@ -129,15 +129,6 @@ void thud_new_scene_begin(struct thud_tui *tui)
         thud_browse_list(&form->files, THUD_BROWSE_RECORDS, tui->doc.paths, "", "");
 }
 
-/* Cuts blanks off both ends. */
-static char *trimmed(char *text)
-{
-    text += strspn(text, " ");
-    for (size_t n = strlen(text); n > 0 && text[n - 1] == ' '; n--)
-        text[n - 1] = '\0';
-    return text;
-}
-
 void thud_new_scene_command(struct thud_tui *tui, const char *text)
 {
     char copy[THUD_LINE_MAX], *rest = copy;
@@ -151,8 +142,11 @@ void thud_new_scene_command(struct thud_tui *tui, const char *text)
         int row = 0;
         if (value)
             *value++ = '\0';
-        part = trimmed(part);
-        while (row < THUD_NEW_ROWS && strcmp(part, thud_new_about((enum thud_new_row)row)->word) != 0)
+        part += strspn(part, " ");
+        const int length = (int)strcspn(part, " ");
+        while (row < THUD_NEW_ROWS &&
+               (strncmp(part, thud_new_about((enum thud_new_row)row)->word, (size_t)length) != 0 ||
+                thud_new_about((enum thud_new_row)row)->word[length]))
             row++;
         if (!value || row == THUD_NEW_ROWS) {
             thud_tui_normal(tui);

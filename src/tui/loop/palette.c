@@ -60,45 +60,34 @@ static void take_command(struct thud_tui *tui, const char *line)
         thud_tui_command(tui, word);
 }
 
+/* "6 line 2": a command that a screen offered. */
+static void take_offer(struct thud_tui *tui, int screen, const char *rest)
+{
+    char word[32];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(rest, " "), rest);
+    rest += strlen(word);
+    thud_tui_go(tui, screen);
+    tui->view[screen]->command(tui, word, rest + (*rest == ' '));
+}
+
 static void chosen(struct thud_tui *tui, const char *value)
 {
     const char *rest = value + 1 + (value[1] == ' ');
-    char word[32];
-    int screen = atoi(value);
-    switch (value[1] == ' ' || *value == ':' ? *value : 0) { /* else it is a field */
-    case 'a':
-        thud_tui_act(tui, (enum thud_action)atoi(rest));
-        break;
-    case ':':
+    const int number = atoi(rest);
+    if (*value == ':')
         take_command(tui, value);
-        break;
-    case 's':
-        thud_tui_go(tui, atoi(rest));
-        break;
-    case 'v':
-        thud_tui_go_to_design(tui, rest);
-        break;
-    case 'o':
-        thud_tui_open(tui, rest, false);
-        break;
-    case '0':
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-    case '5':
-    case '6':
-    case '7':
-    case '8':
-        rest = strchr(value, ' ') + 1;
-        snprintf(word, sizeof word, "%.*s", (int)strcspn(rest, " "), rest);
-        rest += strlen(word);
-        thud_tui_go(tui, screen);
-        tui->view[screen]->command(tui, word, rest + (*rest == ' '));
-        break;
-    default:
+    else if (value[1] != ' ')
         thud_tui_go_to_field(tui, value);
-    }
+    else if (*value == 'a')
+        thud_tui_act(tui, (enum thud_action)number);
+    else if (*value == 's')
+        thud_tui_go(tui, number);
+    else if (*value == 'v')
+        thud_tui_go_to_design(tui, rest);
+    else if (*value == 'o')
+        thud_tui_open(tui, rest, false);
+    else
+        take_offer(tui, *value - '0', rest);
 }
 
 void thud_tui_palette(struct thud_tui *tui)

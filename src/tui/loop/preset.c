@@ -3,18 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "tui/document/session_log.h"
 #include "tui/loop/loop.h"
 #include "tui/loop/new_scene.h"
-
-static bool exists(const char *path)
-{
-    FILE *file = fopen(path, "r");
-    if (file)
-        fclose(file);
-    return file != NULL;
-}
 
 /* The file of another name: `.yaml` is added where a bare name was typed. */
 static void save_path(const char *typed, char *path, size_t size)
@@ -67,7 +60,7 @@ void thud_tui_save(struct thud_tui *tui, const char *path, bool sure)
         thud_tui_say(tui, THUD_ROLE_WARN, "Presets that come with thud stay unchanged: a name for yours");
         return;
     }
-    if (!sure && other && exists(to)) {
+    if (!sure && other && access(to, F_OK) == 0) {
         thud_tui_ask(tui, &over, to, "%s exists. Write over it?", to);
         return;
     }
@@ -166,7 +159,7 @@ void thud_tui_offer_recovery(struct thud_tui *tui)
     static const struct thud_question take = {.yes = recover};
     char path[sizeof tui->dialog.target];
     thud_doc_recovery_path(&tui->doc, path, sizeof path);
-    if (exists(path))
+    if (access(path, F_OK) == 0)
         thud_tui_ask(tui, &take, path, "Unsaved changes were kept in %s. Take them?", path);
 }
 

@@ -29,40 +29,31 @@ static void offer(struct completion *c, const char *candidate, const char *end)
     snprintf(c->list + used, sizeof c->list - used, "%s%s", used ? "  " : "", candidate);
 }
 
-/* Files and folders that begin like the word: from the working folder, or the folder in it. */
-static void offer_files(struct completion *c)
+/* What stands in a folder, without this ending (of files that have another: nothing), with `before` in front. */
+static void offer_folder(struct completion *c, const char *folder, const char *before, const char *ending)
 {
-    char folder[256], whole[600];
-    const char *slash = strrchr(c->word, '/');
-    int n = slash ? (int)(slash - c->word) + 1 : 0;
-    snprintf(folder, sizeof folder, "%.*s", n, c->word);
-    DIR *dir = opendir(n ? folder : ".");
+    DIR *dir = opendir(folder);
     for (struct dirent *entry; dir && (entry = readdir(dir)) != NULL;) {
+        const size_t n = strlen(entry->d_name), m = strlen(ending);
+        char path[1024], name[600];
         struct stat info;
-        if (*entry->d_name == '.')
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        if (*entry->d_name == '.' || n <= m || strcmp(entry->d_name + n - m, ending) != 0 || stat(path, &info) != 0)
             continue;
-        snprintf(whole, sizeof whole, "%s%s", folder, entry->d_name);
-        if (stat(whole, &info) == 0)
-            offer(c, whole, S_ISDIR(info.st_mode) ? "/" : "");
+        snprintf(name, sizeof name, "%s%.*s", before, (int)(n - m), entry->d_name);
+        offer(c, name, S_ISDIR(info.st_mode) ? "/" : "");
     }
     if (dir)
         closedir(dir);
 }
 
-/* Names in one of thud's own folders. */
-static void offer_shipped(struct completion *c, const char *folder, const char *ending)
+/* Files and folders that begin like the word: from the working folder, or the folder in it. */
+static void offer_files(struct completion *c)
 {
-    DIR *dir = opendir(folder);
-    for (struct dirent *entry; dir && (entry = readdir(dir)) != NULL;) {
-        size_t n = strlen(entry->d_name), m = strlen(ending);
-        char name[256];
-        if (*entry->d_name == '.' || n <= m || n >= sizeof name || strcmp(entry->d_name + n - m, ending) != 0)
-            continue;
-        snprintf(name, sizeof name, "%.*s", (int)(n - m), entry->d_name);
-        offer(c, name, "");
-    }
-    if (dir)
-        closedir(dir);
+    char folder[256];
+    const char *slash = strrchr(c->word, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - c->word) + 1 : 0, c->word);
+    offer_folder(c, *folder ? folder : ".", folder, "");
 }
 
 static void offer_words(struct thud_tui *tui, struct completion *c, const char *command, size_t n)
@@ -83,9 +74,9 @@ static void offer_words(struct thud_tui *tui, struct completion *c, const char *
         offer(c, "gap", *command == 's' ? " " : "=");
     } else {
         if (strncmp(command, "record", n) == 0)
-            offer_shipped(c, tui->doc.paths->records, "");
+            offer_folder(c, tui->doc.paths->records, "", "");
         if (strncmp(command, "open", n) == 0)
-            offer_shipped(c, tui->doc.paths->presets, ".yaml");
+            offer_folder(c, tui->doc.paths->presets, "", ".yaml");
         offer_files(c);
     }
 }

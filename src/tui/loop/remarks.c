@@ -63,7 +63,7 @@ void thud_tui_list_remarks(struct thud_tui *tui)
     struct thud_remarks found = find(tui);
     const int n = found.n;
     snprintf(title, sizeof title, "%d remark%s, %s; Enter goes to the field", n, n == 1 ? "" : "s",
-             thud_live_name(thud_scene_measures(&tui->doc.scene), thud_live_written(&tui->run.live)));
+             thud_tui_case_name(tui, thud_live_written(&tui->run.live)));
     thud_tui_choose(tui, thud_tui_go_to_field, title);
     for (int i = 0; i < n; i++) {
         const struct thud_error *said = &found.item[i].said;

@@ -26,8 +26,8 @@ static int collect_run(const struct thud_tui *tui, struct thud_shelved *item, in
     for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES && tui->run.live.history == THUD_LIVE_WHOLE; i++) {
         const struct thud_live_case *c = &tui->run.live.which[i];
         if (c->state == THUD_LIVE_DONE)
-            source[n++] = thud_run_source(thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i),
-                                          thud_case_compared(i), &tui->doc.scene, c->run);
+            source[n++] = thud_run_source(thud_tui_case_name(tui, (enum thud_live_which)i), thud_case_compared(i),
+                                          &tui->doc.scene, c->run);
     }
     for (int i = 0; n > 0 && i < THUD_RUN_FIGURES && count < room; i++)
         if (thud_run_figure_has((enum thud_run_figure)i, source, n))
@@ -150,8 +150,7 @@ static void refresh(struct thud_tui *tui, struct shelf *shelf)
             shelf->at = i;
             shelf->wanted[0] = '\0';
         }
-    if (shelf->at >= shelf->n)
-        shelf->at = shelf->n > 0 ? shelf->n - 1 : 0;
+    thud_list_scroll(&shelf->at, &shelf->top, shelf->n, 0);
 }
 
 /* With the name of its file where another figure has the same title. */
@@ -179,10 +178,7 @@ static void draw_list(struct thud_tui *tui, struct shelf *shelf, const struct th
     else
         snprintf(title, sizeof title, "%d figures", shelf->n);
     struct thud_pane in = thud_pane_frame(pane, title, true);
-    if (shelf->at < shelf->top)
-        shelf->top = shelf->at;
-    if (in.h > 0 && shelf->at >= shelf->top + in.h)
-        shelf->top = shelf->at - in.h + 1;
+    thud_list_scroll(&shelf->at, &shelf->top, shelf->n, in.h);
     for (int row = 0; row < in.h && shelf->top + row < shelf->n; row++) {
         const struct thud_shelved *item = &shelf->item[shelf->top + row];
         line_of(tui, shelf, shelf->top + row, line, sizeof line);
@@ -261,16 +257,12 @@ static void take_key(struct thud_tui *tui, int key)
         step = 1;
         break;
     case THUD_DO_UP:
-        step = -1;
+    case THUD_DO_PAGE_UP:
+        step = action == THUD_DO_UP ? -1 : -page;
         break;
     case THUD_DO_DOWN:
-        step = 1;
-        break;
-    case THUD_DO_PAGE_UP:
-        step = -page;
-        break;
     case THUD_DO_PAGE_DOWN:
-        step = page;
+        step = action == THUD_DO_DOWN ? 1 : page;
         break;
     case THUD_DO_NEXT_CONTACT:
     case THUD_DO_PREVIOUS_CONTACT:
@@ -281,8 +273,8 @@ static void take_key(struct thud_tui *tui, int key)
         break;
     }
     shelf->panel = step ? 0 : shelf->panel;
-    shelf->at = shelf->at + step >= shelf->n ? shelf->n - 1 : shelf->at + step;
-    shelf->at = shelf->at < 0 ? 0 : shelf->at;
+    shelf->at += step;
+    thud_list_scroll(&shelf->at, &shelf->top, shelf->n, 0);
 }
 
 void thud_tui_shelf(struct thud_tui *tui)

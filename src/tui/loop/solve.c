@@ -38,7 +38,6 @@ static void solve(struct thud_tui *tui, const char *text, bool ask)
         return;
     }
     *by++ = '\0';
-    what[strcspn(what, ";")] = '\0';
     for (size_t n = strlen(what); n > 0 && what[n - 1] == ' '; n--)
         what[n - 1] = '\0';
     by += strspn(by, " ");

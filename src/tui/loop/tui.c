@@ -304,15 +304,11 @@ static void end_live_run(struct thud_tui *tui)
         const struct thud_live_case *c = &tui->run.live.which[i];
         if (c->state != THUD_LIVE_FAILED)
             continue;
-        char text[600];
-        thud_tui_error_text(&c->error, text, sizeof text);
+        char text[600], when[40] = "";
         if (c->run)
-            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s) at t = %.4g s: %s",
-                         thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i), c->failed_s,
-                         text);
-        else
-            thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s): %s",
-                         thud_live_name(thud_scene_measures(&tui->doc.scene), (enum thud_live_which)i), text);
+            snprintf(when, sizeof when, " at t = %.4g s", c->failed_s);
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! FAILED (%s)%s: %s", thud_tui_case_name(tui, (enum thud_live_which)i),
+                     when, thud_tui_error_text(&c->error, text, sizeof text));
         return;
     }
 }

@@ -8,6 +8,7 @@
 #include "base/ascii.h"
 #include "base/grow.h"
 #include "core/methods/method.h"
+#include "io/file/file.h"
 #include "tui/document/field.h"
 
 enum { KEY_COLUMN = 3, HELP_COLUMN = 10, NAME_COLUMN = 3, FIELD_COLUMN = 7 };
@@ -185,13 +186,9 @@ static void commands(struct thud_help_text *text, int columns)
     struct thud_text words = {0};
     thud_commands_text(&words);
     head(text, "Commands after :");
-    for (const char *line = words.data; line && *line;) {
-        char one[200];
-        size_t n = strcspn(line, "\n");
-        snprintf(one, sizeof one, "%.*s", (int)n, line);
-        wrap(text, columns, "", 0, KEY_COLUMN, one);
-        line += n + (line[n] == '\n');
-    }
+    char *rest = words.data;
+    for (char *line; rest && (line = thud_text_line(&rest)) != NULL;)
+        wrap(text, columns, "", 0, KEY_COLUMN, line);
     thud_text_clear(&words);
 }
 

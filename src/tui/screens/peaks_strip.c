@@ -74,6 +74,20 @@ void thud_ratio_draw(const struct thud_live *live, const struct thud_pane *pane,
                         "%5.3f", ratio);
 }
 
+void thud_case_draw(const struct thud_live *live, enum thud_live_which which, const struct thud_pane *pane, int right,
+                    int y, const char *moved, const char *number)
+{
+    const enum thud_live_state state = live->which[which].state;
+    const int role = state == THUD_LIVE_FAILED       ? THUD_ROLE_ERROR
+                     : thud_live_is_old(live, which) ? THUD_ROLE_MUTED
+                                                     : THUD_ROLE_RESULT;
+    thud_pane_right(pane, right, y, thud_look(role, moved ? THUD_BOLD : 0),
+                    moved                       ? moved
+                    : state == THUD_LIVE_ABSENT ? "–"
+                    : state == THUD_LIVE_FAILED ? "FAILED"
+                                                : number);
+}
+
 /* One line of the strip: the three cases, the ratio, and what the last change did to the bumper's number. */
 static void peak_row(struct thud_tui *tui, const struct strip *strip, const struct thud_pane *pane, int y,
                      const char *label, const char *unit, const double value[THUD_LIVE_CASES], double before)
@@ -84,10 +98,7 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
     const enum thud_live_which last = thud_live_written(&tui->run.live);
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24], old[24], text[64];
-        bool absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT,
-             failed = tui->run.live.which[i].state == THUD_LIVE_FAILED;
         thud_tui_number(value[i], number);
-        snprintf(text, sizeof text, "%s", absent ? "–" : failed ? "FAILED" : number);
         bool moved =
             i == (int)last && !isnan(before) && !isnan(value[i]) && strcmp(thud_tui_number(before, old), number) != 0;
         if (moved)
@@ -95,12 +106,8 @@ static void peak_row(struct thud_tui *tui, const struct strip *strip, const stru
         if (moved && strip->percent && before > 0.0)
             thud_pane_print(pane, strip->percent, y, thud_look(THUD_ROLE_MUTED, 0), "%+6.1f %%",
                             thud_shown(100.0 * (value[i] / before - 1.0), 1));
-        thud_pane_right(pane, edge_of(strip, i), y,
-                        thud_look(failed                                                      ? THUD_ROLE_ERROR
-                                  : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                              : THUD_ROLE_RESULT,
-                                  moved ? THUD_BOLD : 0),
-                        text);
+        thud_case_draw(&tui->run.live, (enum thud_live_which)i, pane, edge_of(strip, i), y, moved ? text : NULL,
+                       number);
     }
     thud_ratio_draw(&tui->run.live, pane, edge_of(strip, THUD_LIVE_CASES) - 5, y, value);
 }
@@ -125,8 +132,7 @@ static void impact_strip(struct thud_tui *tui, const struct thud_pane *pane)
     if (pane->w < 18)
         thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), what);
     else
-        thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "%s, %s", what,
-                        thud_live_name(thud_scene_measures(&tui->doc.scene), which));
+        thud_pane_print(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), "%s, %s", what, thud_tui_case_name(tui, which));
     struct thud_pane area = thud_pane_inside(pane, 0, 1, pane->w, pane->h - 1);
     struct thud_dots dots;
     if (count == 0)
@@ -155,6 +161,8 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
     int unused;
     for (int kind = 0; kind < 2; kind++)
         for (int s = 0; s < 2 && tui->interface + s < tui->doc.scene.nstructures; s++, y++) {
+            const enum thud_peak_kind of = kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION;
+            const double factor = kind ? 1e3 : 1.0;
             char label[200], name[160];
             const struct thud_structure *structure = &tui->doc.scene.structure[tui->interface + s];
             if (structure->kind == THUD_WALL && !thud_wall_gives(structure)) {
@@ -167,13 +175,9 @@ int thud_peaks_strip_draw(struct thud_tui *tui, const struct thud_pane *pane)
             thud_utf8_fit(structure->name, layout.name, name, sizeof name);
             snprintf(label, sizeof label, "%s %s", name, kind ? "drift" : "accel");
             for (int i = 0; i < THUD_LIVE_CASES; i++)
-                value[i] =
-                    (kind ? 1e3 : 1.0) * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->interface + s,
-                                                        kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION);
-            double before = compared ? thud_live_peak(compared, last, tui->interface + s,
-                                                      kind ? THUD_PEAK_DRIFT : THUD_PEAK_ACCELERATION)
-                                     : NAN;
-            peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, (kind ? 1e3 : 1.0) * before);
+                value[i] = factor * thud_live_peak(&tui->run.live, (enum thud_live_which)i, tui->interface + s, of);
+            double before = compared ? factor * thud_live_peak(compared, last, tui->interface + s, of) : NAN;
+            peak_row(tui, &layout, pane, y, label, kind ? "mm" : "m/s²", value, before);
         }
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         value[i] = 1e-6 * thud_live_force(&tui->run.live, (enum thud_live_which)i, tui->interface + 1, &impacts[i]);

@@ -211,8 +211,7 @@ static int draw_movement(struct thud_tui *tui, const struct thud_pane *pane)
         thud_field_note(pane, 0, "no histories to move by");
         return 1;
     }
-    thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0),
-                  thud_live_name(thud_scene_measures(&tui->doc.scene), thud_plots(tui)->sight.which));
+    thud_pane_put(pane, 0, 0, thud_look(THUD_ROLE_MUTED, 0), thud_tui_case_name(tui, thud_plots(tui)->sight.which));
     thud_movement_draw(pane, &tui->doc.scene, c->model, c->run, thud_plots(tui)->sight.which == THUD_LIVE_BUMPER,
                        thud_plots(tui)->time_s);
     return pane->h;

@@ -17,20 +17,6 @@ static const struct thud_labelled scene_key[] = {{"record", "record.file"},
                                                  {"method", "analysis.method"},
                                                  {"tolerance", "analysis.tolerance"}};
 
-static int impacts(const struct thud_tui *tui, const struct thud_pane *pane, int y)
-{
-    static const char *const label[] = {[THUD_LIVE_NONE] = "impacts, bare", [THUD_LIVE_BUMPER] = "impacts, bumper"};
-    for (int i = THUD_LIVE_NONE; i < THUD_LIVE_CASES; i++) {
-        int count;
-        char number[24];
-        double force = thud_live_force(&tui->run.live, (enum thud_live_which)i, 0, &count);
-        if (!isnan(force))
-            thud_pane_print(pane, 1, y++, thud_look(THUD_ROLE_PLAIN, 0), "%-18s %d, up to %s MN", label[i], count,
-                            thud_tui_number(1e-6 * force, number));
-    }
-    return y;
-}
-
 static int changes(const struct thud_tui *tui, const struct thud_pane *pane, int y)
 {
     const char *what;
@@ -59,6 +45,5 @@ int thud_plots_side_draw(struct thud_tui *tui, int index, const struct thud_pane
     }
     for (size_t i = 0; i < sizeof scene_key / sizeof *scene_key; i++)
         thud_field_row(tui, index, pane, y++, scene_key[i].label, scene_key[i].key);
-    y = impacts(tui, pane, y);
     return changes(tui, pane, y + 1);
 }

@@ -101,10 +101,10 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
                  filter, thud_live_short_name(&tui->doc.scene, THUD_LIVE_NONE),
                  thud_live_short_name(&tui->doc.scene, THUD_LIVE_BUMPER));
     else if (index == IMPACTS)
-        snprintf(text, size, "Impacts, %s, %s%s%s", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)),
-                 sort[state(tui)->sort], with, filter);
+        snprintf(text, size, "Impacts, %s, %s%s%s", thud_tui_case_name(tui, shown(tui)), sort[state(tui)->sort], with,
+                 filter);
     else
-        snprintf(text, size, "How, and energy (%s)", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)));
+        snprintf(text, size, "How, and energy (%s)", thud_tui_case_name(tui, shown(tui)));
 }
 
 /* Four numbers of one quantity in 24 columns. */
@@ -115,16 +115,8 @@ static void quantity(struct thud_tui *tui, const struct thud_pane *pane, int x, 
     for (int i = 0; i < THUD_LIVE_CASES; i++) {
         char number[24];
         value[i] = factor * thud_live_floor(&tui->run.live, (enum thud_live_which)i, s, floor, kind);
-        bool failed = tui->run.live.which[i].state == THUD_LIVE_FAILED,
-             absent = tui->run.live.which[i].state == THUD_LIVE_ABSENT;
-        thud_pane_right(pane, x + 7 * i + 6, y,
-                        thud_look(failed                                                      ? THUD_ROLE_ERROR
-                                  : thud_live_is_old(&tui->run.live, (enum thud_live_which)i) ? THUD_ROLE_MUTED
-                                                                                              : THUD_ROLE_RESULT,
-                                  0),
-                        failed   ? "FAIL"
-                        : absent ? "–"
-                                 : thud_tui_number(value[i], number));
+        thud_case_draw(&tui->run.live, (enum thud_live_which)i, pane, x + 7 * i + 6, y, NULL,
+                       thud_tui_number(value[i], number));
     }
     thud_ratio_draw(&tui->run.live, pane, x + 21, y, value);
 }
@@ -444,20 +436,19 @@ static void export_csv(struct thud_tui *tui)
 {
     const struct thud_live_case *c = &tui->run.live.which[shown(tui)];
     struct thud_report report = {.scene = &tui->doc.scene, .result = thud_run_result(c->run)};
-    struct thud_text peaks = {0}, impacts = {0};
+    static const char *const what[] = {"peaks", "impacts"};
+    struct thud_text text[2] = {{0}, {0}};
+    char name[200], file[2][210];
     report.impact = thud_run_impacts(c->run, &report.nimpacts);
-    thud_result_csv(&report, 1, &peaks);
-    thud_impacts_csv(&report, &impacts);
-    char peaks_name[200], impacts_name[200], file[2][210];
-    thud_tui_file_name(tui, "peaks", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)), peaks_name,
-                       sizeof peaks_name);
-    thud_tui_file_name(tui, "impacts", thud_live_name(thud_scene_measures(&tui->doc.scene), shown(tui)), impacts_name,
-                       sizeof impacts_name);
-    snprintf(file[0], sizeof file[0], "%s.csv", peaks_name);
-    snprintf(file[1], sizeof file[1], "%s.csv", impacts_name);
-    if (thud_tui_write(tui, &peaks, file[0]) && thud_tui_write(tui, &impacts, file[1]))
+    thud_result_csv(&report, 1, &text[0]);
+    thud_impacts_csv(&report, &text[1]);
+    for (int i = 0; i < 2; i++) {
+        thud_tui_file_name(tui, what[i], thud_tui_case_name(tui, shown(tui)), name, sizeof name);
+        snprintf(file[i], sizeof file[i], "%s.csv", name);
+    }
+    if (thud_tui_write(tui, &text[0], file[0]) && thud_tui_write(tui, &text[1], file[1]))
         thud_tui_say(tui, THUD_ROLE_GOOD, "Written %s and %s into %s", file[0], file[1], thud_tui_folder(tui));
-    thud_text_clear(&impacts);
+    thud_text_clear(&text[1]);
 }
 
 THUD_VIEW(results, "Results", RESULTS, .compares = true, .keys = "", .moved = true,

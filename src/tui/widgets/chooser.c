@@ -29,6 +29,13 @@ void thud_chooser_add(struct thud_chooser *chooser, const char *value, const cha
     va_end(args);
 }
 
+void thud_list_scroll(int *at, int *top, int n, int rows)
+{
+    *at = *at < n ? *at : n - 1;
+    *at = *at > 0 ? *at : 0;
+    *top = *at < *top ? *at : rows > 0 && *at >= *top + rows ? *at - rows + 1 : *top;
+}
+
 /* Whether the letters stand in one word of the text in their order. */
 static bool scattered(const char *text, const char *letters)
 {
@@ -98,11 +105,7 @@ void thud_chooser_key(struct thud_chooser *chooser, int key)
         chooser->at += step;
     else if (thud_line_key(&chooser->filter, key))
         chooser->at = 0;
-    int n = count_fitting(chooser);
-    if (chooser->at >= n)
-        chooser->at = n - 1;
-    if (chooser->at < 0)
-        chooser->at = 0;
+    thud_list_scroll(&chooser->at, &chooser->top, count_fitting(chooser), 0);
 }
 
 bool thud_chooser_click(struct thud_chooser *chooser, int x, int y)
@@ -130,10 +133,7 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
     int at = thud_pane_put(&in, 1, 0, thud_look(THUD_ROLE_MUTED, 0), "only: ");
     int rows = in.h - 1;
     chooser->drawn = thud_pane_inside(&in, 0, 1, in.w, rows);
-    if (chooser->at < chooser->top)
-        chooser->top = chooser->at;
-    if (rows > 0 && chooser->at >= chooser->top + rows)
-        chooser->top = chooser->at - rows + 1;
+    thud_list_scroll(&chooser->at, &chooser->top, chooser->n, rows);
     for (int row = 1, i; row <= rows && (i = fitting(chooser, chooser->top + row - 1)) >= 0; row++) {
         bool marked = chooser->top + row - 1 == chooser->at;
         struct thud_look look = thud_look(THUD_ROLE_PLAIN, marked ? THUD_REVERSE : 0);

@@ -28,3 +28,6 @@ void thud_chooser_draw(struct thud_chooser *chooser, const struct thud_pane *are
 /* Marks the line at a place of the canvas; true where it was marked already, so that a second click takes it. */
 bool thud_chooser_click(struct thud_chooser *chooser, int x, int y);
 void thud_chooser_free(struct thud_chooser *chooser);
+
+/* Keeps the cursor of a list within its n lines, and scrolls so that it is seen in so many rows. */
+void thud_list_scroll(int *at, int *top, int n, int rows);

@@ -121,11 +121,6 @@ bool thud_form_end(struct thud_form *form, int panes)
     return moved;
 }
 
-static int absolute(int v)
-{
-    return v < 0 ? -v : v;
-}
-
 /* The nearest field in a direction within the pane; up and down prefer the same column, left and right the same row. */
 static const struct thud_field *neighbour(const struct thud_form *form, const struct thud_field *from, int dx, int dy)
 {
@@ -137,7 +132,7 @@ static const struct thud_field *neighbour(const struct thud_form *form, const st
         if (f->pane != from->pane || f == from || (dy != 0 && down * dy <= 0) ||
             (dx != 0 && (across * dx <= 0 || down)))
             continue;
-        int distance = dy ? absolute(down) * 1000 + absolute(across) : absolute(across);
+        int distance = dy ? abs(down) * 1000 + abs(across) : abs(across);
         if (distance < least) {
             least = distance;
             best = f;
