@@ -554,3 +554,7 @@ is "a thin bumper above thick ones" gives 0 run towers "--set=bumper.thickness-b
 is "is the one remarked on" says 'the bumper of 30 mm is compressed by 39.[0-9]* mm at floor 4, .*more than its thickness'
 is "as over a study" gives 0 sweep towers "--set=bumper.thickness-by-level=[5cm,5cm,5cm,3cm]" --vary gap=10cm --cases bumper
 is "and by its thickness" says 'more than its thickness: one of 30 mm by 39.[0-9]* mm'
+is "gaps by level, each as wide as needed" gives 0 run towers --case none "--set=gap-by-level=[10cm,12cm,17cm,20cm]" --quiet
+is "are told from the least to the widest, and what the widest needs" shows '^summary  *NO CONTACT at 10 to 20 cm by level   needs up to 19.8 cm$'
+is "impulses in all" gives 0 run towers --set contact.law=stereomechanical --case none --quiet
+is "have no exponent" shows '^summary  *POUNDS at 10 cm: 19 impulses, 5480 kN s in all   needs 19.8 cm$'

@@ -51,8 +51,8 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     for (int i = 1; i < scene->nstructures; i++) {
         struct thud_summary_line line = {.need_m = NAN, .in_row = scene->nstructures > 2};
         char text[160], needs[96];
-        double most;
-        thud_interface_gaps(&scene->interface[i - 1], &line.gap_m, &most);
+        thud_interface_gap_text(&scene->interface[i - 1], line.gap, sizeof line.gap);
+        line.by_level = scene->interface[i - 1].gap.n > 0;
         const struct thud_contact_sum contacts = thud_contacts_sum(r, i);
         line.impacts = contacts.impacts;
         line.impulse_ns = contacts.impulse_ns;

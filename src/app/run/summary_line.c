@@ -62,30 +62,36 @@ static void bumper_words(const struct thud_summary_line *line, bool brief, char 
 
 #define ALONE " when nothing else touches"
 
+/* "needs 19.8 cm" */
+static int needs_words(const struct thud_summary_line *line, char *text, size_t size)
+{
+    return snprintf(text, size, "needs %s%.1f cm", line->by_level ? "up to " : "",
+                    thud_summary_gap_cm(line->need_m + line->bumper_m));
+}
+
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size)
 {
-    const double bare_cm = thud_summary_gap_cm(line->need_m);
+    const size_t n = (size_t)needs_words(line, text, size);
     if (line->bumper_m > 1e-9) /* a difference: rounding is no bumper */
-        snprintf(text, size, "needs %.1f cm (%.1f bare)%s", thud_summary_gap_cm(line->need_m + line->bumper_m), bare_cm,
-                 line->in_row ? ALONE : "");
+        snprintf(text + n, size - n, " (%.1f bare)%s", thud_summary_gap_cm(line->need_m), line->in_row ? ALONE : "");
     else if (line->in_row)
-        snprintf(text, size, "needs %.1f cm" ALONE, bare_cm);
+        snprintf(text + n, size - n, ALONE);
     else
-        snprintf(text, size, "needs %.1f cm (ABS %.1f, SRSS %.1f)", bare_cm, thud_summary_gap_cm(line->abs_m),
+        snprintf(text + n, size - n, " (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->abs_m),
                  thud_summary_gap_cm(line->srss_m));
 }
 
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size)
 {
-    char part[160], bumper[120], gap[48], words[64];
+    char part[160], bumper[120], words[64];
+    const char *gap = line->gap;
     *text = '\0';
     if (isnan(line->force_n) && line->impacts == 0)
         return;
-    snprintf(gap, sizeof gap, "%.4g cm", 100 * line->gap_m);
     bumper_words(line, false, bumper, sizeof bumper);
     if (isnan(line->force_n))
-        snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %.3g kN s in all", gap, line->impacts,
-                 line->impacts == 1 ? "" : "s", 1e-3 * line->impulse_ns);
+        snprintf(part, sizeof part, "POUNDS at %s: %d impulse%s, %s kN s in all", gap, line->impacts,
+                 line->impacts == 1 ? "" : "s", thud_digits(1e-3 * line->impulse_ns, 3, words));
     else if (line->impacts > 0) {
         pounding_words(line->impacts, line->force_n, words);
         snprintf(part, sizeof part, "POUNDS at %s: %s", gap, words);
@@ -94,10 +100,9 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     add(text, size, columns, part);
     if (!isnan(line->need_m)) {
         int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0;
-        const double needs_cm = thud_summary_gap_cm(line->need_m + line->bumper_m);
         thud_summary_needs(line, part, sizeof part);
         if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part, sizeof part, "needs %.1f cm%s", needs_cm, line->in_row ? ALONE : "");
+            snprintf(part + needs_words(line, part, sizeof part), sizeof ALONE, "%s", line->in_row ? ALONE : "");
         add(text, size, columns, part);
     }
     if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)

@@ -6,7 +6,8 @@
 #include <stddef.h>
 
 struct thud_summary_line {
-    double gap_m;
+    char gap[64];  /* as thud_interface_gap_text writes it */
+    bool by_level; /* it is not the same at every level: need_m is that of the level that needs most */
     int impacts;
     double force_n;             /* largest; NaN: there is no result, or with impacts: impulses, which have no force */
     double impulse_ns;          /* in all */
@@ -25,7 +26,7 @@ double thud_summary_gap_cm(double gap_m);
 double thud_table_gap_cm(double gap_m);
 
 /* "no bumper: POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: 31 impacts, 19.5 MN
- * (-9 %)"; of a run with a bumper "needs 23.9 cm (18.9 bare)", in a row "needs 18.9 cm when nothing else touches". Gaps
+ * (-9 %)"; of a run with a bumper "needs 23.9 cm (18.9 bare)", in a row "needs 18.9 cm when nothing else touches", of gaps by level "needs up to 18.9 cm". Gaps
  * are rounded up to the next millimetre. What has no room in `columns` is left off, the codes' rules first, then of the
  * bumper all but its force, then whose result comes first. Empty without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);

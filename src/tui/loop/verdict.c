@@ -46,7 +46,7 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     const int i = tui->interface;
     const struct thud_design_result *before = &tui->base.result;
     struct thud_design_result now;
-    char force[64], impacts[64], need[64], gap[64], name[48] = "";
+    char force[64], impacts[64], need[64], gap[64], at[64], name[48] = "";
     thud_design_measure(&tui->doc.scene, &tui->run.live, &now);
     if (!before->known || !now.known || !thud_base_differs(&tui->base, &tui->doc) ||
         i + 1 >= tui->base.scene.nstructures)
@@ -58,14 +58,15 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     if (tui->base.chosen)
         snprintf(name, sizeof name, "%.20s: ", tui->base.name);
     *pounds = now.impacts[i] > 0;
+    thud_interface_gap_text(&tui->doc.scene.interface[i], at, sizeof at);
     if (columns < NARROW)
         snprintf(text, size, "%s", need);
     else if (columns < WIDE)
         snprintf(text, size, "%s  %s", *pounds || before->impacts[i] > 0 ? force : "no contact", need);
     else
-        snprintf(text, size, "%s%s at %.4g cm: %s%s%s  %.60s", name, *pounds ? "POUNDS" : "NO CONTACT",
-                 100 * tui->doc.scene.interface[i].gap_m, *pounds || before->impacts[i] > 0 ? force : "",
-                 *pounds || before->impacts[i] > 0 ? "  " : "", impacts, need);
+        snprintf(text, size, "%s%s at %s: %s%s%s  %.60s", name, *pounds ? "POUNDS" : "NO CONTACT", at,
+                 *pounds || before->impacts[i] > 0 ? force : "", *pounds || before->impacts[i] > 0 ? "  " : "", impacts,
+                 need);
     return true;
 }
 
@@ -80,8 +81,8 @@ static void words_of_pair(const struct thud_tui *tui, int columns, char *text, s
     *pounds = line.impacts > 0;
     if (tui->interface + 1 >= scene->nstructures)
         return;
-    double most_m;
-    thud_interface_gaps(&scene->interface[tui->interface], &line.gap_m, &most_m);
+    thud_interface_gap_text(&scene->interface[tui->interface], line.gap, sizeof line.gap);
+    line.by_level = scene->interface[tui->interface].gap.n > 0;
     bool free_body =
         scene->structure[tui->interface].kind == THUD_RIGID || scene->structure[tui->interface + 1].kind == THUD_RIGID;
     if (!free_body) { /* that goes on for ever */
