@@ -12,7 +12,8 @@ import sys
 
 VARIATIONS = [
     ("towers", "", "--set gap=7.5cm", "--set gap=19.7cm", "--set gap=19.8cm --case none", "--case cavity", "--sign=-",
-     "--set bumper.thickness-by-level=[5cm,5cm,5cm,3cm]", "--set gap=22cm --set bumper.thickness-by-level=[8cm,5cm,4cm,3cm]"),
+     "--set bumper.thickness-by-level=[5cm,5cm,5cm,3cm]", "--set gap=22cm --set bumper.thickness-by-level=[8cm,5cm,4cm,3cm]",
+     "--set gap-by-level=[10cm,12cm,17cm,20cm]"),
     ("slab-against-columns", "", "--case none", "--set structures.2.slab-depth=50cm"),
     ("towers-northridge", "", "--set gap=6cm", "--case none --set gap=14.3cm", "--set structures.2.damping=2%"),
     ("towers-san-fernando", "", "--set gap=12cm"),
@@ -134,7 +135,7 @@ def needs_of(document, needed, index):
     """What the lines of an interface are made of, by the keys of LINES."""
     scene = document["scene_si"]["interfaces"][index]
     bumper = scene.get("bumper", {})
-    gaps, thick = numbers(scene["gap_m"]), numbers(bumper.get("thickness-by-level_m", bumper.get("thickness_m", 0)))
+    gaps, thick = numbers(scene.get("gap-by-level_m", scene["gap_m"])), numbers(bumper.get("thickness-by-level_m", bumper.get("thickness_m", 0)))
     cavity = bumper.get("cavity_m", 0)
     contacts = [c for c in document["contacts"] if c["interface"] == index + 1]
     levels = [v for v in needed["records"][0]["levels"] if v["interface"] == index + 1] if needed else []
