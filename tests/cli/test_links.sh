@@ -146,3 +146,5 @@ is "and tells of the link" grep -q '^- Link 1, A.4-B.4 (spring): largest force' 
     is "with the link that of gap" shows "^With the links: A and B do not collide at gaps of $(needs "$scene") cm"
     is "without it that of the towers alone" shows "^Without the links: A and B do not collide at gaps of $(needs towers) cm"
 }
+is "over samples of the scene as written" gives 0 uncertainty towers-linked --samples 4 --set record.to=8s --quiet
+is "bumper and links lower what is lowered" shows '^The bumper and links lower the mean acceleration of A in [0-9]* % of 4 samples$'

@@ -453,6 +453,9 @@ int thud_scene_measures(const struct thud_scene *scene);
  * "neither bumper nor links"; sentences use "without the bumper", "with the links and without the bumper". */
 const char *thud_case_title(int measures, enum thud_case which);
 const char *thud_case_phrase(int measures, enum thud_case which);
+/* Returns the subject of what a case does: "bumper", "bumper in a cavity", "links", as written all that the scene has:
+ * "bumper and links"; *verb gets the ending of its verb, "s" or "". */
+const char *thud_case_subject(int measures, enum thud_case which, const char **verb);
 /* Returns the compared cases of one bumper: no pounding, no bumper, bumper. */
 static inline enum thud_case thud_case_compared(int i)
 {

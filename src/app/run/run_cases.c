@@ -278,16 +278,12 @@ static void say_floors(const struct thud_run_cases *cases, int i, bool more, boo
                                  thud_change_text(1 + change, percent));
         }
     const char *what = drift ? "drifts" : "accelerations", *of = drift ? "storeys" : "floors";
-    const enum thud_case which = cases->item[i].which;
-    const char *subject = which == THUD_CASE_LINK     ? "The links"
-                          : which == THUD_CASE_CAVITY ? "The bumper in a cavity"
-                          : which == THUD_CASE_BUMPER ? "The bumper"
-                                                      : "The scene as written",
-               *verb = more ? "raise" : "lower", *singular = which == THUD_CASE_LINK ? "" : "s";
+    const char *ending, *subject = thud_case_subject(cases->measures, cases->item[i].which, &ending),
+                        *verb = more ? "raise" : "lower";
     if (n > 0 && !list.failed)
-        thud_text_append(out, "%s %s%s the %s of %s %s.\n", subject, verb, singular, what, of, list.data);
+        thud_text_append(out, "The %s %s%s the %s of %s %s.\n", subject, verb, ending, what, of, list.data);
     else
-        thud_text_append(out, "%s %s%s no %s by more than 1 %%.\n", subject, verb, singular, what);
+        thud_text_append(out, "The %s %s%s no %s by more than 1 %%.\n", subject, verb, ending, what);
     out->failed |= list.failed;
     thud_text_clear(&list);
 }

@@ -157,14 +157,12 @@ static void put_sentence(const struct thud_uncertainty *u, int q, const struct t
 {
     const struct thud_quantity_of_run *quantity = &u->quantity[q];
     const struct thud_measure_info *mean = thud_measure_info(thud_measure_info(quantity->measure)->ratio_of);
+    const char *ending, *subject = thud_case_subject(thud_scene_measures(&u->scene), quantity->which, &ending);
     thud_text_append(out,
-                     "The %s the %s of %s in %.0f %% of %.0f samples\n"
+                     "The %s lower%s the %s of %s in %.0f %% of %.0f samples\n"
                      "  (ratio %.3f, 90 %% of them %.3f to %.3f).\n",
-                     quantity->which == THUD_CASE_CAVITY ? "bumper in its cavity lowers"
-                     : quantity->which == THUD_CASE_LINK ? "links lower"
-                                                         : "bumper lowers",
-                     mean->words, u->scene.structure[quantity->structure].name, 100 * t->below, t->count, t->median,
-                     t->low, t->high);
+                     subject, ending, mean->words, u->scene.structure[quantity->structure].name, 100 * t->below,
+                     t->count, t->median, t->low, t->high);
 }
 
 static void put_gap(const struct thud_uncertainty *u, int q, const struct thud_uncertainty_told *t,

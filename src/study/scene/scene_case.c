@@ -60,6 +60,17 @@ const char *thud_case_phrase(int measures, enum thud_case which)
     return words_of(measures, which)->phrase;
 }
 
+const char *thud_case_subject(int measures, enum thud_case which, const char **verb)
+{
+    const char *subject = which == THUD_CASE_LINK     ? "links"
+                          : which == THUD_CASE_CAVITY ? "bumper in a cavity"
+                          : which == THUD_CASE_BUMPER ? "bumper"
+                          : measures == 0             ? "scene as written"
+                                                      : thud_case_title(measures, THUD_CASE_WHOLE);
+    *verb = strstr(subject, "links") ? "" : "s";
+    return subject;
+}
+
 const char *thud_case_name(enum thud_case which)
 {
     return known[which - THUD_CASE_FREE].name;
