@@ -255,8 +255,7 @@ static void say_contacts(const struct thud_run_cases *cases, int i, struct thud_
         thud_text_append(out, ", %.3f s", most->force.time_s);
     }
     int none = without(cases);
-    const struct thud_contact_result *bare =
-        none && none != i ? thud_contact_hardest(result_of(cases, none), 0) : NULL;
+    const struct thud_contact_result *bare = none && none != i ? thud_contact_hardest(result_of(cases, none), 0) : NULL;
     if (bare && bare->force.value > 0)
         thud_text_append(out, " (%s relative to %s)", thud_change_text(most->force.value / bare->force.value, number),
                          thud_case_title(cases->measures, cases->item[none].which));
