@@ -1,56 +1,33 @@
 /* Variants of the scene: other presets, each run as it is written under the report's ground motions, beside the scene
- * itself. */
+ * itself, which the report's suite has run. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "app/report/site_report_private.h"
+#include "app/sweep/sweep_jobs.h"
 
-/* What is reported of a variant, of one run each; NaN: there is no such. */
-static const struct quantity {
-    const char *name;
-    double unit;
-    int digits;
-} quantities[SITE_VARIANT_VALUES] = {
-    {"impacts", 1, 0},      {"force, MN", 1e6, 3}, {"acceleration, g", THUD_GRAVITY, 3},
-    {"drift, mm", 1e-3, 3}, {"ductility", 1, 3},   {"force of a link, kN", 1e3, 3}};
-
-static void read_values(const struct thud_result *r, double value[SITE_VARIANT_VALUES])
-{
-    struct thud_stiffness_row row;
-    thud_stiffness_row_read(r, &row);
-    value[0] = row.impacts;
-    value[1] = row.force_n;
-    value[2] = value[3] = value[4] = value[5] = NAN; /* which give way */
-    for (int s = 0; s < r->nstructures; s++) {
-        value[2] = fmax(value[2], row.acceleration_mps2[s]);
-        value[3] = fmax(value[3], row.drift_m[s]);
-        for (int f = 0; r->structure[s].storey && f < r->structure[s].floors; f++)
-            if (r->structure[s].storey[f].yields)
-                value[4] = fmax(value[4], r->structure[s].storey[f].ductility);
-    }
-    for (int i = 0; i < r->nlinks; i++)
-        value[5] = fmax(value[5], r->link[i].force.value);
-}
+static const enum thud_measure measures[] = {THUD_MEASURE_IMPACTS, THUD_MEASURE_FORCE,     THUD_MEASURE_ACCELERATION,
+                                             THUD_MEASURE_DRIFT,   THUD_MEASURE_DUCTILITY, THUD_MEASURE_LINK};
 
 static int count_motions(const struct site *site)
 {
     return site->suite.runs->nrecords;
 }
 
-/* Under every ground motion; its required gap. */
-static enum thud_status run_scene(struct site *site, const struct thud_scene *scene, struct thud_error *err)
+static double value_of(const struct site *site, int i, int record, enum thud_measure measure)
 {
-    const struct thud_record_list *records = site->options->records;
+    const struct site_variant *v = &site->variant[i];
+    return v->runs ? thud_suite_value(v->runs, record, 0, 0, measure, -1)
+                   : thud_suite_value(site->suite.runs, record, site->suite.as_given, site->suite.plan.ncases - 1,
+                                      measure, -1);
+}
+
+static void add_variant(struct site *site, const struct thud_scene *scene, const struct thud_gap_study *gaps)
+{
     struct site_variant *v = &site->variant[site->nvariants++];
-    const struct thud_sweep_plan *plan = &site->suite.plan;
-    struct thud_gap_study gaps = {0};
-    enum thud_status status = THUD_OK;
     snprintf(v->name, sizeof v->name, "%s", scene->name);
-    v->value = calloc((size_t)count_motions(site), sizeof *v->value);
-    if (!v->value)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
     v->gap_m = INFINITY;
     v->required_m = NAN;
     for (int i = 0; i + 1 < scene->nstructures; i++) {
@@ -59,18 +36,27 @@ static enum thud_status run_scene(struct site *site, const struct thud_scene *sc
         v->gap_m = fmin(v->gap_m, least_m);
         thud_interface_thicknesses(&scene->interface[i], &least_m, &most_m);
         v->bumper_m = fmax(v->bumper_m, most_m);
+        if (gaps->suite.nrecords > 0)
+            v->required_m = fmax(v->required_m, thud_site_gap_by_code(site, gaps, scene->nstructures, i + 1));
     }
-    for (int r = 0; r < count_motions(site) && status == THUD_OK; r++) {
-        struct thud_solution solution = {0};
-        status = thud_scene_solve(scene, plan->nrecords > 0 ? plan->record[r] : NULL, NULL, &solution, err);
-        if (status == THUD_OK)
-            read_values(thud_run_result(solution.run), v->value[r]);
-        thud_solution_clear(&solution);
-    }
+}
+
+/* Under every ground motion; its required gap. */
+static enum thud_status run_scene(struct site *site, const struct thud_scene *scene, struct thud_error *err)
+{
+    const struct thud_record_list *records = site->options->records;
+    const atomic_int *cancel = site->options->pictures ? site->options->pictures->cancel : NULL;
+    struct site_variant *v = &site->variant[site->nvariants];
+    struct thud_gap_study gaps = {0};
+    enum thud_status status = THUD_OK;
+    v->plan = malloc(sizeof *v->plan);
+    if (!v->plan)
+        return thud_error_set(err, THUD_MEMORY, "out of memory");
+    thud_site_plan(site, scene, v->plan);
+    status = thud_sweep_suite_run(v->plan, site->options->threads, cancel, &v->runs, err);
     if (status == THUD_OK && records->n > 0)
-        status = thud_gap_study_run(scene, records, NULL, NULL, &gaps, err);
-    for (int i = 1; status == THUD_OK && gaps.suite.nrecords > 0 && i < scene->nstructures; i++)
-        v->required_m = fmax(v->required_m, thud_site_gap_by_code(site, &gaps, scene->nstructures, i));
+        status = thud_gap_study_run(scene, records, NULL, cancel, &gaps, err);
+    add_variant(site, scene, status == THUD_OK ? &gaps : &(struct thud_gap_study){0});
     thud_gap_study_clear(&gaps);
     return status;
 }
@@ -93,10 +79,11 @@ static enum thud_status run_variant(struct site *site, const char *name, struct 
 enum thud_status thud_site_variants_run(struct site *site, struct thud_error *err)
 {
     const char *list = site->options->beside;
+    enum thud_status status = THUD_OK;
     char name[THUD_TEXT_MAX];
     if (!list || !*list)
         return THUD_OK;
-    enum thud_status status = run_scene(site, site->scene, err);
+    add_variant(site, site->scene, &site->gaps);
     for (size_t n; *list && status == THUD_OK; list += n + (list[n] == ',')) {
         n = strcspn(list, ",");
         snprintf(name, sizeof name, "%.*s", (int)n, list);
@@ -109,26 +96,31 @@ enum thud_status thud_site_variants_run(struct site *site, struct thud_error *er
 
 void thud_site_variants_clear(struct site *site)
 {
-    for (int i = 0; i < site->nvariants; i++)
-        free(site->variant[i].value);
+    for (int i = 0; i < site->nvariants; i++) {
+        thud_suite_free(site->variant[i].runs);
+        if (site->variant[i].plan)
+            thud_sweep_plan_clear(site->variant[i].plan);
+        free(site->variant[i].plan);
+    }
 }
 
 /* The mean or the largest of the code over the ground motions, and of variants which of them it lowers. */
-static void add_quantity(struct site *site, int q)
+static void add_measure(struct site *site, enum thud_measure measure)
 {
+    const struct thud_site_unit unit = thud_site_unit(thud_measure_info(measure)->kind);
     const int n = count_motions(site);
-    thud_document_cell(&site->document, "%s", quantities[q].name);
+    thud_document_cell(&site->document, "%s%s%s", thud_measure_info(measure)->words, *unit.name ? "," : "", unit.name);
     for (int i = 0; i < site->nvariants; i++) {
-        double(*value)[SITE_VARIANT_VALUES] = site->variant[i].value,
-        (*own)[SITE_VARIANT_VALUES] = site->variant[0].value;
-        int lower = 0;
+        int lower = 0, known = 0;
         for (int r = 0; r < n; r++) {
-            site->suite.room[r] = value[r][q];
-            lower += value[r][q] < own[r][q] * (1 - THUD_SITE_SAME);
+            const double own = value_of(site, 0, r, measure);
+            site->suite.room[r] = value_of(site, i, r, measure);
+            known += !isnan(own);
+            lower += site->suite.room[r] < own * (1 - THUD_SITE_SAME);
         }
         const struct thud_site_shown shown =
-            thud_site_number(thud_site_decided(site) / quantities[q].unit, quantities[q].digits);
-        if (i == 0 || n < 2 || *shown.text == '-' || isnan(own[0][q]))
+            thud_site_number(thud_site_decided(site) / unit.size, measure == THUD_MEASURE_IMPACTS ? 0 : 3);
+        if (i == 0 || n < 2 || *shown.text == '-' || known == 0)
             thud_document_cell(&site->document, "%s", shown.text);
         else
             thud_document_cell(&site->document, "%s, lower under %d", shown.text, lower);
@@ -172,10 +164,10 @@ void thud_site_variants(struct site *site)
     for (int i = 0; i < site->nvariants; i++) {
         int n = 0;
         for (int r = 0; r < count_motions(site); r++)
-            n += site->variant[i].value[r][0] > 0;
+            n += value_of(site, i, r, THUD_MEASURE_IMPACTS) > 0;
         thud_document_cell(d, "%d of %d", n, count_motions(site));
     }
     thud_document_row(d);
-    for (int q = 0; q < SITE_VARIANT_VALUES; q++)
-        add_quantity(site, q);
+    for (size_t m = 0; m < sizeof measures / sizeof *measures; m++)
+        add_measure(site, measures[m]);
 }

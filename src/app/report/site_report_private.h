@@ -43,12 +43,13 @@ struct site_suite {
 };
 
 /* A preset beside the scene, which is the first of them. */
-enum { SITE_VARIANTS_MAX = 16, SITE_VARIANT_VALUES = 6, SITE_DRAWN_MAX = 64 };
+enum { SITE_VARIANTS_MAX = 16, SITE_DRAWN_MAX = 64 };
 struct site_variant {
     char name[THUD_NAME_MAX];
-    double gap_m, bumper_m;               /* the smallest; the thickest, 0: there is none */
-    double required_m;                    /* by the report's code */
-    double (*value)[SITE_VARIANT_VALUES]; /* (motions) */
+    double gap_m, bumper_m;       /* the smallest; the thickest, 0: there is none */
+    double required_m;            /* by the report's code */
+    struct thud_sweep_plan *plan; /* of its runs; NULL: of the scene itself, which the suite has */
+    struct thud_suite *runs;
 };
 
 /* A ratio this near to 1 is reported as no difference. */
@@ -124,6 +125,8 @@ void thud_site_effect(const struct site *site, const struct site_case *one, bool
 
 /* ---- the suite ---- */
 
+/* Of a scene as written under the report's ground motions, which are scaled already. */
+void thud_site_plan(const struct site *site, const struct thud_scene *scene, struct thud_sweep_plan *plan);
 /* Runs it, or the one motion as it is. Errors: those of the studies. */
 enum thud_status thud_site_suite_run(struct site *site, struct thud_error *err);
 /* What its runs come to, by so many jobs of which several may be done at once. */

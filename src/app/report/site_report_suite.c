@@ -22,15 +22,19 @@ static const double equal = 1e-9;
 
 /* ---- the runs ---- */
 
+void thud_site_plan(const struct site *site, const struct thud_scene *scene, struct thud_sweep_plan *plan)
+{
+    thud_sweep_plan_init(plan, scene);
+    plan->scene.record.factor = 1;
+    plan->record =
+        site->suite.leads ? (const struct thud_record *const *)site->options->records->record : &site->record;
+    plan->nrecords = site->suite.leads ? site->options->records->n : site->record != NULL;
+}
+
 static enum thud_status make_plan(struct site *site, struct thud_error *err)
 {
     struct site_suite *suite = &site->suite;
-    struct thud_scene *scene = &suite->plan.scene;
-    thud_sweep_plan_init(&suite->plan, site->scene);
-    scene->record.factor = 1; /* the motions are scaled already */
-    suite->plan.record =
-        suite->leads ? (const struct thud_record *const *)site->options->records->record : &site->record;
-    suite->plan.nrecords = suite->leads ? site->options->records->n : site->record != NULL;
+    thud_site_plan(site, site->scene, &suite->plan);
     enum thud_status status = suite->leads ? thud_sweep_vary(&suite->plan, scales, err) : THUD_OK;
     char cases[64] = "";
     size_t used = 0;
