@@ -367,11 +367,12 @@ static void add_motions(struct site *site)
     }
 }
 
-static void add_fractiles(struct site *site, enum thud_measure measure, int structure, const char *what)
+static void add_fractiles(struct site *site, enum thud_measure measure, int structure)
 {
     struct thud_document *d = &site->document;
-    const struct thud_site_unit unit = thud_site_unit(thud_measure_info(measure)->kind);
-    thud_document_cell(d, "%s%s%s%s%s", what, structure >= 0 ? " of " : "",
+    const struct thud_measure_info *info = thud_measure_info(measure);
+    const struct thud_site_unit unit = thud_site_unit(info->kind);
+    thud_document_cell(d, "%s%s%s%s%s", info->words, structure >= 0 ? " of " : "",
                        structure >= 0 ? thud_site_name(site, structure) : "", *unit.name ? "," : "", unit.name);
     for (int k = 0; k < site->suite.plan.ncases; k++) {
         const struct thud_fractiles f = over(site, k, measure, structure, 0);
@@ -382,24 +383,25 @@ static void add_fractiles(struct site *site, enum thud_measure measure, int stru
     thud_document_row(d);
 }
 
+/* The measures of a suite but for ratios, which stand in the results. */
 static void add_statistics(struct site *site)
 {
     struct thud_document *d = &site->document;
+    enum thud_measure told[THUD_MEASURES];
+    const int n = thud_measures_told(THUD_TOLD_BY_SUITE, site->suite.runs->features, told);
     thud_site_case_table(site, "Over the unscaled ground motions", SITE_NONE);
-    thud_document_cell(d, "largest");
+    thud_document_cell(d, "quantity");
     for (int k = SITE_NONE; k < site->ncases; k++)
         thud_document_cells(d, "%c: 16 %%\t%c: median\t%c: 84 %%", thud_site_letter(k), thud_site_letter(k),
                             thud_site_letter(k));
     thud_document_row(d);
-    add_fractiles(site, THUD_MEASURE_FORCE, -1, "force");
-    for (int s = 0; s < site->scene->nstructures; s++) {
-        if (site->scene->structure[s].kind == THUD_WALL)
-            continue;
-        add_fractiles(site, THUD_MEASURE_ACCELERATION, s, "acceleration");
-        if (thud_site_is_building(site, s))
-            add_fractiles(site, THUD_MEASURE_DRIFT, s, "drift");
-        if (site->suite.runs->features & THUD_HAS_YIELDING)
-            add_fractiles(site, THUD_MEASURE_DUCTILITY, s, "ductility");
+    for (int i = 0; i < n; i++) {
+        const struct thud_measure_info *info = thud_measure_info(told[i]);
+        if (!info->of_structure)
+            add_fractiles(site, told[i], -1);
+        for (int s = 0; info->of_structure && !info->ratio_of && s < site->scene->nstructures; s++)
+            if (site->scene->structure[s].kind != THUD_WALL)
+                add_fractiles(site, told[i], s);
     }
 }
 
