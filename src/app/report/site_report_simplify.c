@@ -52,6 +52,6 @@ void thud_site_simplify(struct site *site)
         }
     }
     thud_document_paragraph(
-        d, "`thud simplify` lists all that was tried, over several ground motions too, and writes this "
+        d, "The command thud simplify lists all that was tried, over several ground motions too, and writes this "
            "model as a preset.");
 }

@@ -207,14 +207,14 @@ static void stiffness(struct site *site)
 {
     struct thud_document *d = &site->document;
     char what[160];
-    snprintf(what, sizeof what, "Half and twice the stiffness %s, and the motion with reversed polarity",
+    snprintf(what, sizeof what,
+             "Half and twice the stiffness %s, and the motion with reversed polarity: largest acceleration a, drift d",
              site->own->words);
     thud_document_table(d, what);
     thud_document_cells(d, "scene\timpacts\tforce MN");
     for (int s = 0; s < site->scene->nstructures; s++)
         if (site->scene->structure[s].kind != THUD_WALL)
-            thud_document_cells(d, "acceleration of %s g\tdrift of %s%s mm", thud_site_name(site, s),
-                                thud_site_name(site, s),
+            thud_document_cells(d, "a of %s g\td of %s%s mm", thud_site_name(site, s), thud_site_name(site, s),
                                 site->scene->structure[s].kind == THUD_ISOLATED ? " or its isolators" : "");
     thud_document_row(d);
     bool nominal = false; /* of each kind the same */

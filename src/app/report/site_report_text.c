@@ -204,8 +204,6 @@ static void say_results(struct site *site)
                                thud_site_number(b / THUD_GRAVITY, 3).text, thud_site_number(a / THUD_GRAVITY, 3).text,
                                thud_site_number(a / b, 3).text);
     }
-    if (site->ncases <= SITE_MEASURE)
-        thud_document_item(d, "The scene has no bumper to compare with.");
     for (int s = 0; s < site->scene->nstructures; s++)
         say_yielding(site, s);
     say_columns(site);
@@ -252,13 +250,13 @@ static void add_case_table(struct site *site, int s, int which)
     }
 }
 
-/* "c7-6", in a row of structures "A-B c7-6". */
+/* "c7-6", in a row of structures "A and B: c7-6". */
 static void add_level_cell(struct site *site, int interface, int left, int right, int struck)
 {
     char pair[48];
     thud_contact_pair_name(left, right, struck, pair, sizeof pair);
     if (site->scene->nstructures > 2)
-        thud_document_cell(&site->document, "%s-%s %s", thud_site_name(site, interface - 1),
+        thud_document_cell(&site->document, "%s and %s: %s", thud_site_name(site, interface - 1),
                            thud_site_name(site, interface), pair);
     else
         thud_document_cell(&site->document, "%s", pair);
