@@ -95,20 +95,11 @@ static int add(struct reading *r, enum thud_yaml_kind kind, yaml_mark_t start, y
 
 static bool keep_text(struct thud_yaml *tree, int node, const char *text, size_t length)
 {
-    if (tree->room - tree->used <= length) {
-        size_t room = 2 * tree->room + length + 256;
-        char *pool = realloc(tree->pool, room);
-        if (!pool)
-            return false;
-        tree->pool = pool;
-        tree->room = room;
-    }
-    tree->node[node].text = tree->used;
+    tree->node[node].text = tree->pool.size;
     tree->node[node].length = length;
-    memcpy(tree->pool + tree->used, text, length);
-    tree->pool[tree->used + length] = '\0';
-    tree->used += length + 1;
-    return true;
+    thud_text_bytes(&tree->pool, text, length);
+    thud_text_bytes(&tree->pool, "", 1);
+    return !tree->pool.failed;
 }
 
 /* Whether the next child of the open collection is a key. */
@@ -311,14 +302,14 @@ enum thud_status thud_yaml_read(const char *text, size_t size, const char *name,
 void thud_yaml_clear(struct thud_yaml *tree)
 {
     free(tree->node);
-    free(tree->pool);
+    thud_text_clear(&tree->pool);
     *tree = (struct thud_yaml){0};
 }
 
 const char *thud_yaml_text(const struct thud_yaml *tree, int node)
 {
     assert(tree->node[node].kind == THUD_YAML_SCALAR);
-    return tree->pool + tree->node[node].text;
+    return tree->pool.data + tree->node[node].text;
 }
 
 int thud_yaml_find(const struct thud_yaml *tree, int keys, const char *name, int *key)

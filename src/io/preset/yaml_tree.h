@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/status.h"
+#include "base/text.h"
 
 enum thud_yaml_kind { THUD_YAML_SCALAR, THUD_YAML_LIST, THUD_YAML_KEYS };
 
@@ -24,8 +24,7 @@ struct thud_yaml_node {
 struct thud_yaml {
     struct thud_yaml_node *node; /* node[0] is the root */
     int count;
-    char *pool;
-    size_t used, room;
+    struct thud_text pool;
 };
 
 /* `name` stands in messages. Errors: THUD_INPUT with place, THUD_MEMORY. */

@@ -13,6 +13,7 @@
 
 #include "base/quantity.h"
 #include "base/scan.h"
+#include "base/statistics.h"
 #include "base/text.h"
 #include "ground/identity.h"
 #include "ground/record_edit.h"
@@ -127,12 +128,6 @@ static enum thud_status rotate(struct thud_record *const two[2], int degrees, st
     return status;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The angle of rotd50 or rotd100, degrees. */
 static enum thud_status find_angle(struct thud_record *const two[2], bool largest, double period_s, int *degrees,
                                    struct thud_error *err)
@@ -145,7 +140,7 @@ static enum thud_status find_angle(struct thud_record *const two[2], bool larges
         sorted[k] = sa[k] = status == THUD_OK ? thud_record_sa(turned, period_s) : 0;
         thud_record_free(turned);
     }
-    qsort(sorted, ANGLES, sizeof *sorted, ascending);
+    thud_sort_numbers(sorted, ANGLES);
     const double wanted = largest ? sorted[ANGLES - 1] : 0.5 * (sorted[ANGLES / 2 - 1] + sorted[ANGLES / 2]);
     *degrees = 0;
     for (int k = 1; k < ANGLES; k++)
