@@ -1,6 +1,5 @@
 /* thud export: a scene for another program. */
 #include <errno.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,22 +12,15 @@
 #include "io/file/file.h"
 #include "io/file/json.h"
 #include "io/result/opensees.h"
-
-extern char **environ;
+#include "plot/gnuplot/child.h"
 
 /* Its standard input is `script`, its output is thud's. Returns how it ended, 127 where there is no such program. */
 static int run_python(FILE *script)
 {
     char *argv[] = {"python3", "-", NULL};
-    posix_spawn_file_actions_t actions;
+    const int fd[] = {fileno(script)};
     pid_t pid = 0;
-    int status = 0;
-    if (posix_spawn_file_actions_init(&actions) != 0)
-        return -1;
-    int number = posix_spawn_file_actions_adddup2(&actions, fileno(script), 0);
-    if (number == 0)
-        number = posix_spawnp(&pid, argv[0], &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
+    int status = 0, number = thud_child_start(argv[0], argv, fd, 1, NULL, false, &pid);
     while (number == 0 && waitpid(pid, &status, 0) < 0)
         number = errno == EINTR ? 0 : errno;
     return number == ENOENT ? 127 : number || !WIFEXITED(status) ? -1 : WEXITSTATUS(status);

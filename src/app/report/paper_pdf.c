@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -11,8 +10,7 @@
 #include <unistd.h>
 
 #include "io/file/file.h"
-
-extern char **environ;
+#include "plot/gnuplot/child.h"
 
 enum { PATH = 4096 };
 static const int turns_most = 2400; /* of 50 ms */
@@ -34,21 +32,8 @@ static int start(int i, const char *html, const char *pdf, pid_t *pid)
     snprintf(output, sizeof output, maker[i].output, pdf);
     char *first = maker[i].html_first ? (char *)html : output, *second = maker[i].html_first ? output : (char *)html;
     char *argv[] = {(char *)maker[i].program, (char *)maker[i].option, first, second, NULL};
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    if (posix_spawn_file_actions_init(&actions) != 0)
-        return ENOMEM;
-    if (posix_spawnattr_init(&attributes) != 0) {
-        posix_spawn_file_actions_destroy(&actions);
-        return ENOMEM;
-    }
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    for (int fd = 0; fd < 3; fd++)
-        posix_spawn_file_actions_addopen(&actions, fd, "/dev/null", fd ? 1 /* O_WRONLY */ : 0, 0);
-    int number = posix_spawnp(pid, maker[i].program, &actions, &attributes, argv, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return number;
+    static const int fd[] = {THUD_FD_NOTHING, THUD_FD_NOTHING, THUD_FD_NOTHING};
+    return thud_child_start(maker[i].program, argv, fd, sizeof fd / sizeof *fd, NULL, true, pid);
 }
 
 /* Its status from waitpid; -1: it was stopped. */

@@ -9,7 +9,6 @@
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -17,6 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "plot/gnuplot/child.h"
 #include "plot/gnuplot/gnuplot_internal.h"
 
 extern char **environ;
@@ -93,37 +93,12 @@ static char **child_environment(void)
     return copy;
 }
 
-/* Own group (so that it can be killed with all it started), default signals, pipes on 0, 1 and 2. */
+/* With pipes on 0, 1 and 2. */
 static int spawn(const char *program, const int ends[PIPES], pid_t *pid)
 {
     char *argv[] = {(char *)program, "-d", "/dev/stdin", NULL};
     char **environment = child_environment();
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t none, pipes;
-    int number = environment ? 0 : ENOMEM;
-    if (number)
-        return number;
-    if ((number = posix_spawn_file_actions_init(&actions)) != 0) {
-        free(environment);
-        return number;
-    }
-    if ((number = posix_spawnattr_init(&attributes)) == 0) {
-        sigemptyset(&none);
-        sigemptyset(&pipes);
-        sigaddset(&pipes, SIGPIPE);
-        sigaddset(&pipes, SIGXFSZ);
-        posix_spawnattr_setpgroup(&attributes, 0);
-        posix_spawnattr_setsigmask(&attributes, &none);
-        posix_spawnattr_setsigdefault(&attributes, &pipes);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-        for (int i = 0; i < PIPES && !number; i++)
-            number = posix_spawn_file_actions_adddup2(&actions, ends[i], i);
-        if (!number)
-            number = posix_spawnp(pid, program, &actions, &attributes, argv, environment);
-        posix_spawnattr_destroy(&attributes);
-    }
-    posix_spawn_file_actions_destroy(&actions);
+    int number = environment ? thud_child_start(program, argv, ends, PIPES, environment, true, pid) : ENOMEM;
     free(environment);
     return number;
 }

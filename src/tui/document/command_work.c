@@ -3,7 +3,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,9 +10,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "plot/gnuplot/child.h"
+
 extern char **environ;
 
-enum { WORDS_MAX = 64, FIGURES = 3, PRINTED_MAX = 1 << 20, SAID_MAX = 1 << 14 };
+enum { WORDS_MAX = 64, PRINTED_MAX = 1 << 20, SAID_MAX = 1 << 14 };
 
 struct thud_command_work {
     pid_t pid;
@@ -38,29 +39,13 @@ static char **surroundings(void)
     return all;
 }
 
-/* In a group of its own, so that Ctrl-C is the screens'; nothing to read, its output into files without a name. */
+/* Nothing to read, its output into files without a name. */
 static int spawn(struct thud_command_work *work, const char *program, char *const *argv, int messages)
 {
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t all, none;
-    sigfillset(&all);
-    sigemptyset(&none);
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, fileno(work->printed), 1);
-    posix_spawn_file_actions_adddup2(&actions, messages, 2);
-    posix_spawn_file_actions_adddup2(&actions, fileno(work->figures), FIGURES);
+    const int fd[] = {THUD_FD_NOTHING, fileno(work->printed), messages, fileno(work->figures)};
     char **around = surroundings();
-    int number = posix_spawnp(&work->pid, program, &actions, &attributes, argv, around ? around : environ);
+    int number = thud_child_start(program, argv, fd, sizeof fd / sizeof *fd, around, true, &work->pid);
     free(around);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
     return number;
 }
 
