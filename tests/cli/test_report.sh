@@ -481,3 +481,15 @@ is "has what it needs said of these two alone" shows '^summary 1 *NO CONTACT at 
 is "a gap between those without and with the bumper" gives 0 run towers --set gap=20cm --quiet
 is "is below what is needed" shows '^summary *POUNDS at 20 cm: 8 impacts, 4.86 MN   needs 24.8 cm (19.8 bare)$'
 is "a law that differs by its numbers alone is explained once" [ "$(grep -c '^Contact of bare faces' "$tmp/every/report.md")" -eq 1 ]
+# as many as a scene may have, with names as long as they may be
+awk 'BEGIN {
+    print "title: A row\nrecord:\n  file: kobe-surrogate.csv\n  peak: 0.2 g\n  to: 5 s\nstructures:"
+    for (i = 1; i <= 20; i++) {
+        printf "  - {name: building %02d of a row of isolated buildings with long names, kind: isolated, storeys: 1, ", i
+        print "mass: 320 t, stiffness: 600 MN/m, height: 3 m, base-mass: 320 t, isolation-stiffness: 12.5 MN/m}"
+    }
+    print "interfaces:"
+    for (i = 1; i < 20; i++) print "  - gap: 60 cm"
+}' >"$tmp/isolated.yaml"
+is "a row of twenty isolated buildings" report 0 "$tmp/isolated.yaml" --samples 0 --no-pdf --no-simplify
+is "is judged whole" in_text "; the isolators of building 20 of a row of isolated buildings with long names are displaced by up to "

@@ -217,24 +217,27 @@ static void failing_row(struct site *site)
     const struct thud_result *r = site->own->result;
     int yielding = 0, failing = 0, known = 0;
     const int storeys = thud_site_storeys(site, &yielding);
-    char text[1600];
+    struct thud_text text = {0};
     for (int k = 0; k < r->ncolumns; k++) {
         known += isfinite(r->column[k].ratio);
         failing += r->column[k].ratio > 1;
     }
-    size_t n = storeys > 0 ? (size_t)snprintf(text, sizeof text, "%d of %d storeys yield", yielding, storeys)
-                           : (size_t)snprintf(text, sizeof text, "not assessed: the storeys are modelled as elastic");
+    if (storeys > 0)
+        thud_text_append(&text, "%d of %d storeys yield", yielding, storeys);
+    else
+        thud_text_append(&text, "not assessed: the storeys are modelled as elastic");
     if (r->ncolumns > 0 && known > 0)
-        n += (size_t)snprintf(text + n, sizeof text - n, "; struck columns bear more than they can in %d of %d storeys",
-                              failing, known);
+        thud_text_append(&text, "; struck columns bear more than they can in %d of %d storeys", failing, known);
     else if (r->ncolumns > 0)
-        n += (size_t)snprintf(text + n, sizeof text - n, "; struck columns have no capacity to compare with");
+        thud_text_append(&text, "; struck columns have no capacity to compare with");
     for (int s = 0; s < r->nstructures; s++)
         if (site->scene->structure[s].kind == THUD_ISOLATED)
-            n += (size_t)snprintf(text + n, sizeof text - n, "; the isolators of %.64s are displaced by up to %s mm",
-                                  thud_site_name(site, s),
-                                  thud_site_number(1e3 * r->structure[s].floor[0].drift.value, 3).text);
-    thud_site_verdict(site, r->ncolumns > 0 ? "yielding storeys, failing columns" : "yielding storeys", text);
+            thud_text_append(&text, "; the isolators of %.64s are displaced by up to %s mm", thud_site_name(site, s),
+                             thud_site_number(1e3 * r->structure[s].floor[0].drift.value, 3).text);
+    site->document.failed |= text.failed;
+    thud_site_verdict(site, r->ncolumns > 0 ? "yielding storeys, failing columns" : "yielding storeys",
+                      text.data ? text.data : "");
+    thud_text_clear(&text);
 }
 
 /* The ground motion of the rows, in a suite the load case that it is. */
