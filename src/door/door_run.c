@@ -185,17 +185,14 @@ static void progress(void *context, long done, long count, double elapsed_s)
 static enum thud_status read_records(struct sweep *s, struct thud_session *session, struct thud_error *err)
 {
     const struct thud_study_choice *study = &session->scene.study;
-    enum thud_status status;
     if (session->given && strcmp(session->scene.record.file, session->given->file) == 0) {
-        status = thud_session_read_record(session, err);
+        const enum thud_status status = thud_session_read_record(session, err);
         s->plan.record = (const struct thud_record *const *)&session->record;
         s->plan.nrecords = 1;
         return status;
     }
-    if (study->records[0])
-        status = thud_record_list_read(session, study->records, NULL, 0, study->both_signs, &s->records, err);
-    else
-        status = thud_record_list_own(session, study->both_signs, &s->records, err);
+    const enum thud_status status =
+        thud_record_list_named(session, study->records, study->both_signs, &s->records, err);
     s->plan.record = (const struct thud_record *const *)s->records.record;
     s->plan.nrecords = s->records.n;
     return status;

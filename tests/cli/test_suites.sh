@@ -113,6 +113,11 @@ is "a folder: its files in order, without prose and lists" test "$(sed 's,.*/,,'
 needs --records "$tmp/folder/mine.list"
 named() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;a.csv:peak=0.6 g;b.csv;" ]; }
 is "a list: comments, settings, motions of one file told apart" named
+quoted='"'$tmp/folder/a.csv'"'
+needs --records "$quoted:peak=0.3g , $quoted:peak=0.6g"
+apart() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;a.csv:peak=0.6g;" ]; }
+is "motions of one file in quotation marks are told apart by their settings alone" apart
+needs --records "$tmp/folder/mine.list"
 twice() { awk '{ x[NR] = $NF } END { exit !(NR == 3 && x[2] / x[1] - 2 < 1e-4 && x[1] / x[2] - 0.5 < 1e-4 && x[1] > 1) }' "$tmp/out"; }
 is "twice the motion needs twice the gap" twice
 needs --records "$tmp/folder:peak=0.4 g" --signs both

@@ -347,7 +347,7 @@ static void put_list(struct site *site)
         thud_text_append(&list, "# load case %d, samples every ", i + 1);
         thud_text_number(&list, record->dt_s);
         thud_text_append(&list, " s, SHA-256 %s\n", record->sha256);
-        thud_record_list_line(records, i, thud_path_name(records->path[i]), record->scale, &list);
+        thud_record_list_line(records, i, thud_path_name(records->source[i].path), record->scale, &list);
     }
     thud_document_lines(&site->document, list.data ? list.data : "");
     site->document.failed = site->document.failed || list.failed;

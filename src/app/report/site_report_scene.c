@@ -184,7 +184,7 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
         if (r > 0 && thud_motion_is_turned(record[r]->file, record[r - 1]->file))
             continue;
         thud_document_line(d, "%d\t%s\t%s\t%s", r + 1,
-                           thud_path_name(site->options->records->path[site->suite.leads ? r : site->detail]),
+                           thud_path_name(site->options->records->source[site->suite.leads ? r : site->detail].path),
                            *record[r]->licence || !record[r]->synthetic ? or_dash(record[r]->licence)
                                                                         : "none: synthetic",
                            or_dash(record[r]->sha256));

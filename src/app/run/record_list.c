@@ -156,11 +156,27 @@ static bool same_size(const struct thud_record_choice *a, const struct thud_reco
            memcmp(&a->sa_mps2, &b->sa_mps2, sizeof(double)) == 0 && a->factor == b->factor; /* NaN is like NaN */
 }
 
-/* Takes `NAME:KEY=VALUE...` apart, in place, over what already holds for it. */
-static enum thud_status choose(struct thud_scene *scene, char *item, struct thud_error *err)
+/* The text before the character `mark` in no quotation marks, without the blanks around it; rest: what follows, or
+ * NULL. */
+static char *cut_part(char *text, char mark, char **rest)
+{
+    text += strspn(text, " \t");
+    *rest = find_unquoted(text, mark);
+    if (*rest)
+        *(*rest)++ = '\0';
+    size_t n = strlen(text);
+    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\t'))
+        n--;
+    text[n] = '\0';
+    return text;
+}
+
+/* Takes `NAME:KEY=VALUE...` apart, in place, over what already holds for it. own: the settings as they are written. */
+static enum thud_status choose(struct thud_scene *scene, char *item, char own[THUD_TEXT_MAX], struct thud_error *err)
 {
     char *value = NULL;
     const char *key = cut_setting(item, &value);
+    snprintf(own, THUD_TEXT_MAX, "%.250s", key ? item + strlen(item) + 1 : "");
     take_quotes_off(item);
     if (!*item || strlen(item) >= sizeof scene->record.file)
         return thud_error_refuse(err, THUD_USAGE, "--records",
@@ -171,9 +187,9 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
     const char *given[SETTINGS];
     bool sized = false;
     for (int n = 0; key && status == THUD_OK; n++) {
-        char *own = value;
+        char *text = value;
         const char *next = cut_setting(value, &value);
-        take_quotes_off(own);
+        take_quotes_off(text);
         for (int i = 0; i < n; i++)
             if (given[i] == key)
                 return thud_error_refuse(err, THUD_USAGE, "--records", NULL, "%s is given twice for %.200s", key, item);
@@ -183,7 +199,7 @@ static enum thud_status choose(struct thud_scene *scene, char *item, struct thud
             scene->record.factor = 1;
             sized = true;
         }
-        status = set(scene, key, own, err);
+        status = set(scene, key, text, err);
         key = next;
     }
     return status;
@@ -237,27 +253,24 @@ static enum thud_status add(struct reading *r, struct thud_record *record, const
                             const struct thud_scene *scene, struct thud_error *err)
 {
     struct thud_record_list *list = r->list;
-    char *own = reading_of(scene), *found = strdup(path);
-    bool ok = own && found;
+    struct thud_record_source source = {.path = strdup(path), .reading = reading_of(scene)};
+    bool ok = source.path && source.reading;
     if (ok && list->n == r->room) {
         int room = r->room > 0 ? 2 * r->room : 16;
         struct thud_record **records = realloc(list->record, (size_t)room * sizeof *records);
-        char **owns = realloc(list->own, (size_t)room * sizeof *owns);
-        char **paths = realloc(list->path, (size_t)room * sizeof *paths);
+        struct thud_record_source *sources = realloc(list->source, (size_t)room * sizeof *sources);
         list->record = records ? records : list->record;
-        list->own = owns ? owns : list->own;
-        list->path = paths ? paths : list->path;
-        ok = records && owns && paths;
+        list->source = sources ? sources : list->source;
+        ok = records && sources;
         r->room = ok ? room : r->room;
     }
     if (!ok) {
-        free(own);
-        free(found);
+        free(source.path);
+        free(source.reading);
         thud_record_free(record);
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
-    list->own[list->n] = own;
-    list->path[list->n] = found;
+    list->source[list->n] = source;
     list->record[list->n++] = record;
     return THUD_OK;
 }
@@ -282,16 +295,16 @@ static enum thud_status add_turned(struct reading *r, const char *path, const st
 static void name_apart(struct thud_record_list *list, const char *own)
 {
     struct thud_record *last = list->record[list->n - 1];
-    const char *reading = list->own[list->n - 1];
-    bool there = false, same = !*reading;
-    for (int i = 0; i + 1 < list->n; i++)
-        if (strcmp(list->path[i], list->path[list->n - 1]) == 0) {
+    const struct thud_record_source *const source = &list->source[list->n - 1];
+    bool there = false, same = !*source->reading;
+    for (const struct thud_record_source *other = list->source; other < source; other++)
+        if (strcmp(other->path, source->path) == 0) {
             there = true;
-            same = same || strcmp(list->own[i], reading) == 0;
+            same = same || strcmp(other->reading, source->reading) == 0;
         }
     const size_t n = strlen(last->file);
     if (there && !same)
-        snprintf(last->file + n, sizeof last->file - n, "%s", reading);
+        snprintf(last->file + n, sizeof last->file - n, "%s", source->reading);
     else if (there && *own)
         snprintf(last->file + n, sizeof last->file - n, ":%s", own);
 }
@@ -349,24 +362,14 @@ static enum thud_status add_folder(struct reading *r, struct thud_scene *scene, 
 static enum thud_status add_line(struct reading *r, const struct thud_scene *base, struct thud_scene *scene, char *line,
                                  struct thud_error *err)
 {
-    char own[THUD_TEXT_MAX] = "", name[THUD_TEXT_MAX], *value;
-    char *end;
+    char own[THUD_TEXT_MAX], name[THUD_TEXT_MAX];
     const char *slash = strrchr(base->record.file, '/');
-    line += strspn(line, " \t");
-    if ((end = find_unquoted(line, '#')) != NULL)
-        *end = '\0';
-    for (end = line + strlen(line); end > line && (end[-1] == ' ' || end[-1] == '\t');)
-        *--end = '\0';
+    char *comment;
+    line = cut_part(line, '#', &comment);
     if (!*line)
         return THUD_OK;
-    char *copy = strdup(line);
-    if (!copy)
-        return thud_error_set(err, THUD_MEMORY, "out of memory");
-    if (cut_setting(copy, &value))
-        snprintf(own, sizeof own, "%.250s", line + strlen(copy) + 1);
-    free(copy);
     *scene = *base;
-    enum thud_status status = choose(scene, line, err);
+    enum thud_status status = choose(scene, line, own, err);
     if (status == THUD_OK && slash && scene->record.file[0] != '/') {
         memcpy(name, scene->record.file, sizeof name);
         if (snprintf(scene->record.file, sizeof scene->record.file, "%.*s/%s", (int)(slash - base->record.file),
@@ -409,12 +412,8 @@ static enum thud_status add_list(struct reading *r, const struct thud_scene *bas
 enum thud_status thud_record_list_named(struct thud_session *session, const char *text, bool both,
                                         struct thud_record_list *out, struct thud_error *err)
 {
-    *out = (struct thud_record_list){0};
-    enum thud_status status = *text ? thud_record_list_read(session, text, NULL, 0, both, out, err)
-                                    : thud_record_list_own(session, both, out, err);
-    if (status != THUD_OK)
-        thud_record_list_clear(out);
-    return status;
+    return *text ? thud_record_list_read(session, text, NULL, 0, both, out, err)
+                 : thud_record_list_own(session, both, out, err);
 }
 
 bool thud_record_is_list(const char *file)
@@ -476,21 +475,11 @@ enum thud_status thud_record_list_read(const struct thud_session *session, const
         r.common = &scene[1].record;
     }
     for (char *item = copy, *end; status == THUD_OK && item; item = end) {
-        char own[THUD_TEXT_MAX] = "";
-        item += strspn(item, " ");
-        end = find_unquoted(item, ',');
-        if (end)
-            *end++ = '\0';
-        for (size_t n = strlen(item); n > 0 && item[n - 1] == ' '; n--)
-            item[n - 1] = '\0';
+        char own[THUD_TEXT_MAX];
+        item = cut_part(item, ',', &end);
         r.skip = cut_skip(item);
-        size_t whole = strlen(item);
-        char *said = strdup(item);
         *scene = scene[1];
-        status = said ? choose(scene, item, err) : thud_error_set(err, THUD_MEMORY, "out of memory");
-        if (status == THUD_OK && strlen(scene->record.file) < whole)
-            snprintf(own, sizeof own, "%.250s", said + strlen(scene->record.file) + 1);
-        free(said);
+        status = choose(scene, item, own, err);
         if (status == THUD_OK)
             status = add_item(&r, scene, own, err);
     }
@@ -546,14 +535,12 @@ enum thud_status thud_record_list_open(const char *name, const struct thud_recor
 
 void thud_record_list_clear(struct thud_record_list *list)
 {
-    for (int i = 0; list->record && i < list->n; i++)
-        thud_record_free(list->record[i]);
     for (int i = 0; i < list->n; i++) {
-        free(list->own[i]);
-        free(list->path[i]);
+        thud_record_free(list->record[i]);
+        free(list->source[i].path);
+        free(list->source[i].reading);
     }
-    free(list->own);
-    free(list->path);
+    free(list->source);
     free(list->record);
     *list = (struct thud_record_list){0};
 }
@@ -562,7 +549,7 @@ void thud_record_list_line(const struct thud_record_list *list, int i, const cha
                            struct thud_text *out)
 {
     put_quoted(out, name);
-    thud_text_append(out, "%s:factor=", list->own[i]);
+    thud_text_append(out, "%s:factor=", list->source[i].reading);
     thud_text_number(out, fabs(factor));
     thud_text_append(out, factor < 0 ? ":sign=-\n" : "\n");
 }

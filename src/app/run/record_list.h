@@ -12,13 +12,17 @@ enum { THUD_RECORD_SETTINGS_MAX = 20 };
  * the i-th, NULL past the last. */
 const char *thud_record_setting(int i);
 
+struct thud_record_source {
+    char *path;    /* where the file was found */
+    char *reading; /* how it was read, as a list says it, without what scales it: ":dt=0.005 s:unit=g", or "" */
+};
+
 struct thud_record_list {
     int n;
     int skipped;                 /* files that could not be read, and were to be left out */
     int own_size;                /* files with a peak, sa or factor of their own, in place of what holds for all */
     struct thud_record **record; /* (n) each named in `file` as it was typed */
-    char **path;                 /* (n) where its file was found */
-    char **own; /* (n) how it was read, as a list says it, without what scales it: ":dt=0.005 s:unit=g", or "" */
+    struct thud_record_source *source; /* (n) */
 };
 
 /* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of

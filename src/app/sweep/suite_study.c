@@ -229,7 +229,7 @@ enum thud_status thud_suite_list_text(const struct thud_suite_study *study, cons
         thud_text_append(out, "# scaled to %s over %.4g to %.4g s\n", study->target.text, study->scaled.period_s[0],
                          study->scaled.period_s[THUD_TARGET_PERIODS - 1]);
     for (int i = 0; i < study->records->n; i++) {
-        const char *path = study->records->path[i];
+        const char *path = study->records->source[i].path;
         if (!study->scaled.motion[i].chosen)
             continue;
         if (strchr(path, '\n'))
