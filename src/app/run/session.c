@@ -127,9 +127,7 @@ static enum thud_status gap_of(const struct thud_scene *scene, const char *path,
     enum thud_status status = thud_record_file_read(path, choice, &record, err);
     if (status == THUD_OK)
         status = thud_needed_gap_run(scene, record, &needed, err);
-    *gap_m = 0;
-    for (int i = 0; status == THUD_OK && i < needed->nlevels; i++)
-        *gap_m = fmax(*gap_m, needed->level[i].relative_displacement_m);
+    *gap_m = status == THUD_OK ? thud_needed_gap_widest(needed, 0, THUD_GAP_EXACT, NULL) : 0;
     free(needed);
     thud_record_free(record);
     return status;

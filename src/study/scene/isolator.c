@@ -7,12 +7,6 @@
 
 static const double pendulum_yield_m = 1e-3, linear_damping = 0.1;
 
-const char *thud_isolator_name(enum thud_isolator_law law)
-{
-    static const char *const name[] = {"linear", "lead-rubber", "pendulum"};
-    return name[law];
-}
-
 double thud_isolated_weight(const struct thud_structure *s)
 {
     return THUD_GRAVITY * s->base_mass_kg + thud_structure_weight(s, 0);

@@ -424,6 +424,11 @@ const char *thud_kind_name(enum thud_structure_kind kind)
     return kinds[kind];
 }
 
+const char *thud_isolator_name(enum thud_isolator_law law)
+{
+    return isolators[law];
+}
+
 bool thud_structure_has(enum thud_structure_kind kind, int param)
 {
     return (thud_group_place(THUD_GROUP_STRUCTURE, param)->kinds & 1u << kind) != 0;

@@ -7,7 +7,6 @@
 #include "ground/identity.h"
 #include "study/sweep/sweep_table.h"
 
-/* A ratio this near to 1 is 1: there was no contact. */
 static const char *const no_name[] = {""};
 
 /* Scratch of the making. */
