@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/grow.h"
 #include "base/scan.h"
 #include "io/file/file.h"
 #include "io/record/record_file.h"
@@ -96,7 +97,6 @@ struct reading {
     const struct thud_record_treatment *treatment; /* but for what a line chooses */
     const struct thud_record_choice *common;       /* what holds for motions that do not say otherwise; NULL: nothing */
     struct thud_record_list *list;
-    int room;
     bool both;
     bool skip; /* what cannot be read is left out */
 };
@@ -254,17 +254,11 @@ static enum thud_status add(struct reading *r, struct thud_record *record, const
 {
     struct thud_record_list *list = r->list;
     struct thud_record_source source = {.path = strdup(path), .reading = reading_of(scene)};
-    bool ok = source.path && source.reading;
-    if (ok && list->n == r->room) {
-        int room = r->room > 0 ? 2 * r->room : 16;
-        struct thud_record **records = realloc(list->record, (size_t)room * sizeof *records);
-        struct thud_record_source *sources = realloc(list->source, (size_t)room * sizeof *sources);
-        list->record = records ? records : list->record;
-        list->source = sources ? sources : list->source;
-        ok = records && sources;
-        r->room = ok ? room : r->room;
-    }
-    if (!ok) {
+    struct thud_record **records = thud_grow(list->record, (size_t)list->n, sizeof *records);
+    struct thud_record_source *sources = thud_grow(list->source, (size_t)list->n, sizeof *sources);
+    list->record = records ? records : list->record;
+    list->source = sources ? sources : list->source;
+    if (!source.path || !source.reading || !records || !sources) {
         free(source.path);
         free(source.reading);
         thud_record_free(record);
