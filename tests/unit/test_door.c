@@ -503,10 +503,11 @@ static void rubber_force(void *context, double mass_kg, const double *memory, in
 
 static void rubber_past(void *context, double mass_kg, const double *memory, int restitution, struct thud_force *out)
 {
-    rubber_force(context, mass_kg, memory, restitution, out);
-    if (!restitution)
-        *out = (struct thud_force){
-            rubber_k * pow(rubber_m, rubber_n) - rubber_line * rubber_m, rubber_line, 0, 0, 1, 0, 1};
+    (void)context;
+    (void)mass_kg;
+    (void)memory;
+    (void)restitution;
+    *out = (struct thud_force){rubber_k * pow(rubber_m, rubber_n) - rubber_line * rubber_m, rubber_line, 0, 0, 1, 0, 1};
 }
 
 static double rubber_ultimate(void *context, double mass_kg, const double *memory, int restitution)
@@ -514,8 +515,7 @@ static double rubber_ultimate(void *context, double mass_kg, const double *memor
     (void)context;
     (void)mass_kg;
     (void)memory;
-    (void)restitution;
-    return rubber_m;
+    return restitution ? INFINITY : rubber_m; /* it unloads along one curve */
 }
 
 static double rubber_energy(void *context, double mass_kg, const double *memory, double d_m)

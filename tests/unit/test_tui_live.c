@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "app/run/summary_line.h"
 #include "study/scene/solution.h"
 #include "tui_fixture.h"
 
@@ -393,6 +394,14 @@ START_TEST(the_verdict_says_what_changed)
         fixture_keys(&f, key);
         fixture_expect(&f, expected);
     }
+    const struct thud_live_need *need = &f.tui->run.live.need[0]; /* as `thud run` says of the scene with its bumper */
+    ck_assert_double_eq_tol(need->with_bumper_m - need->relative_displacement_m,
+                            thud_interface_projection(&f.tui->doc.scene.interface[0], NULL), 1e-12);
+    snprintf(expected, sizeof expected, "  needs %.1f cm (%.1f bare)", thud_summary_gap_cm(need->with_bumper_m),
+             thud_summary_gap_cm(need->relative_displacement_m));
+    fixture_expect_not(&f, "bare"); /* no room */
+    fixture_keys(&f, "<Size 130x40>");
+    fixture_expect(&f, expected);
     snprintf(expected, sizeof expected, " %s -> %s MN  needs", a, b);
     fixture_keys(&f, "2<Size 56x24>");
     fixture_expect(&f, expected);

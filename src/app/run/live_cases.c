@@ -53,8 +53,10 @@ static void need_clear(struct thud_live *live)
 {
     thud_baseline_free(live->baseline);
     thud_model_free(live->apart);
+    free(live->projection_m);
     live->baseline = NULL;
     live->apart = NULL;
+    live->projection_m = NULL;
 }
 
 void thud_live_stop(struct thud_live *live)
@@ -68,7 +70,7 @@ void thud_live_clear(struct thud_live *live)
     thud_live_stop(live);
     need_clear(live);
     for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
-        live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
+        live->need[i] = (struct thud_live_need){NAN, NAN, NAN, NAN};
     for (int i = 0; i < THUD_LIVE_CASES; i++)
         case_clear(&live->which[i]);
     live->running = false;
@@ -95,22 +97,37 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
 
 /* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of it,
  * and the cases say why. */
+/* Of the bumper at each pair of floors of the model; NULL: no memory. */
+static double *projections(const struct thud_scene *scene, const struct thud_model *model)
+{
+    double *projection_m = malloc(((size_t)model->npairs + 1) * sizeof *projection_m);
+    int level = 0;
+    for (int c = 0; projection_m && c < model->npairs; c++) {
+        const int interface = model->contact[c].interface;
+        level = c > 0 && model->contact[c - 1].interface == interface ? level + 1 : 0;
+        const struct thud_level_values at = thud_interface_level(&scene->interface[interface - 1], level);
+        projection_m[c] = at.gap_m - thud_level_clearance(&at);
+    }
+    return projection_m;
+}
+
 static void need_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record)
 {
     struct thud_scene *bare = malloc(sizeof *bare);
     struct thud_run_options options;
     need_clear(live);
     for (int i = 0; i < THUD_STRUCTURES_MAX; i++)
-        live->need[i] = (struct thud_live_need){NAN, NAN, NAN};
+        live->need[i] = (struct thud_live_need){NAN, NAN, NAN, NAN};
     if (bare) {
         case_scene(scene, THUD_LIVE_FREE, bare);
         if (thud_scene_assemble(bare, &live->apart, NULL) == THUD_OK &&
             thud_scene_options(bare, &options, NULL) == THUD_OK) {
             thud_baseline_create(live->apart, 0, record, &options, &live->baseline, NULL);
+            live->projection_m = projections(scene, live->apart);
         }
     }
     free(bare);
-    if (!live->baseline)
+    if (!live->baseline || !live->projection_m)
         need_clear(live);
 }
 
@@ -121,9 +138,9 @@ static void need_finish(struct thud_live *live)
         struct thud_live_need *need = &live->need[p->interface - 1];
         double left = thud_gap_side(live->apart, live->baseline, c, false),
                right = thud_gap_side(live->apart, live->baseline, c, true);
-        need->relative_displacement_m =
-            fmax(need->relative_displacement_m,
-                 thud_baseline_relative_displacement(live->baseline, c)); /* fmax passes over NaN */
+        const double relative_m = thud_baseline_relative_displacement(live->baseline, c);
+        need->relative_displacement_m = fmax(need->relative_displacement_m, relative_m); /* fmax passes over NaN */
+        need->with_bumper_m = fmax(need->with_bumper_m, relative_m + live->projection_m[c]);
         need->abs_m = fmax(need->abs_m, thud_spacing_abs(left, right));
         need->srss_m = fmax(need->srss_m, thud_spacing_srss(left, right));
     }

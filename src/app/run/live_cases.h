@@ -36,6 +36,7 @@ struct thud_live_case {
  * displacements; the largest over the floors that can meet. NaN: not known. */
 struct thud_live_need {
     double relative_displacement_m, abs_m, srss_m;
+    double with_bumper_m; /* largest sum of relative displacement and projection of the bumper at its levels */
 };
 
 /* What is kept of the motions. */
@@ -51,6 +52,7 @@ struct thud_live_work;
 struct thud_live {
     struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
     struct thud_baseline_motion *baseline;
+    double *projection_m; /* (pairs of floors) of the bumpers */
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;

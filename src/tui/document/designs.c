@@ -17,6 +17,7 @@ void thud_design_measure(const struct thud_scene *scene, const struct thud_live 
     for (int i = 0; i + 1 < scene->nstructures; i++) {
         out->force_n[i] = thud_live_force(live, written, i + 1, &out->impacts[i]);
         out->need_m[i] = live->need[i].relative_displacement_m;
+        out->with_bumper_m[i] = live->need[i].with_bumper_m;
     }
     for (int with = 0; with < 2; with++) {
         const enum thud_live_which which = with ? written : THUD_LIVE_NONE;

@@ -46,14 +46,15 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     const int i = tui->interface;
     const struct thud_design_result *before = &tui->base.result;
     struct thud_design_result now;
-    char force[64], impacts[64], need[64], gap[64], at[64], name[48] = "";
+    char force[64], impacts[64], need[64], gap[64], at[64], bare[24] = "", name[48] = "";
     thud_design_measure(&tui->doc.scene, &tui->run.live, &now);
     if (!before->known || !now.known || !thud_base_differs(&tui->base, &tui->doc) ||
         i + 1 >= tui->base.scene.nstructures)
         return false;
     change_words(1e-6 * before->force_n[i], 1e-6 * now.force_n[i], THREE_DIGITS, "MN", force);
     change_words(before->impacts[i], now.impacts[i], 0, now.impacts[i] == 1 ? "impact" : "impacts", impacts);
-    change_words(thud_summary_gap_cm(before->need_m[i]), thud_summary_gap_cm(now.need_m[i]), 1, "cm", gap);
+    change_words(thud_summary_gap_cm(before->with_bumper_m[i]), thud_summary_gap_cm(now.with_bumper_m[i]), 1, "cm",
+                 gap);
     snprintf(need, sizeof need, "%s%.50s", *gap ? "needs " : "", gap);
     if (tui->base.chosen)
         snprintf(name, sizeof name, "%.20s: ", tui->base.name);
@@ -67,6 +68,10 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
         snprintf(text, size, "%s%s at %s: %s%s%s  %.60s", name, *pounds ? "POUNDS" : "NO CONTACT", at,
                  *pounds || before->impacts[i] > 0 ? force : "", *pounds || before->impacts[i] > 0 ? "  " : "", impacts,
                  need);
+    if (now.with_bumper_m[i] > now.need_m[i] + 1e-9)
+        snprintf(bare, sizeof bare, " (%.1f bare)", thud_summary_gap_cm(now.need_m[i]));
+    if (columns >= WIDE && strlen(text) + strlen(bare) <= (size_t)columns)
+        snprintf(text + strlen(text), size - strlen(text), "%s", bare);
     return true;
 }
 
