@@ -141,7 +141,8 @@ struct thud_dialog {
     thud_chosen_fn *chosen;                            /* of the list; NULL: nothing is done */
     const struct thud_question *question, *after_save; /* the second: asked, and to be done once it is saved */
     const struct thud_over *over;
-    void *own; /* the form's */
+    void *own;             /* the form's */
+    enum thud_action next; /* what a list, a form or a command asks the loop for, once the key is taken; or NOTHING */
     char target[512], after_target[512];
     struct thud_line line;
     struct thud_chooser chooser;

@@ -90,7 +90,7 @@ static void run_figures(struct thud_tui *tui, char *rest)
 {
     if (*rest && !go_to(tui, rest))
         return;
-    thud_tui_act(tui, THUD_DO_PICTURES);
+    tui->dialog.next = THUD_DO_PICTURES;
 }
 
 /* "picture Plots impact-force": the figure of a screen by its name; alone the one on show. */
@@ -104,7 +104,7 @@ static void write_one(struct thud_tui *tui, const char *word, char *rest)
     if (*name && !thud_tui_show_figure(tui, name))
         thud_tui_say(tui, THUD_ROLE_ERROR, "! %s has no figure %.60s now", rest, name);
     else
-        thud_tui_act(tui, strcmp(word, "table") == 0 ? THUD_DO_EXPORT : THUD_DO_PICTURE);
+        tui->dialog.next = strcmp(word, "table") == 0 ? THUD_DO_EXPORT : THUD_DO_PICTURE;
 }
 
 static void run_screen(struct thud_tui *tui, char *rest)
@@ -202,7 +202,7 @@ static void run_sweep(struct thud_tui *tui, char *rest)
 {
     (void)rest;
     thud_tui_go(tui, THUD_SCREEN_SWEEP);
-    thud_tui_act(tui, THUD_DO_RUN);
+    tui->dialog.next = THUD_DO_RUN;
 }
 
 static const struct command table[] = {
@@ -300,7 +300,7 @@ void thud_tui_command(struct thud_tui *tui, const char *text)
         thud_tui_go(tui, c->screen);
         thud_tui_view(tui)->command(tui, first, rest);
     } else
-        thud_tui_act(tui, c->action);
+        tui->dialog.next = c->action;
 }
 
 static void typed_command(struct thud_tui *tui, const char *text)

@@ -433,11 +433,11 @@ static void take_key(struct thud_tui *tui, int key)
         change_motions(tui, list);
         break;
     case THUD_DO_SAVE:
-        thud_tui_act(tui, THUD_DO_SAVE);
+        tui->dialog.next = THUD_DO_SAVE;
         break;
     case THUD_DO_REPORT:
         thud_tui_normal(tui);
-        thud_tui_act(tui, THUD_DO_REPORT);
+        tui->dialog.next = THUD_DO_REPORT;
         break;
     default:
         break;

@@ -79,7 +79,7 @@ static void chosen(struct thud_tui *tui, const char *value)
     else if (value[1] != ' ')
         thud_tui_go_to_field(tui, value);
     else if (*value == 'a')
-        thud_tui_act(tui, (enum thud_action)number);
+        tui->dialog.next = (enum thud_action)number;
     else if (*value == 's')
         thud_tui_go(tui, number);
     else if (*value == 'v')

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "app/run/command.h"
 #include "app/run/figure_files.h"
 #include "tui/loop/loop.h"
 
@@ -215,7 +214,7 @@ static void deliver_all(struct thud_tui *tui, struct shelf *shelf, enum thud_act
 {
     const bool report = action == THUD_DO_REPORT;
     if (report && !*tui->files.marked) {
-        thud_tui_verb_form(tui, THUD_COMMAND_REPORT); /* in place of the shelf */
+        tui->dialog.next = action; /* its form, in place of the shelf */
         return;
     }
     const char *why = tui->files.work ? thud_tui_cannot(tui, THUD_DO_PICTURES)
@@ -249,7 +248,7 @@ static void take_key(struct thud_tui *tui, int key)
         deliver_all(tui, shelf, action);
         return;
     case THUD_DO_SAVE:
-        thud_tui_act(tui, action);
+        tui->dialog.next = action;
         return;
     case THUD_DO_MARK:
         if (shelf->at < shelf->n)
