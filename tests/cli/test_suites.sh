@@ -115,8 +115,8 @@ named() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;
 is "a list: comments, settings, motions of one file told apart" named
 quoted='"'$tmp/folder/a.csv'"'
 needs --records "$quoted:peak=0.3g , $quoted:peak=0.6g"
-apart() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;a.csv:peak=0.6g;" ]; }
-is "motions of one file in quotation marks are told apart by their settings alone" apart
+unquoted() { [ "$(sed 's,.*/,,; s/ [0-9.]*$//' "$tmp/out" | tr '\n' ';')" = "a.csv;a.csv:peak=0.6g;" ]; }
+is "motions of one file in quotation marks are told apart by their settings alone" unquoted
 needs --records "$tmp/folder/mine.list"
 twice() { awk '{ x[NR] = $NF } END { exit !(NR == 3 && x[2] / x[1] - 2 < 1e-4 && x[1] / x[2] - 0.5 < 1e-4 && x[1] > 1) }' "$tmp/out"; }
 is "twice the motion needs twice the gap" twice
@@ -238,6 +238,8 @@ for n in 1 2 3 4 5 6 7; do
     echo "$tmp/seed-$n.csv:peak=0.$((n + 2)) g" >>"$tmp/seven.list"
     echo "$PWD/records/$(echo kobe northridge san-fernando | cut -d' ' -f$((n % 3 + 1)))-surrogate.csv:peak=0.$((n + 2)) g" >>"$tmp/three.list"
 done
+cat "$tmp/three.list" "$tmp/three.list" "$tmp/three.list" >"$tmp/21.list"
+is "a list of 21 motions" test "$("$THUD" gap towers --csv --quiet --to 2s --records "$tmp/21.list" | grep -c ',1,1,1,')" -eq 21
 is "seven files of three recordings" gives 0 gap towers --records "$tmp/three.list"
 is "are three, whose largest displacements count" says "3 files, 3 recordings: few; codes then require the largest"
 is "and not the mean" shows "^uL and uR: largest of the 7 ground motions"
