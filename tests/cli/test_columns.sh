@@ -77,7 +77,7 @@ is "and so do those of a line between the floors" [ "$(value --set structures.1.
 is "aligned levels alone" gives 0 run $scene --set interfaces.1.levels=aligned --case none
 is "strike no columns" [ "$(grep -c 'c[1-9]' "$tmp/out")" -eq 0 ]
 is "a ground at which nothing meets" gives 0 run $scene --set structures.1.base=100m --case none
-is "is warned of" says 'have nothing at the same level'
+is "is warned of" says 'have no floors at the same level'
 is "one floor's EI" gives 0 run $scene --to 1s --set structures.1.column.EI.2=200MNm2
 
 # slabs with a depth: faces that overlap meet once, whatever the offset; where they part the forces change once

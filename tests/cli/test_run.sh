@@ -116,7 +116,7 @@ gives 0 run towers-yielding --factor 3 --set structures.1.yield=4mm --set gap=5m
 by_hand=$(theta 1210 "$(number drift_m)" "$(number shear_n)" 3)
 is "of a storey that yields, by its own shear" near "$(number stability_coefficient)" "$by_hand" 1e-9
 is "which is told" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$by_hand")"
-is "so is its ductility, drift over yield drift" says "storey 1 of A yields to a ductility of $(awk -v d="$(number drift_m)" 'BEGIN { printf "%.3g", d / 0.004 }') and drifts"
+is "so is its ductility, drift over yield drift" says "storey 1 of A reaches a ductility of $(awk -v d="$(number drift_m)" 'BEGIN { printf "%.3g", d / 0.004 }') and a drift"
 gives 0 run towers-yielding --factor 0.5 --json
 most=$(numbers_of ductility | sort -g | tail -1)
 is "a ductility of $most is no remark" silent
@@ -401,10 +401,10 @@ is "a closed pipe is no crash" grep -q -E '^(0|6|141)$' "$tmp/status"
 # what no building bears is said, with the numbers of the result; what follows from a change too
 gives 0 run towers --json
 depth=$(tr -s ',{}[]' '\n' <"$tmp/out" | sed -n 's/^ *"indentation_m": *//p' | awk '{ if ($1 > m) m = $1 } END { printf "%.4g", 1000 * m }')
-is "a bumper pressed beyond its thickness" says "the bumper of 50 mm is compressed by $depth mm at floor 4, .*: more than its thickness; past 40 mm in [0-9]* of [0-9]* impacts"
+is "a bumper pressed beyond its thickness" says "the bumper of 50 mm is compressed by $depth mm at floor 4, .*: more than its thickness; beyond 40 mm in [0-9]* of [0-9]* impacts"
 gives 0 run towers -o "$tmp/pressed" --no-figures
 past=$(awk -F, 'NR > 1 { n++; p += $9 > 0.04 } END { print p " of " n }' "$tmp/pressed/impacts.csv")
-is "as often as its impacts say" says "past 40 mm in $past impacts"
+is "as often as its impacts say" says "beyond 40 mm in $past impacts"
 is "drift beyond 1 %" says "storey 2 of B reaches a drift of .* mm, 2 % of its height"
 gives 0 run towers --set gap=40cm --peak 0.1g
 is "none of a small motion but its factor" silent_but "is scaled by"
@@ -414,7 +414,7 @@ is "and taken with its own" gives 0 run towers --set bumper.exponent=2 --set "bu
 is "by either path" gives 0 run towers --set interfaces.1.bumper.exponent=2 --set "bumper.stiffness=4 kN/mm^2"
 is "and by eq. (6)" gives 0 run towers --set bumper.stiffness= --set bumper.exponent=2 --set bumper.alpha=2 --set bumper.area=0.5m^2 --set bumper.material-stiffness=11MPa
 gives 0 run towers --set bumper.thickness=2cm
-is "a thickness alone is remarked on" says "bumper.thickness: 2 cm thick now, with the stiffness of 5 cm, 0.36 kN/mm^2.65; by eq. (6) it would be 11.3 times that"
+is "a thickness alone is remarked on" says "bumper.thickness: 2 cm thick, but with the stiffness for 5 cm, 0.36 kN/mm^2.65; by eq. (6) it would be 11.3 times as large"
 
 # several cases beside each other: the numbers of each case alone, and sentences that follow from them
 is "several cases" gives 0 run towers --cases none,bumper,cavity --quiet

@@ -63,11 +63,11 @@ is "which is after the last" awk -F, 'NR > 1 && $0 !~ /^#/ && $4 + $5 > last { l
 
 # what no building bears is said of studies too
 is "a study past what bumper and storeys bear" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper
-is "says how many runs press the bumper past its strain" says "warning: a bumper is pressed past its ultimate strain in 1 of 2 runs with one, in 1 by more than its thickness: one of 50 mm by 5[0-9.]* mm (case bumper, gap 6 cm)"
-is "and drift by more than 1 %" says "warning: storeys modelled as elastic drift by more than 1 % of their height in [1-4] of 4 runs: storey 1 of [AB] by [12]"
+is "says how many runs press the bumper past its strain" says "warning: a bumper is compressed beyond its ultimate strain in 1 of 2 runs with a bumper, in 1 by more than its thickness: one of 50 mm by 5[0-9.]* mm (case bumper, gap 6 cm)"
+is "and drift by more than 1 %" says "warning: drifts of storeys modelled as elastic exceed 1 % of their height in [1-4] of 4 runs: storey 1 of [AB] reaches [12]"
 is "a study of a soft building" gives 0 sweep towers --vary gap=6cm,30cm --cases none --set structures.1.stiffness=30MN/m
 theta=$("$THUD" run towers --case none --set gap=6cm --set structures.1.stiffness=30MN/m 2>&1 >/dev/null | sed -n 's/.*stability coefficient of storey 1 of A is \([0-9.]*\).*/\1/p')
-is "counts the runs above the stability coefficient, which is that of a run" says "warning: the stability coefficient of storeys is above 0.1 in 2 of 2 runs: ${theta:-no} at storey 1 of A"
+is "counts the runs above the stability coefficient, which is that of a run" says "warning: the stability coefficient of storeys exceeds 0.1 in 2 of 2 runs: ${theta:-no} at storey 1 of A"
 is "none with --quiet" gives 0 sweep towers --vary gap=6cm,30cm --cases none,bumper --quiet
 is "not a word" test ! -s "$tmp/err"
 is "nothing to say of a gap that is enough and a weak motion" gives 0 sweep towers --vary gap=30cm --cases none,bumper --peak 0.21g

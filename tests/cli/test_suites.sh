@@ -565,7 +565,7 @@ like san-fernando S2 Up c.csv
 cp "$tmp/wrong/a.csv" "$tmp/wrong/d.csv"
 printf 'a.csv\nb.csv\nc.csv:factor=5\nd.csv\n' >"$tmp/wrong/all.list"
 tells_each_once() { for words in "all motions are of one event, E " "4 files, 2 recordings: fewer than codes accept" "c.csv is scaled by 5 " "c.csv is a vertical component" \
-    "a.csv and b.csv are two components of one station" "a.csv and d.csv are one motion"; do
+    "a.csv and b.csv are two components of one station" "a.csv and d.csv are the same motion"; do
     [ "$(grep -c -F "thud: warning: $words" "$tmp/err")" -eq 1 ] || return 1
 done; }
 for command in gap 'sweep --vary gap=5cm,9cm --cases none' 'fragility --vary gap=5cm,9cm --cases none' 'uncertainty --samples 2 --uncertain gap=5% --uncertain mass=0 --uncertain stiffness=0 --uncertain damping=0'; do
@@ -575,6 +575,6 @@ for command in gap 'sweep --vary gap=5cm,9cm --cases none' 'fragility --vary gap
 done
 is "a report of it" gives 0 report rigid-bumper --samples 0 --to 7s --records "$tmp/wrong/all.list" -o "$tmp/wrong/report"
 is "tells each once" tells_each_once
-is "in the document, too" grep -q 'a.csv and d.csv are one motion (motions that are independent' "$tmp/wrong/report/report.md"
+is "in the document, too" grep -q 'a.csv and d.csv are the same motion (use independent motions' "$tmp/wrong/report/report.md"
 is "not with --quiet" gives 0 gap towers --to 7s --records "$tmp/wrong/all.list" --quiet
 is "at all" test ! -s "$tmp/err"

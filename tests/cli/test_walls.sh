@@ -76,7 +76,7 @@ fixed=$(force)
 light=$(force $stiff)
 # shellcheck disable=SC2086 # words
 is "a light stiff wall is not the fixed one" gives 0 run isolated-moat $stiff
-is "and it is said why" says 'structures.1.mass: the wall of 27 t hardly moves .* the dashpot of kelvin-voigt-no-tension is that of their effective mass, 24.9 t'
+is "and it is said why" says 'structures.1.mass: the wall of 27 t hardly moves .*: kelvin-voigt-no-tension uses the dashpot of their effective mass, 24.9 t'
 is "its force is another one" awk "BEGIN { exit !($light / $fixed > 1.05) }"
 # shellcheck disable=SC2086 # words
 fixed=$(force $hertz) light=$(force $hertz $stiff)

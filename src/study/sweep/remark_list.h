@@ -2,16 +2,16 @@
  * remark_*.c, which has condition and sentence, its place (a key, N the number of a structure or an interface), what is
  * allowed (where the function does not state them), and the keys of the JSON that its numbers are values of (struct
  * thud_remark). Adjacent rows on the same subject, evaluated at the same places, are reported place by place. */
-THUD_REMARK(EFFORT, ONCE, UNUSUAL, effort, "analysis", "analysis.modes leaves each building's high modes out", "")
+THUD_REMARK(EFFORT, ONCE, UNUSUAL, effort, "analysis", "analysis.modes omits the high modes of each building", "")
 THUD_REMARK(MOTIONS, ONCE, MOTION, one_event, "", "motions of several events", "")
 THUD_REMARK(MOTIONS, ONCE, MOTION, recordings, "", "", "")
 THUD_REMARK(MOTIONS, ONCE, MOTION, target, "", "", "")
-THUD_REMARK(MOTIONS, MOTION, MOTION, factor, "", "usually 1/4 to 4: beyond, it is no longer a motion of such a size",
-            "scale")
-THUD_REMARK(MOTIONS, MOTION, MOTION, vertical, "", "buildings pound by horizontal motion", "")
-THUD_REMARK(MOTIONS, MOTION, MOTION, twice, "", "motions that are independent of each other", "")
-THUD_REMARK(COMPUTED, ONCE, MOTION, synthetic, "",
-            "use recorded motions for a design: this is not an actual earthquake", "")
+THUD_REMARK(MOTIONS, MOTION, MOTION, factor, "",
+            "usually 1/4 to 4; beyond, it no longer resembles a motion of this intensity", "scale")
+THUD_REMARK(MOTIONS, MOTION, MOTION, vertical, "", "pounding is computed for horizontal motion", "")
+THUD_REMARK(MOTIONS, MOTION, MOTION, twice, "", "use independent motions", "")
+THUD_REMARK(COMPUTED, ONCE, MOTION, synthetic, "", "use recorded motions for design: this is not an actual earthquake",
+            "")
 THUD_REMARK(SCENE, STRUCTURE, UNUSUAL, structure_values, "", "", "")
 THUD_REMARK(SCENE, STRUCTURE, UNUSUAL, modes, "structures.N.periods", "as many modes as floors", "storeys")
 THUD_REMARK(SCENE, STRUCTURE, UNUSUAL, estimate, "structures.N.height", "", "height_m")
@@ -20,13 +20,13 @@ THUD_REMARK(SCENE, INTERFACE, UNUSUAL, assumed_law, "interfaces.N.contact.law",
             "the law of Polycarpou and Komodromos (2011); others: `thud laws`", "")
 THUD_REMARK(SCENE, INTERFACE, UNUSUAL, interface_values, "", "", "")
 THUD_REMARK(SCENE, INTERFACE, UNUSUAL, cavity, "interfaces.N.bumper.cavity", "", "cavity_m")
-THUD_REMARK(SCENE, INTERFACE, UNUSUAL, light_wall, "", "a wall without mass and stiffness stands fixed",
+THUD_REMARK(SCENE, INTERFACE, UNUSUAL, light_wall, "", "a wall without mass and stiffness is fixed",
             "mass_kg base-mass_kg mass_kg||mass_kg mass_kg||base-mass_kg")
 THUD_REMARK(SCENE, INTERFACE, UNUSUAL, whole_law, "", "", "")
 THUD_REMARK(SCENE, INTERFACE, UNUSUAL, faces, "structures.N.slab-depth",
             "usually a quarter of the shallower slab or more; see height and base", "slab-depth_m")
 THUD_REMARK(SCENE, ONCE, UNUSUAL, setup, "", "", "")
-THUD_REMARK(SCENE, ONCE, UNUSUAL, levels, "", "floors at or between the other's floors: see heights and base", "")
+THUD_REMARK(SCENE, ONCE, UNUSUAL, levels, "", "floors at or between those of the neighbour; see heights and base", "")
 THUD_REMARK(SCENE, ONCE, UNUSUAL, step, "analysis.step", "", "step_s")
 THUD_REMARK(SIMPLER, ONCE, UNUSUAL, simpler, "", "", "")
 THUD_REMARK(CHANGE, VARIED, UNUSUAL, kept_key, "",

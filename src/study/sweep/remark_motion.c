@@ -82,10 +82,10 @@ void thud_remark_recordings(const struct thud_remark_scope *scope, int i, struct
                    recordings == 1 ? "" : "s", unknown,
                    enough                     ? ""
                    : recordings < code->least ? ": fewer than codes accept"
-                   : code->mean == 0          ? ": the code requires the largest result, not the mean"
-                                              : ": few; codes then require the largest result, not the mean");
+                   : code->mean == 0          ? ": the code requires the largest response, not the mean"
+                                              : ": few; codes then require the largest response, not the mean");
     if (enough)
-        thud_error_allow(said, "each counts as independent, also where two are components of one station");
+        thud_error_allow(said, "each counts as independent, even if two are components of one station");
     else if (code->mean > code->least)
         thud_error_allow(said, "%d or more (%s); at least %d", code->mean, code->clause, code->least);
     else
@@ -126,7 +126,7 @@ void thud_remark_twice(const struct thud_remark_scope *scope, int i, struct thud
         if (!same && !thud_record_same_station(record[i], record[k]))
             continue;
         thud_error_set(thud_remark_add(out), THUD_OK,
-                       same ? "%.100s and %.100s are one motion"
+                       same ? "%.100s and %.100s are the same motion"
                             : "%.100s and %.100s are two components of one station",
                        thud_path_name(record[k]->file), thud_path_name(record[i]->file));
         return;

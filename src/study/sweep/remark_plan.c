@@ -52,8 +52,7 @@ void thud_remark_effort(const struct thud_remark_scope *scope, int i, struct thu
     const bool minutes = seconds >= 120;
     thud_error_set(thud_remark_add(out), THUD_OK,
                    "%.0f floors, up to %.0f contacts, %.0f steps of the ground motion: a run takes about %.2g GB and "
-                   "%.2g %s, and several "
-                   "times that with much contact",
+                   "%.2g %s, or several times as much if contact is frequent",
                    floors, contacts, samples, fmax(bytes / 1e9, 0.01), minutes ? seconds / 60 : seconds,
                    minutes ? "min" : "s");
 }
@@ -88,7 +87,7 @@ void thud_remark_kept_stiffness(const struct thud_remark_scope *scope, int i, st
     double exponent = is->bumper.value[thud_law_param(is->bumper.law, "exponent")];
     stiffness_text(scene, i, text, sizeof text);
     thud_error_set(thud_remark_add(out), THUD_OK,
-                   "%.4g cm thick now, with the stiffness of %.4g cm, %s; by eq. (6) it would be %.3g times that",
+                   "%.4g cm thick, but with the stiffness for %.4g cm, %s; by eq. (6) it would be %.3g times as large",
                    100 * is->bumper_thickness_m, 100 * was->bumper_thickness_m, text,
                    pow(was->bumper_thickness_m / is->bumper_thickness_m, exponent));
 }
@@ -121,9 +120,9 @@ void thud_remark_kept_key(const struct thud_remark_scope *scope, int i, struct t
                        "the stiffness is %s at every thickness; by eq. (6) it falls with the power of the thickness",
                        text);
     else
-        thud_error_set(said, THUD_OK,
-                       "the stiffness keeps the number of %s at every exponent, so that the force at the largest "
-                       "strain changes with it",
-                       text);
+        thud_error_set(
+            said, THUD_OK,
+            "the stiffness keeps the number of %s at every exponent, so the force at the ultimate strain changes",
+            text);
     thud_error_key(said, "%s", key);
 }

@@ -53,14 +53,14 @@ void thud_remark_bumper(const struct thud_remark_scope *scope, int i, struct thu
     if (count > 0 && at->thickness.n > 0)
         snprintf(often, sizeof often, "; past that of its level in %d of %d impacts", past, count);
     else if (count > 0)
-        snprintf(often, sizeof often, "; past %.4g mm in %d of %d impacts", 1e3 * part * thickness, past, count);
+        snprintf(often, sizeof often, "; beyond %.4g mm in %d of %d impacts", 1e3 * part * thickness, past, count);
     if (most->left_floor > 0 || most->right_floor > 0)
         snprintf(where, sizeof where, " at floor %d",
                  thud_slab_floor(most->left_floor, most->right_floor, most->struck));
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK, "the bumper of %.4g mm is compressed by %.4g mm%s, %.3f s: %s%s", 1e3 * thickness,
                    1e3 * most->indentation.value, where, most->indentation.time_s,
-                   worst > 1 ? "more than its thickness" : "past its ultimate strain", often);
+                   worst > 1 ? "more than its thickness" : "beyond its ultimate strain", often);
     if (!isnan(strain))
         thud_error_allow(said, "the rubber law applies up to %.4g mm", 1e3 * part * thickness);
 }
@@ -135,8 +135,8 @@ void thud_remark_theta(const struct thud_remark_scope *scope, int i, struct thud
         snprintf(others, sizeof others, "; %d storeys are above %g", above, theta_small);
     thud_error_set(said, THUD_OK, "the stability coefficient of storey %d of %.40s is %.3g%s: %s", storey + 1, s->name,
                    worst, others,
-                   worst > theta_most ? "it may not stand under its own weight, which the run leaves out"
-                                      : "the weight on the drift, which the run leaves out, adds to the response");
+                   worst > theta_most ? "it may be unstable under its own weight, which the run neglects"
+                                      : "P-Delta effects, which the run neglects, increase the response");
     thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
 }
 
@@ -161,12 +161,12 @@ void thud_remark_yielding(const struct thud_remark_scope *scope, int i, struct t
         return;
     double drift_m = r->floor[storey + slab].drift.value;
     struct thud_error *said = thud_remark_add(out);
-    thud_error_set(
-        said, THUD_OK,
-        "storey %d of %.40s yields to a ductility of %.3g and drifts by %.3g mm, %.2g %% of its height: a real "
-        "storey loses strength there, this one does not",
-        storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m, 100 * drift_m / s->height_m[storey]);
-    thud_error_allow(said, "bilinear storeys stand for ductilities up to %g and drifts up to %g %%", ductility_most,
+    thud_error_set(said, THUD_OK,
+                   "storey %d of %.40s reaches a ductility of %.3g and a drift of %.3g mm, %.2g %% of its height: a "
+                   "real storey would lose strength, which is not modelled",
+                   storey + 1, s->name, r->storey[storey + slab].ductility, 1e3 * drift_m,
+                   100 * drift_m / s->height_m[storey]);
+    thud_error_allow(said, "bilinear storeys are valid up to ductilities of %g and drifts of %g %%", ductility_most,
                      100 * yielding_drift_most);
 }
 
@@ -176,10 +176,10 @@ bool thud_collapse_remark(const struct thud_scene *scene, const struct thud_coll
         return false;
     const struct thud_structure *s = &scene->structure[c->structure];
     const int storey = thud_structure_storey(s, c->floor);
-    thud_error_set(out, THUD_OK,
-                   "storey %d of %.40s collapses at %.3f s: its drift reaches %.4g mm, %.3g %% of its height, and the "
-                   "run ends there",
-                   storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
+    thud_error_set(
+        out, THUD_OK,
+        "storey %d of %.40s collapses at %.3f s: its drift reaches %.4g mm, %.3g %% of its height. The run ends there",
+        storey, s->name, c->time_s, 1e3 * c->drift_m, 100 * c->drift_m / s->height_m[storey - 1]);
     thud_error_key(out, "structures.%d", c->structure + 1);
     return true;
 }
@@ -298,12 +298,11 @@ void thud_remark_digits(const struct thud_remark_scope *scope, int i, struct thu
     thud_interface_gap_text(at, gap, sizeof gap);
     for (int k = 1; k < THUD_CHANGES; k++)
         which = by[k] > by[which] ? k : which;
-    thud_error_set(
-        thud_remark_add(out), THUD_OK,
-        "at the gap of %s the largest force changes by %.0f %% when the %s changes by %.1g %%, as %s: read it "
-        "as an order of magnitude",
-        gap, 100 * by[which], words[which], 100 * s->change,
-        shallow ? "the floors hardly touch" : "each impact starts from those before it");
+    thud_error_set(thud_remark_add(out), THUD_OK,
+                   "at a gap of %s the largest force changes by %.0f %% if the %s changes by %.1g %%, because %s: read "
+                   "it as an order of magnitude",
+                   gap, 100 * by[which], words[which], 100 * s->change,
+                   shallow ? "the floors hardly touch" : "each impact depends on those before it");
 }
 
 /* ---- the runs of a study ---- */
@@ -398,7 +397,7 @@ void thud_remark_collapses(const struct thud_remark_scope *scope, int i, struct 
         return;
     where_text(scope->plan, w->fall_point, w->fall_which, where, sizeof where);
     thud_error_set(thud_remark_add(out), THUD_OK,
-                   "%ld of %ld runs collapse, and have the peaks before that (the first: %s)", w->collapsed, w->runs,
+                   "%ld of %ld runs collapse and have only the peaks until then (the first: %s)", w->collapsed, w->runs,
                    where);
 }
 
@@ -413,8 +412,8 @@ void thud_remark_presses(const struct thud_remark_scope *scope, int i, struct th
     if (w->beyond > 0)
         snprintf(beyond, sizeof beyond, ", in %ld by more than its thickness", w->beyond);
     thud_error_set(thud_remark_add(out), THUD_OK,
-                   "a bumper is pressed past its ultimate strain in %ld of %ld runs with one%s: one of %.4g mm by "
-                   "%.4g mm (%s)",
+                   "a bumper is compressed beyond its ultimate strain in %ld of %ld runs with a bumper%s: one of %.4g "
+                   "mm by %.4g mm (%s)",
                    w->pressed, w->with_bumper, beyond, 1e3 * w->thickness_m, 1e3 * w->press_m, where);
 }
 
@@ -428,8 +427,8 @@ void thud_remark_drifts(const struct thud_remark_scope *scope, int i, struct thu
     struct thud_error *said = thud_remark_add(out);
     where_text(scope->plan, w->drift.point, w->drift.which, where, sizeof where);
     thud_error_set(said, THUD_OK,
-                   "storeys modelled as elastic drift by more than %g %% of their height in %ld of %ld runs: storey %d "
-                   "of %.40s by %.2g %% (%s)",
+                   "drifts of storeys modelled as elastic exceed %g %% of their height in %ld of %ld runs: storey %d "
+                   "of %.40s reaches %.2g %% (%s)",
                    100 * drift_most, w->drifting, w->runs, w->drift.storey,
                    scope->plan->scene.structure[w->drift.structure].name, 100 * w->drift.value, where);
     thud_error_allow(said, "buildings yield below %g %%", 100 * drift_most);
@@ -444,10 +443,10 @@ void thud_remark_thetas(const struct thud_remark_scope *scope, int i, struct thu
         return;
     struct thud_error *said = thud_remark_add(out);
     where_text(scope->plan, w->theta.point, w->theta.which, where, sizeof where);
-    thud_error_set(said, THUD_OK,
-                   "the stability coefficient of storeys is above %g in %ld of %ld runs: %.3g at storey "
-                   "%d of %.40s (%s)",
-                   theta_small, w->unstable, w->runs, w->theta.value, w->theta.storey,
-                   scope->plan->scene.structure[w->theta.structure].name, where);
+    thud_error_set(
+        said, THUD_OK,
+        "the stability coefficient of storeys exceeds %g in %ld of %ld runs: %.3g at storey %d of %.40s (%s)",
+        theta_small, w->unstable, w->runs, w->theta.value, w->theta.storey,
+        scope->plan->scene.structure[w->theta.structure].name, where);
     thud_error_allow(said, "W d/(V h) up to %g, never above %g: EN 1998-1 4.4.2.2", theta_small, theta_most);
 }

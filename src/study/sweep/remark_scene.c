@@ -122,8 +122,10 @@ void thud_remark_columns(const struct thud_remark_scope *scope, int i, struct th
         if (!(storey > 0) || !(own > storey * (1 + 1e-9)))
             continue;
         struct thud_error *said = thud_remark_add(out);
-        thud_error_set(said, THUD_OK, "the columns of storey %d alone have %.4g MN/m (12 EI/L^3), the storey %.4g",
-                       k + 1, 1e-6 * own, 1e-6 * storey);
+        thud_error_set(
+            said, THUD_OK,
+            "the struck columns of storey %d have a stiffness of %.4g MN/m (12 EI/L^3), the storey only %.4g", k + 1,
+            1e-6 * own, 1e-6 * storey);
         thud_error_key(said, "structures.%d.column.%s", i + 1, s->column_stiffness_npm[k] > 0 ? "stiffness" : "EI");
     }
 }
@@ -135,8 +137,8 @@ void thud_remark_modes(const struct thud_remark_scope *scope, int i, struct thud
     if (s->kind != THUD_MODES || s->shape_rows == 0 || s->shape_rows >= s->storeys)
         return;
     thud_error_set(thud_remark_add(out), THUD_OK,
-                   "%d of %d modes: what they omit is modelled with a tenth of their shortest period, so the local "
-                   "compliance at a struck floor is not known",
+                   "%d of %d modes: the omitted motion has a tenth of their shortest period, so the local compliance "
+                   "at a struck floor is not known",
                    s->shape_rows, s->storeys);
 }
 
@@ -161,7 +163,8 @@ void thud_remark_cavity(const struct thud_remark_scope *scope, int i, struct thu
     if (!at->has_bumper || isnan(strain) || at->bumper_cavity_m <= at->bumper_thickness_m * (1 - strain) * (1 + 1e-9))
         return;
     struct thud_error *said = thud_remark_add(out);
-    thud_error_set(said, THUD_OK, "at %.4g cm the walls would touch before the bumper is at its ultimate strain",
+    thud_error_set(said, THUD_OK,
+                   "at a depth of %.4g cm the walls would touch before the bumper reaches its ultimate strain",
                    100 * at->bumper_cavity_m);
     thud_error_allow(said, "usually up to thickness (1 - max-strain), %.4g cm",
                      100 * at->bumper_thickness_m * (1 - strain));
@@ -203,8 +206,8 @@ void thud_remark_light_wall(const struct thud_remark_scope *scope, int i, struct
         return;
     struct thud_error *said = thud_remark_add(out);
     thud_error_set(said, THUD_OK,
-                   "the wall of %.3g t hardly moves under a floor of %.3g t, but is not fixed: the dashpot of %s is "
-                   "that of their effective mass, %.3g t",
+                   "the wall of %.3g t hardly moves under a floor of %.3g t, but is not fixed: %s uses the dashpot of "
+                   "their effective mass, %.3g t",
                    1e-3 * wall->wall_mass_kg, 1e-3 * mass, choice->law->name, 1e-3 * effective);
     thud_error_key(said, "structures.%d.mass", (int)(wall - scope->scene->structure) + 1);
 }
@@ -215,8 +218,7 @@ void thud_remark_assumed_law(const struct thud_remark_scope *scope, int i, struc
     const struct thud_law_choice *choice = &scope->scene->interface[i].contact;
     if (choice->assumed)
         thud_error_set(thud_remark_add(out), THUD_OK,
-                       "no impact law is given: %s is taken, with its usual values where none are given",
-                       choice->law->name);
+                       "no impact law is given: %s is used, with usual values where none are given", choice->law->name);
 }
 
 /* Neighbours none of whose floors can touch. */
@@ -236,7 +238,7 @@ void thud_remark_levels(const struct thud_remark_scope *scope, int at, struct th
         if (contacts[i + 1] > 0)
             continue;
         struct thud_error *said = thud_remark_add(out);
-        thud_error_set(said, THUD_OK, "%s and %s have nothing at the same level, so they cannot touch", left->name,
+        thud_error_set(said, THUD_OK, "%s and %s have no floors at the same level, so they cannot touch", left->name,
                        right->name);
         thud_error_key(said, "interfaces.%d", i + 1);
     }
