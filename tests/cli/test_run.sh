@@ -107,7 +107,7 @@ theta() { # MASS_T DRIFT_M SHEAR_N HEIGHT_M
 gives 0 run towers --set structures.1.stiffness=30MN/m --set gap=2m --json
 by_hand=$(theta 1210 "$(number drift_m)" "$(number base_shear_n)" 3)
 is "stability coefficient of an elastic storey" near "$(number stability_coefficient)" "$by_hand" 1e-9
-is "above 0.1, a remark" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$by_hand"): the weight"
+is "above 0.1, a remark" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$by_hand"): P-Delta effects"
 gives 0 run towers --set structures.1.stiffness=10MN/m --set gap=3m --json
 is "above 0.3, a caution" says "structures.1: the stability coefficient of storey 1 of A is $(printf %.3g "$(theta 1210 "$(number drift_m)" "$(number base_shear_n)" 3)"); 3 storeys"
 gives 0 run towers --set structures.1.stiffness=45MN/m --set gap=2m
