@@ -115,8 +115,8 @@ is "names the command" shows '^simpler .*`thud simplify` shows how much detail t
 is "a plain one" gives 0 run towers
 is "does not" [ "$(grep -c simplify "$tmp/out")" = 0 ]
 is "a report" gives 0 report towers --samples 0 --no-pdf --quiet -o "$tmp/report"
-is "has it" grep -q '^## What the model needs' "$tmp/report/report.md"
+is "has it" grep -q '^## Simplified models' "$tmp/report/report.md"
 is "a report" gives 0 report towers --samples 0 --no-pdf --quiet --no-simplify -o "$tmp/without"
-is "may be without" [ "$(grep -c 'What the model needs' "$tmp/without/report.md")" = 0 ]
+is "may be without" [ "$(grep -c 'Simplified models' "$tmp/without/report.md")" = 0 ]
 is "an accuracy of nothing" gives 2 simplify towers --within 0
 is "is refused" says 'above 0, at most 100 %'

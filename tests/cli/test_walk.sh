@@ -33,7 +33,7 @@ walk() { # PAGE COMMANDS: what the page displays: the preset; of each command it
 }
 walk thud-tutorial 9
 is "the report has its title block" grep -q '| Checked by | N. N. |' report/report.md
-is "its cautions are at most three" [ "$(sed -n '/^## What to know first/,/^## B/p' report/report.md | grep -c '^- ')" -le 3 ]
+is "its cautions are at most three" [ "$(sed -n '/^## Main cautions/,/^## B/p' report/report.md | grep -c '^- ')" -le 3 ]
 is "one of them is how much the force changes" grep -q 'at a gap of [0-9.]* cm the largest force changes by 86 % if the [a-z ]* changes by 5 %, because .*: read it as an order of magnitude' report/report.md
 is "its last section has the program, the command and the scene" sh -c "sed -n '/^## Reproducibility/,\$p' report/report.md | tr '\\n' ' ' | grep -q 'thud [0-9.]* .*thud report .*title: Office'"
 is "the ground motion has its SHA-256 among the load cases" sh -c "sed -n '/^## Load cases/,/^## Method/p' report/report.md | grep -q '^| 1 | kaikoura-wtmc.csv | .* | [0-9a-f]\{64\} |\$'"

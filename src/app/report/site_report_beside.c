@@ -146,11 +146,12 @@ void thud_site_variants(struct site *site)
         return;
     thud_document_heading(d, "Variants");
     thud_site_decided_words(site, of, sizeof of);
-    thud_document_paragraph(d,
-                            "Each as its preset is written, under the ground motion%s of this report: %s. Lower: under "
-                            "how many of them it is lower than in the scene itself, by more than %.0f %%.",
-                            count_motions(site) > 1 ? "s" : "", of, 100 * THUD_SITE_SAME);
-    thud_document_table(d, "The scene and its variants; the largest of all contacts, floors, storeys and links");
+    thud_document_paragraph(
+        d,
+        "Each variant is run as its preset is written, under the ground motion%s of this report: %s. The counts of "
+        "lower values are relative to the scene of this report, by more than %.0f %%.",
+        count_motions(site) > 1 ? "s" : "", of, 100 * THUD_SITE_SAME);
+    thud_document_table(d, "The scene and its variants: largest values of all contacts, floors, storeys and links");
     thud_document_cell(d, "quantity");
     for (int i = 0; i < site->nvariants; i++)
         thud_document_cell(d, "%s", site->variant[i].name);

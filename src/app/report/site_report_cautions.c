@@ -87,16 +87,15 @@ static int tell(struct site *site)
 void thud_site_foremost(struct site *site)
 {
     struct thud_document *d = &site->document;
-    thud_document_heading(d, "What to know first");
+    thud_document_heading(d, "Main cautions");
     size_t from = d->n;
     int n = tell(site);
     thud_document_cut(d, from + FOREMOST);
     if (n > FOREMOST)
         thud_document_paragraph(d, "Further cautions: %d, in the section of this name.", n - FOREMOST);
     else if (n == 0)
-        thud_document_paragraph(d,
-                                "No caution. Examined: drifts, compression of the bumper, capacity of struck columns, "
-                                "values out of their usual range, energy, sensitivity of the force, ground motion.");
+        thud_document_paragraph(d, "No cautions. Examined: drifts, compression of the bumper, capacity of struck "
+                                   "columns, unusual values, energy, sensitivity of the force, ground motion.");
 }
 
 void thud_site_cautions(struct site *site)

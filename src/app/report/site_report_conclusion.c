@@ -108,7 +108,7 @@ const char *thud_site_decided_words(const struct site *site, char *text, size_t 
     const struct thud_gap_suite *suite = &site->gaps.suite;
     if (!site->code->by_84 || suite->recordings < THUD_SHARES_LEAST)
         return thud_site_displacements(site, site->code->rule, text, size);
-    snprintf(text, size, "what is enough for 84 %% of %d ground motions", suite->nrecords);
+    snprintf(text, size, "sufficient for 84 %% of %d ground motions", suite->nrecords);
     return text;
 }
 
@@ -152,16 +152,15 @@ static void recommend(struct site *site, int i)
         snprintf(bumper, sizeof bumper, ", and %s cm for the %sprojection of the bumper",
                  thud_site_number(100 * out, 3).text, out > least ? "largest " : "");
     if (more > 0 && site->gaps.suite.nrecords > 1)
-        snprintf(rest, sizeof rest, " Under %d of the %d ground motions more would be needed.", more,
-                 site->gaps.suite.nrecords);
+        snprintf(rest, sizeof rest, " %d of the %d ground motions require more.", more, site->gaps.suite.nrecords);
     else if (more > 0)
-        snprintf(rest, sizeof rest, " This ground motion itself needs more.");
+        snprintf(rest, sizeof rest, " This ground motion requires more.");
     thud_interface_gap_text(&site->scene->interface[i - 1], given, sizeof given);
     thud_document_paragraph(
         &site->document, "Recommended gap between %s and %s: %.0f cm (%.2f cm: %.2f cm by %s%s). Given: %s.%s%s",
         thud_site_name(site, i - 1), thud_site_name(site, i), ceil(100 * (bare + out) - 1e-9),
         thud_table_gap_cm(bare + out), thud_table_gap_cm(bare), thud_site_gap_source(site, source, sizeof source),
-        bumper, given, rest, site->scene->nstructures > 2 ? " This holds when nothing else touches." : "");
+        bumper, given, rest, site->scene->nstructures > 2 ? " This applies if no other contact occurs." : "");
 }
 
 /* ---- the criteria ---- */

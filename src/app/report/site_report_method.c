@@ -54,10 +54,10 @@ struct phrase {
 };
 
 static const struct phrase model[] = {
-    {.text = "Each building is a column of masses m at its floors, joined by storeys of lateral stiffness k. Relative "
-             "to the ground it moves by M u'' + C u' + K u = -M 1 a_g(t) + F, with the ground acceleration a_g and the "
-             "contact forces F. C gives every mode the damping ratio of the building (A. K. Chopra, Dynamics of "
-             "Structures, 4th ed., 11.4)."},
+    {.text = "Each building is modelled as masses m at its floors, connected by storeys of lateral stiffness k. Its "
+             "displacements u relative to the ground satisfy M u'' + C u' + K u = -M 1 a_g(t) + F. Here a_g is the "
+             "ground acceleration and F the contact forces. The matrix C gives every mode the damping ratio of the "
+             "building (A. K. Chopra, Dynamics of Structures, 4th ed., 11.4)."},
     {.text = "A storey that yields is bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p). d is the "
              "drift, d_p the permanent drift and r the hardening ratio; |d - d_p| does not exceed the yield drift.",
      .when = YIELDS},
@@ -67,11 +67,11 @@ static const struct phrase model[] = {
     {.text =
          "Isolators that yield or slide are bilinear with kinematic hardening: V = r k d + (1 - r) k (d - d_p), |d - "
          "d_p| <= u_y, k = Q_d/u_y + K_d, r = K_d/k. Lead-rubber bearings have the strength Q_d, the stiffness K_d "
-         "beyond yield and the yield displacement u_y; pendulums of radius R and friction mu under the weight W have "
-         "Q_d = mu W and K_d = W/R. Periods of such a building are those before its isolators yield or slide.",
+         "beyond yield and the yield displacement u_y. Pendulums of radius R and friction mu under the weight W have "
+         "Q_d = mu W and K_d = W/R. Periods of such a building apply before its isolators yield or slide.",
      .when = SLIDES},
-    {.text = "A flexible wall is one mass on a spring and a dashpot against the ground; the periods of walls are "
-             "those without the soil behind them.",
+    {.text = "A flexible wall is one mass on a spring and a dashpot, relative to the ground. The periods of walls "
+             "exclude the soil behind them.",
      .when = WALL},
     {.text = "The soil behind a wall acts in compression only, F = x/(1/K_max + R_f x/F_ult) for the wall's "
              "displacement x into it. It unloads with K_max from the largest x so far, and leaves a gap.",
@@ -83,21 +83,22 @@ static const struct phrase model[] = {
     {.text =
          "A building on soil has a foundation with its own mass and moment of inertia that sways by u_f and rocks by "
          "t. Springs and dashpots act under it. They are given, or those of a rigid disk of radius a on an elastic "
-         "half-space (K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I; G. "
-         "Gazetas, Formulas and charts for impedances of surface and embedded foundations, 1991). Displacements are "
+         "half-space: K_x = 8 G a/(2 - nu), K_t = 8 G a^3/(3 (1 - nu)), C_x = rho V_s A, C_t = rho V_p I. (G. Gazetas, "
+         "Formulas and charts for impedances of surface and embedded foundations, 1991.) Displacements are "
          "relative to the free field. Storey drifts exclude rocking, contacts use the whole motion, and the building's "
          "damping acts on its deformation.",
      .when = SOIL},
-    {.text = "An estimated building has floors of 1 t/m2 and equally stiff storeys with the first period of EN "
-             "1998-1:2004, 4.3.3.2.2(3), C_t H^0.75; measured periods are 0.7 to 1.4 times such estimates.",
+    {.text = "An estimated building has floors of 1 t/m2 and equally stiff storeys. Its first period is that of EN "
+             "1998-1:2004, 4.3.3.2.2(3), C_t H^0.75. Measured periods are 0.7 to 1.4 times such estimates.",
      .when = ESTIMATED},
-    {.text = "The weight above a storey of height h reduces its stiffness by W/h (P-Delta); a storey that drifts by a "
-             "tenth of its height has collapsed.",
+    {.text = "The weight above a storey of height h reduces its stiffness by W/h (P-Delta). A storey whose drift "
+             "reaches a tenth of its height has collapsed.",
      .when = P_DELTA},
     {.text = "Two faces are in contact while their indentation d = u_left - u_right - clearance is positive; v = d' is "
              "the approach velocity. The clearance is the gap minus the bumper's projection. Slabs whose faces overlap "
              "in elevation can collide."},
-    {.text = "A slab that faces no slab strikes the columns of the storey beside it. They bend between the two floors "
+    {.text = "A slab that does not face another slab strikes the columns of the storey beside it. They bend between "
+             "the two floors "
              "as members fixed at both ends, in series with the contact. Their shears and moments follow from the "
              "point of impact.",
      .when = COLUMNS},
@@ -111,10 +112,10 @@ static const struct phrase unmade[] = {
              "may require more. A suite of motions adds fractions and fractiles across motions.",
      .when = MOTION,
      .unless = SUITE},
-    {.text = "Uncertainty of anything but the inputs listed with their sizes: the laws and the idealisation are the "
-             "same in every sample.",
+    {.text = "Uncertainty of the laws and the idealisation, which are the same in every sample: only the listed inputs "
+             "are uncertain.",
      .when = SAMPLES},
-    {.text = "Accelerations and forces of impacts by impulses: they last no time, and floors that they strike have no "
+    {.text = "Accelerations and forces of impacts by impulses: these have no duration, and the struck floors have no "
              "finite acceleration (- in the tables).",
      .when = IMPULSES},
     {.text = "Yielding: the storeys are elastic.", .unless = YIELDS},
@@ -126,19 +127,19 @@ static const struct phrase unmade[] = {
      .when = SOIL},
     {.text = "Torsion, motion across the line of the buildings, vertical motion, flexibility of the floors, and "
              "different ground motions under the buildings."},
-    {.text = "Slabs striking columns: in this scene floors meet floors.", .unless = COLUMNS},
-    {.text = "Failure of struck columns: they stay elastic and whole, also above their capacity.", .when = COLUMNS},
-    {.text = "Stiffness and restitution of the contacts: values of the literature, not measured on these buildings. "
-             "Local damage at the contact is in neither."},
+    {.text = "Slabs striking columns: in this scene floors collide with floors only.", .unless = COLUMNS},
+    {.text = "Failure of struck columns: they remain elastic and intact, also above their capacity.", .when = COLUMNS},
+    {.text = "Stiffness and restitution of the contacts: they are values of the literature, not measured on these "
+             "buildings, and do not include local damage."},
     {.text =
          "Accidental torsion: the buildings move along one line. Multiply displacements by 1 + 1.2 x/L_e (EN "
          "1998-1:2004, 4.3.2(1) and, of planar models, 4.3.3.2.4(2)), or take them from a model in three dimensions."},
-    {.text = "The other horizontal direction: the ground moves along the line of the buildings alone. Add 30 % of the "
-             "displacement that motion across the line gives along it (EN 1998-1:2004, 4.3.3.5.1(3))."},
-    {.text = "Cracked stiffness: stiffnesses are taken as they are given. Of concrete and masonry give half of the "
-             "uncracked ones, unless better is known (EN 1998-1:2004, 4.3.1(7))."},
-    {.text = "Importance factor: ground motions are taken as they are given. Scale them by gamma_I (EN 1998-1:2004, "
-             "4.2.5), or have it in the a_g of the target (3.2.1(3))."},
+    {.text = "The other horizontal direction: the ground moves along the line of the buildings only. Add 30 % of the "
+             "displacement along this line due to motion across it (EN 1998-1:2004, 4.3.3.5.1(3))."},
+    {.text = "Cracked stiffness: stiffnesses are used as given. For concrete and masonry, give half of the uncracked "
+             "stiffness unless better values are known (EN 1998-1:2004, 4.3.1(7))."},
+    {.text = "Importance factor: ground motions are used as given. Scale them by gamma_I (EN 1998-1:2004, 4.2.5), or "
+             "include it in the a_g of the target (3.2.1(3))."},
     {.text = "Resistance of members, foundations and non-structural parts, by any code."},
 };
 
@@ -179,10 +180,11 @@ static void add_obtained(struct thud_text *out, const struct site *site, int int
     const struct thud_law_setup *setup = &one->solution.model->contact[c].setup;
     const double obtained = thud_law_restitution(choice->law, setup, speed_mps);
     if (!isnan(obtained))
-        thud_text_append(out,
-                         " Two free bodies with an effective mass of %s t that approach at %.1f m/s part with %.3f of "
-                         "this speed, for a coefficient of restitution of %g.",
-                         thud_site_number(1e-3 * setup->mass_kg, 3).text, speed_mps, obtained, choice->value[e]);
+        thud_text_append(
+            out,
+            " For a specified coefficient of restitution of %g, two free bodies (effective mass %s t) approaching "
+            "at %.1f m/s separate at %.3f times that speed.",
+            choice->value[e], thud_site_number(1e-3 * setup->mass_kg, 3).text, speed_mps, obtained);
 }
 
 static void say_law(struct site *site, const char *what, int interface, bool bumper)
@@ -227,7 +229,7 @@ static void say_laws(struct site *site)
             if (!told[b]) {
                 snprintf(what, sizeof what, "%s between %.60s and %.60s%s", b ? "Bumper" : "Contact of bare faces",
                          thud_site_name(site, i), thud_site_name(site, i + 1),
-                         i + 2 < scene->nstructures ? ", and where the same law stands" : "");
+                         i + 2 < scene->nstructures ? ", and others with the same law" : "");
                 say_law(site, what, i, b);
             }
     }
@@ -247,7 +249,7 @@ static void add_symbols(struct site *site)
         "gap|distance of bare faces at rest; required ones are rounded up to a millimetre|cm",
     };
     struct thud_document *d = &site->document;
-    thud_document_table(d, "Symbols and units; every value is the largest over time unless it says otherwise");
+    thud_document_table(d, "Symbols and units; values are peaks over time unless stated otherwise");
     thud_document_head(d, "symbol|meaning|unit");
     for (size_t i = 0; i < sizeof symbol / sizeof *symbol; i++)
         thud_document_head(d, symbol[i]);
@@ -274,7 +276,7 @@ void thud_site_method(struct site *site)
         used += (size_t)snprintf(compared + used, sizeof compared - used, "%s%s", i > SITE_NONE ? "; " : "",
                                  site->ncases > SITE_MEASURE ? site->cases[i].words : "as they stand");
     thud_document_paragraph(d,
-                            "The cases compared are the buildings too far apart to touch (%s), and at the gap given "
+                            "The cases compared are the buildings too far apart to touch (%s), and at the given gap "
                             "%s. Events (onset, separation, "
                             "yielding) are located in time, and every peak is that of the continuous history.",
                             site->cases[SITE_FREE].words, compared);
@@ -293,22 +295,23 @@ void thud_site_checks(struct site *site)
     for (int i = 0; i < site->ncases; i++)
         worst = fmax(worst, site->cases[i].result->energy.error_ratio);
     thud_document_heading(d, "Checks made");
-    thud_document_table(d, "Checks and what they found");
+    thud_document_table(d, "Checks and their results");
     thud_document_head(d, "check|found");
     thud_document_cell(d,
                        "second solution, %s, by the method \"%s\", which has no time stepping in common with the first",
                        site->own->words, name);
     if (site->second.values == 0)
-        thud_document_cell(d, "not done: the scene is so stiff that %s takes more steps than are given to it", name);
+        thud_document_cell(d, "not done: the scene is so stiff that %s exceeds the limit of steps", name);
     else
-        thud_document_cell(d, "%d values compared; largest relative difference %.1e; %s%s", site->second.values,
-                           site->second.difference,
-                           site->second.counts == 0 ? "all impact counts are equal"
-                           : bounces                ? "impact counts differ by the last of ever shorter bounces"
-                                                    : "impact counts differ",
-                           site->second.difference > 1e-3 || (site->second.counts > 0 && !bounces)
-                               ? ". The methods do not agree to three digits: use no number before it is clear why"
-                               : "");
+        thud_document_cell(
+            d, "%d values compared; largest relative difference %.1e; %s%s", site->second.values,
+            site->second.difference,
+            site->second.counts == 0 ? "all impact counts are equal"
+            : bounces                ? "impact counts differ only in the last of a series of ever shorter bounces"
+                                     : "impact counts differ",
+            site->second.difference > 1e-3 || (site->second.counts > 0 && !bounces)
+                ? ". The methods do not agree to three digits: do not use the results until the reason is known"
+                : "");
     thud_document_row(d);
     thud_document_line(d,
                        "energy balance of every case: input, kinetic, strain, damping, contact\tat most %.1e of the "
@@ -338,8 +341,7 @@ static void put_list(struct site *site)
     struct thud_text list = {0};
     if (records->n < 2)
         return;
-    thud_document_paragraph(&site->document,
-                            "%s.list, the ground motions with all that was said of them:", site->scene->name);
+    thud_document_paragraph(&site->document, "%s.list, the ground motions with their settings:", site->scene->name);
     for (int i = 0; i < records->n; i++) {
         const struct thud_record *record = records->record[i];
         if (i > 0 && thud_motion_is_turned(record->file, records->record[i - 1]->file))
@@ -366,11 +368,10 @@ void thud_site_provenance(struct site *site)
     d->failed = d->failed || version.failed;
     thud_text_clear(&version);
     thud_document_paragraph(d,
-                            "To reproduce this report, write what follows into a folder. Add the files of the ground "
-                            "motions (and of matrices, if any), identified by their SHA-256. Then type there:");
+                            "To reproduce this report, write the following files into a folder. Add the files of the "
+                            "ground motions (and of matrices, if any), identified by their SHA-256. Then type there:");
     thud_document_lines(d, site->options->command);
-    thud_document_paragraph(
-        d, "%s.yaml, the scene as computed with every change made on the command line:", site->scene->name);
+    thud_document_paragraph(d, "%s.yaml, the scene with every change made on the command line:", site->scene->name);
     if (thud_preset_text(site->session->preset, site->scene, &text, &size, NULL) == THUD_OK)
         thud_document_lines(d, text);
     else

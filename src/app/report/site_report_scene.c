@@ -83,8 +83,8 @@ static void say_sliding(struct site *site, int s)
     const struct thud_isolator own = thud_structure_isolator(p);
     const double mass_kg = thud_isolated_weight(p) / THUD_GRAVITY;
     thud_document_item(&site->document,
-                       "Periods of %s, and Sa and Sd at its T1, are those before its isolators %s. On the stiffness "
-                       "beyond it, K_d = %s MN/m, it has as a rigid body the period 2 pi sqrt(m/K_d) = %.3f s.",
+                       "Periods of %s, and Sa and Sd at its T1, apply before its isolators %s. As a rigid body on the "
+                       "stiffness beyond, K_d = %s MN/m, the building has the period 2 pi sqrt(m/K_d) = %.3f s.",
                        thud_site_name(site, s), own.law == THUD_ISOLATOR_PENDULUM ? "slide" : "yield",
                        thud_site_number(1e-6 * own.hardening * own.stiffness_npm, 3).text,
                        2 * acos(-1) * sqrt(mass_kg / (own.hardening * own.stiffness_npm)));
@@ -177,7 +177,7 @@ static void add_load_cases(struct site *site, const struct thud_record *const *r
     thud_document_head(d, head);
     for (int r = 0; r < n; r++)
         add_case_row(site, r + 1, record[r]);
-    thud_document_table(d, n > 1 ? "Files of the ground motions; a reversed one is of the same file"
+    thud_document_table(d, n > 1 ? "Files of the ground motions; reversed motions have the same file"
                                  : "File of the ground motion");
     thud_document_head(d, "no.|file|licence|SHA-256");
     for (int r = 0; r < n; r++) {
@@ -214,7 +214,7 @@ static void suite_spectra(struct site *site, const struct thud_period_mark *mark
         thud_target_words(target, words, sizeof words);
         thud_document_paragraph(&site->document,
                                 "Target of the suite: %s, damping %.3g %%. The mean of the load cases is at least %.3g "
-                                "of it, at %.3g s, over periods of %.3g to %.3g s.",
+                                "times the target (at %.3g s), over periods of %.3g to %.3g s.",
                                 words, 100 * target->damping, scaled.ratio, scaled.ratio_s, scaled.period_s[0],
                                 scaled.period_s[THUD_TARGET_PERIODS - 1]);
     }
@@ -244,15 +244,14 @@ void thud_site_loads(struct site *site)
     thud_record_peak_text(site->record, peak, sizeof peak);
     thud_site_motion(site->record, motion, sizeof motion);
     thud_document_heading(d, "Load cases");
-    thud_document_paragraph(d, "Ground motion along the line of the buildings, the same under all of them. Vertical "
-                               "loads act by P-Delta alone, where it is switched on (input p-delta).");
+    thud_document_paragraph(d, "The ground motion acts along the line of the buildings and is the same under all of "
+                               "them. Vertical loads only act through P-Delta effects, if included (input p-delta).");
     add_load_cases(site, suite, site->suite.leads ? site->suite.plan.nrecords : 1);
-    thud_document_paragraph(
-        d,
-        "Ground motion: %s, %zu samples every %.4g s, %.4g s long; %s at %.4g s, largest velocity %.3g m/s, Arias "
-        "intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
-        motion, site->record->samples, site->record->dt_s, m.duration_s, peak, m.pga_time_s, m.pgv_mps, m.arias_mps,
-        m.d5_95_s);
+    thud_document_paragraph(d,
+                            "Ground motion: %s, %zu samples every %.4g s, %.4g s long; %s at %.4g s. Peak velocity "
+                            "%.3g m/s, Arias intensity %.3g m/s, significant duration (5 to 95 %%) %.3g s.",
+                            motion, site->record->samples, site->record->dt_s, m.duration_s, peak, m.pga_time_s,
+                            m.pgv_mps, m.arias_mps, m.d5_95_s);
     thud_document_table(d, "Response of each building's first mode to this ground motion");
     thud_document_head(d, "structure|T1 s|damping %|Sa g|Sd cm");
     for (int s = 0; s < site->scene->nstructures; s++) {
@@ -277,8 +276,7 @@ void thud_site_loads(struct site *site)
     }
     thud_spectrum_fill(site->record, damping, 0.02, 10, POINTS, point);
     thud_site_figure(site, thud_figure_of_spectrum(point, POINTS, damping, mark, nmarks, "spectrum", ""), 0.45,
-                     "Response spectrum of the ground motion at 5 % damping (Sa of the total acceleration, not the "
-                     "pseudo-acceleration "
-                     "of the tables), with the fundamental periods of the buildings.");
+                     "Response spectrum of the ground motion at 5 % damping, with the fundamental periods of the "
+                     "buildings. Sa is the total acceleration, not the pseudo-acceleration of the tables.");
     free(point);
 }

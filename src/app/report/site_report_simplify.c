@@ -32,7 +32,7 @@ void thud_site_simplify(struct site *site)
     if (!f || f->n == 0)
         return;
     thud_simplify_sentence(f, &text);
-    thud_document_heading(d, "What the model needs");
+    thud_document_heading(d, "Simplified models");
     thud_document_paragraph(d, "Within %.3g %% of every peak, under the ground motion shown in detail: %s.",
                             100 * f->within, text.data ? text.data : "");
     thud_text_clear(&text);
@@ -42,8 +42,8 @@ void thud_site_simplify(struct site *site)
         thud_document_item(d, "%s", line);
     thud_text_clear(&text);
     if (f->steps > 0) {
-        thud_document_table(d, "What can be left out");
-        thud_document_head(d, "simplification|change by itself, %|numbers to be known|work, %");
+        thud_document_table(d, "Possible simplifications");
+        thud_document_head(d, "simplification|change alone, %|number of inputs|work, %");
         for (int i = 0; i < f->steps; i++) {
             const struct thud_simplification *one = &f->one[f->step[i]];
             thud_document_cells(d, "%s\t%s\t%d\t%.0f", one->words, thud_site_number(100 * one->change.all, 2).text,

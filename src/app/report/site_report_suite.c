@@ -131,7 +131,7 @@ static void add_pounding_row(struct site *site, int k)
     if (!isnan(low))
         snprintf(band, sizeof band, "%.0f to %.0f", 100 * low, 100 * high);
     thud_document_cells(&site->document, "%s%s\t%zu of %zu\t%.0f\t%s", site->cases[SITE_NONE + k].words,
-                        touches(site, k) ? ", which they touch" : "", count, f.n, 100 * f.share, band);
+                        touches(site, k) ? ", which is struck" : "", count, f.n, 100 * f.share, band);
     if (n > 0) {
         size_t half;
         at[0] = pounds->exact[0];
@@ -161,8 +161,8 @@ static void add_pounding(struct site *site)
             clear = fmin(clear, f->contact[r].clear_again);
         if (f->clearing > 0)
             thud_document_item(d,
-                               "Under %d of the motions the buildings clear each other again %s, at a factor of %.2f "
-                               "or more.",
+                               "Under %d of the motions the buildings are clear of each other again %s at a larger "
+                               "factor, the smallest being %.2f.",
                                f->clearing, site->cases[SITE_NONE + k].words, clear);
     }
 }
@@ -179,8 +179,8 @@ static void say_widths(struct site *site)
     if (!isnan(f.p84))
         snprintf(most84, sizeof most84, "%zu of them up to %.1f cm, ", f.most84, thud_summary_gap_cm(f.p84));
     thud_document_item(d,
-                       "So that there is no contact, %zu of them need a gap of up to %.1f cm, %sand all of them "
-                       "%.1f cm, between the bare faces.",
+                       "To prevent contact, %zu of the motions require a gap of up to %.1f cm between the bare faces, "
+                       "%sand all of them %.1f cm.",
                        f.half, thud_summary_gap_cm(f.median), most84, thud_summary_gap_cm(f.most));
 }
 
@@ -216,7 +216,8 @@ void thud_site_suite_summary(struct site *site)
     char caption[160];
     add_pounding(site);
     say_widths(site);
-    snprintf(caption, sizeof caption, "Under how many of %d motions a response is lower or higher, ratio to %s",
+    snprintf(caption, sizeof caption,
+             "Number of the %d motions under which a response is lower or higher, and its ratio to %s",
              site->suite.runs->nrecords, site->cases[SITE_NONE].name);
     thud_document_table(&site->document, caption);
     thud_document_head(&site->document, "response|lower|higher|16 %|geometric median|84 %");
@@ -264,14 +265,14 @@ static void gap_verdict(struct site *site, int i)
     thud_interface_gap_text(f, given, sizeof given);
     if (out > 0)
         snprintf(bumper, sizeof bumper, ", %.1f cm with the bumper between them", thud_summary_gap_cm(required + out));
-    size_t n = (size_t)snprintf(text, sizeof text,
-                                "%s given; %.1f cm required between bare faces by %s%s. Exactly, %.1f cm is "
-                                "enough for 50 %% of the motions, ",
-                                given, thud_summary_gap_cm(required), thud_site_gap_source(site, from, sizeof from),
-                                bumper, thud_summary_gap_cm(exact.median));
+    size_t n = (size_t)snprintf(
+        text, sizeof text,
+        "%s given; %.1f cm required between bare faces by %s%s. The exact gap is %.1f cm for 50 %% of the motions, ",
+        given, thud_summary_gap_cm(required), thud_site_gap_source(site, from, sizeof from), bumper,
+        thud_summary_gap_cm(exact.median));
     if (!isnan(exact.p84))
         n += (size_t)snprintf(text + n, sizeof text - n, "%.1f cm for 84 %%, ", thud_summary_gap_cm(exact.p84));
-    snprintf(text + n, sizeof text - n, "%.1f cm for all; the gap given is used up under %d of %d%s",
+    snprintf(text + n, sizeof text - n, "%.1f cm for all; the given gap closes under %d of %d%s",
              thud_summary_gap_cm(exact.most), used_up(site, i), site->gaps.suite.nrecords,
              site->scene->nstructures > 2 ? ", when nothing else touches" : "");
     thud_site_verdict(site, what, text);
@@ -413,18 +414,19 @@ static void add_figures(struct site *site)
     const int last = suite->plan.ncases - 1;
     char caption[240], ida[240], same[96];
     snprintf(caption, sizeof caption,
-             "Under how many of the motions the %s %s the mean acceleration of a building; a share that need not grow "
-             "with their strength has no curve.",
+             "Number of motions under which the %s %s the mean acceleration of a building. A fraction that need not "
+             "increase with the intensity has no curve.",
              site->own->measure, thud_site_verb(site->own, "raises").text);
     snprintf(ida, sizeof ida,
              "Peak drift %s against the scale factor applied to all motions: each of them, and their 16, 50 and 84 %% "
              "fractiles.",
              site->cases[SITE_NONE].words);
-    snprintf(same, sizeof same, "The same %s.", site->own->words);
+    snprintf(same, sizeof same, "Peak drift %s, likewise.", site->own->words);
     for (int k = 0; k < suite->plan.ncases; k++)
         curve[k] = (struct thud_fragility_curve){0, k, &suite->pounds[k]};
-    thud_site_figure(site, thud_figure_of_gaps(&site->gaps.suite, site->scene->title), 0.62,
-                     "Required gap: over the height, and the share of the ground motions that a gap keeps apart.");
+    thud_site_figure(
+        site, thud_figure_of_gaps(&site->gaps.suite, site->scene->title), 0.62,
+        "Required gap over the height, and the fraction of the ground motions for which a gap is sufficient.");
     thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "pounding", curve, suite->plan.ncases, note), 0.62,
                      "Probability of pounding at this gap, against the scale factor applied to all motions.");
     int worse = 0;
@@ -434,10 +436,10 @@ static void add_figures(struct site *site)
         curve[0] = (struct thud_fragility_curve){0, last, &suite->worsens};
         thud_site_figure(site, thud_figure_of_fragility(&suite->plan, "worse", curve, 1, note), 0.62, caption);
     } else if (last > 0) {
-        thud_document_paragraph(&site->document,
-                                "At 0.25 to 2 times their strength the %s %s the mean acceleration of a building under "
-                                "none of the motions.",
-                                site->own->measure, thud_site_verb(site->own, "raises").text);
+        thud_document_paragraph(
+            &site->document,
+            "At scale factors of 0.25 to 2, the %s %s the mean acceleration of a building under none of the motions.",
+            site->own->measure, thud_site_verb(site->own, "raises").text);
     }
     for (int k = 0; k <= last; k += last > 0 ? last : 1)
         thud_site_figure(site, thud_figure_of_ida(suite->runs, 0, k, (const int[THUD_VARY_MAX]){0}, ""), 0.62,
@@ -458,16 +460,16 @@ void thud_site_suite_section(struct site *site)
     add_statistics(site);
     const struct thud_suite *runs = site->suite.runs;
     thud_document_paragraph(d,
-                            "16 %%, median and 84 %% are quantiles of the logarithms where every value is positive. "
-                            "The motions are taken as independent and as equally likely%s.",
-                            runs->ndraws < runs->nrecords ? ", but those of one recording are one draw" : "");
+                            "16 %%, median and 84 %% are quantiles of the logarithms if every value is positive. The "
+                            "motions are assumed to be independent and equally likely%s.",
+                            runs->ndraws < runs->nrecords ? ", except that motions of one recording count as one" : "");
     thud_site_tell(site,
                    &(struct thud_remark_scope){.record = site->suite.plan.record,
                                                .target = site->options->target,
                                                .nrecords = site->suite.plan.nrecords},
                    THUD_REMARK_MOTIONS);
     if (runs->ndraws < THUD_DRAWS_LEAST)
-        thud_document_paragraph(d, "There is no band of %s from so few.",
+        thud_document_paragraph(d, "There are too few motions for a band of %s.",
                                 runs->ndraws < THUD_SHARES_LEAST ? "anything" : "a curve");
     add_figures(site);
 }

@@ -161,8 +161,8 @@ static void samples(struct site *site)
         thud_text_append(&inputs, "%s%s%s", i ? ", " : "", input, sized + strlen(u->input[i].name));
     }
     thud_document_paragraph(d,
-                            "Inputs drawn uniformly over their ranges, independently of each other (seed %llu): %s. "
-                            "Ranges that were not given are defaults of practice.",
+                            "The inputs are sampled uniformly and independently over their ranges (seed %llu): %s. "
+                            "Ranges that were not given are usual values of practice.",
                             site->samples.seed, inputs.data ? inputs.data : "");
     d->failed = d->failed || inputs.failed;
     thud_text_clear(&inputs);

@@ -59,8 +59,8 @@ static const struct floor_table {
 } floor_table[] = {
     [FLOOR_ACCELERATION] = {"Largest acceleration of the floors of %s, g", "floor", THUD_GRAVITY, false},
     [FLOOR_DRIFT] = {"Largest drift of the storeys of %s, mm", "storey", 1e-3, true},
-    [FLOOR_DUCTILITY] = {"Ductility of the storeys of %s (largest drift over yield drift)", "storey", 1, true},
-    [FLOOR_PERMANENT] = {"Drift that stays in the storeys of %s, mm", "storey", 1e-3, true},
+    [FLOOR_DUCTILITY] = {"Ductility of the storeys of %s (peak drift over yield drift)", "storey", 1, true},
+    [FLOOR_PERMANENT] = {"Permanent drift of the storeys of %s, mm", "storey", 1e-3, true},
 };
 enum { FLOOR_TABLES = sizeof floor_table / sizeof *floor_table };
 
@@ -149,7 +149,7 @@ static void say_columns(struct site *site)
     if (!isnan(own->column[most].ratio))
         snprintf(limit, sizeof limit, "; their capacity is %s MN",
                  thud_site_number(1e-6 * own->column[most].capacity_n, 3).text);
-    thud_document_item(&site->document, "Slabs strike columns: the largest shear of those below %s is %s%s.",
+    thud_document_item(&site->document, "Slabs strike columns: the peak shear of the columns below %s is %s%s.",
                        thud_site_columns(site, &own->column[most], name, sizeof name), said, limit);
 }
 
@@ -176,14 +176,12 @@ static void say_reversed(struct site *site)
     struct thud_site_shown turned = thud_site_number(1e-6 * site->reversed.force_n, 3),
                            own = thud_site_number(1e-6 * force, 3);
     if (strcmp(turned.text, own.text) == 0)
-        thud_document_item(&site->document,
-                           "The same motion with reversed polarity gives the same largest force %s, %s MN.",
+        thud_document_item(&site->document, "With reversed polarity, the motion gives the same peak force %s, %s MN.",
                            site->own->words, own.text);
     else
-        thud_document_item(
-            &site->document,
-            "The same motion with reversed polarity gives a largest force of %s MN %s, in place of %s MN.", turned.text,
-            site->own->words, own.text);
+        thud_document_item(&site->document,
+                           "With reversed polarity, the motion gives a peak force of %s MN %s instead of %s MN.",
+                           turned.text, site->own->words, own.text);
 }
 
 static void say_results(struct site *site)
@@ -294,8 +292,8 @@ static void add_column_table(struct site *site)
     char name[THUD_NAME_MAX + 32];
     if (own->ncolumns == 0)
         return;
-    thud_site_case_table(
-        site, "Columns that slabs strike: largest shear V and moment M at their ends, V over capacity C", SITE_FREE);
+    thud_site_case_table(site, "Columns struck by slabs: peak shear V and moment M at their ends, V over capacity C",
+                         SITE_FREE);
     thud_document_cell(d, "columns below");
     for (int i = 0; i < site->ncases; i++)
         thud_document_cells(d, "%c: V MN\t%c: M MN m\t%c: V/C", thud_site_letter(i), thud_site_letter(i),
@@ -375,7 +373,7 @@ static void results(struct site *site)
     if (thud_run_figure_has(THUD_FIGURE_ENVELOPE, source, site->ncases)) {
         struct thud_figure *envelope = thud_run_figure(THUD_FIGURE_ENVELOPE, source, site->ncases);
         thud_site_figure(site, envelope, 0.1 + 0.18 * (envelope ? envelope->rows : 1),
-                         "Largest values over the height, in each case.");
+                         "Peak values over the height in each case.");
     }
     if (thud_run_figure_has(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1)) {
         struct thud_figure *forces = thud_run_figure(THUD_FIGURE_FORCE, &source[SITE_NONE], site->ncases - 1);
@@ -393,7 +391,7 @@ static void results(struct site *site)
     }
     if (thud_run_figure_has(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1))
         thud_site_figure(site, thud_run_figure(THUD_FIGURE_COLUMNS, &source[SITE_NONE], site->ncases - 1), 0.5,
-                         "Largest shear of the columns that slabs strike, over the height.");
+                         "Peak shear of the columns struck by slabs, over the height.");
     floors(site);
 }
 
@@ -424,7 +422,7 @@ const char *thud_site_displacements(const struct site *site, int rule, char *tex
 {
     const struct thud_gap_suite *suite = &site->gaps.suite;
     if (suite->nrecords < 2)
-        snprintf(text, size, "those of this one motion");
+        snprintf(text, size, "those of this single motion");
     else if (thud_gap_suite_means(suite, rule))
         snprintf(text, size, "the means over %d ground motions of %d recordings", suite->nrecords, suite->recordings);
     else
@@ -471,14 +469,15 @@ static void gap_rules(struct site *site)
                                 suite ? "all of the suite require" : "this motion requires", less.data);
     d->failed = d->failed || less.failed;
     thud_text_clear(&less);
-    thud_document_paragraph(d,
-                            "EN (2)(a) and ASCE line apply to buildings with different owners. Each building is set "
-                            "back from the property line by its own displacement, so the gap is their sum. The codes "
-                            "use design displacements; those used here are %s%s.",
-                            displacements,
-                            suite ? " (EN 1998-1:2004, 4.3.3.4.3(3): means of seven recordings or more; "
-                                    "for the ASCE rules of eleven or more, ASCE 7-16, 16.2.2)"
-                                  : "");
+    thud_document_paragraph(
+        d,
+        "EN (2)(a) and ASCE line apply to buildings with different owners. Each building is set "
+        "back from the property line by its own displacement, so the gap is their sum. The codes "
+        "use design displacements; those used here are %s%s.",
+        displacements,
+        suite
+            ? " (EN 1998-1:2004, 4.3.3.4.3(3): means of seven recordings or more; ASCE 7-16, 16.2.2: of eleven or more)"
+            : "");
 }
 
 /* Of three or more structures: one that pushes another changes what is needed beside it. */
@@ -497,9 +496,9 @@ static void row_gaps(struct site *site)
         add_gap_cell(d, row[i].all_together_m);
         thud_document_row(d);
     }
-    thud_document_paragraph(d, "Others as given: the gap from which these two stay clear while the others keep their "
-                               "gaps, and may pound; a run with each gap open gave it. All together: at these gaps "
-                               "there is no contact in the row.");
+    thud_document_paragraph(
+        d, "Others as given: the gap that prevents contact of these two while the others keep their gaps and may "
+           "pound, from a run with this gap open. All together: at these gaps there is no contact in the row.");
 }
 
 static void gap(struct site *site)

@@ -59,9 +59,9 @@ static const char *gap_verdict(const struct site *site, int interface, bool bare
 {
     const bool bare = pounds_at(thud_site_bare(site), interface), /* links stand in what is required */
         own = pounds_at(site->own, interface);
-    return bare  ? (bare_enough ? "not enough, since another building pushes them together" : "not enough")
-           : own ? (own_enough ? "not enough with the bumper, since another building pushes them together"
-                               : "enough without the bumper, not with it")
+    return bare  ? (bare_enough ? "insufficient, because another building pushes them together" : "not enough")
+           : own ? (own_enough ? "insufficient with the bumper, because another building pushes them together"
+                               : "sufficient without the bumper, insufficient with it")
                  : "enough";
 }
 
@@ -227,9 +227,10 @@ static void failing_row(struct site *site)
     else
         thud_text_append(&text, "not assessed: the storeys are modelled as elastic");
     if (r->ncolumns > 0 && known > 0)
-        thud_text_append(&text, "; struck columns bear more than they can in %d of %d storeys", failing, known);
+        thud_text_append(&text, "; the shear of struck columns exceeds their capacity in %d of %d storeys", failing,
+                         known);
     else if (r->ncolumns > 0)
-        thud_text_append(&text, "; struck columns have no capacity to compare with");
+        thud_text_append(&text, "; struck columns have no given capacity");
     for (int s = 0; s < r->nstructures; s++)
         if (site->scene->structure[s].kind == THUD_ISOLATED)
             thud_text_append(&text, "; the isolators of %.64s are displaced by up to %s mm", thud_site_name(site, s),
@@ -249,8 +250,8 @@ static void motion_row(struct site *site)
     thud_record_peak_text(site->record, peak, sizeof peak);
     thud_site_motion(site->record, motion, sizeof motion);
     if (site->suite.leads)
-        snprintf(which, sizeof which, "load case %d, which %s, of which are the rows below: ", site->detail + 1,
-                 site->options->detail > 0 ? "was asked for" : "needs the widest gap");
+        snprintf(which, sizeof which, "load case %d, which %s and governs the rows below: ", site->detail + 1,
+                 site->options->detail > 0 ? "was selected" : "needs the widest gap");
     snprintf(text, sizeof text, "%s%.280s, %s", which, motion, peak);
     thud_site_verdict(site, site->suite.leads ? "ground motion shown in detail" : "ground motion", text);
 }

@@ -23,7 +23,7 @@ static const struct {
      {{"no bumper", "without the bumper"},
       {"no links", "without the links"},
       {"neither bumper nor links", "without the bumper and links"},
-      {"pounding", "at the gap given"}}},
+      {"pounding", "at the given gap"}}},
     {"bumper", {{"bumper", "with the bumper"}, [OF_BOTH] = {"bumper, no links", "with the bumper and without links"}}},
     {"cavity",
      {{"bumper in a cavity", "with the bumper in a cavity"},
@@ -33,7 +33,7 @@ static const struct {
      {{"bumper", "with the bumper"},
       {"links", "with the links"},
       {"bumper and links", "with the bumper and links"},
-      {"pounding", "at the gap given"}}}};
+      {"pounding", "at the given gap"}}}};
 
 int thud_scene_measures(const struct thud_scene *scene)
 {
