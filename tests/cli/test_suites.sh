@@ -455,7 +455,7 @@ is "is what thud gap says of each sample's motion" needed_by_motion
 sed '/^record:/,/^structures:/{/^structures:/!d;}' presets/towers.yaml >"$tmp/motionless.yaml"
 is "a scene without a motion of its own takes the suite's" gives 0 uncertainty "$tmp/motionless.yaml" --records "$three" --samples 2 --to 5s --quiet
 is "a building that is not there" gives 3 uncertainty towers --uncertain stiffness.C=5%
-is "is named" says '"stiffness.C" is nothing that this scene has'
+is "is named" says '"stiffness.C" is not an input of this scene'
 is "Sobol's sequence" gives 0 uncertainty towers --set gap=12cm --samples 16 --sampling sobol -j 2 -o "$tmp/sobol" --quiet
 sixteenths() { awk -F, 'NR > 1 { for (i = 2; i <= 9; i++) hit[i, int($i * 16)]++; rows++ } END { n = 0; for (k in hit) n++; exit !(rows == 16 && n == 128) }' "$tmp/sobol/samples.csv"; }
 is "fills every sixteenth once" sixteenths

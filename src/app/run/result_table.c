@@ -45,7 +45,7 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     enum { COLUMNS = 65 };
     struct thud_error fall;
     if (thud_collapse_remark(report->scene, &report->result->collapse, &fall))
-        thud_text_append(out, "COLLAPSE       %s;\n               the peaks below are those before it\n", fall.what);
+        thud_text_append(out, "COLLAPSE %s;\n the peaks below are those until then\n", fall.what);
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
@@ -103,26 +103,25 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
                          thud_digits(1e-6 * r->overturning.value, 5, number), r->overturning.time_s);
     if (thud_period_is_estimated(p)) {
         const struct thud_estimate e = thud_structure_estimate(p);
-        thud_text_append(
-            out,
-            "\nestimated: T1 %.4g s by EN 1998-1 4.3.3.2.2(3), taken %.4g times; %.4g s by ASCE 7-16 "
-            "12.8.2.1;\nmeasured periods are %.4g to %.4g times such estimates (`thud gap` takes them all); "
-            "floors of %.4g t, %.4g t/m2",
-            e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST, 1e-3 * p->mass_kg[0],
-            1e-3 * p->mass_kg[0] / p->area_m2);
+        thud_text_append(out,
+                         "\nestimated: T1 %.4g s by EN 1998-1 4.3.3.2.2(3), multiplied by %.4g; %.4g s by ASCE 7-16 "
+                         "12.8.2.1;\nmeasured periods are %.4g to %.4g times such estimates (`thud gap` covers this "
+                         "range); floors of %.4g t, %.4g t/m2",
+                         e.en1998_s, p->period_factor, e.asce7_s, THUD_ESTIMATE_LEAST, THUD_ESTIMATE_MOST,
+                         1e-3 * p->mass_kg[0], 1e-3 * p->mass_kg[0] / p->area_m2);
     }
     if (thud_isolator_slides(p))
-        thud_text_append(out, "\nisolators: %s, displaced by %.4g mm at %.3f s, by %.4g mm in the end; %.5g kJ lost",
+        thud_text_append(out, "\nisolators: %s, displacement %.4g mm at %.3f s, %.4g mm at the end; %.5g kJ lost",
                          thud_isolator_name(thud_structure_isolator(p).law), 1e3 * r->floor[0].drift.value,
                          r->floor[0].drift.time_s, 1e3 * r->storey[0].permanent_m, 1e-3 * r->storey[0].hysteretic_j);
     if (r->foundation)
-        thud_text_append(
-            out,
-            "\nfoundation: sways by %.4g mm at %.3f s, rocks by %.4g mrad at %.3f s (%.4g mm at the roof); "
-            "T1 %.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil (of the undamped mode)",
-            1e3 * r->foundation[0].displacement.value, r->foundation[0].displacement.time_s,
-            1e3 * r->foundation[1].displacement.value / r->arm_m, r->foundation[1].displacement.time_s,
-            1e3 * r->foundation[1].displacement.value, r->rigid_period_s, 1e2 * p->damping, 1e2 * r->soil_damping);
+        thud_text_append(out,
+                         "\nfoundation: sway %.4g mm at %.3f s, rocking %.4g mrad at %.3f s (%.4g mm at the roof); T1 "
+                         "%.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil (of the undamped mode)",
+                         1e3 * r->foundation[0].displacement.value, r->foundation[0].displacement.time_s,
+                         1e3 * r->foundation[1].displacement.value / r->arm_m, r->foundation[1].displacement.time_s,
+                         1e3 * r->foundation[1].displacement.value, r->rigid_period_s, 1e2 * p->damping,
+                         1e2 * r->soil_damping);
     const struct thud_floors floors = {report, s};
     const struct thud_rows rows = thud_floor_rows(&floors), storeys = thud_storey_rows(&floors);
     thud_text_append(out, "\n");
@@ -216,8 +215,8 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
 static void add_truncation(const struct thud_truncation *t, struct thud_text *out)
 {
     thud_text_append(out,
-                     "modes          the lowest %d of each building, %d left out: against all of them peaks differ by\n"
-                     "               up to %.3g %% (acceleration), %.3g %% (drift), %.3g %% (force)\n",
+                     "modes the lowest %d of each building, %d omitted: relative to all modes peaks differ by\n up to "
+                     "%.3g %% (acceleration), %.3g %% (drift), %.3g %% (force)\n",
                      t->modes, t->left_out, 100 * t->acceleration, 100 * t->drift, 100 * t->force);
 }
 

@@ -143,8 +143,8 @@ static void put_clearing(const struct thud_fragility_study *study, const struct 
         clear = fmin(clear, f->contact[r].clear_again);
     if (isfinite(clear))
         thud_text_append(out,
-                         "\nCase %s: contact is not monotone in the motion. The median is that of the first contact;\n"
-                         "under %d of %d motions a larger factor clears again, at %.4g or more.\n",
+                         "\nCase %s: contact is not monotonic in the motion. The median is that of the first contact;\n"
+                         "under %d of %d motions there is no contact again at a factor of %.4g or more.\n",
                          thud_case_name(study->suite->plan->cases[line->k]), f->clearing, f->nexact, clear);
 }
 

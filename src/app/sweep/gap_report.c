@@ -192,8 +192,8 @@ static void put_row(const struct thud_gap_study *study, struct thud_text *out)
         thud_text_append(out, "\n");
     }
     thud_text_append(out,
-                     "Others as given: from this gap on the interface stays clear while the others pound at\n"
-                     "their gaps; %d runs with it open. All together: no contact at these gaps.\n",
+                     "Others as given: the gap that prevents contact here while the others keep their gaps and\n"
+                     "may pound; %d runs with it open. All together: no contact at these gaps.\n",
                      study->row_runs);
 }
 

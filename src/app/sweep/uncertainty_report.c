@@ -241,8 +241,8 @@ static void put_missing(const struct thud_uncertainty_study *study, struct thud_
     const size_t missing = count_collapsed(study);
     if (missing > 0)
         thud_text_append(out,
-                         "In %zu of %zu samples a storey collapses or a run fails: they have no values from there on,\n"
-                         "and the fractiles are those of the others.\n\n",
+                         "In %zu of %zu samples a storey collapses or a run fails. They have no values beyond that,\n"
+                         "and the fractiles are those of the other samples.\n\n",
                          missing, thud_uncertainty_samples(study));
 }
 

@@ -9,22 +9,19 @@
 #include "lab/paper/paper_report.h"
 
 static const char *const difference[] = {
-    "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. With the pull cut off, as the "
-    "paper has it, the bodies leave faster: 0.632 for a coefficient of 0.6. The preset keeps the paper's "
-    "way; with the exact damping the bodies part with 0.6.",
-    "Restitution of rubber. Eq. (7) is a fit and its units do not cancel; with the mass in kg and the speed in m/s it "
-    "gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.",
-    "Eq. (1) is taken as a force law, not as a rule that uses the step before: that would create energy, and the "
-    "result "
-    "would depend on the step. Impacts are located in time.",
-    "Eq. (5) as printed lets the force drop where the motion turns past the ultimate strain. Where the structures go "
-    "on "
-    "pushing with a force between both branches, the contact sticks until that force leaves the interval.",
+    "Restitution of concrete. Eq. (3) is exact for a contact that pulls at the end. Without tension, as in the paper, "
+    "the bodies separate faster: 0.632 for a coefficient of 0.6. The preset follows the paper; with the exact damping "
+    "the bodies separate with 0.6.",
+    "Restitution of rubber. Eq. (7) is a fit and dimensionally inconsistent. With the mass in kg and the speed in m/s, "
+    "it gives about 0.51 at 0.5 m/s for a coefficient of 0.5, and more at lower speeds.",
+    "Eq. (1) is used as a force law, not as a formula with the previous step. The latter would create energy, and the "
+    "result would depend on the step. Impacts are located in time.",
+    "With eq. (5) as printed, the force drops if the motion reverses beyond the ultimate strain. If the structures "
+    "push with a force between both branches, the contact sticks until that force leaves the interval.",
     "Peaks are those of the continuous history, not of stored samples.",
-    "What the paper leaves open: the sign of the records (here as recorded), the storey height (here 3 m; levels need "
-    "only agree), the speed and the coefficients of Fig. 3 (here 1.2 m/s; 0.3, 0.5, 0.7), the impact speed of a "
-    "contact "
-    "that begins at rest with clearance 0 (here at least 1 mm/s in Eq. (7)), free vibration after the record.",
+    "The paper does not state some values. The sign of the records is here as recorded; the storey height is 3 m "
+    "(levels need only agree). Fig. 3 uses 1.2 m/s and coefficients of 0.3, 0.5 and 0.7. In Eq. (7), the speed of a "
+    "contact that begins at rest with clearance 0 is at least 1 mm/s. Free vibration follows the record.",
 };
 
 /* By the paper's number. */
@@ -154,9 +151,9 @@ static void by_floor(const struct thud_paper_study *study, struct thud_document 
     char caption[THUD_NAME_MAX + 200];
     thud_document_heading(d, "Results");
     thud_document_paragraph(
-        d, "Each ratio is a peak with the bumper over the same peak without it, at the same gap; below "
-           "1 the bumper helps. Gaps are counted as below 1 where it lowers the peak by more than "
-           "0.1 %%. Accelerations are those of the floors, drifts those of the storeys below them.");
+        d, "Each ratio is a peak with the bumper divided by the same peak without it, at the same gap; below 1 the "
+           "bumper helps. A gap counts as below 1 if the bumper lowers the peak by more than 0.1 %%. Accelerations are "
+           "those of the floors, drifts those of the storeys below them.");
     snprintf(caption, sizeof caption, "Ratios floor by floor under %.150s", table->record[0]);
     thud_document_table(d, caption);
     thud_document_head(d, "building|floor|" RATIOS);
@@ -202,10 +199,9 @@ static void needs(const struct thud_paper_study *study, struct thud_document *d)
     if (!any)
         return;
     thud_document_heading(d, "Required gap");
-    thud_document_paragraph(d,
-                            "The required gap is the largest relative displacement of two floors that move without "
-                            "contact, at the level that needs most; beside it stands what three rules of combination "
-                            "ask for there; all are rounded up to a millimetre.");
+    thud_document_paragraph(
+        d, "The required gap is the largest relative displacement of two floors without contact, at the governing "
+           "level. The gaps of three combination rules are given for comparison. All are rounded up to a millimetre.");
     thud_document_table(d, "Required gap, cm");
     thud_document_head(d, "ground motion|floor|required|ABS|SRSS|DDC");
     for (int r = 0; r < table->nrecords; r++) {
@@ -235,11 +231,11 @@ static void differences(const struct thud_paper_study *study, struct thud_docume
     for (size_t i = 0; i < sizeof difference / sizeof *difference; i++)
         thud_document_item(d, "%s", difference[i]);
     if (surrogates > 0)
-        thud_document_item(d,
-                           "Ground motions. %d of the %d are synthetic motions with the peak and the main pulse of the "
-                           "recorded ones and nothing else of them; the curves of Figs. 7, 8 and 10 are theirs. "
-                           "The recorded ones can be given in their place.",
-                           surrogates, study->table->nrecords);
+        thud_document_item(
+            d,
+            "Ground motions. %d of the %d are synthetic motions, with only the peak and the main pulse of the recorded "
+            "motions. The curves of Figs. 7, 8 and 10 are for these. Recorded motions can be used instead.",
+            surrogates, study->table->nrecords);
     else
         thud_document_item(d, "Ground motions. The files above, with the peaks above. Other processings of the same "
                               "records differ, and impacts amplify small differences.");

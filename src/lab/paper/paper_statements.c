@@ -486,7 +486,7 @@ static enum verdict usable(const struct view *v, char *text)
         full += contact && value_of(v->table->point[i], THUD_CASE_CAVITY, THUD_MEASURE_INDENTATION) >= v->strained_m;
     }
     snprintf(text, TEXT,
-             "it is struck up to a gap %.2g cm narrower under %d of %d motions; %.0f mm are used at %d of %d studies "
+             "it is struck at gaps up to %.2g cm narrower under %d of %d motions; %.0f mm are used in %d of %d studies "
              "with contact",
              100 * saved_m, spared, motions, 1e3 * v->strained_m, full, struck);
     return judge(motions > 0 && spared == motions && full > 0, full > 0 || spared > 0);
@@ -530,28 +530,29 @@ static const struct statement {
      amplified},
     {"Section 1: at the pounding floors impulses of short period and high amplitude, which depends on the impact "
      "stiffness",
-     "at the preset's gap, concrete: above twice that without pounding, for less than a tenth of a period, and changed "
-     "by more than 10 % from a quarter to four times the stiffness; partly: high or brief",
+     "at the preset's gap, concrete: above twice that without pounding, for less than a tenth of a period. From a "
+     "quarter to four times the stiffness it changes by more than 10 %. Partly: high or brief",
      true, spikes},
     {"Section 2.1: a small plastic deformation increases the clearance",
      "a plastic indentation stays in every contact with impacts, at the preset's gap without bumper", true, widened},
     {"Section 2.2: bumpers may reduce the response due to pounding, which remains above that without pounding ([6])",
-     "no mean over the floors is below that without pounding where the bumper is struck, and some are below that of "
-     "bare pounding; partly: more than half are not below",
+     "with a struck bumper, no mean over the floors is below that without pounding, and some are below that of bare "
+     "pounding. Partly: more than half are not below",
      true, bumper_above_free},
     {"Section 2.2: a linear law is not the most suitable for rubber",
      "a linear spring with the rubber's largest force at 0.5 m/s misses it by more than 10 % at 0.25 and 1.0 m/s",
      false, linear_rubber},
-    {"Section 2.2: the ultimate strain may be reached in severe impacts", "the bumper on the wall is pressed past it",
-     true, strained},
+    {"Section 2.2: the ultimate strain may be reached in severe impacts",
+     "the bumper on the wall is compressed beyond it", true, strained},
     {"Eq. (6) gives Table 1's 0.36 kN/mm^2.65 of the bumper", "from the paper's own numbers; partly: the units agree",
      false, equation6},
     {"Fig. 3: past the ultimate strain, three coefficients of restitution",
-     "pressed past it, one curve of approach, and speeds after within 1 % of the coefficients; partly: not the speeds",
+     "compressed beyond it, one curve of approach, and separation speeds within 1 % of the coefficients; partly: not "
+     "the speeds",
      false, figure3},
     {"Fig. 4: the indentation is much larger with the rubber", "more than twice as large at both speeds", false,
      indentation},
-    {"Fig. 4: at 1.0 m/s the bumper is pressed past its 40 mm and the force rises rapidly",
+    {"Fig. 4: at 1.0 m/s the bumper is compressed beyond its 40 mm and the force rises rapidly",
      "past it, and more than twice the force at 0.5 m/s", false, past_strain},
     {"Fig. 5: the bumper lengthens the impact and reduces force and acceleration", "both, at both speeds", false,
      softer},
@@ -573,8 +574,8 @@ static const struct statement {
      "%",
      true, ratio_of_means},
     {"Fig. 8: the character of the earthquake affects the effectiveness, with the size of the clearance",
-     "mean accelerations of a building rise under one motion and fall under another at more than half of the gaps; "
-     "partly: at some, or differ by more than 0.1",
+     "mean accelerations of a building rise under one motion and fall under another at more than half of the gaps. "
+     "Partly: at some, or they differ by more than 0.1",
      true, character},
     {"Fig. 8: the bumper amplifies the response in most of the times", "more than half of the means that it changes",
      true, mostly_amplified},
@@ -588,7 +589,7 @@ static const struct statement {
      "their mean by more than 0.05, and more than half of them; partly: their mean", true, cavity},
     {"Section 5: the effectiveness depends on the structures, such as the number of storeys",
      "beside 5 to 8 storeys, the 4-storey building's mean acceleration rises with one and falls with another at more "
-     "than half of the gaps; partly: at some, or differs by more than 0.1",
+     "than half of the gaps. Partly: at some, or it differs by more than 0.1",
      true, storeys},
 };
 
@@ -632,8 +633,8 @@ static void put_forces(const struct view *v, const char *what, struct thud_docum
         past += with_n > none_n && value_of(point, THUD_CASE_BUMPER, THUD_MEASURE_INDENTATION) > v->strained_m;
     }
     thud_document_item(d,
-                       "Motions %s: the bumper on the wall makes the largest force larger at %d of %d gaps with "
-                       "pounding; at %d of those it is pressed past its ultimate strain, where concrete acts.",
+                       "Motions %s: the bumper on the wall increases the largest force at %d of %d gaps with pounding. "
+                       "At %d of these it is compressed beyond its ultimate strain, where concrete acts.",
                        what, harder, n, past);
 }
 
@@ -649,9 +650,9 @@ void thud_paper_statements(const struct thud_paper_study *study, struct thud_doc
                                  {study, study->turned, &study->runs[1], strained_m}};
     thud_document_heading(d, "What the paper says, and what was found");
     thud_document_paragraph(
-        d, "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, except where "
-           "no pounding is said; those within 0.1 %% of 1 count as no change. Motions as given and with reversed "
-           "polarity are judged apart: where they differ, the statement is borne out partly.");
+        d, "Each statement has one criterion. Ratios are with the bumper over without it at the same gap, unless no "
+           "pounding is stated. Ratios within 0.1 %% of 1 count as no change. Both polarities of the motions are "
+           "assessed separately: if they differ, the statement is partly supported.");
     thud_document_table(d, "Statements of the paper, their criteria and what was found");
     thud_document_head(d, "the paper|criterion|motions as given|motions reversed|borne out");
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)

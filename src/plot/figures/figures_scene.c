@@ -364,9 +364,8 @@ struct thud_figure *thud_figure_of_scene(const struct thud_scene *scene, const c
         contacts(&d, i);
     links(&d);
     snprintf(note, sizeof note,
-             "Levels and slabs to scale (a thin slab at least as a line); widths of the buildings are no input; gaps "
-             "and bumpers "
-             "drawn %.4g times as wide as they are.",
+             "Levels and slabs are to scale (thin slabs at least as a line). Widths of the buildings are not inputs. "
+             "Gaps and bumpers are drawn %.4g times their width.",
              d.wider);
     thud_figure_note(figure, note);
     return figure;

@@ -94,13 +94,10 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
             break;
         return put_size(inputs, (enum thud_input)i, of, n, q.value, err);
     }
-    return thud_error_refuse(
-        err, THUD_USAGE, "--uncertain",
-        "gap, motion, stiffness, damping, mass, bumper-stiffness, yield, column-stiffness, link: 5 %, up to 90 %; "
-        "contact-stiffness, period, soil-stiffness: a factor from 1; restitution, bumper-exponent, hardening: 0.1, up "
-        "to 1; elevation: 5 cm, "
-        "up to 10 m; of one building stiffness.A=5 %, of all of them besides stiffness.common=10 %",
-        "\"%.60s\" is not an input with its size", text);
+    return thud_error_refuse(err, THUD_USAGE, "--uncertain",
+                             "INPUT=SIZE: gap=5 %, contact-stiffness=2, restitution=0.1, elevation=5 cm; for one "
+                             "building stiffness.A=5 %, for all stiffness.common=10 %; see thud(1)",
+                             "\"%.60s\" is not an input with its size", text);
 }
 
 /* The value of the laws of contacts and bumpers that an input is. */
@@ -421,10 +418,10 @@ static enum thud_status find_inputs(struct thud_uncertainty *u, const struct thu
         add_input(u, THUD_INPUT_RECORD, -1, u->nsuite, "");
     for (int i = 0; i < inputs->nown; i++)
         if (!used[i])
-            return thud_error_refuse(
-                err, THUD_INPUT, "--uncertain",
-                "the name or number of a building that has such a thing, the number of an interface",
-                "\"%s.%s\" is nothing that this scene has", infos[inputs->own[i].input].name, inputs->own[i].of);
+            return thud_error_refuse(err, THUD_INPUT, "--uncertain",
+                                     "the name or number of a building with this input, or the number of an interface",
+                                     "\"%s.%s\" is not an input of this scene", infos[inputs->own[i].input].name,
+                                     inputs->own[i].of);
     for (int i = 0; i < THUD_INPUT_RECORD; i++)
         if (inputs->asked[i] && !has_input(u, (enum thud_input)i)) {
             thud_error_refuse(err, THUD_INPUT, "--uncertain", NULL, "this scene has no %s that could be uncertain",

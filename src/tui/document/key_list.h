@@ -91,10 +91,9 @@ THUD_KEY(GENERAL, SAVE_AS, 'W', 0, "W", "+save as", "save the preset under anoth
 THUD_KEY(GENERAL, OPEN, 'o', 0, "o", "open", "open another preset")
 THUD_KEY(GENERAL, REMARKS, '!', 0, "!", "+remarks",
          "list the remarks counted above, energy, tolerance and sign; each leads to its field")
-THUD_KEY(
-    GENERAL, FIND, '/', THUD_CTRL('p'), "/", "find",
-    "find anything by letters of its name (also Ctrl-P): fields, figures, screens, keys, commands, presets, ground "
-    "motions, states, lines of the study and of the help")
+THUD_KEY(GENERAL, FIND, '/', THUD_CTRL('p'), "/", "find",
+         "find anything by letters of its name (also Ctrl-P): fields, figures, screens, keys, commands, presets, "
+         "ground motions, states, lines of study and help")
 THUD_KEY(GENERAL, COMMAND, ':', 0, ":", "+command",
          "open the command line: set KEY VALUE, case, record, run, open, w, q, ...")
 THUD_KEY(GENERAL, MESSAGES, THUD_CTRL('o'), 0, "^O", "", "list the actions and messages so far")

@@ -14,27 +14,26 @@
 enum { KEY_COLUMN = 3, HELP_COLUMN = 10, NAME_COLUMN = 3, FIELD_COLUMN = 7 };
 
 static const char *const model[] = {
-    "A scene is a ground motion and a row of structures, with an interface between each two neighbours. Displacements "
+    "A scene is a ground motion and a row of structures, with an interface between two neighbours. Displacements "
     "are relative to the ground, positive to the right.",
     "Shear building: a mass for each floor, a spring for each storey, the same damping ratio in every mode. Isolated "
-    "building: the same on a slab on an isolator. Rigid body: one free mass with a velocity at the start. Wall: moves "
-    "with the ground. Floors at the same height can meet.",
+    "building: a shear building on a slab with isolators. Rigid body: one free mass with an initial velocity. Wall: "
+    "moves with the ground. Floors at the same height can collide.",
     "Bare contact, linear viscoelastic without tension: F = k d + c d' while that is positive; c = 2 xi sqrt(k m), m = "
-    "m1 m2/(m1 + m2), xi from the coefficient of restitution. damping paper: the classical formula, which parts "
-    "faster than the coefficient says; damping exact: the bodies really part with it.",
+    "m1 m2/(m1 + m2), xi from the coefficient of restitution. damping paper: the classical formula; bodies separate "
+    "faster than specified. damping exact: bodies separate as specified.",
     "Rubber bumper: F = k d^n on approach, past the ultimate strain a line of stiffness post-yield; on restitution F "
     "= k d^n (1 + C d').",
     "clearance = gap - (thickness - cavity).",
     "Three cases are run after every edit: no pounding (no contact at all), no bumper (bare contact at the same gap), "
     "and the bumper as written. ratio = bumper : no bumper; below 1 the bumper helps. Every peak is that of the "
     "continuous history, not of printed samples.",
-    "Sweep follows every edit in the same way, and what it varies may have any value in the scene meanwhile; studies "
-    "that would take more than some seconds wait for r. Of several ground motions (records: a folder, a list, files) "
-    "it "
-    "shows medians and bands first, and after them the required gap and the fragility of the events. Other "
-    "studies (:bench, :simplify, :stability, :uncertainty, ...) have a form each, and show their figures on the shelf.",
+    "Sweep also follows every edit; the varied keys may have any value in the scene. Studies that take more than a few "
+    "seconds wait for r. For several ground motions (records: a folder, a list, files) it shows medians and bands, "
+    "then the required gap and the fragility of the events. Other studies (:bench, :simplify, :stability, "
+    ":uncertainty, ...) have forms, and show their figures on the shelf.",
     "Values take units and convert: 50 mm, 5cm, 0.05 m, 320 t, 600 MN/m, 2500 kN/mm, 0.36 kN/mm^2.65, 0.821 g, 5 %. "
-    "The decimal sign is a point. Without a unit the one shown is meant. All digits typed are kept.",
+    "The decimal sign is a point. Without a unit, the unit shown applies. All digits typed are kept.",
 };
 
 static struct thud_help_line *add(struct thud_help_text *text, enum thud_help_kind kind)
