@@ -252,9 +252,9 @@ is "--modes: all of them are the same bytes" cmp -s "$tmp/out" "$tmp/json"
 is "--modes: fewer" gives 0 run towers --json --modes 2
 is "with the error of it" shows '"truncation": {"modes": 2, "left_out": 6, "acceleration": 0[.]'
 gives 0 run towers --modes 2
-is "in the table too" shows "the lowest 2 of each building, 6 left out"
+is "in the table too" shows "the lowest 2 of each building, 6 omitted"
 is "--modes with a stepping method" gives 0 run towers --modes 2 --method rk4 --step 2ms
-is "with the error of it" shows "the lowest 2 of each building, 6 left out"
+is "with the error of it" shows "the lowest 2 of each building, 6 omitted"
 is "the step that was taken" shows "^ *step 0.002 s, "
 is "its own" gives 0 run towers --method rk4
 is "is told" shows "^ *step 0.003333 s (its own choice), "

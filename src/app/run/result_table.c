@@ -45,7 +45,10 @@ static void add_results(const struct thud_report *report, struct thud_text *out)
     enum { COLUMNS = 65 };
     struct thud_error fall;
     if (thud_collapse_remark(report->scene, &report->result->collapse, &fall))
-        thud_text_append(out, "COLLAPSE %s;\n the peaks below are those until then\n", fall.what);
+        thud_text_append(out,
+                         "COLLAPSE       %s;\n"
+                         "               the peaks below are those until then\n",
+                         fall.what);
     const struct thud_scene *scene = report->scene;
     const struct thud_result *r = report->result;
     for (int i = 1; i < scene->nstructures; i++) {
@@ -214,10 +217,11 @@ static void add_foot(const struct thud_report *report, struct thud_text *out)
 
 static void add_truncation(const struct thud_truncation *t, struct thud_text *out)
 {
-    thud_text_append(out,
-                     "modes the lowest %d of each building, %d omitted: relative to all modes peaks differ by\n up to "
-                     "%.3g %% (acceleration), %.3g %% (drift), %.3g %% (force)\n",
-                     t->modes, t->left_out, 100 * t->acceleration, 100 * t->drift, 100 * t->force);
+    thud_text_append(
+        out,
+        "modes          the lowest %d of each building, %d omitted: relative to all modes peaks differ by\n"
+        "               up to %.3g %% (acceleration), %.3g %% (drift), %.3g %% (force)\n",
+        t->modes, t->left_out, 100 * t->acceleration, 100 * t->drift, 100 * t->force);
 }
 
 void thud_result_table(const struct thud_report *report, struct thud_text *out)
