@@ -222,6 +222,8 @@ void thud_cli_remarks(const struct thud_args *args, const struct thud_remark_sco
         thud_remarks_find(scope, thud_args_has(args, "quiet") ? about & THUD_REMARK_LEDGER : about);
     for (int i = 0; i < found.n; i++)
         thud_cli_warn(&found.item[i].said);
+    if (found.is_short)
+        fprintf(stderr, "thud: warning: out of memory: some remarks are missing\n");
     thud_remarks_clear(&found);
 }
 

@@ -132,7 +132,7 @@ is "the right building higher" [ "$(most elevation.B most)" = "$(shear --set str
 is "and lower" [ "$(most elevation.B least)" = "$(shear --set structures.2.base=-0.4m)" ]
 is "and the left one" [ "$(most elevation.A least)" = "$(shear --set structures.1.base=-0.4m)" ]
 is "an elevation is a length" gives 2 uncertainty $scene --uncertain elevation=5%
-is "and it is said" says 'elevation: 5 cm, up to 10 m'
+is "and it is said" says 'elevation=5 cm (at most 10 m)'
 
 # sentences name the slab and the columns
 is "the cases of a run" gives 0 run $scene --cases none,bumper

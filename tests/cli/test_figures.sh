@@ -189,7 +189,7 @@ storeys() {
 }
 is "other numbers of storeys" grep -q "| one rises while another $(storeys);" "$tmp/statements"
 is "the verdict follows from both signs" grep -q 'means that the bumper changes [0-9]* (4[0-9] %) | of [0-9]* means that the bumper changes [0-9]* (5[0-9] %) | partly' "$tmp/statements"
-is "what the bumper does to forces stands there" grep -q "largest force larger at [0-9]* of [0-9]* gaps with pounding" "$tmp/all/report.md"
+is "what the bumper does to forces stands there" grep -q "increases the largest force at [0-9]* of [0-9]* gaps with pounding" "$tmp/all/report.md"
 is "study.json names the motions with their factors" [ "$(grep -c '"file_peak_mps2": .*"scale": ' "$tmp/all/study.json")" -eq 3 ]
 is "and a scene that is a preset" sh -c "sed -n '/\"scene\"/,\$p' '$tmp/all/study.json' | grep -q structures"
 needed=$("$THUD" gap towers --csv 2>/dev/null | awk -F, 'NR > 1 && $7 > m { m = $7 } END { x = 1000 * m; printf "%.1f", (int(x) + (x > int(x))) / 10 }')

@@ -357,9 +357,10 @@ if [ -d gap ] && [ -d one ]; then
         [ -z "$cut" ] || printf 'set record.file kobe-surrogate.csv\nset record.peak 0.6 g\nset record.from 6 s\nset record.to 10 s\n'
     } >session
     "$THUD" --play session >played.txt 2>played.err || complain "the terminal: $(head -c 200 played.err)"
-    # of one of its interfaces; what a setting leaves as it was is not said again
+    # of one of its interfaces, bare or with the bumper; what a setting leaves as it was is not said again
     sed '1,/^> open/d' played.txt | sed -n 's/.*needs \([0-9.]*\) cm.*/\1/p' | tail -1 >said-terminal
-    [ -z "$cut" ] || sed -n 's/^\(summary\|  \) .*needs [0-9.]* cm (\([0-9.]*\) bare).*/\2/p; t; s/^\(summary\|  \) .*needs \([0-9.]*\) cm.*/\2/p' run.txt | awk -v said="$(cat said-terminal)" '$1 + 0 == said + 0 { found = 1 } END { exit !found }' ||
+    [ -z "$cut" ] || sed -n '/^summary/,/^[^ s]/s/.*needs \([0-9.]*\) cm\( (\([0-9.]*\) bare)\)*.*/\1 \3/p' run.txt | tr ' ' '\n' |
+        awk -v said="$(cat said-terminal)" '$1 != "" && $1 + 0 == said + 0 { found = 1 } END { exit !found }' ||
         complain "the required gap of terminal and run: $(cat said-terminal) and $(cat said-run) cm"
 fi
 tell "the required gap of run, gap, sweep, uncertainty, report and terminal"

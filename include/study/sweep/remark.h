@@ -83,6 +83,7 @@ struct thud_remark {
 struct thud_remarks {
     int n;
     struct thud_remark *item; /* (n) in the order of the rows */
+    bool is_short;            /* there was no memory for one more */
 };
 
 /* Subjects of the search; NULL or 0: none, and its rows give no remarks. */

@@ -86,11 +86,22 @@ static int intervals_near(const double *x, int intervals, double near, int *list
     return count;
 }
 
+/* Rate of a sum at an end of the intervals; 0 of one that has a part of rates itself. */
+static double sum_rate(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum,
+                       int t)
+{
+    const struct thud_model_structure *p = &m->structure[sum->structure];
+    double rate = 0;
+    for (int j = 0; j < p->modes && !sum->rate; j++)
+        rate += sum->row[j] * f->qd[(p->first_mode + j) * THUD_FREE_VIBRATION_ENDS + t];
+    return sum->by_row * rate;
+}
+
 /* Rate of a row's value at end t of an interval whose ground acceleration there is `ground`. */
 static double rate_at(const struct thud_model *m, struct thud_free_vibration *f, const struct thud_peak_row *row, int t,
                       double ground)
 {
-    return row->sum ? thud_sum_rate(f, m, row->sum, t)
+    return row->sum ? sum_rate(f, m, row->sum, t)
                     : thud_free_vibration_rate(f, m, row->structure, row->floor, row->quantity, t, ground);
 }
 

@@ -129,15 +129,6 @@ static enum thud_status segment(void *own, const struct thud_observation *o, str
     return THUD_OK;
 }
 
-double thud_sum_rate(const struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum, int t)
-{
-    const struct thud_model_structure *p = &m->structure[sum->structure];
-    double rate = 0;
-    for (int j = 0; j < p->modes && !sum->rate; j++)
-        rate += sum->row[j] * f->qd[(p->first_mode + j) * ENDS + t];
-    return sum->by_row * rate;
-}
-
 /* Largest size that the modes of the block can give the sum, without the forces of storeys, at the ends of its intervals;
  * *margin: how far one inside an interval may lie above. */
 static double largest_sum(struct thud_free_vibration *f, const struct thud_model *m, const struct thud_sum *sum,

@@ -37,10 +37,5 @@ extern const struct thud_observer thud_observe_sums;
 enum thud_status thud_sums_init(struct thud_sums *sums, const struct thud_model *model, struct thud_result *result,
                                 struct thud_error *err);
 void thud_sums_clear(struct thud_sums *sums);
-
-/* Rate of a sum at an end of the block's intervals; 0 of one that has a part of rates itself. */
-double thud_sum_rate(const struct thud_free_vibration *f, const struct thud_model *model, const struct thud_sum *sum,
-                     int t);
-
 /* At the end of a run: the links that are contacts, and what those of friction have lost. */
 void thud_links_finish(const struct thud_state *state, struct thud_result *result);

@@ -585,5 +585,6 @@ void thud_remarks_json(const struct thud_remark_scope *scope, unsigned about, st
     struct thud_remarks found = thud_remarks_find(scope, about);
     const struct thud_rows rows = {&thud_remark_schema, 0, found.n, make_remark, &found};
     thud_json_list("remarks", &rows, out);
+    out->failed |= found.is_short;
     thud_remarks_clear(&found);
 }

@@ -6,8 +6,10 @@
 struct thud_error *thud_remark_add(struct thud_remarks *remarks)
 {
     struct thud_remark *item = realloc(remarks->item, ((size_t)remarks->n + 1) * sizeof *item);
-    if (!item)
+    if (!item) {
+        remarks->is_short = true;
         return NULL;
+    }
     remarks->item = item;
     item[remarks->n] = (struct thud_remark){0};
     return &item[remarks->n++].said;

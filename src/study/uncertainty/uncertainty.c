@@ -94,10 +94,11 @@ enum thud_status thud_inputs_set(struct thud_inputs *inputs, const char *text, s
             break;
         return put_size(inputs, (enum thud_input)i, of, n, q.value, err);
     }
-    return thud_error_refuse(err, THUD_USAGE, "--uncertain",
-                             "INPUT=SIZE: gap=5 %, contact-stiffness=2, restitution=0.1, elevation=5 cm; for one "
-                             "building stiffness.A=5 %, for all stiffness.common=10 %; see thud(1)",
-                             "\"%.60s\" is not an input with its size", text);
+    return thud_error_refuse(
+        err, THUD_USAGE, "--uncertain",
+        "INPUT=SIZE: gap=5 %, contact-stiffness=2, restitution=0.1, elevation=5 cm (at most 10 m); "
+        "for one building stiffness.A=5 %, for all stiffness.common=10 %; see thud(1)",
+        "\"%.60s\" is not an input with its size", text);
 }
 
 /* The value of the laws of contacts and bumpers that an input is. */
