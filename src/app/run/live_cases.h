@@ -52,7 +52,7 @@ struct thud_live_work;
 struct thud_live {
     struct thud_model *apart; /* without pounding, with the pairs of floors; NULL once `need` is known */
     struct thud_baseline_motion *baseline;
-    double *projection_m; /* (pairs of floors) of the bumpers */
+    double *projection_m;                            /* (pairs of floors) of the bumpers */
     struct thud_live_need need[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
     struct thud_live_case which[THUD_LIVE_CASES];
     bool running;

@@ -10,7 +10,7 @@ struct thud_live;
 struct thud_design_result {
     bool known;
     double need_m[THUD_STRUCTURES_MAX], force_n[THUD_STRUCTURES_MAX]; /* by interface, from 0 */
-    double with_bumper_m[THUD_STRUCTURES_MAX]; /* the gap needed with the bumper in it */
+    double with_bumper_m[THUD_STRUCTURES_MAX];                        /* the gap needed with the bumper in it */
     int impacts[THUD_STRUCTURES_MAX];
     double acceleration_mps2[2], drift_m[2]; /* largest of all floors, without and with */
 };
