@@ -163,7 +163,7 @@ described() { # FOLDER: the columns of every table, in their order; but of names
 }
 for folder in run sweep suite gap fragility uncertainty bench stability; do is "$folder: datapackage.json names every column" described "$tmp/$folder"; done
 is "with type, unit and meaning" grep -q '{"name": "relative_displacement_m", "type": "number", "unit": "m", "description": "Required gap' "$tmp/gap/datapackage.json"
-is "columns that are named by structures too" grep -q '"B.storey.2.shear_n", "type": "number", "unit": "N", "description": "Its shear, N."' "$tmp/run/datapackage.json"
+is "columns that are named by structures too" grep -q '"B.storey.2.shear_n", "type": "number", "unit": "N", "description": "Shear of that storey, N."' "$tmp/run/datapackage.json"
 is "a word is a string" grep -q '{"name": "state", "type": "string"\|{"name": "case", "type": "string"' "$tmp/sweep/datapackage.json"
 sum=$(sha256sum <records/kobe-surrogate.csv | cut -d ' ' -f 1)
 is "a ground motion is told by the SHA-256 of its file" grep -q "\"file\": \"[^\"]*kobe-surrogate.csv\".* \"sha256\": \"$sum\"" "$tmp/gap/needed-gaps.json"

@@ -13,22 +13,22 @@ struct bench_row {
 #define ERROR(member, name, text) BENCH(own.error.member, name, text)
 static const struct thud_column bench_columns[] = {
     BENCH(method, "method", "Name of the method."),
-    BENCH(located, "located", "1 where events are located."),
+    BENCH(located, "located", "1 if events are located."),
     BENCH(own.how.setting, "setting", "Step in s, or tolerance."),
-    BENCH(state, "state", "How the run ended: done, failed, skipped or not-run."),
+    BENCH(state, "state", "State of the run: done, failed, skipped or not-run."),
     BENCH(own.seconds, "seconds", "Wall time, s."),
-    BENCH(own.spread, "spread_s", "Its spread, s; no value of one timing."),
-    BENCH(own.repeats, "repeats", "Repetitions."),
+    BENCH(own.spread, "spread_s", "Spread of the wall time, s; no value for one timing."),
+    BENCH(own.repeats, "repeats", "Number of repetitions."),
     ERROR(all, "error", "Largest relative error."),
-    ERROR(acceleration, "error_acceleration", "Of the peak accelerations."),
-    ERROR(drift, "error_drift", "Of the drifts."),
-    ERROR(force, "error_force", "Of the forces."),
-    ERROR(impact_time_s, "impact_time_s", "Largest error of an impact's time, s."),
-    ERROR(missed, "missed", "Impacts missed."),
-    ERROR(extra, "extra", "Impacts added."),
-    BENCH(own.work.steps, "steps", "Steps."),
-    BENCH(own.work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
-    BENCH(own.work.events, "events", "Events."),
+    ERROR(acceleration, "error_acceleration", "Relative error of the peak accelerations."),
+    ERROR(drift, "error_drift", "Relative error of the drifts."),
+    ERROR(force, "error_force", "Relative error of the forces."),
+    ERROR(impact_time_s, "impact_time_s", "Largest error of an impact time, s."),
+    ERROR(missed, "missed", "Number of impacts missed."),
+    ERROR(extra, "extra", "Number of spurious impacts."),
+    BENCH(own.work.steps, "steps", "Number of steps."),
+    BENCH(own.work.force_evaluations, "force_evaluations", "Number of evaluations of contact forces."),
+    BENCH(own.work.events, "events", "Number of events."),
     BENCH(own.processor_s, "processor_s", "Processor time, s.")};
 const struct thud_schema thud_bench_schema = THUD_SCHEMA(
     "bench.csv",
@@ -70,14 +70,14 @@ struct cost_of_level {
 };
 #define LEVEL(member, name, text) THUD_FIELD(struct cost_of_level, member, name, text)
 static const struct thud_column level_columns[] = {
-    LEVEL(cost.level, "level", "Largest relative error that is allowed."),
-    LEVEL(method, "method", "Name of a method that keeps it."),
-    LEVEL(located, "located", "1 where events are located."),
-    LEVEL(own.how.setting, "setting", "Step in s, or tolerance, of its quickest run."),
+    LEVEL(cost.level, "level", "Largest relative error allowed."),
+    LEVEL(method, "method", "Name of a method that meets this level."),
+    LEVEL(located, "located", "1 if events are located."),
+    LEVEL(own.how.setting, "setting", "Step in s, or tolerance, of the fastest run of the method."),
     LEVEL(own.error.all, "error", "Largest relative error of that run."),
-    LEVEL(own.seconds, "seconds", "Its wall time, s."),
-    LEVEL(own.work.steps, "steps", "Its steps."),
-    LEVEL(cost.ratio, "ratio", "Of its time to the least.")};
+    LEVEL(own.seconds, "seconds", "Wall time of that run, s."),
+    LEVEL(own.work.steps, "steps", "Number of steps of that run."),
+    LEVEL(cost.ratio, "ratio", "Ratio of its wall time to the shortest.")};
 const struct thud_schema thud_bench_cost_schema =
     THUD_SCHEMA("bench of each accuracy",
                 "With\n.Cm bench Fl -json\nthe list\n.Va costs :\na row for each accuracy and each method that keeps "
@@ -118,34 +118,34 @@ struct cell_row {
 };
 #define CELL(member, name, text) THUD_FIELD_WITH(struct cell_row, member, name, text, .infinite = true)
 static const struct thud_column verdict_columns[] = {
-    CELL(method, "method", "Name."),
-    CELL(located, "located", "1 where events are located."),
+    CELL(method, "method", "Name of the method."),
+    CELL(located, "located", "1 if events are located."),
     CELL(own.omega_dt, "omega_dt",
-         "Step times the frequency of the oscillator, the wall's spring or the scene's fastest mode; empty: steps of "
-         "its own choice."),
-    CELL(limit, "limit", "Stability limit of the literature; inf, in JSON null: none."),
+         "Step times the frequency of the oscillator, the wall spring or the fastest mode of the scene; empty: "
+         "adaptive steps."),
+    CELL(limit, "limit", "Stability limit from the literature; inf, in JSON null: none."),
     CELL(verdict[THUD_STABILITY_FREE], "free", "Verdict on free vibration: bounded, growing or blown up."),
     CELL(own.growth[THUD_STABILITY_FREE], "free_growth",
          "Largest energy in the second half of 50 s over that in the first; growing from 1.21, blown up from 1e4."),
     CELL(verdict[THUD_STABILITY_WALL], "wall", "Verdict on a mass that bounces on a wall spring."),
     CELL(own.growth[THUD_STABILITY_WALL], "wall_growth",
-         "Largest energy within 50 s over that at the start, of the start where it is most; growing from 1.21, blown "
-         "up from 1e4."),
+         "Largest energy within 50 s over the initial energy, for the worst start; growing from 1.21, blown up from "
+         "1e4."),
     CELL(verdict[THUD_STABILITY_SCENE], "scene", "Verdict on the preset's scene."),
     CELL(own.growth[THUD_STABILITY_SCENE], "scene_growth",
-         "Largest displacement over the exact one, of the floor and of three steps up to 6 % shorter where it is most; "
-         "growing from 2, blown up from 100.")};
+         "Largest displacement over the exact one, for the worst floor and step (of three, up to 6 % shorter); "
+         " growing from 2, blown up from 100.")};
 const struct thud_schema thud_verdict_schema =
     THUD_SCHEMA("verdicts.csv", "Written by\n.Cm stability Fl o :\na row for each method and step.\n", verdict_columns);
 
 static const struct thud_column energy_columns[] = {
-    CELL(method, "method", "Name."),
-    CELL(located, "located", "1 where events are located."),
-    CELL(own.omega_dt, "omega_dt", "Step times the frequency of the spring; empty: steps of its own choice."),
+    CELL(method, "method", "Name of the method."),
+    CELL(located, "located", "1 if events are located."),
+    CELL(own.omega_dt, "omega_dt", "Step times the frequency of the spring; empty: adaptive steps."),
     CELL(own.growth[THUD_STABILITY_WALL], "largest_ratio",
-         "Largest energy within 50 s over that at the start, of the start where it is most."),
-    CELL(own.end_least, "end_least_ratio", "Energy after 50 s over that at the start, of the start where it is least."),
-    CELL(own.end_most, "end_most_ratio", "The same of the start where it is most.")};
+         "Largest energy within 50 s over the initial energy, largest of the starts."),
+    CELL(own.end_least, "end_least_ratio", "Energy after 50 s over the initial energy, smallest of the starts."),
+    CELL(own.end_most, "end_most_ratio", "Energy after 50 s over the initial energy, largest of the starts.")};
 const struct thud_schema thud_energies_schema =
     THUD_SCHEMA("energies.csv", "Written by\n.Cm stability Fl o :\nthe mass on the wall spring, from eight starts.\n",
                 energy_columns);
@@ -174,11 +174,11 @@ static const struct thud_column restitution_columns[] = {
     RESTITUTION(law, "law", "Name of the law."),
     RESTITUTION(own.nominal, "nominal", "Nominal coefficient of restitution."),
     RESTITUTION(own.approach_mps, "approach_mps", "Approach velocity, m/s."),
-    RESTITUTION(method, "method", "Name."),
-    RESTITUTION(located, "located", "1 where events are located."),
+    RESTITUTION(method, "method", "Name of the method."),
+    RESTITUTION(located, "located", "1 if events are located."),
     RESTITUTION(own.how.setting, "setting", "Step in s, or tolerance."),
-    RESTITUTION(own.expected, "expected", "Coefficient of the law's equations."),
-    RESTITUTION(own.obtained, "obtained", "Coefficient of the run.")};
+    RESTITUTION(own.expected, "expected", "Coefficient of restitution from the equations of the law."),
+    RESTITUTION(own.obtained, "obtained", "Coefficient of restitution of the run.")};
 const struct thud_schema thud_restitution_schema =
     THUD_SCHEMA("restitutions.csv", "Written by\n.Cm stability Fl o .\n", restitution_columns);
 
@@ -190,13 +190,13 @@ static void make_restitution(const void *of, int i, void *out)
 
 #define TEST_CASE(member, text) THUD_FIELD_WITH(struct thud_test_case, member, #member, text, .infinite = true)
 static const struct thud_column test_case_columns[] = {
-    TEST_CASE(name, "Of the test case."),
-    TEST_CASE(scene, "What is run."),
-    TEST_CASE(quantity, "What is looked at."),
-    TEST_CASE(method, "The naive method."),
+    TEST_CASE(name, "Name of the test case."),
+    TEST_CASE(scene, "Scene that is run."),
+    TEST_CASE(quantity, "Quantity that is compared."),
+    TEST_CASE(method, "Naive method."),
     TEST_CASE(exact, "Exact value."),
     TEST_CASE(naive, "Value of the naive method; inf, in JSON null: it blows up."),
-    TEST_CASE(computed, "Value of thud.")};
+    TEST_CASE(computed, "Value computed by thud.")};
 const struct thud_schema thud_test_case_schema =
     THUD_SCHEMA("test-cases.csv", "Written by\n.Cm stability Fl o :\nscenes in which a naive method goes wrong.\n",
                 test_case_columns);
@@ -213,26 +213,24 @@ struct summary_row {
 };
 #define SUMMARY(member, name, text) THUD_FIELD_WITH(struct summary_row, member, name, text, .infinite = true)
 static const struct thud_column summary_columns[] = {
-    SUMMARY(method, "method", "Name."),
-    SUMMARY(located, "located", "1 where events are located."),
-    SUMMARY(nominal, "order", "Order of the literature; 0: exact without contact."),
-    SUMMARY(
-        own.order, "order_observed",
-        "Of the time of the fourth impact on a wall spring, mean of eight starts, from steps of 4 ms to 1 ms; empty: "
-        "steps of its own choice."),
+    SUMMARY(method, "method", "Name of the method."),
+    SUMMARY(located, "located", "1 if events are located."),
+    SUMMARY(nominal, "order", "Order from the literature; 0: exact without contact."),
+    SUMMARY(own.order, "order_observed",
+            "Observed order for the time of the fourth impact on a wall spring, mean of eight starts, from steps of 4 "
+            "ms to 1 ms; empty: adaptive steps."),
     SUMMARY(own.keeps[0], "keeps_10_percent",
-            "Largest step, s, or tolerance of those tried (0.02 s to 0.1 ms) that keeps the scene's peaks to 10 % and "
-            "has every impact, as the next smaller one does; empty: none."),
-    SUMMARY(own.keeps[1], "keeps_1_percent", "The same to 1 %."),
-    SUMMARY(own.diverges_s, "diverges_s", "Least step of the scene's verdicts that blows up, s; empty: none does."),
-    SUMMARY(
-        own.wall_least, "wall_end_least_ratio",
-        "Energy after 50 s on the wall spring over that at the start, of the start where it is least, at a step times "
-        "frequency of 0.5."),
-    SUMMARY(own.wall_most, "wall_end_most_ratio", "The same of the start where it is most."),
+            "Largest step (s) or tolerance tried (0.02 s to 0.1 ms) that keeps the scene's peaks within 10 % and finds "
+            "every impact, as does the next smaller one; empty: none."),
+    SUMMARY(own.keeps[1], "keeps_1_percent", "Largest step or tolerance that does the same within 1 %."),
+    SUMMARY(own.diverges_s, "diverges_s", "Smallest step of the scene's verdicts that blows up, s; empty: none does."),
+    SUMMARY(own.wall_least, "wall_end_least_ratio",
+            "Energy after 50 s on the wall spring over the initial energy, smallest of the starts, at a "
+            "step times frequency of 0.5."),
+    SUMMARY(own.wall_most, "wall_end_most_ratio", "Energy after 50 s over the initial energy, largest of the starts."),
     SUMMARY(own.expected, "restitution",
-            "Coefficient of the equations of kelvin-voigt-no-tension, nominal 0.5, at 0.5 m/s."),
-    SUMMARY(own.obtained, "restitution_obtained", "Coefficient of the run, in steps of 1 ms.")};
+            "Coefficient of restitution from the equations of kelvin-voigt-no-tension, nominal 0.5, at 0.5 m/s."),
+    SUMMARY(own.obtained, "restitution_obtained", "Coefficient of restitution of the run, in steps of 1 ms.")};
 const struct thud_schema thud_stability_summary_schema = THUD_SCHEMA(
     "methods.csv", "Written by\n.Cm stability Fl o :\na row for each method, located and not.\n", summary_columns);
 

@@ -7,11 +7,10 @@ static const struct thud_column spectra[] = {
     THUD_STANDS_FOR("structure", "Name of the structure."),
     THUD_STANDS_FOR("floor", "Floor, from 1."),
     THUD_STANDS_FOR("period_s", "Period of the oscillator, s."),
-    THUD_STANDS_FOR("no_pounding_mps2",
-                    "Its largest pseudo-acceleration, omega^2 times its largest displacement relative "
-                    "to the floor, without pounding (links act), m/s2."),
-    THUD_STANDS_FOR("none_mps2", "Likewise without the bumper."),
-    THUD_STANDS_FOR("bumper_mps2", "Likewise with the bumper of the scene; where there is one.")};
+    THUD_STANDS_FOR("no_pounding_mps2", "Peak pseudo-acceleration without pounding (links act), m/s2: omega^2 times "
+                                        "the peak displacement relative to the floor."),
+    THUD_STANDS_FOR("none_mps2", "Peak pseudo-acceleration without the bumper, m/s2."),
+    THUD_STANDS_FOR("bumper_mps2", "Peak pseudo-acceleration with the bumper, m/s2; if there is one.")};
 const struct thud_schema thud_floor_spectrum_schema = THUD_SCHEMA(
     "floor-spectra.csv",
     "Written by\n.Cm run Fl -floor-spectra Fl o ,\nalso to standard output with\n.Fl -csv :\na row for each "

@@ -13,61 +13,63 @@ static const struct thud_peak no_peak = {NAN, NAN};
 #define FLOOR(member, key, text) THUD_COLUMN(struct thud_floor_row, member, key, text)
 
 static const struct thud_column floors[] = {
-    {FLOOR(which, "case", "no-pounding or a case; with --cases, where JSON has an object of each case."),
+    {FLOOR(which, "case", "Case, or no-pounding; with --cases (JSON has an object for each case)."),
      .only = THUD_ROW_CASE},
     {FLOOR(structure, "structure", "Name of the structure."), .only = THUD_ONLY_CSV},
     {FLOOR(floor, "floor", "Floor, from 1."), .shown = {"floor", NULL, 0, 5, 0, THUD_DIGITS_WORD}},
     {FLOOR(peak.acceleration.value, "acceleration_mps2",
-           "Total acceleration, m/s2; no value on a floor struck by impulses."),
+           "Peak total acceleration, m/s2; no value on a floor struck by impulses."),
      .shown = {"acceleration", "m/s2", 1, 14, 5, THUD_DIGITS_PLACES}},
-    {FLOOR(peak.acceleration.time_s, "acceleration_time_s", "Its time, s."),
+    {FLOOR(peak.acceleration.time_s, "acceleration_time_s", "Time of the peak acceleration, s."),
      .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
-    {FLOOR(peak.displacement.value, "displacement_m", "Relative to the ground, m."),
+    {FLOOR(peak.displacement.value, "displacement_m", "Peak displacement relative to the ground, m."),
      .shown = {"displacement", "mm", 1e3, 14, 5, THUD_DIGITS_PLACES}},
-    {FLOOR(peak.displacement.time_s, "displacement_time_s", "Its time, s."),
+    {FLOOR(peak.displacement.time_s, "displacement_time_s", "Time of the peak displacement, s."),
      .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
-    {FLOOR(peak.velocity.value, "velocity_mps", "Relative to the ground, m/s."),
+    {FLOOR(peak.velocity.value, "velocity_mps", "Peak velocity relative to the ground, m/s."),
      .shown = {"velocity", "m/s", 1, 10, 4, THUD_DIGITS_PLACES}},
-    {FLOOR(peak.velocity.time_s, "velocity_time_s", "Its time, s.")},
-    {FLOOR(peak.drift.value, "drift_m", "Relative to the floor below, m."),
+    {FLOOR(peak.velocity.time_s, "velocity_time_s", "Time of the peak velocity, s.")},
+    {FLOOR(peak.drift.value, "drift_m", "Peak displacement relative to the floor below, m."),
      .shown = {"drift", "mm", 1e3, 10, 4, THUD_DIGITS_PLACES}},
-    {FLOOR(peak.drift.time_s, "drift_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {FLOOR(peak.drift.time_s, "drift_time_s", "Time of peak drift, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
     {FLOOR(peak.shear.value, "storey_shear_n",
-           "Of the storey below the floor, N: of a building by its matrix or modes the sum of K u from it up; no value "
-           "of a rigid body.")},
-    {FLOOR(peak.shear.time_s, "storey_shear_time_s", "Its time, s.")},
-    {FLOOR(stability, "stability_coefficient",
-           "Theta = W d/(V h) of the storey below the floor, see thud-model(7); no value where there is none.")},
+           "Peak shear of the storey below, N (by a matrix or modes the sum of K u from that floor up); no value for a "
+           "rigid body.")},
+    {FLOOR(peak.shear.time_s, "storey_shear_time_s", "Time of peak shear, s.")},
+    {FLOOR(
+        stability, "stability_coefficient",
+        "Stability coefficient theta = W d/(V h) of the storey below (thud-model(7)); no value where there is none.")},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_floor_schema = THUD_SCHEMA(
     "run --csv",
-    "A row for each floor, with its peaks over the continuous history and their\ntimes; where storeys of the scene "
-    "yield, with the columns of\n.Sx storey .\nIn JSON a list of each structure, without its name.\n",
+    "One row for each floor, with its peaks over the continuous history and their\ntimes.\nIf storeys of the scene "
+    "yield, the columns of\n.Sx storey\nfollow.\nIn JSON, one list for each structure, without its name.\n",
     floors);
 
 static const struct thud_column storeys[] = {
     {FLOOR(label, "", ""), .only = THUD_ONLY_TEXT, .shown = {"storey", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
     {FLOOR(note, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
     {FLOOR(storey.yield_m, "yield_m",
-           "Drift at which the storey below the floor yields, m; of an elastic one this and the following have no "
-           "value."),
+           "Yield drift of the storey below the floor, m; this and the following have no value for an elastic storey."),
      .shown = {"yields at", "mm", 1e3, 11, 4, THUD_DIGITS_FREE}},
-    {FLOOR(storey.hardening, "hardening", "Stiffness beyond yield over the elastic one.")},
+    {FLOOR(storey.hardening, "hardening", "Stiffness after yield over the elastic stiffness.")},
     {FLOOR(storey.ductility, "ductility", "Peak drift over yield drift."),
      .shown = {"ductility", NULL, 1, 11, 3, THUD_DIGITS_FIXED}},
-    {FLOOR(storey.permanent_m, "permanent_m", "Drift at the end at which it carries no force, m."),
+    {FLOOR(storey.permanent_m, "permanent_m", "Permanent drift at the end (drift at zero force), m."),
      .shown = {"permanent drift", "mm", 1e3, 17, 4, THUD_DIGITS_PLACES}},
-    {FLOOR(storey.plastic_m, "plastic_m", "Plastic drift d_p at the end, m; permanent_m over 1 - hardening.")},
-    {FLOOR(storey.excursions, "excursions", "How many times it yielded."),
+    {FLOOR(storey.plastic_m, "plastic_m", "Plastic drift d_p at the end, m: permanent_m over 1 - hardening.")},
+    {FLOOR(storey.excursions, "excursions", "Number of yield excursions."),
      .shown = {"excursions", NULL, 0, 12, 0, THUD_DIGITS_WORD}},
-    {FLOOR(storey.hysteretic_j, "hysteretic_j", "Energy lost in it, J."),
+    {FLOOR(storey.hysteretic_j, "hysteretic_j", "Hysteretic energy dissipated in the storey, J."),
      .shown = {"lost", "kJ", 1e-3, 8, 4, THUD_DIGITS_PLACES}},
-    {FLOOR(storey.shear.value, "shear_n", "Its largest shear, N."),
+    {FLOOR(storey.shear.value, "shear_n", "Peak shear of the storey, N."),
      .shown = {"shear", "MN", 1e-6, 12, 5, THUD_DIGITS_PLACES}},
-    {FLOOR(storey.shear.time_s, "shear_time_s", "Time of that, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
+    {FLOOR(storey.shear.time_s, "shear_time_s", "Time of peak shear, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}}};
 const struct thud_schema thud_storey_schema =
     THUD_SCHEMA("storey",
-                "Where storeys of the scene yield: in CSV behind the columns of each floor, in\nJSON an object of each "
+                "If storeys of the scene yield: in CSV after the columns of each floor, in\nJSON an object for each "
                 "floor whose storey yields.\n",
                 storeys);
 
@@ -143,45 +145,44 @@ struct contact_row {
 #define CONTACT(member, key, text) THUD_COLUMN(struct contact_row, member, key, text)
 
 static const struct thud_column contacts[] = {
-    {CONTACT(peak.interface, "interface", "From the left."), .shown = {"contact", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {CONTACT(peak.interface, "interface", "Interface from the left."),
+     .shown = {"contact", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
     {CONTACT(pair, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, -8, 0, THUD_DIGITS_WORD}},
-    {CONTACT(peak.left_floor, "left_floor", "Floor on its left.")},
-    {CONTACT(peak.right_floor, "right_floor", "Floor on its right.")},
-    {CONTACT(peak.impacts, "impacts", "How many."), .shown = {"impacts", NULL, 0, 8, 0, THUD_DIGITS_WORD}},
+    {CONTACT(peak.left_floor, "left_floor", "Floor on the left of the interface.")},
+    {CONTACT(peak.right_floor, "right_floor", "Floor on the right of the interface.")},
+    {CONTACT(peak.impacts, "impacts", "Number of impacts."), .shown = {"impacts", NULL, 0, 8, 0, THUD_DIGITS_WORD}},
     {CONTACT(idle, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}},
-    {CONTACT(
-         columns, "struck_columns",
-         "Where a slab strikes columns, whose they are, left or right: the floor on that side is the one above them."),
+    {CONTACT(columns, "struck_columns",
+             "Side of the columns that a slab strikes (left or right); the floor on that side is the one above them."),
      .only = THUD_ROW_COLUMNS},
-    {CONTACT(peak.eta, "eta", "Height of the struck place in its storey over that of the storey."),
+    {CONTACT(peak.eta, "eta", "Height of the struck point within its storey, over the storey height."),
      .only = THUD_ROW_COLUMNS},
     {CONTACT(peak.force.value, "force_n",
-             "Largest force, N; no value where impulses have none, as have its time and the indentation."),
+             "Peak force, N; no value, nor for its time and the indentation, where impulses have none."),
      .shown = {"force", "MN", 1e-6, 10, 5, THUD_DIGITS_PLACES}},
-    {CONTACT(peak.force.time_s, "force_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
-    {CONTACT(peak.indentation.value, "indentation_m", "Largest indentation, m."),
+    {CONTACT(peak.force.time_s, "force_time_s", "Time of peak force, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {CONTACT(peak.indentation.value, "indentation_m", "Peak indentation, m."),
      .shown = {"indentation", "mm", 1e3, 12, 4, THUD_DIGITS_PLACES}},
-    {CONTACT(peak.indentation.time_s, "indentation_time_s", "Its time, s.")},
-    {CONTACT(peak.impulse_ns, "impulse_ns", "Impulse of all impacts, N s.")},
+    {CONTACT(peak.indentation.time_s, "indentation_time_s", "Time of the peak indentation, s.")},
+    {CONTACT(peak.impulse_ns, "impulse_ns", "Total impulse of all impacts, N s.")},
     {CONTACT(peak.contact_time_s, "contact_time_s",
-             "Time in which the contact pushes, F > 0, s: without the pull at the end of kelvin-voigt, and without "
-             "contacts whose impulse does not count as an impact. Of contacts that hardly have a force, this time and "
+             "Total duration with a compressive force (F > 0), s. It excludes the tension at the end of kelvin-voigt "
+             "and contacts whose impulse does not count as an impact. For contacts with almost no force, this time and "
              "their number depend on the method and its tolerance; force and impulse do not."),
      .shown = {"contact", "ms", 1e3, 10, 4, THUD_DIGITS_FREE}},
-    {CONTACT(peak.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
+    {CONTACT(peak.residual_m, "residual_m", "Residual indentation from plastic deformation, m."),
      .shown = {"residual", "mm", 1e3, 9, 3, THUD_DIGITS_FREE}},
-    {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J, without what it stores at the end.")},
-    {CONTACT(peak.approach_mps, "approach_mps", "Speed before the last impact, m/s.")},
-    {CONTACT(peak.separation_mps, "separation_mps", "Speed after it, m/s.")},
+    {CONTACT(peak.dissipated_j, "dissipated_j", "Energy dissipated, J, excluding the energy stored at the end.")},
+    {CONTACT(peak.approach_mps, "approach_mps", "Approach velocity of the last impact, m/s.")},
+    {CONTACT(peak.separation_mps, "separation_mps", "Separation velocity of the last impact, m/s.")},
     {CONTACT(peak.restitution, "restitution",
-             "Speed after the last impact over that before it. No value where this is meaningless: the floors did not "
-             "separate, or the contact lasted longer than a quarter of the shortest period of the two structures, "
-             "whose storeys then "
-             "act too."),
+             "Separation over approach velocity of the last impact. No value if the floors did not separate, or if the "
+             "contact lasted longer than a quarter of the shortest period of the two structures."),
      .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
-    {CONTACT(peak.nominal_restitution, "nominal_restitution", "Coefficient that was asked for."),
+    {CONTACT(peak.nominal_restitution, "nominal_restitution", "Nominal coefficient of restitution, as specified."),
      .shown = {"", "nominal", 1, 8, 3, THUD_DIGITS_FREE}},
-    {CONTACT(peak.stored_j, "stored_j", "Elastic energy that it holds at the end, J.")},
+    {CONTACT(peak.stored_j, "stored_j", "Elastic energy stored at the end, J.")},
     {CONTACT(blow, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_contact_schema = THUD_SCHEMA(
     "contacts", "In the list\n.Va contacts\nof\n.Pa result.json :\nevery pair of floors at one height.\n", contacts);
@@ -220,31 +221,33 @@ struct column_row {
     {                                                                                                                  \
         COLUMN(own.peak[quantity].value, key, text), .shown = { head, unit, 1e-3, 11, 5, THUD_DIGITS_PLACES }          \
     }
-#define COLUMN_TIME(quantity, key)                                                                                     \
+#define COLUMN_TIME(kind, key)                                                                                         \
     {                                                                                                                  \
-        COLUMN(own.peak[quantity].time_s, key, "Its time, s."), .shown = { "at", "s", 1, 9, 3, THUD_DIGITS_FIXED }     \
+        COLUMN(own.peak[kind].time_s, key, "Time of the peak, s."), .shown = { "at", "s", 1, 9, 3, THUD_DIGITS_FIXED } \
     }
 
 static const struct thud_column columns[] = {
-    {COLUMN(own.interface, "interface", "From the left."), .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {COLUMN(structure, "structure", "Name of the structure whose columns they are."),
+    {COLUMN(own.interface, "interface", "Interface, from the left."),
+     .shown = {"columns", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(structure, "structure", "Structure with the struck columns."),
      .shown = {NULL, NULL, 0, -7, 0, THUD_DIGITS_WORD}},
-    {COLUMN(own.storey, "below_floor", "The floor above them."), .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {COLUMN(own.drifts, "with_drift", "Whether their stiffness is given, so that the drift of the storey counts.")},
-    COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Largest shear at the lower end, N.", "shear low", "kN"),
+    {COLUMN(own.storey, "below_floor", "Floor above the columns."),
+     .shown = {"below", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {COLUMN(own.drifts, "with_drift", "Whether the storey drift counts, as the columns' stiffness is given.")},
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_LOWER, "shear_lower_n", "Peak shear at the lower end, N.", "shear low", "kN"),
     COLUMN_TIME(THUD_COLUMN_SHEAR_LOWER, "shear_lower_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_SHEAR_UPPER, "shear_upper_n", "Largest shear at the upper end, N.", "up", "kN"),
+    COLUMN_PEAK(THUD_COLUMN_SHEAR_UPPER, "shear_upper_n", "Peak shear at the upper end, N.", "up", "kN"),
     COLUMN_TIME(THUD_COLUMN_SHEAR_UPPER, "shear_upper_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_MOMENT_LOWER, "moment_lower_nm", "Largest bending moment at the lower end, N m.",
-                "moment low", "kN m"),
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_LOWER, "moment_lower_nm", "Peak bending moment at the lower end, N m.", "moment low",
+                "kN m"),
     COLUMN_TIME(THUD_COLUMN_MOMENT_LOWER, "moment_lower_time_s"),
-    COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Largest bending moment at the upper end, N m.", "up",
+    COLUMN_PEAK(THUD_COLUMN_MOMENT_UPPER, "moment_upper_nm", "Peak bending moment at the upper end, N m.", "up",
                 "kN m"),
     COLUMN_TIME(THUD_COLUMN_MOMENT_UPPER, "moment_upper_time_s"),
     {COLUMN(no_pounding_n, "", ""), .only = THUD_ONLY_TEXT,
      .shown = {"no", "pounding", 1e-3, 10, 5, THUD_DIGITS_PLACES}},
-    {COLUMN(own.capacity_n, "capacity_n", "Shear that they can bear, N.")},
-    {COLUMN(own.ratio, "shear_over_capacity", "The larger shear over it."),
+    {COLUMN(own.capacity_n, "capacity_n", "Shear capacity of the columns, N.")},
+    {COLUMN(own.ratio, "shear_over_capacity", "Larger peak shear over the capacity."),
      .only = THUD_ONLY_CSV | THUD_ONLY_JSON | THUD_ROW_CAPACITY,
      .shown = {"shear/", "capacity", 1, 9, 4, THUD_DIGITS_FREE}}};
 const struct thud_schema thud_column_schema = THUD_SCHEMA(
@@ -280,26 +283,26 @@ struct link_row {
 #define LINK(member, key, text) THUD_COLUMN(struct link_row, member, key, text)
 
 static const struct thud_column links[] = {
-    {LINK(link, "link", "Its number, from 1."), .shown = {"link", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
-    {LINK(ends, "ends", "Its two ends."), .shown = {NULL, NULL, 0, -13, 0, THUD_DIGITS_WORD}},
-    {LINK(law, "law", "Its law."), .shown = {NULL, NULL, 0, -12, 0, THUD_DIGITS_WORD}},
-    {LINK(own.force.value, "force_n", "Largest force, N."), .shown = {"force", "kN", 1e-3, 12, 5, THUD_DIGITS_PLACES}},
-    {LINK(own.force.time_s, "force_time_s", "Its time, s."), .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
+    {LINK(link, "link", "Number of the link, from 1."), .shown = {"link", NULL, 0, 3, 0, THUD_DIGITS_WORD}},
+    {LINK(ends, "ends", "Two ends of the link."), .shown = {NULL, NULL, 0, -13, 0, THUD_DIGITS_WORD}},
+    {LINK(law, "law", "Law of the link."), .shown = {NULL, NULL, 0, -12, 0, THUD_DIGITS_WORD}},
+    {LINK(own.force.value, "force_n", "Peak force, N."), .shown = {"force", "kN", 1e-3, 12, 5, THUD_DIGITS_PLACES}},
+    {LINK(own.force.time_s, "force_time_s", "Time of peak force, s."),
+     .shown = {"at", "s", 1, 9, 3, THUD_DIGITS_FIXED}},
     {LINK(own.stroke.value, "stroke_m",
-          "Largest change of the distance of its ends; of a restrainer or a strut beyond its slack, m."),
+          "Peak change of the distance between the ends, m; for a restrainer or a strut beyond its slack."),
      .shown = {"stroke", "mm", 1e3, 10, 5, THUD_DIGITS_PLACES}},
-    {LINK(own.stroke.time_s, "stroke_time_s", "Its time, s."), .only = THUD_ONLY_JSON},
+    {LINK(own.stroke.time_s, "stroke_time_s", "Time of the peak stroke, s."), .only = THUD_ONLY_JSON},
     {LINK(own.residual_m, "residual_m",
-          "Left at the end where it bears nothing, m: of friction its slip, of soil the gap that stays, of a "
-          "restrainer or "
-          "a strut 0; no value of others."),
+          "Residual stroke at zero force at the end, m: slip of friction, remaining gap of soil, 0 for a restrainer or "
+          "a strut; no value for other laws."),
      .shown = {"residual", "mm", 1e3, 9, 4, THUD_DIGITS_FREE}},
-    {LINK(own.lost_j, "lost_j", "Energy lost in it, J, without what it stores at the end."),
+    {LINK(own.lost_j, "lost_j", "Energy dissipated, J, excluding the energy stored at the end."),
      .shown = {"lost", "kJ", 1e-3, 10, 5, THUD_DIGITS_FREE}},
     {LINK(own.engaged, "engaged",
-          "How often a restrainer or a strut came to act, or friction slipped; no value of others."),
+          "Number of times that a restrainer or a strut engaged, or friction slipped; no value for other laws."),
      .shown = {"acted", "times", 0, 6, 0, THUD_DIGITS_WORD}},
-    {LINK(own.stored_j, "stored_j", "Elastic energy that it holds at the end, J.")}};
+    {LINK(own.stored_j, "stored_j", "Elastic energy stored at the end, J.")}};
 const struct thud_schema thud_link_schema = THUD_SCHEMA(
     "links", "In the list\n.Va links\nof\n.Pa result.json ,\nwhere there are links: each of them.\n", links);
 
@@ -328,15 +331,15 @@ struct impact_row {
 
 static const struct thud_column impacts[] = {
     {IMPACT(interface, "interface", "Number of the interface, from the left.")},
-    {IMPACT(left_floor, "left_floor", "Floor on its left.")},
-    {IMPACT(right_floor, "right_floor", "Floor on its right.")},
+    {IMPACT(left_floor, "left_floor", "Floor on the left of the interface.")},
+    {IMPACT(right_floor, "right_floor", "Floor on the right of the interface.")},
     {IMPACT(own.start_s, "start_s", "Start of the contact, s.")},
-    {IMPACT(own.duration_s, "duration_s", "How long it lasts, s.")},
-    {IMPACT(own.approach_mps, "approach_mps", "Speed before it, m/s.")},
-    {IMPACT(own.separation_mps, "separation_mps", "Speed after it, m/s.")},
-    {IMPACT(own.force_n, "force_n", "Largest force, N; empty where impulses have none.")},
-    {IMPACT(own.indentation_m, "indentation_m", "Largest indentation, m; empty like the force.")},
-    {IMPACT(own.impulse_ns, "impulse_ns", "Integral of the force, N s.")},
+    {IMPACT(own.duration_s, "duration_s", "Duration of the contact, s.")},
+    {IMPACT(own.approach_mps, "approach_mps", "Approach velocity, m/s.")},
+    {IMPACT(own.separation_mps, "separation_mps", "Separation velocity, m/s.")},
+    {IMPACT(own.force_n, "force_n", "Peak force, N; empty where impulses have none.")},
+    {IMPACT(own.indentation_m, "indentation_m", "Peak indentation, m; empty where the force is empty.")},
+    {IMPACT(own.impulse_ns, "impulse_ns", "Impulse (integral of the force), N s.")},
     {IMPACT(own.dissipated_j, "energy_lost_j", "Energy dissipated, J.")}};
 const struct thud_schema thud_impact_schema =
     THUD_SCHEMA("impacts.csv", "Written by\n.Cm run Fl o :\na row for each impact.\n", impacts);
@@ -368,36 +371,36 @@ struct event_row {
 #define EVENT(member, key, text) THUD_COLUMN(struct event_row, member, key, text)
 
 static const struct thud_column events[] = {
-    {EVENT(own.time_s, "time_s", "Its time, s."), .shown = {"time (s)", NULL, 1, 14, 9, THUD_DIGITS_FIXED}},
+    {EVENT(own.time_s, "time_s", "Time of the event, s."), .shown = {"time (s)", NULL, 1, 14, 9, THUD_DIGITS_FIXED}},
     {EVENT(where, "", ""), .only = THUD_ONLY_TEXT, .shown = {" where", NULL, 0, -18, 0, THUD_DIGITS_WORD}},
     {EVENT(interface, "interface", "Number of the interface, from the left."), .only = THUD_ROW_CONTACT},
-    {EVENT(left_floor, "left_floor", "Floor on its left."), .only = THUD_ROW_CONTACT},
-    {EVENT(right_floor, "right_floor", "Floor on its right."), .only = THUD_ROW_CONTACT},
+    {EVENT(left_floor, "left_floor", "Floor on the left of the interface."), .only = THUD_ROW_CONTACT},
+    {EVENT(right_floor, "right_floor", "Floor on the right of the interface."), .only = THUD_ROW_CONTACT},
     {EVENT(structure, "structure", "Name of the structure whose storey yields, unloads or collapses."),
      .only = THUD_ROW_STOREY},
     {EVENT(storey, "storey", "Number of that storey, from 1; 0: the isolators."), .only = THUD_ROW_STOREY},
-    {EVENT(link, "link", "Number of the link, from 1; where there are links."), .only = THUD_ROW_LINK},
+    {EVENT(link, "link", "Number of the link, from 1; if there are links."), .only = THUD_ROW_LINK},
     {EVENT(own.event, "event",
-           "onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, yield, "
-           "unload or collapse; thud-methods(7) has the guard of each."),
+           "Event: onset, separation, release, re-engagement, reversal, branch, unsticks inward, unsticks outward, "
+           "yield, unload or collapse; thud-methods(7) gives the guard of each."),
      .shown = {"event", NULL, 0, -17, 0, THUD_DIGITS_WORD}},
-    {EVENT(own.guard, "guard", "What passed 0, and which way: d is the indentation or drift, F the force."),
+    {EVENT(own.guard, "guard", "Guard that passed 0, and its direction: d is the indentation or drift, F the force."),
      .shown = {"guard", NULL, 0, -20, 0, THUD_DIGITS_WORD}},
     {EVENT(own.order, "order",
-           "How many of the lowest coefficients of that guard were taken as 0, because the event before had just put "
-           "it there; 0 as a rule."),
+           "Number of the guard's lowest coefficients set to 0, because the previous event had just made them 0; "
+           "usually 0."),
      .shown = {"order", NULL, 0, 6, 0, THUD_DIGITS_WORD}},
-    {EVENT(own.force_n, "force_n", "Force just behind the event, N; of a storey its shear."),
+    {EVENT(own.force_n, "force_n", "Force just after the event, N; for a storey its shear."),
      .shown = {"force (kN)", NULL, 1e-3, 12, 4, THUD_DIGITS_FIXED}},
     {EVENT(own.then, "then",
-           "The state that it led to: open, closed (approach or restitution), closed without force, sticking; of a "
+           "State after the event: open, closed (approach or restitution), closed without force, sticking; for a "
            "storey elastic, yields or collapsed."),
      .shown = {"then", NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_event_schema =
     THUD_SCHEMA("run --events",
                 "A row for each event, as text, with\n.Fl -csv\nas CSV, with\n.Fl -json\nas objects with these members "
-                "in the list\n.Va events .\nOf a contact the structure and the storey are left out, of a storey the\n"
-                "interface and its floors.\n",
+                "in the list\n.Va events .\nA contact omits the structure and the storey; a storey omits the interface "
+                "and\nits floors.\n",
                 events);
 
 /* The link whose events a row has; -1: another's. */
@@ -472,16 +475,16 @@ struct thud_rows thud_event_rows(const struct thud_report *report)
 
 #define ENERGY(member, key, text) THUD_FIELD(struct thud_energy, member, key, text)
 static const struct thud_column energies[] = {
-    ENERGY(initial_j, "initial_j", "At the beginning, J."),
-    ENERGY(input_j, "input_j", "Work of the ground, J."),
-    ENERGY(kinetic_j, "kinetic_j", "At the end, J."),
-    ENERGY(strain_j, "strain_j", "At the end, J."),
-    ENERGY(viscous_j, "viscous_j", "Dissipated by damping, J."),
-    ENERGY(contact_j, "contact_j", "Dissipated by contacts, J."),
-    ENERGY(stored_j, "stored_j", "Stored in contacts at the end, J."),
-    ENERGY(error_ratio, "error_ratio", "What is unaccounted for, over the largest of these."),
+    ENERGY(initial_j, "initial_j", "Energy at the beginning, J."),
+    ENERGY(input_j, "input_j", "Work done by the ground, J."),
+    ENERGY(kinetic_j, "kinetic_j", "Kinetic energy at the end, J."),
+    ENERGY(strain_j, "strain_j", "Strain energy at the end, J."),
+    ENERGY(viscous_j, "viscous_j", "Energy dissipated by damping, J."),
+    ENERGY(contact_j, "contact_j", "Energy dissipated by contacts, J."),
+    ENERGY(stored_j, "stored_j", "Energy stored in contacts at the end, J."),
+    ENERGY(error_ratio, "error_ratio", "Unaccounted energy over the largest of these terms."),
     {THUD_COLUMN(struct thud_energy, hysteretic_j, "hysteretic_j",
-                 "Lost in storeys that yield and links that slip, J; where there are any."),
+                 "Energy dissipated by yielding storeys and slipping links, J; if there are any."),
      .only = THUD_ROW_YIELDS},
     {THUD_COLUMN(struct thud_energy, gravity_j, "gravity_j",
                  "Work of the weight on drifting storeys, J; with P-Delta."),
@@ -491,10 +494,11 @@ const struct thud_schema thud_energy_schema =
 
 #define TRUNCATION(member, text) THUD_FIELD(struct thud_truncation, member, #member, text)
 static const struct thud_column truncations[] = {
-    TRUNCATION(modes, "Modes of each structure that were kept."), TRUNCATION(left_out, "How many were left out."),
-    TRUNCATION(acceleration, "Relative error."), TRUNCATION(drift, "Likewise."), TRUNCATION(force, "Likewise.")};
-const struct thud_schema thud_truncation_schema = THUD_SCHEMA(
-    "truncation", "In\n.Pa result.json ,\nwith\n.Fl -modes :\nthe error of leaving modes out.\n", truncations);
+    TRUNCATION(modes, "Number of modes retained in each structure."), TRUNCATION(left_out, "Number of modes omitted."),
+    TRUNCATION(acceleration, "Relative error of the accelerations."),
+    TRUNCATION(drift, "Relative error of the drifts."), TRUNCATION(force, "Relative error of the contact forces.")};
+const struct thud_schema thud_truncation_schema =
+    THUD_SCHEMA("truncation", "In\n.Pa result.json ,\nwith\n.Fl -modes :\nthe error of omitting modes.\n", truncations);
 
 struct record_row {
     struct thud_record own;
@@ -503,20 +507,19 @@ struct record_row {
 };
 #define RECORD(member, key, text) THUD_FIELD(struct record_row, member, key, text)
 static const struct thud_column record_fields[] = {
-    RECORD(own.file, "file", "Where it was read."),
-    RECORD(peak_mps2, "peak_mps2", "Largest acceleration as it was used, m/s2."),
-    RECORD(own.scale, "scale",
-           "What the samples of its file were multiplied by for that, with the sign; 1: as recorded."),
+    RECORD(own.file, "file", "Path of the file."),
+    RECORD(peak_mps2, "peak_mps2", "Peak acceleration as used, m/s2."),
+    RECORD(own.scale, "scale", "Factor on the samples of the file, with its sign; 1: as recorded."),
     RECORD(own.synthetic, "synthetic",
-           "Whether it is computed, not recorded: a comment line of its file says so in these words, as in "
-           "what record synthesize writes and what is made of that."),
-    RECORD(own.dt_s, "dt_s", "Its step, s."),
-    RECORD(own.samples, "samples", "How many."),
-    RECORD(own.event, "event", "As its file says."),
-    RECORD(own.station, "station", "As its file says."),
-    RECORD(own.component, "component", "As its file says."),
+           "Whether the motion is computed, not recorded: a comment line of its file states this, as in files of "
+           "record synthesize and files made from them."),
+    RECORD(own.dt_s, "dt_s", "Time step, s."),
+    RECORD(own.samples, "samples", "Number of samples."),
+    RECORD(own.event, "event", "Earthquake, as stated in the file."),
+    RECORD(own.station, "station", "Station, as stated in the file."),
+    RECORD(own.component, "component", "Component, as stated in the file."),
     RECORD(sha256, "sha256",
-           "SHA-256 of its file, before it is scaled; of one that is packed, unpacked; null: of no file.")};
+           "SHA-256 of the file before scaling, unpacked if it is compressed; null: there is no file.")};
 const struct thud_schema thud_record_schema =
     THUD_SCHEMA("record", "A ground motion wherever JSON has one.\n", record_fields);
 
@@ -533,15 +536,15 @@ struct method_row {
 };
 #define METHOD(member, key, text) THUD_FIELD(struct method_row, member, key, text)
 static const struct thud_column method_fields[] = {
-    METHOD(name, "name", "Of the method."),
-    METHOD(reason, "reason", "Why the exact method was chosen or what it means."),
-    METHOD(tolerance, "tolerance", "Tolerance."),
+    METHOD(name, "name", "Name of the method."),
+    METHOD(reason, "reason", "Reason for the exact method, or what the choice means."),
+    METHOD(tolerance, "tolerance", "Tolerance of the method."),
     METHOD(step_s, "step_s", "Step of a fixed-step method, s."),
-    METHOD(work.steps, "steps", "Steps."),
-    METHOD(work.force_evaluations, "force_evaluations", "Evaluations of contact forces."),
-    METHOD(work.events, "events", "Events."),
-    METHOD(work.rejected, "rejected", "Steps rejected."),
-    METHOD(work.samples_fast, "samples_contact_free", "Samples passed in closed form.")};
+    METHOD(work.steps, "steps", "Number of steps."),
+    METHOD(work.force_evaluations, "force_evaluations", "Number of evaluations of contact forces."),
+    METHOD(work.events, "events", "Number of events."),
+    METHOD(work.rejected, "rejected", "Number of rejected steps."),
+    METHOD(work.samples_fast, "samples_contact_free", "Number of samples passed in closed form.")};
 const struct thud_schema thud_method_schema =
     THUD_SCHEMA("method", "In\n.Pa result.json :\nthe method and its work.\n", method_fields);
 
@@ -560,15 +563,14 @@ struct remark_row {
 #define REMARK(member, key, text) THUD_FIELD(struct remark_row, member, key, text)
 static const struct thud_column remark_columns[] = {
     REMARK(place, "place", "Key of the scene that the remark concerns; empty: the whole scene."),
-    REMARK(sentence, "sentence", "The remark."),
+    REMARK(sentence, "sentence", "Text of the remark."),
     REMARK(allowed, "allowed", "Usual or allowed values, or the limit of the model; may be empty."),
-    REMARK(
-        weight, "weight",
-        "failure (the numbers have no meaning from there on), motion, model (beyond the range of the model), digits, "
-        "or unusual."),
+    REMARK(weight, "weight",
+           "Kind: failure (the numbers have no meaning after it), motion, model (beyond the range of the model), "
+           "digits, or unusual."),
     REMARK(keys, "keys",
-           "Keys whose values the numbers of the sentence are; a/b, a*b and a||b (ab/(a + b)) of two. Empty: the value "
-           "at its place, or numbers that no key has.")};
+           "Keys whose values are the numbers in the sentence; a/b, a*b and a||b (ab/(a + b)) combine two keys. Empty: "
+           "the value at its place, or numbers without a key.")};
 const struct thud_schema thud_remark_schema =
     THUD_SCHEMA("remarks", "The warnings of standard error as a list, for programs.\n", remark_columns);
 

@@ -49,27 +49,26 @@ enum { SPREAD = 1 };
 #define OF(measure, key, text)   FLOOR(own.of[THUD_MEASURE_##measure], key, text)
 #define ENDS(measure, key, unit, of)                                                                                   \
     THUD_FIELD_WITH(struct floor_row, own.low[THUD_MEASURE_##measure], key "_low" unit,                                \
-                    "With --sensitivity: smallest within the spread" of ".", .only = SPREAD),                          \
+                    "Smallest value within the spread of --sensitivity" of ".", .only = SPREAD),                       \
         THUD_FIELD_WITH(struct floor_row, own.high[THUD_MEASURE_##measure], key "_high" unit,                          \
-                        "With --sensitivity: largest within the spread" of ".", .only = SPREAD)
+                        "Largest value within the spread of --sensitivity" of ".", .only = SPREAD)
 
 static const struct thud_column floors[] = {
     FLOOR(record, "record", "Ground motion, as specified; empty for none."),
-    FLOOR(which, "case", "none, bumper, cavity or as-written."),
+    FLOOR(which, "case", "Case: none, bumper, cavity or as-written."),
     FLOOR(own.gap_m, "gap_m", "Gap of the first interface, m."),
     FLOOR(structure, "structure", "Name of the structure."),
     FLOOR(own.floor, "floor", "Floor from 1; 0 for the mean over the floors."),
     OF(ACCELERATION, "acceleration_mps2",
-       "Peak of the total acceleration, m/s2; empty on a floor struck by impulses, and so is the mean over its "
-       "structure."),
-    OF(DRIFT, "drift_m", "Peak of the drift, m."),
-    OF(DISPLACEMENT, "displacement_m", "Peak of the displacement relative to the ground, m."),
-    OF(ACCELERATION_RATIO, "acceleration_ratio", "Over that of case none at the same values."),
-    OF(DRIFT_RATIO, "drift_ratio", "Likewise."),
-    OF(DISPLACEMENT_RATIO, "displacement_ratio", "Likewise."),
-    OF(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "Over that without pounding, the structures being alone."),
-    OF(DRIFT_FREE_RATIO, "drift_free_ratio", "Likewise."),
-    OF(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "Likewise."),
+       "Peak total acceleration, m/s2; empty on a floor struck by impulses, as is the mean over its structure."),
+    OF(DRIFT, "drift_m", "Peak drift, m."),
+    OF(DISPLACEMENT, "displacement_m", "Peak displacement relative to the ground, m."),
+    OF(ACCELERATION_RATIO, "acceleration_ratio", "Acceleration over that of case none at the same values."),
+    OF(DRIFT_RATIO, "drift_ratio", "Drift over that of case none at the same values."),
+    OF(DISPLACEMENT_RATIO, "displacement_ratio", "Displacement over that of case none at the same values."),
+    OF(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "Acceleration over that without pounding."),
+    OF(DRIFT_FREE_RATIO, "drift_free_ratio", "Drift over that without pounding."),
+    OF(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "Displacement over that without pounding."),
     ENDS(ACCELERATION, "acceleration", "_mps2", ", m/s2"),
     ENDS(DRIFT, "drift", "_m", ", m"),
     ENDS(DISPLACEMENT, "displacement", "_m", ", m"),
@@ -79,7 +78,8 @@ static const struct thud_column floors[] = {
     ENDS(ACCELERATION_FREE_RATIO, "acceleration_free_ratio", "", ""),
     ENDS(DRIFT_FREE_RATIO, "drift_free_ratio", "", ""),
     ENDS(DISPLACEMENT_FREE_RATIO, "displacement_free_ratio", "", ""),
-    THUD_STANDS_FOR("KEY", "A varied key other than the gap, with its unit as in bumper.thickness_m, in SI units.")};
+    THUD_STANDS_FOR("KEY",
+                    "Value of a varied key except the gap, with its unit as in bumper.thickness_m, in SI units.")};
 const struct thud_schema thud_sweep_floor_schema =
     THUD_SCHEMA("sweep.csv",
                 "Written by\n.Cm sweep ,\nalso to standard output with\n.Fl -csv\nor, as objects,\n.Fl -json :\n"
@@ -88,20 +88,19 @@ const struct thud_schema thud_sweep_floor_schema =
 
 static const struct thud_column storeys[] = {
     OF(DUCTILITY, "ductility",
-       "Peak drift of the storey below the floor over that at which it yields; this and the following are empty "
-       "for an elastic storey, and for floor 0 means over the storeys that yield. Its ratio to another run of the "
-       "same storey is that of the drifts."),
+       "Peak drift of the storey below the floor over its yield drift. This and the following are empty for an elastic "
+       "storey, and means over the yielding storeys for floor 0. Its ratio to another run equals that of the drifts."),
     OF(PERMANENT, "permanent_m",
-       "Drift at the end at which it carries no force, m; for floor 0 the mean of the sizes."),
-    OF(EXCURSIONS, "excursions", "How many times it yielded."),
-    OF(HYSTERETIC, "hysteretic_j", "Energy lost in it, J."),
+       "Permanent drift at the end (drift at zero force), m; for floor 0 the mean of the absolute values."),
+    OF(EXCURSIONS, "excursions", "Number of yield excursions."),
+    OF(HYSTERETIC, "hysteretic_j", "Hysteretic energy dissipated in the storey, J."),
     ENDS(DUCTILITY, "ductility", "", ""),
     ENDS(PERMANENT, "permanent", "_m", ", m"),
     ENDS(EXCURSIONS, "excursions", "", ""),
     ENDS(HYSTERETIC, "hysteretic", "_j", ", J"),
     FLOOR(own.collapsed, "collapsed",
-          "The last one of every row: 1 where a storey collapses in the run (with P-Delta); its peaks are those until "
-          "then, and it has no ratios. Else 0.")};
+          "Last column of every row: 1 if a storey collapses in the run (with P-Delta), else 0. The peaks are then "
+          "those up to the collapse, and there are no ratios.")};
 const struct thud_schema thud_sweep_storey_schema = THUD_SCHEMA(
     "sweep.csv of storeys",
     "At the end of each row: the last one;\nbefore it, if storeys of the scene yield, the others.\n", storeys);
@@ -119,31 +118,33 @@ static const struct thud_column contacts[] = {
     CONTACT(which, "case", "Case."),
     CONTACT(own.gap_m, "gap_m", "Gap of the first interface, m."),
     CONTACT(own.level.interface, "interface", "Number of the interface."),
-    CONTACT(own.level.left_floor, "left_floor", "Floor on its left."),
-    CONTACT(own.level.right_floor, "right_floor", "Floor on its right."),
-    CONTACT(own.of.impacts, "impacts", "How many."),
-    CONTACT(own.of.force_n, "force_n", "Largest force, N; empty where impulses have none."),
-    CONTACT(own.of.indentation_m, "indentation_m", "Largest indentation, m; empty like the force."),
-    CONTACT(own.of.impulse_ns, "impulse_ns", "Impulse of all impacts, N s."),
+    CONTACT(own.level.left_floor, "left_floor", "Floor on the left of the interface."),
+    CONTACT(own.level.right_floor, "right_floor", "Floor on the right of the interface."),
+    CONTACT(own.of.impacts, "impacts", "Number of impacts."),
+    CONTACT(own.of.force_n, "force_n", "Peak force, N; empty where impulses have none."),
+    CONTACT(own.of.indentation_m, "indentation_m", "Peak indentation, m; empty where the force is empty."),
+    CONTACT(own.of.impulse_ns, "impulse_ns", "Total impulse of all impacts, N s."),
     CONTACT(own.of.contact_time_s, "contact_time_s",
-            "Time in which the contact pushes, s, as in the contacts of a run."),
-    CONTACT(own.of.residual_m, "residual_m", "Indentation left by plastic deformation, m."),
-    CONTACT(own.of.residual_gap_m, "residual_gap_m", "Clearance and residual indentation at the end, m."),
+            "Total duration with a compressive force, s, as in the contacts of a run."),
+    CONTACT(own.of.residual_m, "residual_m", "Residual indentation from plastic deformation, m."),
+    CONTACT(own.of.residual_gap_m, "residual_gap_m", "Sum of clearance and residual indentation at the end, m."),
     CONTACT(struck, "struck_columns",
-            "left or right where a slab strikes that structure's columns, below the floor named; otherwise empty."),
-    CONTACT(own.of.shear_lower_n, "shear_lower_n", "Largest shear at the lower end of those columns, N."),
-    CONTACT(own.of.shear_upper_n, "shear_upper_n", "At their upper end, N."),
-    CONTACT(own.of.capacity_ratio, "shear_over_capacity", "The larger one over what they can bear."),
+            "Side of the columns that a slab strikes (left or right), below the floor named; otherwise empty."),
+    CONTACT(own.of.shear_lower_n, "shear_lower_n", "Peak shear at the lower end of those columns, N."),
+    CONTACT(own.of.shear_upper_n, "shear_upper_n", "Peak shear at the upper end of those columns, N."),
+    CONTACT(own.of.capacity_ratio, "shear_over_capacity", "Larger peak shear over the capacity of those columns."),
     THUD_FIELD_WITH(struct contact_row, own.force_low_n, "force_low_n",
-                    "With --sensitivity: smallest force within the spread, N.", .only = SPREAD),
-    THUD_FIELD_WITH(struct contact_row, own.force_high_n, "force_high_n", "Largest, N.", .only = SPREAD),
+                    "Smallest peak force within the spread of --sensitivity, N.", .only = SPREAD),
+    THUD_FIELD_WITH(struct contact_row, own.force_high_n, "force_high_n",
+                    "Largest peak force within the spread of --sensitivity, N.", .only = SPREAD),
     THUD_FIELD_WITH(struct contact_row, own.indentation_low_m, "indentation_low_m",
-                    "With --sensitivity: smallest indentation, m.", .only = SPREAD),
-    THUD_FIELD_WITH(struct contact_row, own.indentation_high_m, "indentation_high_m", "Largest, m.", .only = SPREAD),
-    THUD_STANDS_FOR("KEY", "A varied key other than the gap, in SI units."),
+                    "Smallest peak indentation within the spread of --sensitivity, m.", .only = SPREAD),
+    THUD_FIELD_WITH(struct contact_row, own.indentation_high_m, "indentation_high_m",
+                    "Largest peak indentation within the spread of --sensitivity, m.", .only = SPREAD),
+    THUD_STANDS_FOR("KEY", "Value of a varied key other than the gap, in SI units."),
     CONTACT(own.of.moment_lower_nm, "moment_lower_nm",
-            "Largest bending moment at the lower end of struck columns, N m; empty where floors meet."),
-    CONTACT(own.of.moment_upper_nm, "moment_upper_nm", "At their upper end, N m.")};
+            "Peak bending moment at the lower end of struck columns, N m; empty where floors meet."),
+    CONTACT(own.of.moment_upper_nm, "moment_upper_nm", "Peak bending moment at the upper end of struck columns, N m.")};
 const struct thud_schema thud_sweep_contact_schema =
     THUD_SCHEMA("contacts.csv", "Written by\n.Cm sweep Fl o :\na row for each run and contact.\n", contacts);
 enum { MOMENTS = 2 }; /* behind the varied keys */
@@ -156,18 +157,17 @@ enum { MOMENTS = 2 }; /* behind the varied keys */
 static const struct thud_column needs[] = {
     {NEED(record, "record", "Ground motion, as specified."), .only = THUD_NEED_RECORD},
     {NEED(level.interface, "interface", "Number of the interface.")},
-    {NEED(level.left_floor, "left_floor", "Floor on its left.")},
-    {NEED(level.right_floor, "right_floor", "Floor on its right.")},
-    {NEED(level.left_m, "left_displacement_m", "Peak of the left floor alone, m.")},
-    {NEED(level.right_m, "right_displacement_m", "Peak of the right floor alone, m.")},
-    {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Required gap: how far the two close, m.")},
+    {NEED(level.left_floor, "left_floor", "Floor on the left of the interface.")},
+    {NEED(level.right_floor, "right_floor", "Floor on the right of the interface.")},
+    {NEED(level.left_m, "left_displacement_m", "Peak displacement of the left floor without pounding, m.")},
+    {NEED(level.right_m, "right_displacement_m", "Peak displacement of the right floor without pounding, m.")},
+    {RULE(THUD_GAP_EXACT, "relative_displacement_m", "Required gap: peak relative displacement of the two floors, m.")},
 #define THUD_RULE(id, name, column, clause, edition, title, source, formula, numbers, lacks, text, value)              \
     {RULE(id, column, text)},
 #include "study/scene/gap_rule_list.h"
-    {NEED(level.correlation, "correlation", "Coefficient of DDC; no value where storeys yield.")},
+    {NEED(level.correlation, "correlation", "Correlation coefficient of DDC; no value where storeys yield.")},
     {NEED(struck, "struck_columns",
-          "left or right where a slab faces that structure's columns, whose place between the floors counts; otherwise "
-          "empty.")},
+          "Side of the columns that a slab faces between two floors (left or right); otherwise empty.")},
 #define THUD_RULE_CODE(id, name, column, clause, edition, title, source, formula, numbers, lacks, text, value)         \
     {RULE(id, column, text), .only = THUD_NEED_CODES},
 #include "study/scene/gap_rule_list.h"
