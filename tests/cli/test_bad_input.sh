@@ -51,8 +51,8 @@ edit "tag" 's/height: 3 m/height: !!float 3/' "bad.yaml:$(line 'height:'):13: ta
 edit "second document" 's/^study:/---\nstudy:/' "bad.yaml:$(line '^study'):1: a second document begins"
 edit "wrong nesting" 's/^    contact:/    contact: 5/' "bad.yaml:"
 # shellcheck disable=SC2016 # the last line, not a variable
-edit "a value where keys are wanted" '/^study:/,$d; s/^analysis:/analysis: fast/; /^  method/d; /^  tolerance/d; /^  tail/d' "bad.yaml:$(line '^analysis'):11: analysis: keys with values are wanted here"
-edit "tab" 's/^  file:/\tfile:/' "bad.yaml:$(line '  file:'):1: a tab stands here (spaces)"
+edit "a value where keys are wanted" '/^study:/,$d; s/^analysis:/analysis: fast/; /^  method/d; /^  tolerance/d; /^  tail/d' "bad.yaml:$(line '^analysis'):11: analysis: keys with values are expected here"
+edit "tab" 's/^  file:/\tfile:/' "bad.yaml:$(line '  file:'):1: a tab is not allowed here (spaces)"
 edit "missing interface" '/^interfaces:/,/unloading/d' "bad.yaml:"
 edit "no ground motion of that name" 's/file: kobe-surrogate.csv/file: kobe-surogate.csv/' "bad.yaml:$(line '  file:'):9: record.file: no ground motion \"kobe-surogate.csv\"; did you mean \"kobe-surrogate.csv\"?"
 

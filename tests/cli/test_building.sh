@@ -19,7 +19,7 @@ is "do not go with the shapes" says 'the shapes of modes . and . overlap'
 is "no verb" gives 3 building "$frame"
 sed 's/kN\/m/kN/g' "$frame" >"$tmp/unit.csv"
 is "a wrong unit" gives 3 building import "$tmp/unit.csv"
-is "the header's place" says 'unit.csv:2: kN is no unit of a stiffness or a flexibility'
+is "the header's place" says 'unit.csv:2: kN is not a unit of a stiffness or a flexibility'
 grep -v kN "$tmp/unit.csv" >"$tmp/bare.csv"
 is "no unit" gives 3 building import "$tmp/bare.csv"
 is "is asked for" says "bare.csv:1: the unit of the matrix is not specified (in the header, (kN/m), or unit: kN/m"
@@ -52,7 +52,7 @@ is "says which file is wrong, and where" says 'frame-beside-wall.frame.csv:4:8: 
 tac "$wall" | sed 's/^/M,/; /Case/d; /sec/d' | awk -F, -v OFS=, '{ print $2, $3, $4, $10, $9, $8, $7, $6, $5 }' | sed '1i Case,Mode,Period (s),a,b,c,d,e,f' >"$tmp/frame-beside-wall.wall.csv"
 cp "$frame" "$tmp"
 is "floors from the roof down" gives 3 run "$tmp/own.yaml"
-is "are told with one key" says 'wall.csv:[0-9:]* structures.2.order: the floors seem to stand from the roof down'
+is "are told with one key" says 'wall.csv:[0-9:]* structures.2.order: the floors seem to be listed from the roof down'
 cp "$wall" "$tmp"
 rm "$tmp/frame-beside-wall.frame.csv"
 sed -i 's/frame-beside-wall.frame/none/' "$tmp/own.yaml"

@@ -150,7 +150,7 @@ done
 sed '0,/kind: shear/s//kind: shear\
     foundation: {}/' presets/towers.yaml >"$tmp/nothing.yaml"
 is "an empty group" gives 3 run "$tmp/nothing.yaml"
-is "is refused in its place" says "nothing.yaml:[0-9]*:[0-9]*: structures.1.foundation: there is nothing in it"
+is "is refused in its place" says "nothing.yaml:[0-9]*:[0-9]*: structures.1.foundation: it is empty"
 is "a group in place of a key" gives 3 run towers --set structures.1.foundation=2
 is "is told as one" says "structures.1.foundation: it has keys of its own"
 is "an isolation stiffness beside another law" gives 3 run isolated-lead-rubber --set "structures.2.isolation-stiffness=2 MN/m"
@@ -158,6 +158,6 @@ is "is refused as a radius is" says "^thud: structures.2.isolation-stiffness: le
 sed 's/^title/p-delta: yes\
 title/; s/vs: .*/vs: 2 m\/s/' presets/towers-on-soil.yaml >"$tmp/soft.yaml"
 is "a building that falls on its soil" gives 3 run "$tmp/soft.yaml"
-is "is told with line and key" says "soft.yaml:[0-9]*:[0-9]*: structures.1.foundation: the building falls under its own weight on this soil"
+is "is told with line and key" says "soft.yaml:[0-9]*:[0-9]*: structures.1.foundation: the building buckles under its own weight on this soil"
 run uncertainty rigid-concrete --set contact.law=linear --samples 2 --quiet
 is "no input that the law has not" sh -c "! grep -q restitution '$tmp/out'"

@@ -55,9 +55,9 @@ soft="--set p-delta=yes --set structures.1.hardening=0% --set structures.2.harde
     is "fragility" gives 0 fragility towers-yielding $soft --vary record.peak=0.4g,0.821g --cases none --event collapse -o "$tmp/f" --quiet
     is "counts them too" [ "$(awk -F, '$1 == "collapse" { printf "%s ", $6 }' "$tmp/f/fragility.csv")" = "0 1 " ]
     is "a storey softer than its weight" gives 3 run towers --set p-delta=yes --set structures.1.stiffness.2=2MN/m
-    is "is unstable" says 'storey 2 of A falls under its own weight: 8\.728 MN above it on a height of 3 m take off 2\.909 MN/m'
+    is "is unstable" says 'storey 2 of A buckles under its own weight: 8\.728 MN above it on a height of 3 m take off 2\.909 MN/m'
     is "more may hang on it than shakes" gives 3 run towers --set p-delta=yes --set structures.1.gravity=500MN
-    is "which counts" says 'storey 1 of A falls under its own weight: 2000 MN above it'
+    is "which counts" says 'storey 1 of A buckles under its own weight: 2000 MN above it'
     is "a walk has no yes and no" gives 3 run towers --set p-delta=perhaps
     is "and is told" says '(no, yes)'
     is "a rigid body has no storeys with a weight" gives 3 run rigid-bumper --set structures.1.gravity=1MN

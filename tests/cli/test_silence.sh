@@ -19,22 +19,22 @@ rows() { # LIST: how many motions a sweep over it has; runs it
 printf 'a.csv\n\000\nb.csv\n' >zero.list
 # shellcheck disable=SC2086
 is "a list with a byte 0 is refused" gives 3 sweep towers --records zero.list $short
-is "with its line" says '^zero.list:2:1: a byte 0 stands here'
+is "with its line" says '^zero.list:2:1: a NUL byte is not allowed here'
 printf 'set gap 6 cm\nset\000 gap 7 cm\nset gap 8 cm\n' >zero.play
 is "a session with one" gives 3 towers --play zero.play
-is "is not played up to it" says '^zero.play:2:4: a byte 0 stands here'
+is "is not played up to it" says '^zero.play:2:4: a NUL byte is not allowed here'
 is "nor in part" [ ! -s out ]
 printf '0.1 0.1\n0.2 0.05\n\0000.3 0.01\n' >zero.txt
 is "a hazard curve with one" gives 3 fragility towers --records a.csv,b.csv --vary record.peak=0.1g:0.3g:0.1g --to 2s --quiet --hazard zero.txt
-is "is refused at its line" says '^zero.txt:3:1: a byte 0 stands here'
+is "is refused at its line" says '^zero.txt:3:1: a NUL byte is not allowed here'
 mkdir -p config/thud
 printf 'color off\nmouse \000off\n' >config/thud/config
 printf 'show\n' >show.play
 XDG_CONFIG_HOME=$tmp/config run towers --play show.play
-is "a configuration with one is refused with its line" says '/config:2:7: a byte 0 stands here'
+is "a configuration with one is refused with its line" says '/config:2:7: a NUL byte is not allowed here'
 printf 'time_s,acceleration_g\n0,0\n0.01,0.1\n0.02,\0000.2\n0.03,0\n' >zero.csv
 is "a record with one" gives 3 record info zero.csv
-is "is refused at its line too" says '^zero.csv:4:6: a byte 0 stands here'
+is "is refused at its line too" says '^zero.csv:4:6: a NUL byte is not allowed here'
 
 # line ends and the mark that some editors put first
 printf '\357\273\277a.csv\r\n# comment\r\nb.csv' >mark.list

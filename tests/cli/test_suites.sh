@@ -544,7 +544,7 @@ is "a target from a file" gives 0 suite "$tmp/motions" --target "$tmp/target.csv
 is "its ends are the range's, and it is said" shows "periods 0.100 to 2.00 s in place of 0.100 to 3.00 s"
 printf 'period_s,sa\n0.05,0.4\n0.5,0.9\n' >"$tmp/target.csv"
 is "a target without a unit" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
-is "is told with its line" says "target.csv:1:1: .*does not say the unit"
+is "is told with its line" says "target.csv:1:1: .*does not state the unit"
 printf 'period_s,sa_g\n0.05,0.4\n0.5,0.9\n\0002,0.2\n' >"$tmp/target.csv"
 is "a byte 0 in a target" gives 3 suite "$tmp/motions" --target "$tmp/target.csv"
 is "is told with its line" says "target.csv:4:1: "

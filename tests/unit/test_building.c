@@ -315,7 +315,7 @@ START_TEST(a_matrix_under_its_weight)
     for (int i = 0; i < 6; i++)
         other.structure[1].gravity_n[i] = 500e6;
     ck_assert_int_eq(thud_scene_check(&other, &err), THUD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.what, "falls under its own weight"));
+    ck_assert_ptr_nonnull(strstr(err.what, "buckles under its own weight"));
 }
 END_TEST
 
@@ -402,16 +402,16 @@ static const struct {
      "1e-06"},
     {"a (kN/m),b\n1,-2\n-2,3\n", 0, 0, "", 0, 2, 1, "least eigenvalue is -236.1 N/m", "stands on its ground"},
     {"a (kN/m),b\n4,-2\n-2,-3\n", 0, 0, "", 0, 3, 4, "not positive definite", "ground"},
-    {"a (kN),b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "kN is no unit of a stiffness", "kN/m"},
+    {"a (kN),b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "kN is not a unit of a stiffness", "kN/m"},
     {"a,b\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 0, "unit of the matrix is not specified", "unit: kN/m"},
-    {"a,b\n4,-2\n-2,2\n", 0, 0, "s", 0, 0, 0, "s is no unit", "kN/m"},
-    {"a (kN/m),b\n4,-2\n-2,2\n", 0, 0, "MN/m", 0, 1, 0, "the header says kN/m, and `unit` MN/m", "one of the two"},
+    {"a,b\n4,-2\n-2,2\n", 0, 0, "s", 0, 0, 0, "s is not a unit", "kN/m"},
+    {"a (kN/m),b\n4,-2\n-2,2\n", 0, 0, "MN/m", 0, 1, 0, "the header states kN/m, but `unit` MN/m", "one of the two"},
     {"a (kN/m),b (MN/m)\n4,-2\n-2,2\n", 0, 0, "", 0, 1, 1, "the unit twice", "one unit"},
     {"a (mm/kN),b\n1,1\n1,2\n", 0, 0, "", 0, 1, 0, "mm/kN is the unit of a flexibility", "flexibility-matrix"},
     {"a (kN/m),b\n4,-2\n-2,2\n", 1, 0, "", 0, 1, 0, "kN/m is the unit of a stiffness", "stiffness-matrix"},
     {"a (kN/m),b\n4,-2\n-2,2\n", 0, 3, "", 0, 2, 0, "2 rows and columns, and the building has 3 floors", "every floor"},
     {"a (kN/m),b\n2,-2\n-2,4\n", 0, 0, "", 0, 2, 0, "from the roof down", "roof-first"},
-    {"a (kN/m),b\n4,x\n-2,4\n", 0, 0, "", 0, 2, 3, "\"x\" is not a number", "behind the labels"},
+    {"a (kN/m),b\n4,x\n-2,4\n", 0, 0, "", 0, 2, 3, "\"x\" is not a number", "after the labels"},
     {"a (kN/m),b\n", 0, 0, "", 0, 0, 0, "no row of numbers", ""},
     {"Mode,Period (s),a,b\n1,0.5,1\n", 2, 0, "", 0, 2, 0, "3 values in this row, 4 names", "under every name"},
     {"Mode,Period (s),a,b\n1,0.5,0.5,1\n", 2, 3, "", 0, 2, 0, "2 shape values in a row, and the building has 3",

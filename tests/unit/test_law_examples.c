@@ -247,7 +247,7 @@ START_TEST(what_is_no_law_is_refused)
         check_refused(both, row[i].value, row[i].column, row[i].why);
     struct thud_law law = both;
     law.flags |= THUD_LAW_LINEAR;
-    check_refused(law, row[4].value, 0, "said to be linear");
+    check_refused(law, row[4].value, 0, "declared linear");
     law = both;
     law.ultimate = at_zero;
     check_refused(law, row[0].value, 0, "not above 0");
@@ -263,7 +263,7 @@ START_TEST(what_is_no_law_is_refused)
     law = both;
     law.flags = 0;
     law.reversal = no_reversal;
-    check_refused(law, row[0].value, 0, "not said to reverse");
+    check_refused(law, row[0].value, 0, "undeclared reversal");
 }
 END_TEST
 

@@ -123,8 +123,8 @@ static const struct {
     {"gap: 100 mm", "gap: .nan", "p:24:10: interfaces.1.gap: \".nan\" is not a number; give a length"},
     {"gap: 100 mm", "gap: inf m", "p:24:10: interfaces.1.gap: \"inf m\" is not a number"},
     {"gap: 100 mm", "gap:", "p:24:9: interfaces.1.gap: nothing is given"},
-    {"gap: 100 mm", "gap: [1 cm]", "p:24:10: interfaces.1.gap: a list stands where one value is wanted"},
-    {"gap: 100 mm", "gap: {a: 1}", "p:24:10: interfaces.1.gap: keys stand where a value is wanted"},
+    {"gap: 100 mm", "gap: [1 cm]", "p:24:10: interfaces.1.gap: a list is given where one value is expected"},
+    {"gap: 100 mm", "gap: {a: 1}", "p:24:10: interfaces.1.gap: keys are given where a value is expected"},
     {"gap: 100 mm", "gap: 4 cm",
      "p:33:18: interfaces.1.bumper.thickness: the bumper projects by 5 cm into a gap of 4 cm (thickness - cavity <= "
      "gap)"},
@@ -138,7 +138,7 @@ static const struct {
     {"  - gap: 100 mm   # wide\n    contact", "  - contact",
      "p:24:5: interfaces.1.gap: gap is not given (a length in m, cm"},
     {"320000 kg", "-5 t", "p:10:19: structures.1.mass.2: -5 t is too small (> 0 t"},
-    {"320000 kg", "[1 t]", "p:10:19: structures.1.mass.2: a list or keys stand where one value is wanted"},
+    {"320000 kg", "[1 t]", "p:10:19: structures.1.mass.2: a list or keys are given where one value is expected"},
     {"320000 kg", "", "p:10:"},
     {", 250 t] # four", "] # four\n    storeys: 4",
      "p:10:11: structures.1.mass: the list has 3 values, the structure has 4 storeys"},
@@ -148,7 +148,7 @@ static const struct {
     {"kind: shear", "kind: sheer",
      "p:9:11: structures.1.kind: unknown choice \"sheer\"; did you mean \"shear\"? (shear, rigid, isolated, wall, "
      "matrix, modes, estimated)"},
-    {"kind: shear", "kind: wall", "p:10:11: structures.1.mass: a list stands where one value is wanted"},
+    {"kind: shear", "kind: wall", "p:10:11: structures.1.mass: a list is given where one value is expected"},
     {"kind: shear", "kind: isolated",
      "p:8:5: structures.1.base-mass: mass of the base slab is not given (a mass in t, kg, Mg, lb, kip s2/in, tonf "
      "s2/m)"},
@@ -171,7 +171,7 @@ static const struct {
      "p:31:18: interfaces.1.bumper.stiffness: the unit of \"0.36 kN/mm^2.65\" has the exponent 2.65, the law's "
      "exponent is 2.7"},
     {"  - gap: 3 in\n    contact: {law: linear, stiffness: 1 MN/mm} # flow\n", "",
-     "p:24:3: interfaces: 3 structures stand in a row, so 2 interfaces are wanted, not 1"},
+     "p:24:3: interfaces: 3 structures need 2 interfaces, not 1"},
     {"exponent: 2.65", "kind: 2.65",
      "p:32:7: interfaces.1.bumper.kind: unknown key \"kind\""}, /* a key of others, set first */
     {"interfaces:\n", "interface:\n", "p:23:1: interface: unknown key \"interface\"; did you mean \"interfaces\"?"},
@@ -179,12 +179,12 @@ static const struct {
     {"record:\n", "record: &a\n", "p:3:9: anchors (&name) are not taken"},
     {"file: kobe.csv", "file: *a", "p:4:9: aliases (*name) are not taken"},
     {"file: kobe.csv", "file: !!str kobe.csv", "p:4:9: tags (!name) are not taken"},
-    {"file: kobe.csv", "? [a, b]\n  : kobe.csv", "p:4:5: a list or keys stand where a key is wanted"},
+    {"file: kobe.csv", "? [a, b]\n  : kobe.csv", "p:4:5: a list or keys are given where a key is expected"},
     {"sign: +", "sign: x", "p:6:9: record.sign: unknown choice \"x\" (+, -)"},
     {"sign: +", "sign: -", "p:6:9: block sequence entries are not allowed in this context"},
     {"sign: +", "<<: {a: 1}", "p:6:3: record.<<: unknown key \"<<\""},
-    {"sign: +", "dt.x: 5 s", "p:6:3: record: the key is no word of presets"},
-    {"  sign: +", "\tsign: +", "p:6:1: a tab stands here (spaces)"},
+    {"sign: +", "dt.x: 5 s", "p:6:3: record: presets have no such key"},
+    {"  sign: +", "\tsign: +", "p:6:1: a tab is not allowed here (spaces)"},
     {"tolerance: 1e-8", "tolerance: 1", "p:38:14: analysis.tolerance: 1 is too large (1e-13 to 0.1)"},
     {"tolerance: 1e-8", "method: exakt", "p:38:11: analysis.method: unknown method \"exakt\"; did you mean \"exact\"?"},
     {"vary: interfaces.1.gap", "vary: gap", "p:40:9: "},
@@ -204,7 +204,7 @@ static const struct {
     {"name: A ", "name: \"a\\tb\" ", "p:8:11: structures.1.name: the text has a control character"},
     {"mass: [320 t, 320000", "mass: '[320 t, 320000", "p:"},
     {"[320 t, 320000 kg, 320 t, 250 t]", "\"[320 t, 1 t]\"\n    storeys: 2",
-     "p:10:11: structures.1.mass: a list must not stand in quotes"},
+     "p:10:11: structures.1.mass: a list must not be quoted"},
 };
 
 START_TEST(what_is_wrong_is_said_with_its_place)
@@ -220,13 +220,13 @@ START_TEST(whole_files_that_are_none)
     static const char *const rows[][2] = {
         {"", "p:1:1: the file is empty"},
         {"# only a comment\n", "p:1:1: the file is empty"},
-        {"---\n", "p:2:1: keys with values are wanted here"},
-        {"hello\n", "p:1:1: keys with values are wanted here"},
-        {"- a\n- b\n", "p:1:1: keys with values are wanted here"},
+        {"---\n", "p:2:1: keys with values are expected here"},
+        {"hello\n", "p:1:1: keys with values are expected here"},
+        {"- a\n- b\n", "p:1:1: keys with values are expected here"},
         {"{}\n", "p:1:1: structures: there is no structure"},
         {"structures: []\n", "p:1:13: structures: there is no structure"},
-        {"structures: 5\n", "p:1:13: structures: a list is wanted here"},
-        {"structures:\n  - 5\n", "p:2:5: structures.1: keys with values are wanted here"},
+        {"structures: 5\n", "p:1:13: structures: a list is expected here"},
+        {"structures:\n  - 5\n", "p:2:5: structures.1: keys with values are expected here"},
         {"structures:\n  - kind: shear\n    mass: 3 t\n",
          "p:2:5: structures.1.storeys: storeys is not given (a number, or a list"},
         {"structures:\n  - kind: wall\n", "p:2:3: structures: there are only walls"},

@@ -16,7 +16,7 @@ START_TEST(no_record_at_all)
     ck_assert_str_eq(err.allowed, "2 or more");
     ck_assert_int_eq(thud_record_parse("1\n2\n\0\1\2\n", 9, "file", &choice, &record, &err), THUD_INPUT);
     ck_assert_int_eq(err.line, 3);
-    ck_assert_ptr_nonnull(strstr(err.what, "a byte 0"));
+    ck_assert_ptr_nonnull(strstr(err.what, "a NUL byte"));
     ck_assert_int_eq(thud_record_file_read("/", &choice, &record, &err), THUD_INPUT);
     ck_assert_ptr_nonnull(strstr(err.what, "folder"));
     ck_assert_int_eq(thud_record_file_read("/dev/zero", &choice, &record, &err), THUD_INPUT);
@@ -36,8 +36,8 @@ START_TEST(numbers_that_are_none)
     refuses("time_s,a (g),b\n0,1,2\n0.01,,3\n0.02,2,1\n", 3, "", "empty field");
     refuses("1\n2\n3x\n4\n", 3, "", "\"3x\" is not a number");
     refuses("1\n2\n0x10\n", 3, "", "is not a number");
-    refuses("1.5\n2.5\n1.2.3\n", 3, "", "touch");
-    refuses("1.5\n2.5\n1E-021.5\n", 3, "", "touch"); /* 1E-02 and 1.5, or 1E-021 and .5 */
+    refuses("1.5\n2.5\n1.2.3\n", 3, "", "separator");
+    refuses("1.5\n2.5\n1E-021.5\n", 3, "", "separator"); /* 1E-02 and 1.5, or 1E-021 and .5 */
     refuses("1.5\n2.5\n********\n", 3, "", "is not a number");
     refuses("PEER\nA\nUNITS OF G\nNPTS= 3, DT= .01 SEC\n1 2\n*******\n", 6, "", "is not a number");
     refuses("time_s,acceleration_mps2\n0,1\n0.01,\"2\n0.02,3\n", 3, "", "quotation mark");

@@ -71,7 +71,7 @@ START_TEST(help_is_searched)
     fixture_keys(&f, "n");
     fixture_expect(&f, "Nothing is searched for");
     fixture_keys(&f, "/POST-yield<Enter>");
-    fixture_expect(&f, "▸      Share of the thickness");
+    fixture_expect(&f, "▸      Fraction of the thickness");
     int marked = 0;
     for (int i = 0; i < f.tui->canvas.width * f.tui->canvas.height; i++)
         marked += f.tui->canvas.cell[i].style.role == THUD_ROLE_WARN;
@@ -79,7 +79,7 @@ START_TEST(help_is_searched)
     fixture_keys(&f, "n");
     fixture_expect(&f, "▸  post-yield: stiffness");
     fixture_keys(&f, "N");
-    fixture_expect(&f, "▸      Share of the thickness");
+    fixture_expect(&f, "▸      Fraction of the thickness");
     fixture_keys(&f, "/xyzzy<Enter>");
     fixture_expect(&f, "nowhere in the help");
     fixture_keys(&f, "/kr-alpha<Enter><Size 60x16>"); /* another width: other lines, still found */

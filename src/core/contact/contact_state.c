@@ -95,7 +95,7 @@ double thud_state_default_step(const struct thud_state *state)
 enum thud_status thud_state_too_few_modes(const struct thud_state *state, struct thud_error *err)
 {
     return thud_error_refuse(err, THUD_DIVERGED, "modes", "more of them, or all",
-                             "more contacts touch at once than the modes tell apart, at t = %.6g s",
+                             "more contacts are closed at once than the modes can distinguish, at t = %.6g s",
                              thud_state_now(state));
 }
 

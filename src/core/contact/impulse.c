@@ -129,7 +129,7 @@ static enum thud_status check_energy(const struct thud_state *state, const struc
     }
     if (lost >= -THUD_TOL_IMPULSE_ENERGY * size - rest)
         return THUD_OK;
-    return thud_error_set(err, THUD_DIVERGED, "the impulses at t = %.6g s give %.3g J, which nothing stored",
+    return thud_error_set(err, THUD_DIVERGED, "the impulses at t = %.6g s release %.3g J that was not stored",
                           thud_state_now(state), -lost);
 }
 

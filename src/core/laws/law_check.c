@@ -16,7 +16,7 @@ static bool is_finite(const struct thud_branch *b)
 static const char *power_fault(const struct thud_branch *b, enum thud_phase phase)
 {
     if (b->K < 0 || b->p <= 0 || (b->D != 0 && b->r <= 0))
-        return "K and the exponents of its branch have to be above 0";
+        return "K and the exponents of its branch must be above 0";
     if (b->D != 0 && b->r == b->p)
         return b->f0_n == 0 && b->k_npm == 0 && b->c_nspm == 0 ? NULL
                                                                : "its branch K d^p (1 + s v) can have no other terms";
@@ -36,7 +36,7 @@ const char *thud_branch_fault(const struct thud_law *law, const struct thud_bran
     if (b->K == 0 && b->D == 0)
         return NULL;
     if (law->flags & THUD_LAW_LINEAR)
-        return "it is said to be linear, and its branch has a power of the indentation";
+        return "it is declared linear, but its branch has a power of the indentation";
     if (b->K != 0)
         return power_fault(b, phase);
     return b->p == 1 && b->r == 1 &&
@@ -51,7 +51,7 @@ static const char *table_fault(const struct thud_law *law)
         return "it has more parameters than there is room for";
     if (!(law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE)) && (!law->branch || !law->elastic_energy))
         return "it has no branches, or no elastic energy";
-    return law->reversal && !(law->flags & THUD_LAW_REVERSES) ? "it has a reversal, and is not said to reverse" : NULL;
+    return law->reversal && !(law->flags & THUD_LAW_REVERSES) ? "it has an undeclared reversal" : NULL;
 }
 
 /* The branches on either side of the ultimate compression of a phase. */
@@ -98,7 +98,7 @@ static enum thud_status check(const struct thud_law *law, const struct thud_law_
         fault = cycle_fault(law, setup, &memory, depth_m[i]);
     if (!fault)
         return THUD_OK;
-    return thud_error_refuse(err, THUD_INPUT, "law", "what thud(3) requires of your own law",
+    return thud_error_refuse(err, THUD_INPUT, "law", "thud(3) states the requirements of your own law",
                              "the law %s cannot be used: %s", law->name, fault);
 }
 
@@ -108,7 +108,7 @@ enum thud_status thud_law_prepare(const struct thud_law *law, struct thud_law_se
     setup->law = law;
     if (setup->column_npm > 0 && law->flags & THUD_LAW_IMPULSIVE)
         return thud_error_refuse(err, THUD_INPUT, "law", "another law, or columns without EI and stiffness",
-                                 "columns that give need a contact force, and %s has impulses", law->name);
+                                 "flexible columns need a contact force, but %s has impulses", law->name);
     if (setup->column_npm > 0 && spring >= 0)
         setup->value[spring] *= setup->column_npm / (setup->value[spring] + setup->column_npm);
     enum thud_status status = law->prepare ? law->prepare(setup, err) : THUD_OK;

@@ -46,7 +46,7 @@
 
 #define THUD_PARAM_SPEED_FLOOR                                                                      \
     {.name = "speed-floor", .title = "least impact speed",                                          \
-     .help = "The damping divides by the approach velocity at contact onset, but by no less than this.",  \
+     .help = "Lower bound of the approach velocity by which the damping divides.",  \
      .kind = THUD_PARAM_QUANTITY, .dimension = THUD_VELOCITY, .unit = "mm/s",                       \
      .fallback = 1e-3, .least = 0, .most = 1, .least_open = true,                                   \
      .soft_least = 1e-5, .soft_most = 1e-2}

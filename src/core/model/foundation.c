@@ -105,7 +105,7 @@ enum thud_status thud_foundation_modes(const struct thud_structure_input *in, co
     whole[rocking] += soil->rocking_nmsprad / arm2;
     congruent(dofs, dofs, whole, phi, temp, damping);
     if (status == THUD_OK && !(omega[0] > 0)) {
-        thud_error_set(err, THUD_INPUT, "the building falls under its own weight on this soil");
+        thud_error_set(err, THUD_INPUT, "the building buckles under its own weight on this soil");
         thud_error_allow(err, "stiffer soil, or p-delta: no");
         status = THUD_INPUT;
     }

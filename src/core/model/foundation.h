@@ -34,7 +34,7 @@ double thud_foundation_arm(const struct thud_structure_input *in);
 /* Natural frequencies omega (dofs), shapes phi (dofs x dofs, row-major, Phi^T M Phi = I) and damping Phi^T C Phi of the
  * same size, of a building with a foundation. `fixed` are its shapes (n x n) on rigid ground, and the damping of these
  * modes is fixed_damping (n x n) or, where that is NULL, the building's own ratio at fixed_omega. Errors: THUD_INPUT
- * (it falls under its own weight; no modes), THUD_MEMORY. */
+ * (it buckles under its own weight; no modes), THUD_MEMORY. */
 enum thud_status thud_foundation_modes(const struct thud_structure_input *in, const double *fixed_omega,
                                        const double *fixed, const double *fixed_damping, double *omega, double *phi,
                                        double *damping, struct thud_error *err);

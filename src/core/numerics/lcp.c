@@ -128,7 +128,7 @@ static enum thud_status pivots(int n, const double *m, double more, const double
             return THUD_OK;
         basic[wrong] = basic[wrong] > 0 ? 0 : 1;
     }
-    return thud_error_set(err, THUD_DIVERGED, "a complementarity problem has no end of pivots");
+    return thud_error_set(err, THUD_DIVERGED, "the pivoting of a complementarity problem does not end");
 }
 
 enum thud_status thud_lcp_solve(int n, const double *m, const double *q, double *z, double *work, bool *unique,

@@ -113,7 +113,7 @@ static enum thud_status stalled(struct thud_run *run, int row, struct thud_error
 {
     double now_s = thud_state_now(&run->state);
     if (row < 0)
-        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to go on at t = %.9g s", now_s);
+        return thud_error_set(err, THUD_DIVERGED, "no step is long enough to continue at t = %.9g s", now_s);
     struct row_name name = name_row(run->state.model, row);
     return thud_error_refuse(err, THUD_DIVERGED, name.key, NULL, "%s %s endlessly at t = %.9g s", name.words,
                              thud_model_row_storey(run->state.model, row) ? "yields and unloads" : "switches", now_s);

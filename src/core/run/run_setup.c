@@ -121,7 +121,7 @@ static const char *need(const struct thud_model *m)
         return flexible ? "closed form between contacts; the tolerance holds for the nonlinear contact forces alone"
                         : "rigid bodies: free motion in closed form; the tolerance holds for the contact forces";
     if (impulsive)
-        return "closed form between impulses; the tolerance only says when ever smaller bounces have come to rest";
+        return "closed form between impulses; the tolerance only decides when decaying bounces have come to rest";
     return "closed form between contacts and in them: the tolerance plays no part";
 }
 

@@ -142,7 +142,7 @@ static enum thud_status keep_unit(struct building_cells *cells, const struct csv
     if (!stiffness && !time && !open && !some)
         return THUD_OK; /* a name without a unit */
     if (to[0] && strcmp(to, part) != 0 && !time) {
-        record_refuse(&lines->cursor.source[0], lines->line, 1, err, "the header says the unit twice: %s and %s", to,
+        record_refuse(&lines->cursor.source[0], lines->line, 1, err, "the header states the unit twice: %s and %s", to,
                       part);
         thud_error_allow(err, "one unit for all columns");
         return THUD_INPUT;
@@ -259,7 +259,7 @@ static enum thud_status add_row(struct building_cells *cells, const struct csv_l
         }
         if (!number && (numbers || is_no_value(text))) {
             building_cells_refuse(cells, cells->rows - 1, i, err, "\"%.40s\" is not a number", text);
-            thud_error_allow(err, "numbers behind the labels of a row");
+            thud_error_allow(err, "numbers after the labels of a row");
             return THUD_INPUT;
         }
         numbers = numbers || number;

@@ -69,7 +69,7 @@ static enum thud_status refuse_unit(const struct building_cells *cells, const ch
                                     struct thud_error *err)
 {
     if (*unit)
-        record_refuse(&cells->source, cells->unit_line, 0, err, "%.30s is no unit of %s", unit,
+        record_refuse(&cells->source, cells->unit_line, 0, err, "%.30s is not a unit of %s", unit,
                       periods ? "a period" : "a stiffness or a flexibility");
     else
         record_refuse(&cells->source, cells->head_line, 0, err, "the unit of the %s is not specified",
@@ -91,7 +91,7 @@ static enum thud_status choose_unit(const struct building_cells *cells, const st
     if (!(*factor > 0))
         return refuse_unit(cells, unit, periods, err);
     if (*own && *said && strcmp(own, said) != 0) {
-        record_refuse(&cells->source, cells->unit_line, 0, err, "the header says %s, and `unit` %.15s", own, said);
+        record_refuse(&cells->source, cells->unit_line, 0, err, "the header states %s, but `unit` %.15s", own, said);
         thud_error_allow(err, "one of the two");
         return THUD_INPUT;
     }
@@ -126,7 +126,7 @@ static enum thud_status mode_columns(const struct building_cells *cells, int col
     if (*period >= 0 && *period >= first && *floors > 0)
         return THUD_OK;
     if (*floors == 0 && *period >= 0)
-        building_cells_refuse(cells, 0, -1, err, "there is no column of a floor behind the periods");
+        building_cells_refuse(cells, 0, -1, err, "there is no column of a floor after the periods");
     else
         record_refuse(&cells->source, cells->head_line, 0, err, "no column of the header is the period");
     thud_error_allow(err, "Mode, Period (s), and a column by floor, from the lowest up");
@@ -295,7 +295,7 @@ static enum thud_status put_in_order(const struct building_cells *cells, const s
     const int n = out->floors;
     if (ask->order == THUD_ORDER_ASK && out->reversed) {
         building_cells_refuse(cells, 0, -1, err,
-                              "the floors seem to stand from the roof down: the first sways further than the last");
+                              "the floors seem to be listed from the roof down: the first moves further than the last");
         thud_error_key(err, "order");
         thud_error_allow(err, "order: roof-first, or lowest-first where they do not");
         return THUD_INPUT;

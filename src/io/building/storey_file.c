@@ -188,7 +188,7 @@ static enum thud_status take_units(struct reader *r, bool row, struct thud_error
         if (!(c->factor > 0))
             return refuse(r, row ? r->lines.line : r->head_line, (int)j, units, err,
                           *c->unit ? "\"%s\" is not a unit of %s"
-                                   : "no unit%s stands here or below: it needs that of %s",
+                                   : "no unit%s is given here or below: the unit of %s is needed",
                           c->unit, kinds);
     }
     return THUD_OK;

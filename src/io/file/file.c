@@ -93,7 +93,7 @@ enum thud_status thud_text_check(const char *text, size_t size, const char *name
         line += *p == '\n';
         column = *p == '\n' ? 1 : column + 1;
     }
-    thud_error_set(err, THUD_INPUT, "a byte 0 stands here");
+    thud_error_set(err, THUD_INPUT, "a NUL byte is not allowed here");
     thud_error_place(err, name, line, column);
     thud_error_allow(err, "UTF-8 text");
     return THUD_INPUT;

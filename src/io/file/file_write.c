@@ -168,7 +168,7 @@ static enum thud_status walk_folder(const char *path, bool make, struct thud_err
     char part[4096];
     size_t length = strlen(path);
     if (length == 0 || length >= sizeof part)
-        return thud_file_refuse(err, THUD_OUTPUT, path, "is no name for a folder");
+        return thud_file_refuse(err, THUD_OUTPUT, path, "is not a valid folder name");
     if (strcmp(path, "-") == 0)
         return thud_file_refuse(err, THUD_OUTPUT, path, "stands for standard output, which is no folder (./- is one)");
     memcpy(part, path, length + 1);

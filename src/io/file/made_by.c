@@ -113,7 +113,7 @@ static enum thud_status read_list(const char *folder, char **text, struct thud_e
     if (status == THUD_OK && strncmp(*text, heading, sizeof heading - 1) != 0) {
         free(*text);
         *text = NULL;
-        return thud_error_in(err, THUD_INPUT, path, 0, "is no list of results by thud");
+        return thud_error_in(err, THUD_INPUT, path, 0, "is not a list of results by thud");
     }
     return status;
 }

@@ -51,11 +51,11 @@ static enum thud_status set_scalar(struct thud_preset *preset, const char *path,
     if (strlen(text) + 1 > THUD_PRESET_VALUE_MAX)
         return refuse(preset, node, path, "the text is too long", NULL, err);
     if (n->length == 0 && !n->quoted)
-        return refuse(preset, node, path, "nothing is given", "a value, or leave the key out", err);
+        return refuse(preset, node, path, "nothing is given", "a value, or omit the key", err);
     int floor;
     const struct thud_param *param = thud_scene_param(&preset->scene, path, &floor);
     if (text[0] == '[' && param && param->kind != THUD_PARAM_TEXT)
-        return refuse(preset, node, path, "a list must not stand in quotes", NULL, err);
+        return refuse(preset, node, path, "a list must not be quoted", NULL, err);
     return set_text(preset, path, node, text, err);
 }
 
@@ -75,7 +75,7 @@ static enum thud_status set_floors(struct thud_preset *preset, const char *path,
         char item[PATH_BYTES + 16];
         snprintf(item, sizeof item, "%s.%d", path, ++floor);
         if (kind_of(preset, i) != THUD_YAML_SCALAR)
-            return refuse(preset, i, item, "a list or keys stand where one value is wanted", "e.g. 320 t", err);
+            return refuse(preset, i, item, "a list or keys are given where one value is expected", "e.g. 320 t", err);
         enum thud_status status = set_scalar(preset, item, i, err);
         if (status != THUD_OK)
             return status;
@@ -108,7 +108,7 @@ static enum thud_status join_list(struct thud_preset *preset, const char *path, 
         if (depth > 1 && kind_of(preset, i) == THUD_YAML_LIST)
             status = join_list(preset, path, i, depth - 1, to, err);
         else if (kind_of(preset, i) != THUD_YAML_SCALAR)
-            return refuse(preset, i, path, "a list or keys stand where one value is wanted", NULL, err);
+            return refuse(preset, i, path, "a list or keys are given where one value is expected", NULL, err);
         else if (strpbrk(thud_yaml_text(&preset->tree, i), ",[]"))
             return refuse(preset, i, path, "a comma or a bracket inside a value", NULL, err);
         else
@@ -137,13 +137,13 @@ static enum thud_status set_pairs(struct thud_preset *preset, const char *path, 
     for (int i = tree->node[node].first; i >= 0; i = tree->node[tree->node[i].next].next) {
         const int value = tree->node[i].next;
         if (kind_of(preset, value) != THUD_YAML_SCALAR)
-            return refuse(preset, value, path, "a list or keys stand where one value is wanted", NULL, err);
+            return refuse(preset, value, path, "a list or keys are given where one value is expected", NULL, err);
         join(&pairs, pairs.n > 0 ? ", " : "");
         join(&pairs, thud_yaml_text(tree, i));
         join(&pairs, ":");
         join(&pairs, thud_yaml_text(tree, value));
     }
-    return pairs.n >= sizeof pairs.text ? refuse(preset, node, path, "there is too much in it", NULL, err)
+    return pairs.n >= sizeof pairs.text ? refuse(preset, node, path, "it is too long", NULL, err)
                                         : set_text(preset, path, node, pairs.text, err);
 }
 
@@ -161,13 +161,13 @@ static enum thud_status set_value(struct thud_preset *preset, const char *path, 
             return set_joined(preset, path, node, err);
         if (floors && thud_scan_word(&at, "structures.") && thud_scan_count(&at, &structure))
             return set_floors(preset, path, node, preset->scene.structure[structure - 1].storeys, err);
-        return refuse(preset, node, path, "a list stands where one value is wanted", NULL, err);
+        return refuse(preset, node, path, "a list is given where one value is expected", NULL, err);
     case THUD_YAML_KEYS:
         if (strcmp(path, "document.limits") == 0)
             return set_pairs(preset, path, node, err);
         break;
     }
-    return refuse(preset, node, path, "keys stand where a value is wanted", NULL, err);
+    return refuse(preset, node, path, "keys are given where a value is expected", NULL, err);
 }
 
 /* ---- keys ---- */
@@ -178,8 +178,8 @@ static enum thud_status want_kind(const struct thud_preset *preset, int node, co
     if (kind_of(preset, node) == kind)
         return THUD_OK;
     return refuse(preset, node, path,
-                  kind == THUD_YAML_KEYS ? "keys with values are wanted here"
-                                         : "a list is wanted here, one item behind each dash",
+                  kind == THUD_YAML_KEYS ? "keys with values are expected here"
+                                         : "a list is expected here, one item after each dash",
                   NULL, err);
 }
 
@@ -196,7 +196,7 @@ static enum thud_status set_ranks(struct thud_preset *preset, int node, enum thu
             char full[PATH_BYTES + KEY_BYTES + 2], unused[8];
             int floor;
             if (strlen(key) > KEY_BYTES || strchr(key, '.'))
-                return refuse(preset, i, path, "the key is no word of presets", NULL, err);
+                return refuse(preset, i, path, "presets have no such key", NULL, err);
             const int own = thud_key_rank(key, strlen(key));
             if ((own < from ? from : own) != rank || thud_group_find(group, key) != THUD_GROUPS)
                 continue;
@@ -287,7 +287,7 @@ static enum thud_status walk_structure(struct thud_preset *preset, int s, int no
         int nested = thud_yaml_find(&preset->tree, node, group, NULL);
         snprintf(path, sizeof path, "structures.%d.%s", s + 1, group);
         if (nested >= 0 && kind_of(preset, nested) == THUD_YAML_KEYS && preset->tree.node[nested].first < 0)
-            return refuse(preset, nested, path, "there is nothing in it", "a key with its value; or leave it out", err);
+            return refuse(preset, nested, path, "it is empty", "a key with its value; or omit it", err);
         status = nested >= 0 ? set_keys(preset, nested, thud_nested_group(i), path, 0, err) : status;
     }
     return status;
@@ -387,8 +387,8 @@ static enum thud_status walk_interfaces(struct thud_preset *preset, int root, st
     enum thud_status status = list >= 0 ? want_kind(preset, list, "interfaces", THUD_YAML_LIST, err) : THUD_OK;
     int n = list >= 0 && status == THUD_OK ? preset->tree.node[list].children : 0;
     if (status == THUD_OK && n != wanted) {
-        snprintf(what, sizeof what, "%d structure%s, so %d interface%s, not %d", wanted + 1,
-                 wanted ? "s stand in a row" : " stands alone", wanted, wanted == 1 ? " is wanted" : "s are wanted", n);
+        snprintf(what, sizeof what, "%d structure%s %d interface%s, not %d", wanted + 1, wanted ? "s need" : " needs",
+                 wanted, wanted == 1 ? "" : "s", n);
         status = refuse(preset, list >= 0 ? list : root, "interfaces", what, "one between each two neighbours", err);
     }
     for (int i = 0; i < n && status == THUD_OK; i++)

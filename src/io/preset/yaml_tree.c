@@ -143,7 +143,7 @@ static enum thud_status take_scalar(struct reading *r, const yaml_event_t *event
 static enum thud_status take_start(struct reading *r, const yaml_event_t *event, enum thud_yaml_kind kind, bool flow)
 {
     if (key_expected(r))
-        return refuse(r, event->start_mark, "a list or keys stand where a key is wanted", "key: value");
+        return refuse(r, event->start_mark, "a list or keys are given where a key is expected", "key: value");
     if (++r->depth > THUD_YAML_DEPTH_MAX)
         return refuse(r, event->start_mark, "nested too deeply", NULL);
     int node = add(r, kind, event->start_mark, event->end_mark);
@@ -190,7 +190,7 @@ static enum thud_status take_document(struct reading *r, const yaml_event_t *eve
 {
     if (event->data.document_start.version_directive ||
         event->data.document_start.tag_directives.start != event->data.document_start.tag_directives.end)
-        return refuse(r, event->start_mark, "directives (%YAML, %TAG) are not taken", "leave the line out");
+        return refuse(r, event->start_mark, "directives (%YAML, %TAG) are not taken", "omit the line");
     if (r->whole)
         return refuse(r, event->start_mark, "a second document begins", "one in each file");
     return THUD_OK;
@@ -234,7 +234,7 @@ static enum thud_status syntax(struct reading *r, const yaml_parser_t *parser)
         return refuse(r, mark_of(r, parser->problem_offset), parser->problem, "printable UTF-8 text");
     size_t at = byte_of(r, mark) - r->skipped;
     if (at < r->size && r->text[at] == '\t')
-        return refuse(r, mark, "a tab stands here", "spaces");
+        return refuse(r, mark, "a tab is not allowed here", "spaces");
     return refuse(r, mark, parser->problem ? parser->problem : "not YAML", NULL);
 }
 

@@ -47,7 +47,7 @@ static enum thud_status refuse(const struct csv_lines *lines, struct thud_error 
     if (lines->row.failed || csv_error((struct csv_parser *)&lines->parser) == CSV_ENOMEM)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     record_refuse(lines->cursor.source, lines->line, 0, err,
-                  lines->many ? "more than %d columns" : "a quotation mark stands inside a field or has no partner",
+                  lines->many ? "more than %d columns" : "a quotation mark is inside a field or is unmatched",
                   CSV_FIELDS_MAX);
     return THUD_INPUT;
 }

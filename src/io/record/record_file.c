@@ -100,7 +100,7 @@ static enum thud_status decide(const struct record_source *source, const struct 
     if (!isnan(choice->dt_s) && (raw->dt_from_prose || isnan(raw->dt_s)))
         raw->dt_s = choice->dt_s;
     if (isnan(raw->dt_s))
-        return ask(source, "dt", "0.01 s", "the file does not say its time step", "a time", err);
+        return ask(source, "dt", "0.01 s", "the file does not state its time step", "a time", err);
     if (!(raw->dt_s > 0) || !isfinite(raw->dt_s))
         return record_refuse(source, raw->dt_line, 0, err, "a time step of %g s", raw->dt_s);
     if (isnan(raw->factor) && raw->unknown_unit[0]) {
@@ -112,7 +112,7 @@ static enum thud_status decide(const struct record_source *source, const struct 
         return THUD_INPUT;
     }
     if (isnan(raw->factor))
-        return ask(source, "unit", "UNIT", "the file does not say the unit of its accelerations", record_unit_allowed,
+        return ask(source, "unit", "UNIT", "the file does not state the unit of its accelerations", record_unit_allowed,
                    err);
     return THUD_OK;
 }
@@ -138,9 +138,9 @@ static enum thud_status scale_to_target(const struct thud_record *record, const 
     struct thud_target target;
     enum thud_status status = thud_target_read(choice->target, &target, err);
     if (status == THUD_OK && !(choice->target_to_s > from))
-        status = thud_error_set(err, THUD_INPUT, "a target spectrum needs buildings, whose periods say its range");
+        status = thud_error_set(err, THUD_INPUT, "a target spectrum needs buildings, whose periods define its range");
     if (status == THUD_OK && !(thud_record_peak(record) > 0))
-        status = thud_error_set(err, THUD_INPUT, "a record of nothing but zeros cannot be scaled to a spectrum");
+        status = thud_error_set(err, THUD_INPUT, "a record of zeros only cannot be scaled to a spectrum");
     if (status == THUD_OK) {
         from = fmin(fmax(from, 4 * record->dt_s), 0.5 * choice->target_to_s); /* four samples a period */
         thud_target_periods(from, choice->target_to_s, THUD_TARGET_PERIODS, period);
@@ -169,13 +169,13 @@ static enum thud_status scale_to(const struct thud_record *record, const struct 
     if (!sa && !peak)
         return THUD_OK;
     if (choice->target[0])
-        what = "a peak or spectral acceleration and a target are asked for together";
+        what = "a peak or spectral acceleration and a target are specified together";
     else if (sa && peak)
-        what = "a peak and a spectral acceleration are asked for together";
+        what = "a peak and a spectral acceleration are specified together";
     else if (sa && !(choice->period_s > 0))
         what = "a spectral acceleration needs a period";
     else if (!((has = sa ? thud_record_sa(record, choice->period_s) : thud_record_peak(record)) > 0))
-        what = "a record of nothing but zeros cannot be scaled to a peak";
+        what = "a record of zeros only cannot be scaled to a peak";
     if (what) {
         thud_error_in(err, THUD_INPUT, record->file, 0, "%s", what);
         thud_error_key(err, "%s", key);

@@ -174,7 +174,7 @@ enum thud_status record_refuse_scan(const struct record_source *source, const st
         stop++;
     record_copy(word, sizeof word, at, stop);
     const char *what = scan == RECORD_RANGE      ? "is too large a number"
-                       : scan == RECORD_TOUCHING ? "are numbers that touch and cannot be told apart"
+                       : scan == RECORD_TOUCHING ? "are numbers without a separator"
                                                  : "is not a number";
     return record_refuse(source, line->number, (int)(at - line->at) + 1, err, "\"%s\" %s", word, what);
 }

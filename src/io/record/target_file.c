@@ -24,8 +24,8 @@ static enum thud_status read_head(const struct csv_lines *lines, double factor[2
         factor[1] = record_name_unit(name[1], unknown, sizeof unknown);
         if (!(factor[1] > 0) && suffix[1])
             factor[1] = record_unit(suffix[1] + 1);
-        what = factor[0] > 0 ? "the header does not say the unit of the acceleration"
-                             : "the header does not say the unit of the period";
+        what = factor[0] > 0 ? "the header does not state the unit of the acceleration"
+                             : "the header does not state the unit of the period";
     }
     if (lines->fields == 2 && factor[0] > 0 && factor[1] > 0)
         return THUD_OK;
@@ -45,7 +45,7 @@ static enum thud_status read_row(const struct csv_lines *lines, const double fac
     if (!(x[0] >= 0) || !(x[1] > 0) || !isfinite(x[0]) || !isfinite(x[1]))
         what = "a row that is not a period, 0 or more, and an acceleration above 0";
     else if (out->n > 0 && !(factor[0] * x[0] > out->period_s[out->n - 1]))
-        what = "the periods do not rise";
+        what = "the periods are not increasing";
     else if (out->n == THUD_TARGET_POINTS_MAX)
         what = "more points than are kept (400)";
     if (what) {

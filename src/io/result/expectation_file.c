@@ -83,14 +83,14 @@ static enum thud_status add_expectation(const struct csv_lines *lines, const str
     if (lines->fields != FIELDS) {
         record_refuse(lines->cursor.source, lines->line, 1, err, "%zu column%s, not %d", lines->fields,
                       lines->fields == 1 ? "" : "s", FIELDS);
-        thud_error_allow(err, "%s; commas part them, and a decimal point is a point", header);
+        thud_error_allow(err, "%s, with commas between them and decimal points", header);
         return THUD_INPUT;
     }
     const char *name = thud_text_csv_plain(csv_lines_field(lines, QUANTITY));
     if (thud_case_find(csv_lines_field(lines, 0), &one.which, NULL) != THUD_OK)
         return refuse(lines, line, CASE, "is no case", "as-written, none, bumper, cavity", err);
     if (!*name || strlen(name) >= sizeof one.name || has_control(name))
-        return refuse(lines, line, QUANTITY, "is no quantity", "a name such as A.4.acceleration_mps2", err);
+        return refuse(lines, line, QUANTITY, "is not a quantity", "a name such as A.4.acceleration_mps2", err);
     snprintf(one.name, sizeof one.name, "%s", name);
     enum thud_status status = number(lines, line, VALUE, &one.value, err);
     if (status == THUD_OK)

@@ -98,7 +98,7 @@ static enum thud_status refuse(const struct thud_sweep_journal *journal, struct 
 
 static enum thud_status refuse_damaged(const struct thud_sweep_journal *journal, struct thud_error *err)
 {
-    thud_error_set(err, THUD_INPUT, "is no journal of a study that this program can read");
+    thud_error_set(err, THUD_INPUT, "is not a study journal that this program can read");
     thud_error_allow(err, "remove it to start again");
     return refuse(journal, err);
 }

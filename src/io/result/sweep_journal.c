@@ -78,7 +78,7 @@ static enum thud_status next_line(struct thud_sweep_journal *journal, char **lin
         return THUD_OK;
     journal->line_number++;
     if (journal->buffer[n - 1] != '\n')
-        return thud_error_in(err, THUD_INPUT, journal->path, journal->line_number, "the last line is torn");
+        return thud_error_in(err, THUD_INPUT, journal->path, journal->line_number, "the last line is incomplete");
     journal->buffer[n - 1] = '\0';
     *line = journal->buffer;
     return THUD_OK;

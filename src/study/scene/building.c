@@ -149,8 +149,8 @@ enum thud_status thud_structure_check_weight(const struct thud_scene *scene, int
     if (status != THUD_OK || least > 0)
         return status;
     thud_error_set(err, THUD_INPUT,
-                   "%.40s falls under its own weight: the least eigenvalue of its stiffness less that of the weight is "
-                   "%.4g MN/m",
+                   "%.40s buckles under its own weight: the least eigenvalue of its stiffness less that of the "
+                   "weight is %.4g MN/m",
                    s->name, 1e-6 * least);
     thud_error_allow(err, "with p-delta a stiffer building");
     return refuse(s, structure, err);

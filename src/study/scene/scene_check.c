@@ -94,8 +94,8 @@ static enum thud_status check_weight(const struct thud_scene *scene, int s, stru
         if (thud_structure_stiffness(structure, i) > geometric)
             continue;
         thud_error_set(err, THUD_INPUT,
-                       "storey %d of %.40s falls under its own weight: %.4g MN above it on a height of %.4g m take off "
-                       "%.4g MN/m",
+                       "storey %d of %.40s buckles under its own weight: %.4g MN above it on a height of %.4g m "
+                       "take off %.4g MN/m",
                        i + 1, structure->name, 1e-6 * weight, structure->height_m[i], 1e-6 * geometric);
         thud_error_allow(err, "with p-delta > %.4g MN/m, and some times that", 1e-6 * geometric);
         return thud_scene_refuse(err, NULL, "structures.%d.stiffness.%d", s + 1, i + 1);
