@@ -71,7 +71,7 @@ static enum thud_status ask(struct thud_new_preset *preset, enum thud_new_row ro
 static enum thud_status ask_all(struct thud_new_preset *preset, struct thud_error *err)
 {
     const int first = 2 * THUD_NEW_KIND, end = 2 * THUD_NEW_ROWS;
-    fprintf(stderr, "Two neighbours; Enter takes what stands in brackets, < goes back. A list has a value for each "
+    fprintf(stderr, "Two neighbours. Enter accepts the value in brackets, < goes back. A list has one value for each "
                     "floor: 320 t, 320 t, 250 t, 250 t.\n");
     for (int at = first, step = 1; at < end; at = at + step < first ? first : at + step) {
         const enum thud_new_row row = (enum thud_new_row)(at / 2);
@@ -183,7 +183,7 @@ static enum thud_status check_place(const char *path, struct thud_error *err)
     if (strcmp(path, "-") == 0)
         return THUD_OK;
     if (access(path, F_OK) == 0)
-        return thud_error_in(err, THUD_OUTPUT, path, 0, "is there already: thud new writes over no file");
+        return thud_error_in(err, THUD_OUTPUT, path, 0, "exists already: thud new does not overwrite files");
     snprintf(folder, sizeof folder, "%.*s", length > 0 ? length : 1, length > 0 ? path : ".");
     return access(folder, W_OK) == 0
                ? THUD_OK
@@ -217,8 +217,8 @@ enum thud_status thud_command_new(const struct thud_args *args, struct thud_erro
     find_guesses(&text, &guesses);
     status = thud_text_write(&text, path, err);
     if (status == THUD_OK && !thud_args_has(args, "quiet"))
-        fprintf(stderr, "%s: guessed, and marked so there: %s\n%s: `thud run %s` runs it, `thud %s` opens it\n", path,
-                guesses.data ? guesses.data : "nothing", path, path, path);
+        fprintf(stderr, "%s: guessed, and marked in the file: %s\n%s: `thud run %s` runs it, `thud %s` opens it\n",
+                path, guesses.data ? guesses.data : "nothing", path, path, path);
     thud_text_clear(&guesses);
     return status;
 }

@@ -23,7 +23,7 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     ok "< goes back, and a list is taken" $?
     grep -q 'nope.csv' "$tmp/out" && ! grep -q 'nope.csv' "$tmp/a.yaml"
     ok "a ground motion that is not there is asked for again" $?
-    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked so there: slab-depth, foundation.mass, foundation.density, foundation.poisson, foundation.radius, contact.stiffness, contact.restitution' "$tmp/out"
+    grep -q 'radius: 9 m # a guess' "$tmp/a.yaml" && grep -q 'guessed, and marked in the file: slab-depth, foundation.mass, foundation.density, foundation.poisson, foundation.radius, contact.stiffness, contact.restitution' "$tmp/out"
     ok "what is guessed is marked and said" $?
     ! grep -q '^links' "$tmp/a.yaml" && "$THUD" run "$tmp/a.yaml" --quiet >"$tmp/out" 2>&1
     ok "no damper is written for no, and the file runs" $?
@@ -38,7 +38,7 @@ if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     answered "$tmp/c.yaml" '' backfill 60 "$many" ' < ' '' '' '' '' '' NONE ' no '
     grep -q "^    mass: \\[$many\\]" "$tmp/c.yaml" && ! grep -q '^record' "$tmp/c.yaml"
     ok "a list of 60 floors is taken whole, and no and < with blanks" $?
-    grep -q 'guessed, and marked so there: slab-depth, mass, stiffness, damping, backfill, contact.stiffness' "$tmp/out" && grep -q '^    backfill: # a guess' "$tmp/c.yaml"
+    grep -q 'guessed, and marked in the file: slab-depth, mass, stiffness, damping, backfill, contact.stiffness' "$tmp/out" && grep -q '^    backfill: # a guess' "$tmp/c.yaml"
     ok "a wall and its soil are guesses" $?
     answered "$tmp/d.yaml" '' '' four '' '' '320 t' '250 t' '<' '<' '' '' '' '' '' '' '' '' '' no '' '' ''
     grep -q '"four" is not a number of storeys (1 to 200)' "$tmp/out" && [ "$(grep -c '^    mass: 250 t' "$tmp/d.yaml")" -eq 1 ]

@@ -12,28 +12,27 @@
 #include "study/scene/building.h"
 
 static const struct thud_new_about about[THUD_NEW_ROWS] = {
-    [THUD_NEW_NAME] = {"name", "name", "", "The file's name without .yaml, and what stands above figures and reports",
-                       true, false},
+    [THUD_NEW_NAME] = {"name", "name", "", "File name without .yaml; heads figures and reports", true, false},
     [THUD_NEW_KIND] = {"kind", "kind", "",
-                       "Space: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, backfill (a flexible "
-                       "wall), matrix, modes, estimated",
+                       "Space selects: shear, isolated, lead-rubber or pendulum bearings, rigid, wall, backfill "
+                       "(a flexible wall), matrix, modes, estimated",
                        false, false},
     [THUD_NEW_STOREYS] = {"storeys", "storeys", "", "Floors above the ground, 1 to 200", false, false},
-    [THUD_NEW_MASS] = {"mass", "floor mass", "t", "Of every floor; t, kg, Mg. Each floor's own can be typed on Model",
-                       false, false},
+    [THUD_NEW_MASS] = {"mass", "floor mass", "t",
+                       "Mass of every floor; t, kg, Mg. Single floors can be changed on Model", false, false},
     [THUD_NEW_STIFFNESS] = {"stiffness", "stiffness or period", "",
-                            "Of every storey (MN/m, kN/mm, N/m), or the first period (s) of a shear building; of "
-                            "matrix and modes a file, of estimated the system",
+                            "Storey stiffness (MN/m, kN/mm, N/m), or first period (s) of a shear building; matrix and "
+                            "modes: a file; estimated: the system",
                             false, false},
-    [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "m, ft", false, false},
-    [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Of every mode, %", false, false},
-    [THUD_NEW_GAP] = {"gap", "gap", "cm", "Between the two at rest; cm, mm, m, in", true, false},
+    [THUD_NEW_HEIGHT] = {"height", "storey height", "m", "Height of every storey; m, ft", false, false},
+    [THUD_NEW_DAMPING] = {"damping", "damping", "%", "Damping ratio of every mode, %", false, false},
+    [THUD_NEW_GAP] = {"gap", "gap", "cm", "Gap between the two at rest; cm, mm, m, in", true, false},
     [THUD_NEW_RECORD] = {"record", "ground motion", "",
-                         "Typing narrows the list, Tab takes its first; empty: no ground motion", true, true},
+                         "Type to narrow the list, Tab takes its first; empty: no ground motion", true, true},
     [THUD_NEW_SOIL] = {"soil", "soil", "m/s",
-                       "Speed of its shear waves, m/s, under a disk of 9 m; empty: the ground is rigid", false, true},
-    [THUD_NEW_DAMPER] = {"damper", "damper", "kN s/m",
-                         "A dashpot between their topmost common floors, kN s/m; empty: none", true, true}};
+                       "Shear-wave velocity, m/s, under a disk of 9 m radius; empty: rigid ground", false, true},
+    [THUD_NEW_DAMPER] = {"damper", "damper", "kN s/m", "Dashpot between the topmost common floors, kN s/m; empty: none",
+                         true, true}};
 static const char *const kinds[] = {"shear",    "isolated", "rigid", "wall",      "backfill", "lead-rubber",
                                     "pendulum", "matrix",   "modes", "estimated", NULL};
 
@@ -101,7 +100,7 @@ void thud_new_question(const struct thud_new_preset *preset, enum thud_new_row r
         thud_text_append(out, "%s%s%s",
                          row == THUD_NEW_STIFFNESS && is_isolated(k) ? "storey stiffness" : about[row].label,
                          *about[row].unit || row == THUD_NEW_STIFFNESS ? ", with its unit" : "",
-                         about[row].optional ? ", or no" : "");
+                         about[row].optional ? ", or \"no\"" : "");
     thud_text_append(out, " [%s]: ", preset->text[row][side]);
 }
 
@@ -237,7 +236,7 @@ static void line(struct thud_text *out, const char *key, const char *value, cons
 static void moat_wall(struct thud_text *out)
 {
     for (int i = 0; thud_usual_wall[i][0]; i++)
-        line(out, thud_usual_wall[i][0], thud_usual_wall[i][1], "a guess: of the wall alone");
+        line(out, thud_usual_wall[i][0], thud_usual_wall[i][1], "a guess: for the wall only");
     thud_text_append(out, "    backfill: # a guess\n");
     for (int i = 0; thud_usual_backfill[i][0]; i++)
         thud_text_append(out, "      %s: %s\n", thud_usual_backfill[i][0], thud_usual_backfill[i][1]);
@@ -250,7 +249,7 @@ static void estimated(const struct thud_new_preset *preset, int side, double flo
     const char *system = preset->text[THUD_NEW_STIFFNESS][side];
     line(out, "system", is_word(system) ? system : "concrete-frame", systems);
     thud_quantity_format(floor_kg / THUD_ESTIMATE_KGPM2, "m2", text, sizeof text);
-    line(out, "area", text, "a guess: 1 t/m2 of a floor");
+    line(out, "area", text, "a guess: 1 t/m2 per floor");
 }
 
 /* What a building's mass and stiffness are given by. */
@@ -259,15 +258,15 @@ static void springs(const struct thud_new_preset *preset, int side, struct thud_
     const char *k = preset->text[THUD_NEW_KIND][side];
     char text[THUD_NEW_TEXT + 16];
     value_of(preset, THUD_NEW_MASS, side, text, sizeof text);
-    line(out, "mass", text, side ? NULL : "of every floor, or a list from the lowest up: [320 t, 250 t]");
+    line(out, "mass", text, side ? NULL : "for every floor, or a list from the lowest: [320 t, 250 t]");
     value_of(preset, THUD_NEW_STIFFNESS, side, text, sizeof text);
     if (is_read(k))
         line(out, k[1] == 'a' ? "stiffness-matrix" : "periods", preset->text[THUD_NEW_STIFFNESS][side], "a file");
     else if (strcmp(k, "shear") == 0 &&
              thud_quantity_parse(text, THUD_TIME, NULL, &(struct thud_quantity){0}, NULL) == THUD_OK)
-        line(out, "period", text, "the first one, of equal storeys");
+        line(out, "period", text, "first period, for equal storeys");
     else
-        line(out, "stiffness", text, side ? NULL : "of every storey, or a list");
+        line(out, "stiffness", text, side ? NULL : "for every storey, or a list");
 }
 
 /* Of a surface foundation on a half-space, with usual values of the rest. */
@@ -278,9 +277,9 @@ static void soil(const struct thud_new_preset *preset, int side, struct thud_tex
         return;
     value_of(preset, THUD_NEW_SOIL, side, vs, sizeof vs);
     thud_text_append(out,
-                     "    foundation:\n      mass: 400 t # a guess\n      vs: %s # of the soil's shear waves\n"
+                     "    foundation:\n      mass: 400 t # a guess\n      vs: %s # shear-wave velocity\n"
                      "      density: 1.9 t/m3 # a guess\n      poisson: 0.4 # a guess\n"
-                     "      radius: 9 m # a guess: of a disk as large\n",
+                     "      radius: 9 m # a guess: disk of equal area\n",
                      vs);
 }
 
@@ -293,7 +292,7 @@ static void damper(const struct thud_new_preset *preset, struct thud_text *out)
     value_of(preset, THUD_NEW_DAMPER, 0, damping, sizeof damping);
     thud_text_append(out,
                      "links:\n  - law: spring\n    from: A.%d\n    to: B.%d\n"
-                     "    stiffness: 0 MN/m # a tie has some\n    damping: %s\n",
+                     "    stiffness: 0 MN/m # above 0 for a tie\n    damping: %s\n",
                      floor, floor, damping);
 }
 
@@ -329,14 +328,14 @@ static enum thud_status structure(const struct thud_new_preset *preset, int side
     else
         springs(preset, side, out);
     value_of(preset, THUD_NEW_HEIGHT, side, text, sizeof text);
-    line(out, "height", text, side ? NULL : "of every storey, or a list");
+    line(out, "height", text, side ? NULL : "for every storey, or a list");
     value_of(preset, THUD_NEW_DAMPING, side, text, sizeof text);
-    line(out, "damping", text, side ? NULL : "of every mode");
+    line(out, "damping", text, side ? NULL : "for every mode");
     line(out, "slab-depth", "30 cm", "a guess: slab and beam at the face");
     if (!is_isolated(k))
         return THUD_OK;
     thud_quantity_format(floor_kg, "t", text, sizeof text);
-    line(out, "base-mass", text, "a guess: as a floor");
+    line(out, "base-mass", text, "a guess: mass of a floor");
     if (strcmp(k, "isolated") != 0) {
         bearings(k, floor_kg, storeys, out);
         return THUD_OK;
@@ -371,7 +370,7 @@ static void study(const char *gap, struct thud_text *out)
     struct thud_quantity q;
     if (thud_quantity_parse(gap, THUD_LENGTH, NULL, &q, NULL) != THUD_OK || !(q.value > 0))
         return;
-    thud_text_append(out, "study: # of `thud sweep`\n  vary: gap\n  from: %.6g cm\n  to: %.6g cm\n  step: %.6g cm\n",
+    thud_text_append(out, "study: # for `thud sweep`\n  vary: gap\n  from: %.6g cm\n  to: %.6g cm\n  step: %.6g cm\n",
                      25 * q.value, 400 * q.value, 25 * q.value);
 }
 
@@ -380,12 +379,12 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
 {
     char text[THUD_NEW_TEXT + 160];
     thud_new_preset_title(preset, text, sizeof text);
-    thud_text_append(out, "# Every key is described in thud-preset(5); numbers have units.\ntitle: ");
+    thud_text_append(out, "# Every key is described in thud-preset(5); numbers need units.\ntitle: ");
     thud_json_string(out, text);
     if (*preset->text[THUD_NEW_RECORD][0]) {
         thud_text_append(out, "\nrecord:\n  file: ");
         thud_json_string(out, preset->text[THUD_NEW_RECORD][0]);
-        thud_text_append(out, " # also: peak: 0.3 g, to scale it");
+        thud_text_append(out, " # add \"peak: 0.3 g\" to scale it");
     }
     thud_text_append(out, "\nstructures: # from left to right\n");
     for (int side = 0; side < 2; side++) {
@@ -399,7 +398,7 @@ enum thud_status thud_new_preset_text(const struct thud_new_preset *preset, stru
         out,
         "interfaces:\n  - gap: %s # at rest\n    contact:\n"
         "      law: kelvin-voigt-no-tension # one of `thud laws`\n"
-        "      stiffness: 2500 kN/mm # a guess: see `thud stiffness`\n      restitution: 0.6 # a guess: of concrete\n",
+        "      stiffness: 2500 kN/mm # a guess: see `thud stiffness`\n      restitution: 0.6 # a guess: concrete\n",
         text);
     damper(preset, out);
     study(preset->text[THUD_NEW_GAP][0], out);

@@ -38,12 +38,12 @@ static struct shown percent(double change)
 void thud_simplify_sentence(const struct thud_simplify_found *f, struct thud_text *out)
 {
     if (f->steps == 0) {
-        thud_text_append(out, "this scene is at its least: nothing can be left out within %s", percent(f->within).text);
+        thud_text_append(out, "this scene cannot be simplified within %s", percent(f->within).text);
         return;
     }
     for (int i = 0; i < f->steps; i++)
         thud_text_append(out, "%s%s", i > 0 ? ", " : "", f->one[f->step[i]].words);
-    thud_text_append(out, ": %s off at %.3g %% of the work; %d numbers to be known in place of %d",
+    thud_text_append(out, ": error of %s at %.3g %% of the work; %d input values instead of %d",
                      percent(f->cheapest.change.all).text, 100 * f->cheapest.work, f->cheapest.inputs, f->full.inputs);
 }
 
@@ -75,11 +75,11 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
     enum { MISSES, DECIDES, NOTHING, METHODS, LISTS };
     static const char *const begins[LISTS] = {
         "Misses every impact: ", "Inputs that decide: ", "Inputs that change less than 1 %: ",
-        "Methods that keep it, each at its largest step or tolerance: "};
+        "Methods within the limit, each at its largest step or tolerance: "};
     if (f->nmotions > 1) {
-        thud_text_append(out, "%sFound on ground motion %d of %d, the hardest.", before, f->governing + 1, f->nmotions);
+        thud_text_append(out, "%sFound for motion %d of %d, which governs.", before, f->governing + 1, f->nmotions);
         if (f->steps > 0)
-            thud_text_append(out, " On all of them: median %s off, worst %s.", percent(f->cheapest.median).text,
+            thud_text_append(out, " Error over all of them: median %s, largest %s.", percent(f->cheapest.median).text,
                              percent(f->cheapest.worst).text);
         thud_text_append(out, "\n");
     }
@@ -90,7 +90,7 @@ void thud_simplify_remarks(const struct thud_simplify_found *f, const char *befo
             "no model reaches it for the real scene.\n",
             before, percent(f->moved).text, percent(f->within).text);
     if (f->untried > 0)
-        thud_text_append(out, "%sNot tried, since %d runs are enough: %d simplifications.\n", before, f->runs,
+        thud_text_append(out, "%sNot tried within the limit of %d runs: %d simplifications.\n", before, f->runs,
                          f->untried);
     for (int list = 0; list < LISTS; list++) {
         int n = 0;
@@ -150,13 +150,13 @@ void thud_simplify_json(const struct thud_simplify_found *f, const char *preset,
 
 void thud_simplify_comments(const struct thud_simplify_found *f, struct thud_text *out)
 {
-    thud_text_append(out, "# Written by `thud simplify`: the cheapest model within %s.\n# Left out:\n",
+    thud_text_append(out, "# Written by `thud simplify`: the cheapest model within %s.\n# Simplifications:\n",
                      percent(f->within).text);
     for (int i = 0; i < f->steps; i++)
         thud_text_append(out, "#   %s: %s alone\n", f->one[f->step[i]].words,
                          percent(f->one[f->step[i]].change.all).text);
-    thud_text_append(out,
-                     "%s# All together: %s off (peaks over the largest of their group, required gap over itself).\n",
-                     f->steps == 0 ? "#   nothing\n" : "", percent(f->cheapest.change.all).text);
+    thud_text_append(
+        out, "%s# All together: error of %s (peaks over the largest of their group, required gap over itself).\n",
+        f->steps == 0 ? "#   nothing\n" : "", percent(f->cheapest.change.all).text);
     thud_simplify_remarks(f, "# ", out);
 }

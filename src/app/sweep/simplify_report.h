@@ -12,7 +12,7 @@ enum thud_status thud_simplify_search(const struct thud_scene *scene, const stru
                                       const struct thud_simplify_ask *ask, const atomic_int *cancel,
                                       struct thud_simplify **out, struct thud_error *err);
 
-/* "5 modes of A, ...: 2.1 % off at 14 % of the work; 9 numbers to be known in place of 31", without a stop. */
+/* "5 modes of A, ...: error of 2.1 % at 14 % of the work; 9 input values instead of 31", without a stop. */
 void thud_simplify_sentence(const struct thud_simplify_found *found, struct thud_text *out);
 /* What it was found on, what misses every impact, what no model reaches, which inputs decide and which change nothing:
  * a line each where there is anything to say, after `before`. */

@@ -69,7 +69,7 @@ static void keep_levels(struct thud_by_level *list, const bool *kept, int n)
 }
 
 enum { TOP_LEVEL, TOUCHED_LEVELS };
-static const char *const level_words[] = {"the top level", "the levels that touch", NULL};
+static const char *const level_words[] = {"the top level", "the levels in contact", NULL};
 static bool make_levels(const struct thud_simplify_from *from, struct thud_scene *scene)
 {
     struct thud_contact_pair pair[THUD_CONTACT_PAIRS_MAX];
@@ -216,25 +216,25 @@ static bool make_method(const struct thud_simplify_from *from, struct thud_scene
 #define ROW(group_, span_, words_, keys_, size_, input_) .words = (words_), .keys = (keys_), .size = (size_), .input = (input_), .group = THUD_SIMPLIFY_##group_, .span = THUD_SPAN_##span_
 static const struct thud_simplify_row rows[] = {
     {ROW(MODEL, STRUCTURE, "# modes of $", "structures.@.modes=#", modes, "higher modes of $")},
-    {ROW(MODEL, STRUCTURE, "equal storeys of $", NULL, NULL, "how the storeys of $ differ"), .make = make_equal},
+    {ROW(MODEL, STRUCTURE, "equal storeys of $", NULL, NULL, "storey variation of $"), .make = make_equal},
     {ROW(MODEL, STRUCTURE, "elastic storeys of $", "structures.@.yield=;structures.@.yield-shear=;structures.@.hardening=", NULL, "strength of $")},
     {ROW(MODEL, STRUCTURE, "fixed base of $", NO_FOUNDATION("mass") NO_FOUNDATION("inertia") NO_FOUNDATION("sway-stiffness") NO_FOUNDATION("sway-damping")
      NO_FOUNDATION("rocking-stiffness") NO_FOUNDATION("rocking-damping") NO_FOUNDATION("vs") NO_FOUNDATION("density")
      NO_FOUNDATION("poisson") NO_FOUNDATION("radius"), NULL, "soil under $")},
-    {ROW(MODEL, SCENE, "no P-Delta", "p-delta=no", NULL, "weight on drifting storeys")},
+    {ROW(MODEL, SCENE, "no P-Delta", "p-delta=no", NULL, "P-Delta effects")},
     {ROW(MODEL, STRUCTURE, "linear isolators of $", NULL, NULL, "law of the isolators of $"), .make = make_linear_isolators},
-    {ROW(MODEL, STRUCTURE, "rigid wall $", NULL, NULL, "how far $ gives"), .make = make_rigid_wall},
+    {ROW(MODEL, STRUCTURE, "rigid wall $", NULL, NULL, "flexibility of $"), .make = make_rigid_wall},
     {ROW(MODEL, STRUCTURE, "slabs of $ without depth", "structures.@.slab-depth=0 cm", NULL, "slab depth of $")},
     {ROW(MODEL, LINK, "without link $", NULL, NULL, "link $"), .make = make_without_link},
-    {ROW(CONTACT, INTERFACE, "contact of $ at # alone", NULL, level_words, ""), .make = make_levels},
+    {ROW(CONTACT, INTERFACE, "contact of $ only at #", NULL, level_words, ""), .make = make_levels},
     {ROW(CONTACT, INTERFACE, "no contact of $", NULL, NULL, "contact of $"), .make = make_no_contact},
     {ROW(CONTACT, INTERFACE, "linear law of $", NULL, NULL, "contact law of $"), .make = make_linear_law},
-    {ROW(CONTACT, INTERFACE, "impulses by restitution of $", NULL, NULL, "contact law of $"), .make = make_impulses},
-    {ROW(CONTACT, INTERFACE, "no residual of $", "interfaces.@.!.residual=recover", NULL, "residual indentation of $")},
+    {ROW(CONTACT, INTERFACE, "impulses with restitution of $", NULL, NULL, "contact law of $"), .make = make_impulses},
+    {ROW(CONTACT, INTERFACE, "no residual indentation of $", "interfaces.@.!.residual=recover", NULL, "residual indentation of $")},
     {ROW(CONTACT, INTERFACE, "contact of $ # as stiff", NULL, stiffnesses, "contact stiffness of $"), .information = true, .make = make_stiffness},
-    {ROW(MOTION, SCENE, "strong part of the motion (5 to 95 %)", NULL, NULL, "motion outside its strong part"), .make = make_strong_part},
+    {ROW(MOTION, SCENE, "strong phase of the motion (5 to 95 %)", NULL, NULL, "motion outside its strong phase"), .make = make_strong_part},
     {ROW(MOTION, SCENE, "one sample in #", "record.every=#", every, "")},
-    {ROW(MOTION, SCENE, "motion without what lies above mode #", NULL, modes, ""), .information = true, .enough = true},
+    {ROW(MOTION, SCENE, "motion low-pass filtered at mode #", NULL, modes, ""), .information = true, .enough = true},
     {ROW(METHOD, SCENE, "tolerance #", "analysis.tolerance=#", tolerance, "")},
     {ROW(METHOD, METHOD, "$ in steps of #", "analysis.method=$;analysis.step=#", steps, ""), .information = true, .enough = true, .make = make_method},
     {ROW(METHOD, METHOD, "$ at tolerance #", "analysis.method=$;analysis.tolerance=#", tolerances, ""), .information = true, .enough = true, .make = make_method},
