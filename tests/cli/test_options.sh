@@ -77,7 +77,7 @@ is "with a row for each structure and gap" [ "$(wc -l <"$tmp/out")" -gt 32 ]
 is "which runs" gives 0 run "$tmp/mine.yaml" --json
 cp "$tmp/out" "$tmp/file.json"
 is "it writes over no file" gives 6 new "$tmp/mine.yaml"
-is "and says so" says 'mine.yaml: is there already'
+is "and says so" says 'mine.yaml: exists already'
 is "a value that cannot be: as everywhere" gives 3 new - --set gap=7
 is "nothing else wrong" plainly
 (cd "$tmp" && "$THUD" run - --json --quiet <mine.yaml | sed 's/"preset": "-"/"preset": "mine"/') >"$tmp/piped.json" 2>"$tmp/err"

@@ -271,7 +271,7 @@ is "auto says where contacts are linear" shows "^method .*(closed form between c
 gives 0 run rigid-concrete --set contact.law=stereomechanical
 is "an impulse has no acceleration" shows "^ *1  *-  *-  *4.*"
 is "and no force, but an impulse" shows "impulse 128 kN s in all"
-is "auto says what the tolerance is for with impulses" shows "^method .*(closed form between impulses; the tolerance only says when"
+is "auto says what the tolerance is for with impulses" shows "^method .*(closed form between impulses; the tolerance only decides when"
 printf '%s\n' 0.1 0.5 -0.8 0.3 0.0 >"$tmp/column.txt"
 gives 0 run towers --json --record "$tmp/column.txt" --dt "0.01 s" --unit g
 is "--record, --dt, --unit" near "$(number peak_mps2)" 7.84532 1e-12

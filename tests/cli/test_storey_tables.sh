@@ -67,7 +67,7 @@ is "no names of columns" gives 3 building import bare.csv m.csv
 is "are asked for" says 'bare.csv: no row names the columns of a table of storeys (Story or Joint, and Stiff X'
 sed '/^,,,/d' k.csv >none.csv
 is "no units" gives 3 building import none.csv m.csv --set case=EQX
-is "are asked for" says 'none.csv:2:51: Shear X: no unit stands here or below: it needs that of a force (N, kN'
+is "are asked for" says 'none.csv:2:51: Shear X: no unit is given here or below: the unit of a force is needed (N, kN'
 { cat k.csv && sed -n 4p k.csv; } >twice.csv
 is "a storey twice" gives 3 building import twice.csv m.csv --set case=EQX
 is "is told" says 'twice.csv:12:24: Shear X: a second value of Story4 (one row for each storey'
