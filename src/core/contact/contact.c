@@ -10,6 +10,7 @@
  * count. */
 static double expected_force(const struct thud_state *state, int c, double v)
 {
+    static const double near = 1e-6; /* more than a scale needs */
     const struct thud_law *law = thud_contact_law(state, c);
     const struct thud_law_setup *setup = thud_contact_setup(state, c);
     const struct thud_law_memory *memory = &state->contact[c].memory;
@@ -20,7 +21,7 @@ static double expected_force(const struct thud_state *state, int c, double v)
         struct thud_branch b = thud_law_branch_at(law, setup, memory, THUD_APPROACH, d);
         stored = thud_law_energy(law, setup, memory, THUD_APPROACH, d);
         force = thud_branch_force(&b, d, 0, NULL, NULL);
-        if (i == 6 || !(stored > 0 && force > 0))
+        if (i == 6 || !(stored > 0 && force > 0) || fabs(stored - energy) <= near * energy)
             return force;
         d *= pow(energy / stored, stored / (force * d));
     }

@@ -105,10 +105,12 @@ bool thud_segment_has_force(const struct thud_state *state, const struct thud_se
 
 int thud_segment_terms(double angle, double least)
 {
-    double term = 1;
+    double power = 1, factorial = 1; /* apart: a division in each term would wait for the one before */
     int k = 1;
-    for (; k < THUD_SEGMENT_TERMS && (term > least || k < THUD_SEGMENT_TERMS_LEAST); k++)
-        term *= angle / k;
+    for (; k < THUD_SEGMENT_TERMS && (power > least * factorial || k < THUD_SEGMENT_TERMS_LEAST); k++) {
+        power *= angle;
+        factorial *= k;
+    }
     return k;
 }
 

@@ -71,11 +71,11 @@ static inline double tabled_power(const struct thud_powers *t, double d)
     if (octave >= THUD_POWER_OCTAVES)
         return -1;
     bits = (bits & 0xfffffffffffff) | (uint64_t)1023 << 52;
-    double m, sum = t->binomial[THUD_POWER_TERMS - 1];
+    double m;
     memcpy(&m, &bits, sizeof m);
-    const double x = m * t->inverse[cell] - 1;
-    for (int k = THUD_POWER_TERMS - 2; k >= 0; k--)
-        sum = sum * x + t->binomial[k];
+    /* in three parts side by side (Estrin): Horner's rule would wait for each of its products */
+    const double x = m * t->inverse[cell] - 1, x2 = x * x, *c = t->binomial;
+    const double sum = (c[0] + c[1] * x + (c[2] + c[3] * x) * x2) + (c[4] + c[5] * x + c[6] * x2) * (x2 * x2);
     return t->octave[octave] * t->cell[cell] * sum;
 }
 
@@ -185,9 +185,10 @@ static double soft_force(const struct thud_branch *b, double d, double v, double
 static inline double power_force(const struct thud_branch *b, double d, double v, double dp, double dr, double *df_dd,
                                  double *df_dv)
 {
-    const double elastic = b->K * dp, damper = b->D * dr;
+    const double elastic = b->K * dp, damper = b->D * dr,
+                 over = d > 0 ? 1 / d : 0; /* the division waits for no power */
     if (df_dd)
-        *df_dd = b->k_npm + (d > 0 ? (b->p * elastic + b->r * damper * v) / d : 0);
+        *df_dd = b->k_npm + (b->p * elastic + b->r * (damper * v)) * over;
     if (df_dv)
         *df_dv = b->c_nspm + damper;
     return b->f0_n + b->k_npm * d + b->c_nspm * v + (elastic + damper * v);

@@ -401,22 +401,28 @@ static void linearize(const struct thud_state *state, struct thud_collocation *x
     state->work->force_evaluations += all;
 }
 
-/* One sweep over the nodes of the step, earliest first: each force takes a step of Newton's method by itself, under the
- * newest of the others (nonlinear Gauss-Seidel). Returns the largest change of a force, over the force scale. */
+/* One sweep over the nodes of the step, earliest first: at each all forces take a step of Newton's method by themselves,
+ * under the newest forces of the nodes before (nonlinear Gauss-Seidel by nodes). Those of one node do not wait for each
+ * other: a law is a chain of products, and a processor works on several chains at once. Returns the largest change of a
+ * force, over the force scale. */
 static inline double sweep_nodes(const struct thud_state *state, struct thud_collocation *x, const int n)
 {
+    const int points = x->by->points;
     double most = 0;
     set_starts(x);
-    for (int j = 1; j < n; j++)
+    for (int j = 1; j < n; j++) {
+        for (int a = 0; a < x->nactive; a++)
+            x->motion[a * points + j] = motion_at(x, a, j, n);
         for (int a = 0; a < x->nactive; a++) {
             double by_d, by_v, *force = &x->force[a * n + j];
-            const thud_vec2 own = x->response[a * x->nactive + a][j * n + j], motion = motion_at(x, a, j, n);
+            const thud_vec2 own = x->response[a * x->nactive + a][j * n + j], motion = x->motion[a * points + j];
             const double law = law_at(thud_row_branch(state, x->active[a]), motion, &by_d, &by_v);
             const double change = (law - *force) / (1 - by_d * own[0] - by_v * own[1]);
             *force += change;
-            x->motion[a * x->by->points + j] = motion + change * own;
+            x->motion[a * points + j] = motion + change * own;
             most = thud_larger(most, fabs(change) * x->scale[a]);
         }
+    }
     state->work->force_evaluations += x->nactive * (n - 1);
     return most;
 }
