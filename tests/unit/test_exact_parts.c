@@ -159,7 +159,7 @@ START_TEST(an_indentation_starts_with_the_same_bits_both_ways)
     for (int trial = 0; trial < 200; trial++) {
         for (int j = 0; j < model->nmodes; j++)
             state->q[j] = 30 * random_part();
-        thud_segment_begin(state, &seg, 1e-3);
+        thud_segment_begin(state, &seg, 1e-3, thud_segment_all_terms(state, 1e-3));
         thud_taylor_given(model, &seg, state->q, state->qd);
         for (int c = 0; c < model->ncontacts; c++) {
             ck_assert_int_eq(thud_segment_indentation(state, &seg, c, d), 0);

@@ -76,7 +76,7 @@ START_TEST(a_step_without_forces_is_the_series)
     for (int level = 0; level < LEVELS; level++) {
         ck_assert_int_eq(thud_responses_make(f.responses, level, f.contact, f.n, f.response, NULL), THUD_OK);
         thud_responses_unforced(f.responses, state, level, f.contact, f.n, start, out);
-        thud_segment_begin(state, seg, ldexp(f.h_top, -level));
+        thud_segment_begin(state, seg, ldexp(f.h_top, -level), thud_segment_all_terms(state, ldexp(f.h_top, -level)));
         seg->terms = THUD_SEGMENT_TERMS;
         thud_taylor_given(state->model, seg, state->q, state->qd);
         for (int i = 0; i < POINTS; i++) {
@@ -106,7 +106,8 @@ START_TEST(a_constant_force_moves_contacts_as_the_series_does)
     for (int level = 0; level < LEVELS; level++) {
         ck_assert_int_eq(thud_responses_make(f.responses, level, f.contact, f.n, f.response, NULL), THUD_OK);
         for (int b = 0; b < f.n; b++) {
-            thud_segment_begin(state, seg, ldexp(f.h_top, -level));
+            thud_segment_begin(state, seg, ldexp(f.h_top, -level),
+                               thud_segment_all_terms(state, ldexp(f.h_top, -level)));
             seg->terms = THUD_SEGMENT_TERMS;
             seg->row[seg->rows++] = b;
             seg->force[b] = 1e6;

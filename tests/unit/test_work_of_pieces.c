@@ -51,7 +51,7 @@ static double begin_random(struct fixture *f, struct thud_segment *seg, double d
     }
     for (int c = 0; c < m->ncontacts; c++)
         state->contact[c].mode = c < 2 ? THUD_CLOSED : THUD_OPEN;
-    thud_segment_begin(state, seg, angle / m->fastest_radps);
+    thud_segment_begin(state, seg, angle / m->fastest_radps, thud_segment_all_terms(state, angle / m->fastest_radps));
     seg->a0 = 10 * random_part();
     seg->a1 = 3 * random_part();
     seg->loaded = ORDERS;

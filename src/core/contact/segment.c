@@ -148,11 +148,16 @@ void thud_segment_ground(const struct thud_state *state, struct thud_segment *se
     seg->a1 = slope * h_s;
 }
 
+int thud_segment_all_terms(const struct thud_state *state, double h_s)
+{
+    return thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
+}
+
 void thud_segment_place(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
                         double h_s)
 {
     thud_segment_ground(state, seg, grid, offset_s, h_s);
-    seg->terms = thud_segment_terms(thud_segment_rate(state) * h_s, THUD_TOL_SERIES);
+    seg->terms = thud_segment_all_terms(state, h_s);
 }
 
 /* Sets the forces to 0 and lists the rows that can have one: those of the last segment, as only rows that acted at its
@@ -172,11 +177,12 @@ static void clear_forces(const struct thud_state *state, struct thud_segment *se
             seg->row[seg->rows++] = c;
 }
 
-void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s)
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s, int terms)
 {
     assert(h_s > 0 && isfinite(h_s));
     clear_forces(state, seg);
-    thud_segment_place(state, seg, state->grid, state->offset_s, h_s);
+    thud_segment_ground(state, seg, state->grid, state->offset_s, h_s);
+    seg->terms = terms;
     seg->interpolates = false;
     seg->start = seg->end = NULL;
     seg->nodes = NULL;

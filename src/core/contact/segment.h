@@ -67,8 +67,10 @@ void thud_segment_clear(struct thud_segment *seg);
 double thud_segment_rate(const struct thud_state *state);
 /* Terms after which angle^k/k! is below `least`: angle = rate times h. */
 int thud_segment_terms(double angle, double least);
-/* Sets h and the ground acceleration over the next h seconds of the run, and clears the forces. */
-void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s);
+/* Sets h, the number of terms and the ground acceleration over the next h seconds of the run, and clears the forces. */
+void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg, double h_s, int terms);
+/* Terms of a series over h seconds of the run's motion, to rounding. */
+int thud_segment_all_terms(const struct thud_state *state, double h_s);
 /* Only the place, an offset after the start of an interval of the ground motion, and the ground acceleration; */
 void thud_segment_ground(const struct thud_state *state, struct thud_segment *seg, long grid, double offset_s,
                          double h_s);

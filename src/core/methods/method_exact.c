@@ -45,7 +45,8 @@ static enum thud_status step(const struct thud_state *state, void *own, struct t
         return thud_collocation_step(state, seg, own, err);
     const struct thud_model *m = state->model;
     static const double longest_angle = 30; /* of the first try: the terms stay numbers, and the tail shortens it */
-    thud_segment_begin(state, seg, fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state)));
+    const double h = fmin(thud_state_remaining(state), longest_angle / thud_segment_rate(state));
+    thud_segment_begin(state, seg, h, thud_segment_all_terms(state, h));
     double tail = thud_taylor_linear(state, seg);
     while (tail > THUD_TOL_SERIES_TAIL) {
         double factor = 0.9 * pow(0.5 * THUD_TOL_SERIES_TAIL / tail, 1.0 / (THUD_SEGMENT_TERMS - 4));

@@ -234,8 +234,7 @@ void thud_step_write(const struct thud_state *state, struct thud_segment *seg, d
         seg->terms = 0;
         return;
     }
-    thud_segment_begin(state, seg, h);
-    seg->terms = TERMS;
+    thud_segment_begin(state, seg, h, TERMS);
     seg->interpolates = true;
     if (!state->locates && state->model->nstoreys == 0) {
         seg->start = start;

@@ -578,8 +578,7 @@ static void keep_step(const struct thud_state *state, struct thud_collocation *x
 static void write_segment(const struct thud_state *state, struct thud_segment *seg, struct thud_collocation *x)
 {
     const double h = x->step.h, least = fmax(THUD_TOL_SERIES, 1e-4 * state->tolerance);
-    thud_segment_begin(state, seg, h);
-    seg->terms = thud_segment_terms(state->fastest_radps * h, least);
+    thud_segment_begin(state, seg, h, thud_segment_terms(state->fastest_radps * h, least));
     seg->loaded = x->by->n;
     for (int a = 0; a < x->nactive; a++)
         for (int k = 0; k < x->by->n; k++)

@@ -94,7 +94,7 @@ static void unit_motions(const struct thud_coupled_motion *c, struct part *part,
         memset(q, 0, 2 * (size_t)m->nmodes * sizeof *q);
         if (u < 2 * n)
             (u < n ? q : qd)[first + u % n] = 1;
-        thud_segment_begin(state, seg, part->h_s);
+        thud_segment_begin(state, seg, part->h_s, thud_segment_all_terms(state, part->h_s));
         seg->a0 = u == 2 * n;
         seg->a1 = u == 2 * n + 1 ? part->h_s / part->dt_s : 0;
         thud_taylor_structure(m, seg, structure, q, qd);

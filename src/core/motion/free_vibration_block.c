@@ -102,7 +102,8 @@ void thud_free_vibration_fill(struct thud_free_vibration *f, const struct thud_s
     memset(f->valued, 0, THUD_FLOOR_QUANTITIES * (size_t)state->model->nstructures * sizeof *f->valued);
     memset(f->series.has, 0, (size_t)f->nsystems * sizeof *f->series.has);
     f->series.piece = -1;
-    thud_segment_begin(state, &f->series.seg, f->dt_s / f->pieces); /* the forces, constant in the block */
+    const double h = f->dt_s / f->pieces;
+    thud_segment_begin(state, &f->series.seg, h, thud_segment_all_terms(state, h)); /* forces, constant in the block */
     f->ends = intervals + 1;
 }
 

@@ -60,7 +60,7 @@ static void move_unit(const struct thud_state *state, struct thud_free_vibration
 {
     struct thud_segment *seg = &f->series.seg;
     double s0 = (double)piece / f->pieces, ds = 1.0 / f->pieces;
-    thud_segment_begin(state, seg, f->dt_s * ds);
+    thud_segment_begin(state, seg, f->dt_s * ds, thud_segment_all_terms(state, f->dt_s * ds));
     seg->a0 = u == UNIT_A0 ? 1 - s0 : u == UNIT_A1 ? s0 : 0;
     seg->a1 = u == UNIT_A0 ? -ds : u == UNIT_A1 ? ds : 0;
     thud_taylor_given(state->model, seg, q, qd);

@@ -213,7 +213,7 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] *= h;
     if (state->nshifted > 0) { /* storeys with a plastic drift push too */
-        thud_segment_begin(state, &x->seg, h);
+        thud_segment_begin(state, &x->seg, h, 0);
         thud_model_apply_contact_forces(m, x->seg.force, x->at_start);
     }
 }
