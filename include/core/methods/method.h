@@ -26,7 +26,9 @@ struct thud_method {
     const char *limits; /* one line in words */
 
     /* Creates the method's own memory (may stay NULL). Errors: THUD_MEMORY. */
-    enum thud_status (*create)(const struct thud_state *state, void **own, struct thud_error *err);
+    enum thud_status (*create)(const struct thud_method *method, const struct thud_state *state, void **own,
+                               struct thud_error *err);
+    const void *scheme; /* constants that create reads: a struct thud_alpha or thud_tableau; else NULL */
     /* Proposes the next segment (src/core/contact/segment.h) from the state; the run locates events in it and commits.
      * Errors: THUD_DIVERGED (no step is short enough), THUD_MEMORY. */
     enum thud_status (*step)(const struct thud_state *state, void *own, struct thud_segment *seg,

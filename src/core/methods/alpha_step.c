@@ -15,14 +15,15 @@ static double time_offset(const struct thud_alpha *p)
     return p->am - p->af;
 }
 
-enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_alpha parameters, void **own,
+enum thud_status thud_alpha_create(const struct thud_method *method, const struct thud_state *state, void **own,
                                    struct thud_error *err)
 {
+    const struct thud_alpha *parameters = method->scheme;
     const struct thud_model *m = state->model;
     const size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = thud_motion_size(m);
     struct thud_alpha_work *x = calloc(1, sizeof *x);
     *own = NULL;
-    assert(time_offset(&parameters) != 0 || parameters.am == 0);
+    assert(time_offset(parameters) != 0 || parameters->am == 0);
     if (x) {
         x->block = calloc(3 * size + 3 * n + nc * n + 2 * nc * nc + 4 * nc + 1, sizeof *x->block);
         x->active = calloc(2 * nc + 1, sizeof *x->active);
@@ -44,7 +45,7 @@ enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_a
     x->v = x->d + nc;
     x->a = x->v + nc;
     x->pivot = x->active + nc;
-    x->p = parameters;
+    x->p = *parameters;
     x->fresh = true;
     *own = x;
     return THUD_OK;

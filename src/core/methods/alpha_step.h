@@ -14,6 +14,7 @@
  * of impulse without location. */
 #pragma once
 
+#include "core/methods/method.h"
 #include "core/methods/stepping.h"
 
 struct thud_alpha {
@@ -21,8 +22,8 @@ struct thud_alpha {
     bool lagged; /* the contact force of the step's end is taken from its start: eq. (1) read as an update rule */
 };
 
-/* For a method's own create; its step, committed and free are those below. Errors: as thud_method's. */
-enum thud_status thud_alpha_create(const struct thud_state *state, struct thud_alpha parameters, void **own,
+/* Of a method whose scheme is a struct thud_alpha. */
+enum thud_status thud_alpha_create(const struct thud_method *method, const struct thud_state *state, void **own,
                                    struct thud_error *err);
 enum thud_status thud_alpha_step(const struct thud_state *state, void *own, struct thud_segment *seg,
                                  struct thud_error *err);

@@ -10,7 +10,7 @@
 #include "core/methods/runge_kutta.h"
 #include "core/numerics/tolerance.h"
 
-static const struct thud_tableau tableau = {
+const struct thud_tableau thud_dormand_prince_tableau = {
     .stages = 7,
     .c = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1},
     .a = {{0},
@@ -26,7 +26,7 @@ static const double difference[7] = {71.0 / 57600,      0,          -71.0 / 1669
                                      -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 
 struct dormand_prince {
-    struct thud_rk rk;
+    struct thud_rk *rk;
     double h;                 /* to try next */
     double speed;             /* modal speed in which errors are measured, and */
     double *scale_mps2;       /* (nstructures) largest total accelerations so far */
@@ -35,19 +35,22 @@ struct dormand_prince {
     double *block;
 };
 
-enum thud_status thud_dormand_prince_create(const struct thud_state *state, void **own, struct thud_error *err)
+enum thud_status thud_dormand_prince_create(const struct thud_method *method, const struct thud_state *state,
+                                            void **own, struct thud_error *err)
 {
+    void *rk;
     struct dormand_prince *x = *own = calloc(1, sizeof *x);
     const size_t structures = (size_t)state->model->nstructures;
     double *block =
         x ? x->block = calloc(thud_motion_size(state->model) + structures + (size_t)state->model->nrows, sizeof *block)
           : NULL;
-    if (!block || thud_rk_init(&x->rk, state, &tableau, err) != THUD_OK) {
+    if (!block || thud_rk_create(method, state, &rk, err) != THUD_OK) {
         free(block);
         free(x);
         *own = NULL;
         return thud_error_set(err, THUD_MEMORY, "out of memory");
     }
+    x->rk = rk;
     x->scale_mps2 = thud_motion_place(&x->error, state->model, block);
     x->scale_n = x->scale_mps2 + structures;
     for (size_t s = 0; s < structures; s++)
@@ -66,7 +69,7 @@ void thud_dormand_prince_free(void *own)
     struct dormand_prince *x = own;
     if (!x)
         return;
-    thud_rk_clear(&x->rk);
+    free(x->rk);
     free(x->block);
     free(x);
 }
@@ -89,9 +92,9 @@ static void raise_scales(const struct thud_state *state, struct dormand_prince *
     const double ground = thud_step_ground(state, 0);
     for (int s = 0; s < m->nstructures; s++)
         x->scale_mps2[s] =
-            fmax(x->scale_mps2[s], largest_acceleration(m, &m->structure[s], x->rk.stage[0].qdd, ground));
+            fmax(x->scale_mps2[s], largest_acceleration(m, &m->structure[s], x->rk->stage[0].qdd, ground));
     for (int c = 0; c < m->nrows; c++)
-        x->scale_n[c] = fmax(x->scale_n[c], fabs(x->rk.stage[0].force[c]));
+        x->scale_n[c] = fmax(x->scale_n[c], fabs(x->rk->stage[0].force[c]));
     for (int c = 0; c < m->ncontacts; c++) {
         const int dof[] = {m->contact[c].left_dof, m->contact[c].right_dof};
         if (state->contact[c].mode != THUD_CLOSED || state->contact[c].suppressed.indentation == 0)
@@ -112,14 +115,14 @@ static void raise_scales(const struct thud_state *state, struct dormand_prince *
 static double error_of(const struct thud_state *state, struct dormand_prince *x, double h)
 {
     const struct thud_model *m = state->model;
-    const struct thud_motion *end = &x->rk.stage[tableau.stages - 1];
+    const struct thud_motion *end = &x->rk->stage[x->rk->tableau->stages - 1];
     const double ground = thud_step_ground(state, h);
     double sum = 0;
     for (int j = 0; j < m->nmodes; j++) {
         double q = 0, qd = 0, w = fmax(m->omega[j], 1);
-        for (int i = 0; i < tableau.stages; i++) {
-            q += difference[i] * x->rk.stage[i].qd[j];
-            qd += difference[i] * x->rk.stage[i].qdd[j];
+        for (int i = 0; i < x->rk->tableau->stages; i++) {
+            q += difference[i] * x->rk->stage[i].qd[j];
+            qd += difference[i] * x->rk->stage[i].qdd[j];
         }
         x->error.q[j] = h * q;
         x->error.qd[j] = h * qd;
@@ -148,18 +151,18 @@ enum thud_status thud_dormand_prince_step(const struct thud_state *state, void *
     static const double step_share = 1e-2, run_share = 500, least_share = 1e-3;
     struct dormand_prince *x = own;
     double remaining = thud_step_room(state);
-    thud_rk_start(state, &x->rk);
+    thud_rk_start(state, x->rk);
     raise_scales(state, x);
     for (;;) {
         double h = remaining / fmax(1, ceil(remaining / x->h * (1 - THUD_TOL_STEP_COUNT)));
-        thud_rk_stages(state, &x->rk, h);
+        thud_rk_stages(state, x->rk, h);
         double error = error_of(state, x, h);
         double tolerance = thud_smaller(step_share, fmax(least_share, run_share * h / state->end_s)) * state->tolerance;
         double factor = isfinite(error) ? 0.9 * pow(tolerance / fmax(error, 1e-10 * tolerance), 0.2) : 0.1;
         factor = fmin(5, fmax(0.1, factor));
         if (error <= tolerance) {
             x->h = factor > 1 ? fmax(x->h, factor * h) : factor * h; /* a step cut short to end at a kink says little */
-            thud_rk_write(state, seg, &x->rk, h);
+            thud_step_write(state, seg, h, x->rk->stage, &x->rk->stage[x->rk->tableau->stages - 1], &x->rk->work);
             return THUD_OK;
         }
         x->h = fmin(factor, 0.9) * h;
@@ -175,5 +178,5 @@ void thud_dormand_prince_committed(const struct thud_state *state, void *own, co
     struct dormand_prince *x = own;
     if (tau_s <= 0) /* an event at the very start: another step would see another end of the same motion */
         x->h = fmin(x->h, seg->h_s);
-    thud_rk_committed(state, seg, &x->rk, switched);
+    thud_rk_committed(state, x->rk, seg, tau_s, switched);
 }

@@ -2,15 +2,9 @@
  * springs, and with them a contact's indentation, are explicit; the dashpots of modes and contacts are taken at v1 and
  * solved for, where the textbook's central difference of displacements would lag them. Stable while omega h < 2 for every
  * mode and for a closed contact's sqrt(k/m). */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    return thud_alpha_create(state, (struct thud_alpha){.gamma = 0.5}, own, err);
-}
+#include "core/methods/alpha_step.h"
 
 const struct thud_method thud_method_central_difference = {
     .name = "central-difference",
@@ -22,7 +16,8 @@ const struct thud_method thud_method_central_difference = {
     .order = 2,
     .stability = 2,
     .limits = "stable while omega dt < 2, but contacts that open and close may gain energy below",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){.gamma = 0.5},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

@@ -12,8 +12,10 @@ static void release(void *own)
 }
 
 /* Collocation is needed by laws that are not linear; without it the method has nothing of its own. */
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
+                               struct thud_error *err)
 {
+    (void)method;
     struct thud_collocation *collocation = NULL;
     bool needed = false;
     for (int c = 0; c < state->model->ncontacts; c++)

@@ -3,19 +3,13 @@
  *     am = (2 rho - 1)/(rho + 1),   af = rho/(rho + 1),   gamma = 1/2 - am + af,   beta = (1 - am + af)^2/4
  * make it of order 2, unconditionally stable in linear structures, and of all such schemes that with the least damping of
  * low modes for this damping of high ones. The acceleration is the scheme's own (alpha_step.h). */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    const double rho = 0.8, am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
-    return thud_alpha_create(
-        state,
-        (struct thud_alpha){.am = am, .af = af, .beta = 0.25 * (1 - am + af) * (1 - am + af), .gamma = 0.5 - am + af},
-        own, err);
-}
+#include "core/methods/alpha_step.h"
+
+#define RHO 0.8
+#define AM  ((2 * RHO - 1) / (RHO + 1))
+#define AF  (RHO / (RHO + 1))
 
 const struct thud_method thud_method_generalized_alpha = {
     .name = "generalized-alpha",
@@ -26,7 +20,8 @@ const struct thud_method thud_method_generalized_alpha = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step damps or gains at random",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){AM, AF, 0.25 * (1 - AM + AF) * (1 - AM + AF), 0.5 - AM + AF, false},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

@@ -2,15 +2,9 @@
  *     af = -alpha = 0.1,   beta = (1 + af)^2/4 = 0.3025,   gamma = 1/2 + af = 0.6 ,
  * of order 2 and unconditionally stable in linear structures. Modes that the step does not resolve lose about a fifth of
  * their amplitude in each step. */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    return thud_alpha_create(state, (struct thud_alpha){.af = 0.1, .beta = 0.3025, .gamma = 0.6}, own, err);
-}
+#include "core/methods/alpha_step.h"
 
 const struct thud_method thud_method_hht = {
     .name = "hht",
@@ -21,7 +15,8 @@ const struct thud_method thud_method_hht = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step damps or gains at random",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){.af = 0.1, .beta = 0.3025, .gamma = 0.6},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

@@ -35,8 +35,10 @@ static void release(void *own)
     free(x);
 }
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
+static enum thud_status create(const struct thud_method *method, const struct thud_state *state, void **own,
+                               struct thud_error *err)
 {
+    (void)method;
     const struct thud_model *m = state->model;
     size_t n = (size_t)m->nmodes;
     struct kr *x = calloc(1, sizeof *x);

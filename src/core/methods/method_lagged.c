@@ -2,15 +2,9 @@
  * as a rule that yields a force after the motion is known. A demonstration of why that must not be done. The force comes
  * a step late on the way in and on the way out, so it has a part -F' h, in phase with the velocity: a dashpot of negative
  * coefficient, -k h. With omega^2 = k/m, an elastic impact takes pi/omega and leaves exp(pi omega h/2) times as fast. */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    return thud_alpha_create(state, (struct thud_alpha){.beta = 0.25, .gamma = 0.5, .lagged = true}, own, err);
-}
+#include "core/methods/alpha_step.h"
 
 const struct thud_method thud_method_lagged = {
     .name = "lagged",
@@ -22,7 +16,8 @@ const struct thud_method thud_method_lagged = {
     .order = 2,
     .stability = INFINITY,
     .limits = "every elastic impact leaves exp(pi omega dt / 2) times as fast as it came",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){.beta = 0.25, .gamma = 0.5, .lagged = true},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

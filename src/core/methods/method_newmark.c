@@ -1,15 +1,9 @@
 /* Newmark's average acceleration, the trapezoidal rule: beta 1/4, gamma 1/2 in alpha_step.h. In linear structures it keeps
  * q'^2 + omega^2 q^2 of every mode for any step, and only the period is off, by (omega h)^2/12 of it. In contact it keeps
  * nothing: the force of a step that touches half way acts as if it had acted all the way. */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    return thud_alpha_create(state, (struct thud_alpha){.beta = 0.25, .gamma = 0.5}, own, err);
-}
+#include "core/methods/alpha_step.h"
 
 const struct thud_method thud_method_newmark = {
     .name = "newmark",
@@ -20,7 +14,8 @@ const struct thud_method thud_method_newmark = {
     .order = 2,
     .stability = INFINITY,
     .limits = "none in linear structures; in contact a large step gains energy",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){.beta = 0.25, .gamma = 0.5},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

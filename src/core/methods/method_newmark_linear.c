@@ -1,14 +1,8 @@
 /* Newmark's linear acceleration: beta 1/6, gamma 1/2 in alpha_step.h. The period is off by (omega h)^2/24, half as much as
  * with average acceleration, and the price is a limit: omega h < 1/sqrt(gamma/2 - beta) = 2 sqrt(3). */
-#include "core/methods/alpha_step.h"
-#include "core/methods/method.h"
-
 #include <math.h>
 
-static enum thud_status create(const struct thud_state *state, void **own, struct thud_error *err)
-{
-    return thud_alpha_create(state, (struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5}, own, err);
-}
+#include "core/methods/alpha_step.h"
 
 const struct thud_method thud_method_newmark_linear = {
     .name = "newmark-linear",
@@ -19,7 +13,8 @@ const struct thud_method thud_method_newmark_linear = {
     .order = 2,
     .stability = 3.4641016151377544,
     .limits = "stable while omega dt < 2 sqrt(3), but contacts that open and close may gain energy below",
-    .create = create,
+    .create = thud_alpha_create,
+    .scheme = &(const struct thud_alpha){.beta = 1.0 / 6, .gamma = 0.5},
     .step = thud_alpha_step,
     .committed = thud_alpha_committed,
     .free = thud_alpha_free,

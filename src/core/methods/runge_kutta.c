@@ -10,23 +10,20 @@
 
 #include "core/numerics/tolerance.h"
 
-enum thud_status thud_rk_init(struct thud_rk *rk, const struct thud_state *state, const struct thud_tableau *tableau,
-                              struct thud_error *err)
+enum thud_status thud_rk_create(const struct thud_method *method, const struct thud_state *state, void **own,
+                                struct thud_error *err)
 {
-    *rk = (struct thud_rk){.tableau = tableau};
-    double *next = rk->block = calloc((size_t)(tableau->stages + 1) * thud_motion_size(state->model) + 1, sizeof *next);
-    if (!next)
+    const struct thud_tableau *tableau = method->scheme;
+    const size_t size = (size_t)(tableau->stages + 1) * thud_motion_size(state->model);
+    struct thud_rk *rk = *own = calloc(1, sizeof *rk + size * sizeof(double));
+    if (!rk)
         return thud_error_set(err, THUD_MEMORY, "out of memory");
+    rk->tableau = tableau;
+    double *next = rk->block;
     for (int i = 0; i < tableau->stages; i++)
         next = thud_motion_place(&rk->stage[i], state->model, next);
     thud_motion_place(&rk->work, state->model, next);
     return THUD_OK;
-}
-
-void thud_rk_clear(struct thud_rk *rk)
-{
-    free(rk->block);
-    rk->block = NULL;
 }
 
 void thud_rk_start(const struct thud_state *state, struct thud_rk *rk)
@@ -62,14 +59,11 @@ void thud_rk_stages(const struct thud_state *state, struct thud_rk *rk, double h
     }
 }
 
-void thud_rk_write(const struct thud_state *state, struct thud_segment *seg, struct thud_rk *rk, double h)
-{
-    thud_step_write(state, seg, h, &rk->stage[0], &rk->stage[rk->tableau->stages - 1], &rk->work);
-}
-
-void thud_rk_committed(const struct thud_state *state, const struct thud_segment *seg, struct thud_rk *rk,
+void thud_rk_committed(const struct thud_state *state, void *own, const struct thud_segment *seg, double tau_s,
                        bool switched)
 {
+    struct thud_rk *rk = own;
+    (void)tau_s;
     struct thud_motion *first = &rk->stage[0], *last = &rk->stage[rk->tableau->stages - 1], keep = *first;
     rk->first_known = !switched;
     if (switched)

@@ -243,7 +243,7 @@ static enum thud_status start(struct thud_run *run, const struct thud_run *like,
     if (status == THUD_OK && run->method->order == 0) /* the others show how they fare without contact */
         status = thud_free_vibration_create(&run->state, like ? like->free_vibration : NULL, &run->free_vibration, err);
     if (status == THUD_OK && run->method->create)
-        status = run->method->create(&run->state, &run->own, err);
+        status = run->method->create(run->method, &run->state, &run->own, err);
     return status;
 }
 
