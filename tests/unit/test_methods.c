@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/quantity.h"
+#include "core/model/step_watch.h"
 #include "law_examples.h"
 #include "march.h"
 
@@ -248,13 +249,18 @@ static void every_method(const struct march_law *law, double gap, bool isolated)
     thud_record_free(record);
 }
 
+static struct march_law any_law(int i, double stiffness_npm)
+{
+    const char *name = thud_law_at(i)->name;
+    return thud_law_param(thud_law_at(i), "stiffness") < 0 ? march_law(name, NULL)
+           : strcmp(name, "rubber") == 0                   ? rubber()
+                                                           : march_law(name, "stiffness", stiffness_npm, NULL);
+}
+
 START_TEST(every_law_in_every_method)
 {
     for (int i = 0; i < thud_law_count(); i++) {
-        const char *name = thud_law_at(i)->name;
-        struct march_law law = thud_law_param(thud_law_at(i), "stiffness") < 0 ? march_law(name, NULL)
-                               : strcmp(name, "rubber") == 0                   ? rubber()
-                                                             : march_law(name, "stiffness", 2.5e9, NULL);
+        struct march_law law = any_law(i, 2.5e9);
         for (int isolated = 0; isolated < 2; isolated++)
             every_method(&law, (i + isolated) % 2 ? 0 : 0.02, isolated);
     }
@@ -277,6 +283,93 @@ START_TEST(work_is_counted)
     march_free(&rk);
     march_free(&cd);
     thud_model_free(model);
+}
+END_TEST
+
+static int count_step(void *context, const struct thud_moment *moment)
+{
+    (void)moment;
+    ++*(long *)context;
+    return 0;
+}
+
+/* A run in which nothing is located, by advances of one segment each: counted. shown: by each of its steps, counted too. */
+static struct march unlocated(const struct thud_model *model, const struct thud_record *record, const char *method,
+                              double step_s, long *shown, long *advances)
+{
+    struct march m = {.status = THUD_OK};
+    const struct thud_step_watch watch = {.step = count_step, .context = shown};
+    struct thud_run_options options;
+    bool done = false;
+    thud_run_options_init(&options);
+    options.method = thud_method_find(method);
+    options.locate = false;
+    options.step_s = step_s;
+    options.unjudged = true;
+    options.watch = shown ? &watch : NULL;
+    m.status = thud_run_create(model, record, &options, &m.run, &m.err);
+    for (*advances = 0; m.status == THUD_OK && !done; ++*advances)
+        m.status = thud_run_advance(m.run, 1, &done, &m.err);
+    m.result = thud_run_result(m.run);
+    return m;
+}
+
+/* Steps are proposed together while no contact closes. Where each of them is shown, each is taken alone, and the results are
+ * the same, whatever the rows, the damping and the law. together: most of these steps are. */
+static void same_by_single_steps(const struct thud_model *model, const struct thud_record *record, const char *method,
+                                 double step_s, bool together)
+{
+    long shown = 0, advances, singles;
+    struct march a = unlocated(model, record, method, step_s, NULL, &advances),
+                 b = unlocated(model, record, method, step_s, &shown, &singles);
+    const struct thud_result *x = a.result, *y = b.result;
+    ck_assert_int_eq(a.status, b.status);
+    ck_assert_str_eq(a.err.what, b.err.what);
+    ck_assert_int_eq(x->work.steps, y->work.steps);
+    ck_assert_int_eq(shown, y->work.steps - (b.status != THUD_OK));
+    ck_assert_int_eq(singles, y->work.steps);
+    ck_assert_msg((3 * advances < singles) == together, "%s: %ld of %ld", method, advances, singles);
+    ck_assert_double_lt(march_peaks_apart(x, y, 1e-6), 1e-9);
+    for (int s = 0; s < x->nstructures; s++)
+        for (int i = 0; i < x->structure[s].floors; i++)
+            ck_assert_double_eq_tol(x->structure[s].floor[i].acceleration.time_s,
+                                    y->structure[s].floor[i].acceleration.time_s, 1e-9);
+    for (int c = 0; c < x->ncontacts; c++) {
+        ck_assert_int_eq(x->contact[c].impacts, y->contact[c].impacts);
+        ck_assert_double_eq_tol(x->contact[c].impulse_ns, y->contact[c].impulse_ns,
+                                1e-9 * (1 + y->contact[c].impulse_ns));
+    }
+    ck_assert_double_eq_tol(x->energy.input_j, y->energy.input_j, 1e-9 * fabs(y->energy.input_j) + 1e-12);
+    ck_assert_double_eq_tol(x->energy.viscous_j, y->energy.viscous_j, 1e-9 * fabs(y->energy.viscous_j) + 1e-12);
+    ck_assert_double_eq_tol(x->energy.error_ratio, y->energy.error_ratio, 1e-9);
+    march_free(&a);
+    march_free(&b);
+}
+
+START_TEST(steps_at_once_are_single_steps)
+{
+    static const char *const name[] = {"central-difference", "newmark", "newmark-linear", "hht", "generalized-alpha"};
+    static const char *const others[] = {"kr-alpha", "rk4", "lagged"};
+    const int storeys[] = {3, 4};
+    struct thud_record *record = march_motion(1.5);
+    for (int i = 0; i < thud_law_count(); i++)
+        for (int isolated = 0; isolated < 2; isolated++) {
+            struct march_law law = any_law(i, 4e8);
+            struct thud_model *model = march_row(2, storeys, isolated, i % 3 ? 0.05 : 0.2, &law);
+            same_by_single_steps(model, record, name[i % 5], 5e-4, true);
+            for (int k = 0; k < 3 && i == 0; k++)
+                same_by_single_steps(model, record, others[k], 1e-3, false);
+            thud_model_free(model);
+        }
+    thud_record_free(record);
+    struct march_law law = march_law("linear", "stiffness", 1e4, NULL);
+    struct thud_model *drifting = march_mass_and_wall(1, 0, 0, 1, 0.5, &law), /* without a spring */
+        *unstable = march_mass_and_wall(1, 20, 0, 1, 0, NULL);
+    same_by_single_steps(drifting, NULL, "newmark", 1e-3, true);
+    for (double angle = 2.02; angle < 2.07; angle += 0.01) /* at the same step, however it came */
+        same_by_single_steps(unstable, NULL, "central-difference", angle / 20, true);
+    thud_model_free(drifting);
+    thud_model_free(unstable);
 }
 END_TEST
 
@@ -333,6 +426,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, what_does_not_locate_comes_near);
     tcase_add_test(tcase, every_law_in_every_method);
     tcase_add_test(tcase, work_is_counted);
+    tcase_add_test(tcase, steps_at_once_are_single_steps);
     tcase_add_test(tcase, steps_are_checked_and_chosen);
     suite_add_tcase(suite, tcase);
     return suite;

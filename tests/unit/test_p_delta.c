@@ -145,6 +145,11 @@ START_TEST(elastic_storeys_collapse)
     ck_assert_double_eq_tol(m.result->end_s, m.result->collapse.time_s, 1e-15);
     ck_assert_double_eq_tol(m.result->structure[0].floor[0].drift.value, 0.3, 1e-13);
     march_free(&m);
+    m = march_run(model, NULL, "newmark", 1e-3, 0, false, 60); /* at the end of the first step behind it */
+    ck_assert(m.result->collapse.happened);
+    ck_assert_double_eq_tol(m.result->collapse.time_s, asin(reach / o.velocity_mps) / net, 1.1e-3);
+    ck_assert_double_eq_tol(m.result->end_s, m.result->collapse.time_s, 1e-12);
+    march_free(&m);
     thud_model_free(model);
     for (int below = 0; below < 2; below++) {
         o.velocity_mps = reach * (below ? 1 - 1e-9 : 1 + 1e-9);

@@ -133,7 +133,7 @@ void thud_model_acceleration(const struct thud_model *m, const double *q, const 
     const double *spring = m->spring, *dashpot = m->dashpot, *gamma = m->gamma;
     for (int j = 0; j < m->nmodes; j++)
         out[j] = -spring[j] * q[j] - dashpot[j] * qd[j] - gamma[j] * ground;
-    for (int s = 0; s < m->nsystems; s++) {
+    for (int s = 0; s < m->nsystems && m->couples; s++) {
         const struct thud_model_structure *p = &m->structure[m->system[s]];
         if (p->damping)
             thud_add_rows(p->modes, p->modes, -1, qd + p->first_mode, p->damping, out + p->first_mode);

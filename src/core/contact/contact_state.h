@@ -53,6 +53,8 @@ struct thud_storey_state {
     struct thud_peak shear; /* largest since the storey first yielded */
 };
 
+enum { THUD_STEPS_AT_ONCE = 16 };
+
 struct thud_state {
     const struct thud_model *model;
     const struct thud_record *record; /* NULL: no ground motion */
@@ -70,9 +72,11 @@ struct thud_state {
     /* What is asked of a method. */
     bool locates; /* events are located; else contacts are updated at the ends of steps */
     bool inside;  /* the motion inside steps is wanted: located events, histories, storeys that yield, struck columns */
-    double tolerance;  /* relative, of contact forces and adaptive steps */
-    double step_s;     /* longest fixed step; NaN for methods without one */
-    double step_cap_s; /* the next step is to be no longer */
+    int at_once; /* steps that may be proposed as one segment: 1, but where nothing reads more of a step than its ends */
+    double energy_most; /* sum of omega^2 q^2 + q'^2 that no response comes to but one that blows up */
+    double tolerance;   /* relative, of contact forces and adaptive steps */
+    double step_s;      /* longest fixed step; NaN for methods without one */
+    double step_cap_s;  /* the next step is to be no longer */
 
     double ground_mps2; /* acceleration scale: peak of the ground motion */
     double speed_mps; /* velocity scale for rounding tests: largest initial speed of a floor plus that of the ground */

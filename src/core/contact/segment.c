@@ -185,6 +185,7 @@ void thud_segment_begin(const struct thud_state *state, struct thud_segment *seg
     seg->terms = terms;
     seg->interpolates = false;
     seg->start = seg->end = NULL;
+    seg->steps = 1;
     seg->nodes = NULL;
     constant_forces(state, seg);
     forget(seg, state->model->nrows);

@@ -49,8 +49,9 @@ struct thud_segment {
     double *q;     /* (terms x nmodes): coefficients of the modal coordinates, by order */
     double *force; /* (terms x nrows): of the forces of contacts and yielding storeys; 0 where one does not act */
     const struct thud_motion *start,
-        *end;          /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
-    double end_energy; /* where they are known: sum of omega^2 q^2 + q'^2 at its end */
+        *end;  /* of a step whose events are not located: its two ends; else NULL, also where storeys yield */
+    int steps; /* of such steps, how many it is: start, the ends of all but the last, and end follow each other */
+    double end_energy; /* where the ends are known: sum of omega^2 q^2 + q'^2 at most at one of them but the start */
     bool interpolates; /* the states of a stepping method at its two ends; else a power series */
     const struct thud_segment_nodes *nodes; /* NULL: not a collocated step */
 

@@ -12,7 +12,7 @@ static void row_end(const struct thud_model *m, const struct thud_alpha_work *x,
 {
     double pull = 0;
     for (int c = 0; c < m->nrows; c++)
-        pull += x->w[a * m->nrows + c] * x->end.force[c];
+        pull += x->w[a * m->nrows + c] * x->end[1].force[c];
     *d = x->d[a] - x->p.beta * h * h * pull;
     *v = x->v[a] - x->p.gamma * h * pull;
     *acc = x->a[a] - pull;
@@ -27,7 +27,7 @@ static void linearize(const struct thud_state *state, struct thud_alpha_work *x,
     const bool held = state->locates && thud_row_sticks(state, a);
     double d, v, acc, fd = 0, fv = 0;
     row_end(state->model, x, a, h, &d, &v, &acc);
-    x->change[i] = held ? acc : x->end.force[a] - thud_step_force(state, a, d, v, &fd, &fv);
+    x->change[i] = held ? acc : x->end[1].force[a] - thud_step_force(state, a, d, v, &fd, &fv);
     /* the slope of a law may be without bound at d = 0, and with beta = 0 it does not count */
     const double slope = held ? -1 : (by_d > 0 ? fd * by_d : 0) + fv * by_v;
     for (int k = 0; k < n; k++)
@@ -49,7 +49,7 @@ static bool solve(const struct thud_state *state, struct thud_alpha_work *x, dou
             return false;
         for (int i = 0; i < n; i++) {
             const double least = THUD_TOL_LEAST_ACCELERATION_MPS2 * state->model->contact[x->active[i]].setup.mass_kg;
-            double *force = &x->end.force[x->active[i]], change = fabs(x->change[i]), was = fabs(*force);
+            double *force = &x->end[1].force[x->active[i]], change = fabs(x->change[i]), was = fabs(*force);
             if (!isfinite(change))
                 return false;
             *force -= x->change[i];
@@ -72,7 +72,7 @@ static bool is_active(const struct thud_alpha_work *x, int nactive, int c)
 
 /* Takes the forces of more rows as unknown, with those of the step's start as first guess: located, of all that act;
  * else of all that yield and of the contacts that are closed at t1 under the forces so far. Returns whether there were
- * any. Clears end.apart where a contact is closed. */
+ * any. Clears apart where a contact is closed. */
 static bool activate(const struct thud_state *state, struct thud_alpha_work *x, double h)
 {
     const struct thud_model *m = state->model;
@@ -86,18 +86,18 @@ static bool activate(const struct thud_state *state, struct thud_alpha_work *x, 
         if (before > 0)
             row_end(m, x, c, h, &d, &v, &acc);
         else
-            d = x->d[c] = thud_model_gap_sum(m, c, x->end.q) - thud_state_clearance(state, c);
-        if (unlocated && d <= 0 && !(any_open && x->start.force[c] != 0))
+            d = x->d[c] = thud_model_gap_sum(m, c, x->end[1].q) - thud_state_clearance(state, c);
+        if (unlocated && d <= 0 && !(any_open && x->end[0].force[c] != 0))
             continue;
-        x->end.apart = false;
+        x->end[1].apart = false;
         if (unlocated && m->contact[c].law->flags & (THUD_LAW_NO_FORCE | THUD_LAW_IMPULSIVE))
             continue;
-        x->v[c] = thud_model_gap_sum(m, c, x->end.qd);
+        x->v[c] = thud_model_gap_sum(m, c, x->end[1].qd);
         x->a[c] = thud_model_gap_sum(m, c, x->a1);
         x->active[x->nactive++] = c;
     }
     for (int i = before; i < x->nactive; i++)
-        x->end.force[x->active[i]] = x->start.force[x->active[i]];
+        x->end[1].force[x->active[i]] = x->end[0].force[x->active[i]];
     return x->nactive > before;
 }
 
@@ -105,9 +105,9 @@ void thud_alpha_forces(const struct thud_state *state, struct thud_alpha_work *x
 {
     const struct thud_model *m = state->model;
     for (int c = 0; c < m->nrows; c++)
-        x->end.force[c] = state->locates && c >= m->ncontacts ? thud_row_branch(state, c)->f0_n : 0;
+        x->end[1].force[c] = state->locates && c >= m->ncontacts ? thud_row_branch(state, c)->f0_n : 0;
     x->nactive = 0;
-    x->end.apart = !state->locates && m->nstoreys == 0;
+    x->end[1].apart = !state->locates && m->nstoreys == 0;
     x->solved = true;
     while (x->solved && activate(state, x, h))
         x->solved = solve(state, x, h);

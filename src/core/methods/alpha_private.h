@@ -8,8 +8,8 @@
 
 /* Glossary, for one step of length h from t0 to t1; index j is a mode, a and c are rows (contacts, yielding storeys).
  *
- *     q0, q0', r0      x->start   modal displacement (m kg^1/2), velocity, and acceleration by the equations of motion,
- *     q1, v1, r1       x->end     r = -D q' - Omega^2 q - gamma a_g - sum_c g_c F_c, at both ends of the step
+ *     q0, q0', r0      x->end[0]  modal displacement (m kg^1/2), velocity, and acceleration by the equations of motion,
+ *     q1, v1, r1       x->end[1]  r = -D q' - Omega^2 q - gamma a_g - sum_c g_c F_c, at both ends of the step
  *     a0, a1           x->a0, a1  the scheme's own accelerations, as in alpha_step.h
  *     A                x->op      ((1 - am) I + (1 - af)(gamma h D + beta h^2 Omega^2))^-1
  *     F_c              .force     force of row c, N; unknown at t1 where the row is active
@@ -27,10 +27,11 @@ struct thud_alpha_work {
     struct thud_alpha p;
     struct thud_modal_operator *op;
     double h_made; /* step that the operator and the responses belong to */
-    struct thud_motion start, end, work;
-    double *a0, *a1;            /* (nmodes) */
+    struct thud_motion end[THUD_STEPS_AT_ONCE + 1], work;
+    double *a0, *a1;            /* (nmodes); r itself where the scheme has no other */
     double *rhs;                /* (nmodes) workspace */
     double *response;           /* (nrows x nmodes) */
+    double *reach;              /* (nrows) d_a^2 at most, by the sum of omega^2 q^2 */
     double *w;                  /* (nrows x nrows) */
     double *d, *v, *a;          /* (nrows) */
     double *matrix, *change;    /* Newton's system for the active rows, column-major, and its solution */
@@ -44,7 +45,7 @@ struct thud_alpha_work {
     double *block;
 };
 
-/* Contact forces at t1 by the laws, into x->end.force, and whether no contact is closed there into x->end.apart. Where a
+/* Contact forces at t1 by the laws, into x->end[1].force, and whether no contact is closed there into its apart. Where a
  * law jumps (nothing located) there may be no solution: the last try is taken, as a program does that only sees its
  * iterations run out, and counted as rejected. Located, an elastic storey that has yielded has a constant force. */
 void thud_alpha_forces(const struct thud_state *state, struct thud_alpha_work *x, double h);

@@ -232,6 +232,7 @@ void thud_step_write(const struct thud_state *state, struct thud_segment *seg, d
         seg->start = start;
         seg->end = end;
         seg->terms = 0;
+        seg->steps = 1;
         return;
     }
     thud_segment_begin(state, seg, h, TERMS);

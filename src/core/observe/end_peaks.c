@@ -80,21 +80,13 @@ static void floor_values(const struct thud_end_peaks *ends, const struct thud_mo
         thud_vec2_put(thud_vec2_at(value + i) - thud_vec2_at(value + i - 1), value + THUD_FLOOR_DRIFT * stride + i);
 }
 
-/* Whether any |x| is above its bound; n is even. */
-static bool any_above(const double *x, const double *bound, int n)
-{
-    thud_vec2_bits above = {0, 0};
-    for (int i = 0; i < n; i += 2)
-        above |= (thud_vec2_bits)(thud_vec2_abs(thud_vec2_at(x + i)) > thud_vec2_at(bound + i));
-    return thud_vec2_any(above);
-}
-
-/* The floors' peaks. */
-static void raise_floors(struct thud_end_peaks *ends, const struct thud_model *m, int structure, double *most,
+/* The floors' peaks; returns whether there was a new one. */
+static bool raise_floors(struct thud_end_peaks *ends, const struct thud_model *m, int structure, double *most,
                          double time_s, struct thud_result *result)
 {
     const struct thud_model_structure *p = &m->structure[structure];
     const int stride = ends->stride;
+    bool any = false;
     for (int x = 0; x < THUD_FLOOR_QUANTITIES; x++)
         for (int i = 0; i < p->dofs; i++) {
             double value = fabs(ends->value[x * stride + i]);
@@ -102,9 +94,11 @@ static void raise_floors(struct thud_end_peaks *ends, const struct thud_model *m
                 continue;
             *thud_floor_peak(result, structure, i, x) = (struct thud_peak){value, time_s};
             most[x * stride + i] = value;
+            any = true;
         }
-    ends->quiet[structure] = (struct thud_end_sizes){0};
-    ends->quiet_energy = 0;
+    if (any)
+        ends->quiet[structure].push = ends->quiet_energy = 0;
+    return any;
 }
 
 /* Squares of the sizes of a structure's modal values at a step's end; by Cauchy and Schwarz, none of its floors comes to
@@ -115,22 +109,15 @@ static struct thud_end_sizes sizes_of(const struct thud_model *m, const struct t
     const double *q = x->q + p->first_mode, *qd = x->qd + p->first_mode, *qdd = x->qdd + p->first_mode;
     const double *spring = m->spring + p->first_mode, *gamma = m->gamma + p->first_mode;
     thud_vec2 strain = {0, 0}, kinetic = {0, 0}, push = {0, 0};
-    int j = 0;
-    for (; j + 2 <= p->modes; j += 2) {
-        thud_vec2 u = thud_vec2_at(q + j), v = thud_vec2_at(qd + j),
-                  a = thud_vec2_at(qdd + j) + thud_vec2_at(gamma + j) * ground;
-        strain += thud_vec2_at(spring + j) * (u * u);
+    for (int j = 0; j < p->modes; j += 2) {
+        const bool single = j + 1 == p->modes;
+        const thud_vec2 u = thud_vec2_some(q + j, single), v = thud_vec2_some(qd + j, single),
+                        a = thud_vec2_some(qdd + j, single) + thud_vec2_some(gamma + j, single) * ground;
+        strain += thud_vec2_some(spring + j, single) * (u * u);
         kinetic += v * v;
         push += a * a;
     }
-    struct thud_end_sizes sum = {thud_vec2_sum(strain), thud_vec2_sum(kinetic), thud_vec2_sum(push), 0};
-    if (j < p->modes) {
-        double a = qdd[j] + gamma[j] * ground;
-        sum.strain += spring[j] * (q[j] * q[j]);
-        sum.kinetic += qd[j] * qd[j];
-        sum.push += a * a;
-    }
-    return sum;
+    return (struct thud_end_sizes){thud_vec2_sum(strain), thud_vec2_sum(kinetic), thud_vec2_sum(push), 0};
 }
 
 /* The least of a structure's peaks of one quantity by the bounds of another. */
@@ -160,15 +147,12 @@ static void set_quiet(struct thud_end_peaks *ends, const struct thud_model *m, i
             ends->quiet_energy = thud_smaller(ends->quiet_energy, ends->quiet[s].energy);
 }
 
-void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result)
+/* The peaks of the end x of a step, which is this part of the segment from its start. */
+static void look(struct thud_end_peaks *ends, const struct thud_model *m, const struct thud_segment *seg, double part,
+                 const struct thud_motion *x, struct thud_result *result)
 {
-    const struct thud_model *m = o->state->model;
-    const struct thud_motion *x = o->seg->end;
-    assert(x && o->s == 1);
-    double time_s = o->seg->start_s + o->seg->h_s, ground = o->seg->a0 + o->seg->a1;
+    const double time_s = seg->start_s + part * seg->h_s, ground = seg->a0 + part * seg->a1;
     const int row = THUD_FLOOR_QUANTITIES * ends->stride;
-    if (x->apart && o->state->nindented == 0 && o->seg->end_energy < ends->quiet_energy)
-        return;
     for (int s = 0; s < m->nstructures; s++) {
         const struct thud_model_structure *p = &m->structure[s];
         struct thud_end_sizes now = sizes_of(m, p, x, ground), *quiet = &ends->quiet[s];
@@ -176,9 +160,17 @@ void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observati
         if (now.strain < quiet->strain && now.kinetic < quiet->kinetic && now.push < quiet->push)
             continue;
         floor_values(ends, m, p, x, ground);
-        if (any_above(ends->value, most, row))
-            raise_floors(ends, m, s, most, time_s, result);
-        else if (quiet->push == 0) /* peaks that rise step by step are waited for */
-            set_quiet(ends, m, s);
+        if (!raise_floors(ends, m, s, most, time_s, result) && quiet->push == 0)
+            set_quiet(ends, m, s); /* peaks that rise step by step are waited for */
     }
+}
+
+void thud_end_peaks_add(struct thud_end_peaks *ends, const struct thud_observation *o, struct thud_result *result)
+{
+    const struct thud_segment *seg = o->seg;
+    assert(seg->end && o->s == 1);
+    if (seg->end->apart && o->state->nindented == 0 && seg->end_energy < ends->quiet_energy)
+        return;
+    for (int left = seg->steps - 1; left >= 0; left--)
+        look(ends, o->state->model, seg, 1 - (double)left / seg->steps, seg->end - left, result);
 }

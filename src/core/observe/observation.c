@@ -1,12 +1,14 @@
 /* What a segment may be asked (observer.h): the one place that knows which of its parts a method has filled. */
+#include <math.h>
 #include <string.h>
 
 #include "core/observe/observer.h"
 
-/* The end of a step that has no polynomials. */
+/* The nearest end of steps that have no polynomials. */
 static const struct thud_motion *end_at(const struct thud_observation *o, double s)
 {
-    return s < 0.5 * o->s ? o->seg->start : o->seg->end;
+    const int left = (int)ceil((1 - s / o->s) * o->seg->steps - 0.5);
+    return left == o->seg->steps ? o->seg->start : o->seg->end - left;
 }
 
 void thud_observation_state(const struct thud_observation *o, double s, double *q, double *qd)

@@ -114,40 +114,56 @@ static void end_works(const struct thud_model *m, const struct thud_motion *a, c
                       double *drive, double *viscous)
 {
     thud_vec2 by_ground = {0, 0}, by_rate = {0, 0};
-    int j = 0;
-    for (; j + 2 <= m->nmodes; j += 2) {
-        thud_vec2 way = thud_vec2_at(b->q + j) - thud_vec2_at(a->q + j);
-        thud_vec2 rates = thud_vec2_at(a->qd + j) + thud_vec2_at(b->qd + j);
-        by_ground += thud_vec2_at(m->gamma + j) * way;
-        by_rate += thud_vec2_at(m->dashpot + j) * rates * way;
+    for (int j = 0; j < m->nmodes; j += 2) {
+        const bool single = j + 1 == m->nmodes;
+        const thud_vec2 way = thud_vec2_some(b->q + j, single) - thud_vec2_some(a->q + j, single),
+                        rates = thud_vec2_some(a->qd + j, single) + thud_vec2_some(b->qd + j, single);
+        by_ground += thud_vec2_some(m->gamma + j, single) * way;
+        by_rate += thud_vec2_some(m->dashpot + j, single) * rates * way;
     }
     *drive = -(thud_vec2_sum(by_ground));
     *viscous = 0.5 * (thud_vec2_sum(by_rate));
-    if (j == m->nmodes)
-        return;
-    *drive -= m->gamma[j] * (b->q[j] - a->q[j]);
-    *viscous += 0.5 * m->dashpot[j] * (a->qd[j] + b->qd[j]) * (b->q[j] - a->q[j]);
 }
 
-/* A step whose events are not located: mean forces of its two ends times the displacements between them, which is all
- * that it knows. */
+double thud_ledger_contact_work(const struct thud_ledger *ledger)
+{
+    return ledger->contact_work_j + ledger->log->lost_j;
+}
+
+/* What the structures hold now, as the ledger has it, may be the most so far: the energy that its error is a part of.
+ */
+static void mark(struct thud_ledger *l, const struct thud_state *state)
+{
+    double lost = l->viscous_j + thud_ledger_contact_work(l);
+    if (state->model->nstoreys > 0)
+        lost += thud_storeys_hysteretic(state, state->q);
+    l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - lost);
+}
+
+/* Steps whose events are not located: mean forces of the two ends of each times the displacements between them, which is
+ * all that it knows. */
 static void add_ends(struct thud_ledger *l, const struct thud_observation *o)
 {
     const struct thud_model *m = o->state->model;
-    const struct thud_motion *a = o->seg->start, *b = o->seg->end;
-    double drive, viscous;
-    end_works(m, a, b, &drive, &viscous);
-    for (int k = 0; k < m->nsystems && m->couples; k++) {
-        const struct thud_model_structure *p = &m->structure[m->system[k]];
-        for (int i = p->first_mode; p->damping && i < p->first_mode + p->modes; i++) {
-            const double *row = p->damping + (i - p->first_mode) * p->modes;
-            double mean =
-                0.5 * (thud_dot(p->modes, row, a->qd + p->first_mode) + thud_dot(p->modes, row, b->qd + p->first_mode));
-            viscous += mean * (b->q[i] - a->q[i]);
+    const struct thud_segment *seg = o->seg;
+    for (int i = 0; i < seg->steps; i++) {
+        const struct thud_motion *b = seg->end - (seg->steps - 1 - i), *a = i == 0 ? seg->start : b - 1;
+        double drive, viscous;
+        end_works(m, a, b, &drive, &viscous);
+        for (int k = 0; k < m->nsystems && m->couples; k++) {
+            const struct thud_model_structure *p = &m->structure[m->system[k]];
+            for (int j = p->first_mode; p->damping && j < p->first_mode + p->modes; j++) {
+                const double *row = p->damping + (j - p->first_mode) * p->modes;
+                double mean = 0.5 * (thud_dot(p->modes, row, a->qd + p->first_mode) +
+                                     thud_dot(p->modes, row, b->qd + p->first_mode));
+                viscous += mean * (b->q[j] - a->q[j]);
+            }
         }
+        l->input_j += o->s * (seg->a0 + (i + 0.5) / seg->steps * seg->a1) * drive;
+        l->viscous_j += o->s * viscous;
+        if (i + 1 < seg->steps)
+            mark(l, o->state);
     }
-    l->input_j += o->s * (o->seg->a0 + 0.5 * o->seg->a1) * drive;
-    l->viscous_j += o->s * viscous;
 }
 
 static void add_segment(struct thud_ledger *l, const struct thud_observation *o)
@@ -170,21 +186,6 @@ void thud_ledger_add(struct thud_ledger *ledger, const struct thud_observation *
     here.works = thud_contact_works(o, ledger->work);
     here.work = ledger->work;
     add_segment(ledger, &here);
-}
-
-double thud_ledger_contact_work(const struct thud_ledger *ledger)
-{
-    return ledger->contact_work_j + ledger->log->lost_j;
-}
-
-/* What the structures hold now, as the ledger has it, may be the most so far: the energy that its error is a part of.
- */
-static void mark(struct thud_ledger *l, const struct thud_state *state)
-{
-    double lost = l->viscous_j + thud_ledger_contact_work(l);
-    if (state->model->nstoreys > 0)
-        lost += thud_storeys_hysteretic(state, state->q);
-    l->largest_j = fmax(l->largest_j, l->initial_j + l->input_j - lost);
 }
 
 /* All of it at the state. error_ratio: what is unaccounted for, of the largest energy that the structures have held. */

@@ -32,8 +32,8 @@ struct thud_observation {
  * (nmodes), whose floor values are thud_model_floor's. Nothing else of a segment is there for every method. The power
  * series of `exact` have all of it in seg->q and seg->force. The polynomials of a stepping method (seg->interpolates)
  * have its state, but their second derivative is no acceleration between the ends of the step: that is by the forces.
- * Of a step whose events are not located (seg->end) there may be no polynomials at all (seg->terms 0), and then these
- * give the nearer of its two ends. */
+ * Of steps whose events are not located (seg->end) there may be no polynomials at all (seg->terms 0), and then these
+ * give the nearest of their ends. */
 static inline double thud_observation_ground(const struct thud_observation *o, double s)
 {
     return o->seg->a0 + o->seg->a1 * s;

@@ -59,7 +59,7 @@ static enum thud_status segment(struct thud_run *run, struct thud_error *err)
 {
     struct thud_proposal p = {.contact = -1, .event = THUD_EVENT_NONE};
     enum thud_status status = thud_run_propose(run, &p, err);
-    run->work.steps++;
+    run->work.steps += run->seg.steps;
     if (status == THUD_OK)
         status = thud_run_watch_progress(run, &p, err);
     if (status == THUD_OK && p.s > 0)

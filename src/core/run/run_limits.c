@@ -1,4 +1,5 @@
 /* What a run may ask for, the step it gets when it asks for none, and what its response may not pass. */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -109,6 +110,7 @@ void thud_run_set_scales(struct thud_run *run, const struct thud_run *like)
  * value plus |gamma| times the integral of |a_g|. */
 void thud_run_set_bound(struct thud_run *run)
 {
+    static const double times = 100; /* a coarse but stable step may overshoot; more is a run that has blown up */
     const struct thud_model *m = run->state.model;
     double mass = 0, energy = thud_state_kinetic(&run->state) + thud_state_strain(&run->state);
     for (int j = 0; j < m->nmodes; j++)
@@ -118,7 +120,8 @@ void thud_run_set_bound(struct thud_run *run)
         double d = thud_contact_indentation(&run->state, c);
         energy += thud_law_energy(p->law, &p->setup, &run->state.contact[c].memory, THUD_APPROACH, d);
     }
-    run->speed_bound = sqrt(2 * energy) + sqrt(mass) * fmax(run->ground.impulse_mps, 1e-3);
+    const double bound = sqrt(2 * energy) + sqrt(mass) * fmax(run->ground.impulse_mps, 1e-3), most = times * bound;
+    run->state.energy_most = fmin(most * most, DBL_MAX);
 }
 
 /* The floor that moves most, for the message; one that does not move by a number comes first. */
@@ -138,25 +141,18 @@ static int worst_floor(const struct thud_model *m, const double *qd)
     return worst;
 }
 
-bool thud_run_is_bounded(const struct thud_run *run, double energy_sum)
-{
-    static const double times = 100; /* a coarse but stable step may overshoot; more is a run that has blown up */
-    double limit = times * run->speed_bound;
-    return energy_sum <= limit * limit && energy_sum < INFINITY; /* the limit may be infinite */
-}
-
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err)
 {
     const struct thud_model *m = run->state.model;
     /* a storey that yields may drift as far as it likes without strain */
-    if (thud_run_is_bounded(run, m->traits & THUD_SLIPS ? thud_dot(m->nmodes, qd, qd)
-                                                        : thud_energy_sum(m->nmodes, m->spring, q, qd)))
+    if ((m->traits & THUD_SLIPS ? thud_dot(m->nmodes, qd, qd) : thud_energy_sum(m->nmodes, m->spring, q, qd)) <=
+        run->state.energy_most)
         return THUD_OK;
     int i = worst_floor(m, qd), s = m->dof_structure[i];
     thud_error_set(err, THUD_DIVERGED, "the response blew up at t = %.6g s, structure %d, floor %d",
                    thud_state_now(&run->state), s + 1, i - m->structure[s].first + 1);
     thud_error_key(err, "%s", run->method->name);
-    if (!isfinite(run->speed_bound))
+    if (run->state.energy_most == DBL_MAX)
         thud_error_allow(err, "a ground motion with a finite energy; its peak is %.3g m/s2", run->ground.peak_mps2);
     if (run->method->flags & THUD_METHOD_FIXED_STEP)
         thud_error_allow(err, "%s; step used %.6g s, fastest mode %.6g rad/s", run->method->limits, run->state.step_s,

@@ -40,7 +40,6 @@ struct thud_run {
     struct thud_segment seg; /* proposed */
     double *end;             /* (2 x nmodes) q, q' where it is taken to */
     struct thud_progress progress;
-    double speed_bound; /* sqrt(2 E) that initial motion and ground can give at most, in modal coordinates */
     bool done;
 
     struct thud_listener {
@@ -92,12 +91,10 @@ enum thud_status thud_run_check_options(const struct thud_run_options *options, 
 enum thud_status thud_run_check_rates(const struct thud_run *run, struct thud_error *err);
 /* Fills run->ground, and the scales of run->state from the first state. */
 void thud_run_set_scales(struct thud_run *run, const struct thud_run *like);
-/* Fills run->speed_bound. */
+/* Fills run->state.energy_most. */
 void thud_run_set_bound(struct thud_run *run);
 /* At the end: THUD_DIVERGED when more of the energy is unaccounted for than may be. */
 enum thud_status thud_run_judge(const struct thud_run *run, struct thud_error *err);
-/* Whether a state whose sum of omega^2 q^2 + q'^2 is this holds no more energy than that; false for NaN. */
-bool thud_run_is_bounded(const struct thud_run *run, double energy_sum);
 /* THUD_DIVERGED when this state (q, qd) holds far more energy than can ever have come in. */
 enum thud_status thud_run_check_state(struct thud_run *run, const double *q, const double *qd, struct thud_error *err);
 

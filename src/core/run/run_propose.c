@@ -22,12 +22,10 @@ static double next_event(struct thud_run *run, struct thud_proposal *p)
 /* A method that can blow up has its step looked at before anything is read from it. */
 static enum thud_status check_proposal(struct thud_run *run, struct thud_error *err)
 {
-    if (run->method->order == 0)
+    if (run->method->order == 0 || (run->seg.end && run->seg.end_energy <= run->state.energy_most))
         return THUD_OK;
     if (run->seg.end)
-        return thud_run_is_bounded(run, run->seg.end_energy)
-                   ? THUD_OK
-                   : thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
+        return thud_run_check_state(run, run->seg.end->q, run->seg.end->qd, err);
     double *q = run->end, *qd = q + run->state.model->nmodes;
     thud_segment_state(&run->seg, run->state.model->nmodes, 1, q, qd);
     return thud_run_check_state(run, q, qd, err);

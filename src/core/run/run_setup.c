@@ -139,6 +139,8 @@ static void pick_method(struct thud_run *run)
     run->state.inside = run->state.locates || run->method->order == 0 || run->options.keep_history ||
                         run->state.model->nstoreys > 0 || run->state.model->sums || run->state.model->ncolumns > 0 ||
                         run->state.model->nlinks > 0; /* their peaks are read there */
+    run->state.at_once =
+        run->state.inside || run->options.watch || run->state.model->collapses ? 1 : THUD_STEPS_AT_ONCE;
 }
 
 static void set_step(struct thud_run *run)
