@@ -9,6 +9,7 @@
 #include "app/run/record_list.h"
 #include "base/scan.h"
 #include "io/building/building_file.h"
+#include "study/sweep/sweep.h"
 
 /* Groups of the scene's keys, and the options beside those of the record that set the key of the same name in one. */
 static const struct {
@@ -143,6 +144,23 @@ enum thud_status thud_scene_options_set(const struct thud_args *args, struct thu
     return status;
 }
 
+/* An option takes one value: where this is a range that the command's --vary takes, the error points there. */
+static void point_to_vary(const struct thud_args *args, const struct thud_scene *scene, const char *key,
+                          const char *value, struct thud_error *err)
+{
+    char vary[KEY + 100];
+    const bool may = strchr(value, ':') && thud_option_find(args->command, "vary");
+    struct thud_sweep_plan *plan = may ? malloc(sizeof *plan) : NULL;
+    if (!plan)
+        return;
+    snprintf(vary, sizeof vary, "%s=%.90s", key, value);
+    thud_sweep_plan_init(plan, scene);
+    if (thud_sweep_vary(plan, vary, NULL) == THUD_OK)
+        thud_error_allow(err, "one value; a range: --vary %s", vary);
+    thud_sweep_plan_clear(plan);
+    free(plan);
+}
+
 static enum thud_status apply_options(const struct thud_args *args, struct thud_session *session,
                                       struct thud_error *err)
 {
@@ -156,8 +174,9 @@ static enum thud_status apply_options(const struct thud_args *args, struct thud_
             thud_session_choose_record(session, value); /* before its other options, in any order */
     drop_size(args, &session->scene.record);
     for (int i = 0; status == THUD_OK && (option = option_at(i, key)) != NULL; i++)
-        if ((value = thud_args_value(args, option)) != NULL)
-            status = as_wrong_usage(thud_scene_set(&session->scene, key, value, err), err);
+        if ((value = thud_args_value(args, option)) != NULL &&
+            (status = as_wrong_usage(thud_scene_set(&session->scene, key, value, err), err)) != THUD_OK)
+            point_to_vary(args, &session->scene, key, value, err);
     if (status == THUD_OK)
         status = thud_scene_options_set(args, session, err);
     if (status == THUD_OK)

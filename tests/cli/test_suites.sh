@@ -368,6 +368,10 @@ is "where there is no bumper, none is left out" sh -c "\"\$THUD\" gap isolated-m
 is "in a row, the gaps by rule" gives 0 gap three-in-a-row --quiet
 is "are those of all its interfaces" shows '^the other interfaces have the gaps of the same rule\.$'
 is "refused: an unknown event" gives 2 fragility towers --event flood
+is "refused: a range as one intensity" gives 2 fragility towers --sa 0.2g:1g:0.2g
+is "with the option for it" says '^thud: --sa: .*(one value; a range: --vary record.sa=0.2g:1g:0.2g)$'
+is "a command without that option" gives 2 run towers --sa 0.2g:1g:0.2g
+is "does not name it" sh -c "! grep -q vary '$tmp/err'"
 is "refused: a hazard curve without an intensity" gives 2 fragility towers --records "$three" --vary gap=5cm,6cm --hazard "$tmp/hazard.csv"
 printf 'factor,annual_rate\n0.1,0.1\n1,0.002\n2,0.0001\n' >"$tmp/factor.csv"
 sa() { "$THUD" fragility towers --records "$three" --vary record.sa=0.3g:1.5g:0.3g --set gap=9cm --cases none --event pounding --hazard "$tmp/$1" --json --quiet >"$tmp/out" 2>"$tmp/err"; }
