@@ -66,6 +66,9 @@ worst=$("$THUD" sweep towers --vary gap=6cm:22cm:8cm --cases none --csv --quiet 
     END { printf "%.3f", w }')
 check "without bumper or link the table is over no pounding" grep -q "over no pounding" "$tmp/out"
 check "and holds the ratios of the CSV" grep -q "none     A .* $worst on floor" "$tmp/out"
+check "of several settings from the least to the largest" grep -q 'none     A  *[0-9.]* to [0-9.]*  *[0-9.]* on floor' "$tmp/out"
+status 0 "$THUD" sweep towers --vary gap=6cm --cases none
+check "of one setting it is one number" grep -q '^  none     A  *[0-9.]*  *[0-9.]* on floor [0-9]  *[0-9.]*  *6 cm$' "$tmp/out"
 study --json --quiet >"$tmp/rows.json" 2>"$tmp/err"
 odd=$tmp/$(printf 'k\377\177 "x".csv')
 cp records/kobe-surrogate.csv "$odd"

@@ -41,6 +41,19 @@ static void widen(struct span *span, double x, const struct thud_sweep_summary *
         *span = (struct span){span->at ? span->least : x, x, floor, d};
 }
 
+/* "0.942 to 1.014", or one number where both are shown alike; `none` where there is none. */
+static void put_span(const struct span *span, const char *fmt, const char *none, int columns, struct thud_text *out)
+{
+    char least[32], most[32], text[72];
+    snprintf(text, sizeof text, "%s", none);
+    if (span->at) {
+        snprintf(least, sizeof least, fmt, span->least);
+        snprintf(most, sizeof most, fmt, span->most);
+        snprintf(text, sizeof text, strcmp(least, most) ? "%s to %s" : "%s", least, most + strspn(most, " "));
+    }
+    thud_text_append(out, " %-*s", columns, text);
+}
+
 /* `free`: over no pounding, else over case none. */
 static void put_structure(const struct thud_sweep_plan *plan, const struct thud_sweep_table *table, int record,
                           enum thud_case which, int structure, bool free, struct thud_text *out)
@@ -61,11 +74,9 @@ static void put_structure(const struct thud_sweep_plan *plan, const struct thud_
         return;
     thud_text_append(out, "  %-8s ", thud_case_name(which));
     thud_text_padded(out, plan->scene.structure[structure].name, thud_scene_names_width(&plan->scene, NAME));
-    thud_text_append(out, " %5.3f to %-5.3f  %5.3f on floor %-3d ", mean.least, mean.most, floor.most, floor.floor);
-    if (drift.at)
-        thud_text_append(out, " %5.3f to %-5.3f", drift.least, drift.most);
-    else
-        thud_text_append(out, " %14s", "");
+    put_span(&mean, "%5.3f", "", 14, out);
+    thud_text_append(out, "  %5.3f on floor %-3d ", floor.most, floor.floor);
+    put_span(&drift, "%5.3f", "", 14, out);
     thud_text_append(out, "  %s\n", place_of(plan, floor.at, at));
 }
 
@@ -140,11 +151,8 @@ static void put_yielding(const struct thud_sweep_plan *plan, const struct thud_s
             head[columns] = true;
             thud_text_append(out, "  %-8s ", thud_case_name(plan->cases[k]));
             thud_text_padded(out, columns ? "" : plan->scene.structure[s].name, width);
-            thud_text_append(out, " %6.3f to %-8.3f", first.least, first.most);
-            if (second.at)
-                thud_text_append(out, " %6.3g to %-8.3g", second.least, second.most);
-            else
-                thud_text_append(out, "      -            ");
+            put_span(&first, "%6.3f", "", 18, out);
+            put_span(&second, "%6.3g", "     -", 18, out);
             thud_text_append(out, " %s\n", place_of(plan, first.at, at));
         }
 }
