@@ -119,8 +119,8 @@ static void add_structure(const struct thud_report *report, int s, struct thud_t
                          r->floor[0].drift.time_s, 1e3 * r->storey[0].permanent_m, 1e-3 * r->storey[0].hysteretic_j);
     if (r->foundation)
         thud_text_append(out,
-                         "\nfoundation: sway %.4g mm at %.3f s, rocking %.4g mrad at %.3f s (%.4g mm at the roof). T1 "
-                         "%.4g s and damping %.3g %% on rigid ground, %.3g %% on this soil (of the undamped mode)",
+                         "\nfoundation: sway %.4g mm at %.3f s, rocking %.4g mrad at %.3f s\n(%.4g mm at the roof). "
+                         "T1 %.4g s and damping %.3g %% on rigid ground,\n%.3g %% on this soil (of the undamped mode)",
                          1e3 * r->foundation[0].displacement.value, r->foundation[0].displacement.time_s,
                          1e3 * r->foundation[1].displacement.value / r->arm_m, r->foundation[1].displacement.time_s,
                          1e3 * r->foundation[1].displacement.value, r->rigid_period_s, 1e2 * p->damping,
