@@ -665,6 +665,11 @@ START_TEST(new_scenes_of_every_kind)
                                     matrix ? 0.508 : 0.4, 1e-3);
         fixture_keys(&f, "u");
         fixture_keys(&f, "w");
+        snprintf(keys, sizeof keys, "n%d.yaml", i);
+        char *file = fixture_file(&f, keys); /* a stiffness is no system: it is guessed, and marked */
+        ck_assert_int_eq(strstr(file, "system: concrete-frame         # a guess: ") != NULL,
+                         strcmp(kind, "estimated") == 0);
+        free(file);
     }
 }
 END_TEST

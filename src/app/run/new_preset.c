@@ -245,9 +245,11 @@ static void moat_wall(struct thud_text *out)
 /* From the mass of its floors their area; in the place of the stiffness one of the systems. */
 static void estimated(const struct thud_new_preset *preset, int side, double floor_kg, struct thud_text *out)
 {
-    char text[THUD_NEW_TEXT + 16];
+    char text[THUD_NEW_TEXT + 16], among[80];
     const char *system = preset->text[THUD_NEW_STIFFNESS][side];
-    line(out, "system", is_word(system) ? system : "concrete-frame", systems);
+    const bool given = is_word(system);
+    snprintf(among, sizeof among, "%s%s", given ? "" : "a guess: ", systems);
+    line(out, "system", given ? system : "concrete-frame", among);
     thud_quantity_format(floor_kg / THUD_ESTIMATE_KGPM2, "m2", text, sizeof text);
     line(out, "area", text, "a guess: 1 t/m2 per floor");
 }
