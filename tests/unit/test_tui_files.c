@@ -939,6 +939,10 @@ START_TEST(what_is_wrong_is_said)
     fixture_expect(&f, "is not a number; give a length");
     fixture_keys(&f, ":storey add 9 9<Enter>");
     fixture_expect(&f, "storey add STRUCTURE FLOOR, counted from 1");
+    fixture_keys(&f, ":bumper both<Enter>"); /* nothing is done that was not asked for */
+    fixture_expect(&f, "bumper [INTERFACE], counted from 1");
+    fixture_keys(&f, ":swap 1 3<Enter>");
+    fixture_expect(&f, "swap STRUCTURE, counted from 1");
     fixture_keys(&f, "3<Home><Enter>");
     fixture_expect(&f, "Record: Enter on a ground motion");
     fixture_expect_not(&f, "--record");

@@ -194,6 +194,19 @@ static bool remove_link(struct thud_scene *scene, int number, int unused, char *
     return true;
 }
 
+/* The numbers after the words of an edit, as many as it has; false: something else stands there. */
+static bool read_numbers(const char *at, const char *numbers, int *number, int *floor)
+{
+    int *const to[] = {number, floor};
+    const int n = strchr(numbers, ' ') ? 2 : 1;
+    for (int i = 0; i < n && *at == ' '; i++) {
+        at += strspn(at, " ");
+        if (*at && !thud_scan_count(&at, to[i]))
+            return false;
+    }
+    return !at[strspn(at, " ")];
+}
+
 enum thud_status thud_scene_edit(struct thud_scene *scene, const char *words, char *what, size_t size,
                                  struct thud_error *err)
 {
@@ -217,9 +230,7 @@ enum thud_status thud_scene_edit(struct thud_scene *scene, const char *words, ch
             snprintf(forms + used, sizeof forms - used, "%s%s %s", used ? ", " : "", table[i].words, table[i].numbers);
             continue;
         }
-        if (thud_scan_word(&at, " ") && thud_scan_count(&at, &number) && thud_scan_word(&at, " "))
-            thud_scan_count(&at, &floor);
-        return table[i].edit(scene, number, floor, what, size)
+        return read_numbers(at, table[i].numbers, &number, &floor) && table[i].edit(scene, number, floor, what, size)
                    ? THUD_OK
                    : thud_error_set(err, THUD_USAGE, "%.60s: %s %s, counted from 1, that the scene has", words,
                                     table[i].words, table[i].numbers);
