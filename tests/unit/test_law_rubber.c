@@ -85,8 +85,8 @@ static double at_knee(const struct thud_law_setup *setup, enum thud_phase phase,
     return thud_branch_force(&b, thud_law_ultimate(rubber(), setup, &memory, THUD_APPROACH), v, NULL, NULL);
 }
 
-/* Force is continuous at the ultimate compression in approach, and in restitution by either unloading; the paper's has no
- * other branch beyond. */
+/* Force is continuous at the ultimate compression in approach, and in restitution by either unloading; the paper's has
+ * no other branch beyond. */
 START_TEST(knee)
 {
     for (int unloading = 0; unloading < 2; unloading++) {

@@ -470,8 +470,8 @@ static double processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* With the towers of a preset that comes with thud, whose bumper fills the gap, every screen shows the result of an edit
- * after 50 ms of processor time of all threads; a machine may be three times as slow. */
+/* With the towers of a preset that comes with thud, whose bumper fills the gap, every screen shows the result of an
+ * edit after 50 ms of processor time of all threads; a machine may be three times as slow. */
 START_TEST(edits_are_answered_in_time)
 {
     enum { TRIES = 5 };

@@ -80,7 +80,8 @@ int thud_bench_costs(const struct thud_bench *bench, double level, struct thud_b
  * the smallest meaningful error of the scene. Errors: those of thud_scene_solve. */
 enum thud_status thud_bench_move(struct thud_bench *bench, const struct thud_scene *scene, struct thud_error *err);
 
-/* Creates runs of the references. The caller advances each and hands it back (freed in any case). Errors: those of thud_run_create; THUD_MEMORY. */
+/* Creates runs of the references. The caller advances each and hands it back (freed in any case). Errors: those of
+ * thud_run_create; THUD_MEMORY. */
 enum thud_status thud_bench_reference_start(struct thud_bench *bench, int which, struct thud_run **out,
                                             struct thud_error *err);
 enum thud_status thud_bench_reference_finish(struct thud_bench *bench, int which, struct thud_run *run,

@@ -58,8 +58,7 @@ struct thud_stability {
     struct thud_stability_cell *cell;
     struct thud_stability_restitution *restitution;
     struct thud_test_case *test_case;
-    struct thud_stability_summary
-        *summary; /* except the values that thud_stability_summary_of reads from the other lists */
+    struct thud_stability_summary *summary; /* without what thud_stability_summary_of reads from the other lists */
     int ncells, nrestitutions, ntest_cases, nsummaries;
     struct thud_model *model;
     const struct thud_record *record;

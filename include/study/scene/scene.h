@@ -296,6 +296,8 @@ bool thud_isolator_slides(const struct thud_structure *structure);
 bool thud_structure_on_soil(const struct thud_structure *structure);
 /* Return whether a wall moves against the ground, and whether it has soil behind it. */
 bool thud_wall_gives(const struct thud_structure *structure);
+bool thud_wall_has_backfill(const struct thud_structure *structure);
+double thud_wall_damping(const struct thud_structure *structure);
 /* Usual values, each under its key, up to an empty key. The wall is a concrete cantilever 15 m long, 1.5 m high and 0.5
  * m thick; the soil is that of bridge abutments, 20.3 MN/m and 326 kN per metre. */
 extern const char *const thud_usual_wall[][2], *const thud_usual_backfill[][2];
@@ -307,12 +309,10 @@ struct thud_usual {
     char value[32];
 };
 void thud_usual_bearings(enum thud_isolator_law law, double all_kg, struct thud_usual out[THUD_USUAL_BEARINGS]);
-/* Sets what belongs together with a value of a structure, before that value is set: the first value of a foundation, of a
- * flexible wall or of the soil behind it, and another law of isolators, bring usual values for the rest; without its mass
- * a foundation or a flexible wall has none of them. */
+/* Sets what belongs together with a value of a structure, before that value is set: the first value of a foundation, of
+ * a flexible wall or of the soil behind it, and another law of isolators, bring usual values for the rest; without its
+ * mass a foundation or a flexible wall has none of them. */
 void thud_usual_set(struct thud_scene *scene, const char *key, const char *text);
-bool thud_wall_has_backfill(const struct thud_structure *structure);
-double thud_wall_damping(const struct thud_structure *structure);
 /* Returns the weight (N) above storey i (from 0) of a building. */
 double thud_structure_weight(const struct thud_structure *structure, int i);
 /* Drift over height at which a storey has collapsed with P-Delta. */
@@ -480,12 +480,12 @@ double thud_level_clearance(const struct thud_level_values *level);
 void thud_interface_gaps(const struct thud_interface *interface, double *least_m, double *most_m);
 /* Gives the smallest and the largest thickness (m) of the bumpers at its levels; 0: there is none. */
 void thud_interface_thicknesses(const struct thud_interface *interface, double *least_m, double *most_m);
-/* Returns the largest projection (m) of the bumpers at its levels, thickness less cavity; 0: there is none. *least_m gets
- * the smallest if not NULL. */
+/* Returns the largest projection (m) of the bumpers at its levels, thickness less cavity; 0: there is none. *least_m
+ * gets the smallest if not NULL. */
 double thud_interface_projection(const struct thud_interface *interface, double *least_m);
-/* Writes "10 cm", "8 to 12 cm by level": of its gap, and of its bumper's thickness. */
-void thud_interface_thickness_text(const struct thud_interface *interface, char *text, unsigned long size);
+/* Write "10 cm", "8 to 12 cm by level": of its gap, and of its bumper's thickness. */
 void thud_interface_gap_text(const struct thud_interface *interface, char *text, unsigned long size);
+void thud_interface_thickness_text(const struct thud_interface *interface, char *text, unsigned long size);
 /* Multiplies every gap, but keeps at least the projection of its bumper. */
 void thud_interface_scale_gap(struct thud_interface *interface, double factor);
 /* Returns the clearance: gap - (thickness - cavity) with a bumper, gap without; never below 0 by rounding. */

@@ -14,8 +14,8 @@ double thud_stiffness_series(double a_npm, double b_npm);
 /* Returns the stiffness of a bumper, k = alpha A K_r/d^n, N/m^n. */
 double thud_stiffness_rubber(double alpha, double area_m2, double modulus_pa, double thickness_m, double exponent);
 
-/* Varied stiffness: that of the bumper at interfaces with a bumper, which carries every impact there; that of the contact
- * at the others; of links stiffness, dashpot and slip force together. */
+/* Varied stiffness: that of the bumper at interfaces with a bumper, which carries every impact there; that of the
+ * contact at the others; of links stiffness, dashpot and slip force together. */
 enum thud_stiffness { THUD_STIFFNESS_CONTACT, THUD_STIFFNESS_BUMPER, THUD_STIFFNESS_LINK, THUD_STIFFNESSES };
 /* "contact", "bumper", "link" */
 const char *thud_stiffness_name(enum thud_stiffness which);

@@ -53,5 +53,6 @@ int thud_gap_periods(const struct thud_scene *scene);
  * Errors: those of thud_needed_gap_run. */
 enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
                                      double *need_m, struct thud_error *err);
-/* Makes the ranges of the interfaces beside an estimated building from need_m (periods x interfaces); returns how many. */
+/* Makes the ranges of the interfaces beside an estimated building from need_m (periods x interfaces); returns their
+ * number. */
 int thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);

@@ -29,9 +29,9 @@ void thud_document_take(struct thud_document *document, size_t n, size_t count);
 void thud_document_tidy(struct thud_document *document);
 /* Lines as they are, in letters of one width. */
 void thud_document_lines(struct thud_document *document, const char *text);
-/* A table: its caption (numbered; empty: neither), cells from left to right, thud_document_row after each row. The first row is the head, the
- * first column the name of its row. Ends with whatever is no cell. A row whose values are all "-" is left out. A cell that begins with
- * "#" names a section: a link to it, in print with its page. */
+/* A table: its caption (numbered; empty: neither), cells from left to right, thud_document_row after each row. The
+ * first row is the head, the first column the name of its row. Ends with whatever is no cell. A row whose values are
+ * all "-" is left out. A cell that begins with "#" names a section: a link to it, in print with its page. */
 void thud_document_table(struct thud_document *document, const char *caption);
 void thud_document_cell(struct thud_document *document, const char *fmt, ...) THUD_PRINTF(2, 3);
 /* Cells parted by tabs; a row of them; a row of plain ones, parted by `|`. */

@@ -95,8 +95,6 @@ static bool case_scene(const struct thud_scene *scene, enum thud_live_which whic
     return which != THUD_LIVE_BUMPER || thud_scene_has_measure(scene);
 }
 
-/* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of it,
- * and the cases say why. */
 /* Of the bumper at each pair of floors of the model; NULL: no memory. */
 static double *projections(const struct thud_scene *scene, const struct thud_model *model)
 {
@@ -111,6 +109,8 @@ static double *projections(const struct thud_scene *scene, const struct thud_mod
     return projection_m;
 }
 
+/* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of
+ * it, and the cases say why. */
 static void need_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record)
 {
     struct thud_scene *bare = malloc(sizeof *bare);

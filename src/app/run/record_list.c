@@ -284,8 +284,8 @@ static enum thud_status add_turned(struct reading *r, const char *path, const st
     return add(r, turned, path, scene, err);
 }
 
-/* A motion of a file that is there already is told apart by how it is read, or by its settings, `own`, where that is the
- * same. */
+/* A motion of a file that is there already is told apart by how it is read, or by its settings, `own`, where that is
+ * the same. */
 static void name_apart(struct thud_record_list *list, const char *own)
 {
     struct thud_record *last = list->record[list->n - 1];

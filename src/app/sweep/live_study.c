@@ -152,8 +152,8 @@ static void find_gaps(struct thud_live_study *study, int n)
     }
 }
 
-/* Statistics of the motions that are done, recomputed after each of them; the bands once all are. Fragility needs a number that is varied;
- * without one there is none. */
+/* Statistics of the motions that are done, recomputed after each of them; the bands once all are. Fragility needs a
+ * number that is varied; without one there is none. */
 static void tell(struct thud_live_study *study)
 {
     int n = study->suite && study->points > 0 ? (int)(study->next * study->records.n / study->points) : 0;

@@ -1,5 +1,5 @@
-/* A study that is made while something else goes on, as live_cases.h has the cases of a scene: its motions, its plan, and
- * what of it is done. */
+/* A study that is made while something else goes on, as live_cases.h has the cases of a scene: its motions, its plan,
+ * and what of it is done. */
 #pragma once
 
 #include "app/run/record_list.h"
@@ -25,8 +25,8 @@ struct thud_live_study {
     struct thud_needed_gap **gap;          /* (told) at the first values of the varied keys; NULL: none */
 };
 
-/* Starts again: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE, THUD_INPUT,
- * THUD_MEMORY; there is no study then. */
+/* Starts again: reads the motions (again only where they are others) and makes the plan. Errors: THUD_USAGE,
+ * THUD_INPUT, THUD_MEMORY; there is no study then. */
 enum thud_status thud_live_study_prepare(struct thud_live_study *study, struct thud_session *session,
                                          struct thud_error *err);
 /* Starts the threads. Errors: THUD_MEMORY. */
@@ -38,7 +38,8 @@ enum thud_status thud_live_study_advance(struct thud_live_study *study, struct t
  * enough, fragility and incremental dynamic analysis. thud_live_study_figure: NULL, or ask thud_figure_check. */
 int thud_live_study_figures(struct thud_live_study *study);
 struct thud_figure *thud_live_study_figure(struct thud_live_study *study, int index);
-/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite also its statistics and fragility. Errors: THUD_OUTPUT, THUD_MEMORY. */
+/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite also its
+ * statistics and fragility. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_live_study_export(const struct thud_live_study *study, const char *folder, const char *stem,
                                         struct thud_error *err);
 void thud_live_study_stop(struct thud_live_study *study); /* keeps what is done */

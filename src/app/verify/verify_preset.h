@@ -19,9 +19,9 @@ struct thud_verification {
 };
 
 /* Runs the cases of the preset's study (else the preset as written) with its own method and compares; with `update`
- * also with an independent method, and makes the text of a new file. Nothing is written. `progress` (NULL: not
- * wanted) gets preset, method and case before each run. Errors: THUD_INPUT (no
- * expectations, unless `update`), THUD_DIVERGED, THUD_MEMORY. The verification is cleared on failure. */
+ * also with an independent method, and makes the text of a new file. Nothing is written. `progress` (NULL: not wanted)
+ * gets preset, method and case before each run. Errors: THUD_INPUT (no expectations, unless `update`), THUD_DIVERGED,
+ * THUD_MEMORY. The verification is cleared on failure. */
 enum thud_status thud_verify_preset(const char *preset, bool update, void (*progress)(void *context, const char *what),
                                     struct thud_verification *out, struct thud_error *err);
 /* Writes the new file where it differs from the old one; on failure the old one stays. Errors: THUD_OUTPUT,

@@ -81,7 +81,7 @@ static enum thud_status trapezoidal(struct thud_stepping how, double *out, struc
     return status;
 }
 
-/* Impacts (or with `speed` the first one's approach velocity) of a mass thrown `amplitude` times as far as the wall is. */
+/* Impacts (with `speed` the first one's approach velocity) of a mass thrown `amplitude` times as far as the wall is. */
 static enum thud_status throw_at_wall(double amplitude, bool speed, struct thud_stepping how, double *out,
                                       struct thud_error *err)
 {
