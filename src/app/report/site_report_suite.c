@@ -17,8 +17,6 @@
 /* The motions are run at these multiples of what was given, so that a fragility curve has points on both sides. */
 static const char scales[] = "record.factor=0.25,0.5,0.75,1,1.25,1.5,2";
 enum { AS_GIVEN = 3, BOOTSTRAP = 200 };
-/* A ratio this near to 1 is 1: nothing pounded. */
-static const double equal = 1e-9;
 
 /* ---- the runs ---- */
 
@@ -124,14 +122,14 @@ static void add_pounding_row(struct site *site, int k)
 {
     const struct thud_fractiles f = over(site, k, THUD_MEASURE_IMPACTS, -1, 0);
     const struct thud_fragility *pounds = &site->suite.pounds[k];
-    const size_t count = (size_t)lround(f.share * (double)f.n), n = (size_t)pounds->nexact;
+    const size_t n = (size_t)pounds->nexact;
     double low, high, at[3] = {NAN, NAN, NAN};
     char band[32] = "-";
-    thud_suite_share_band(site->suite.runs, count, f.n, &low, &high);
+    thud_suite_share_band(site->suite.runs, f.above, f.n, &low, &high);
     if (!isnan(low))
         snprintf(band, sizeof band, "%.0f to %.0f", 100 * low, 100 * high);
     thud_document_cells(&site->document, "%s%s\t%zu of %zu\t%.0f\t%s", site->cases[SITE_NONE + k].words,
-                        touches(site, k) ? ", which is struck" : "", count, f.n, 100 * f.share, band);
+                        touches(site, k) ? ", which is struck" : "", f.above, f.n, 100 * f.share, band);
     if (n > 0) {
         size_t half;
         at[0] = pounds->exact[0];
@@ -184,28 +182,20 @@ static void say_widths(struct site *site)
                        f.half, thud_summary_gap_cm(f.median), most84, thud_summary_gap_cm(f.most));
 }
 
-/* What case k makes of the mean acceleration, or drift, of structure s over the motions; *helps: how many it lowers. */
-static struct thud_fractiles ratios(const struct site *site, int k, int s, bool drift, int *helps)
+/* What case k makes of the mean acceleration, or drift, of structure s over the motions. */
+static struct thud_fractiles ratios(const struct site *site, int k, int s, bool drift)
 {
-    const struct site_suite *suite = &site->suite;
-    *helps = 0;
-    for (int r = 0; r < suite->runs->nrecords; r++) {
-        suite->room[r] = thud_suite_value(suite->runs, r, suite->as_given, k,
-                                          drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO, s);
-        *helps += suite->room[r] < 1 - equal;
-    }
-    return thud_fractiles_of(suite->room, (size_t)suite->runs->nrecords, suite->runs->ndraws, 1 + equal);
+    return over(site, k, drift ? THUD_MEASURE_DRIFT_RATIO : THUD_MEASURE_ACCELERATION_RATIO, s, 1);
 }
 
 /* How many motions the measure of case k helps and harms. */
 static void add_effect_row(struct site *site, int k, int s, bool drift)
 {
-    int helps;
-    const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
+    const struct thud_fractiles f = ratios(site, k, s, drift);
     if (f.n > 0)
-        thud_document_line(&site->document, "%s: mean %s of %s\t%d\t%.0f\t%s\t%s\t%s",
+        thud_document_line(&site->document, "%s: mean %s of %s\t%zu\t%zu\t%s\t%s\t%s",
                            site->cases[SITE_NONE + k].measure, drift ? "drift" : "acceleration",
-                           thud_site_name(site, s), helps, f.share * (double)f.n, thud_site_number(f.p16, 3).text,
+                           thud_site_name(site, s), f.below, f.above, thud_site_number(f.p16, 3).text,
                            thud_site_number(f.median, 3).text, thud_site_number(f.p84, 3).text);
 }
 
@@ -290,7 +280,7 @@ static void pounding_verdict(struct site *site, int k)
     }
     const double most = site->suite.room[worst];
     snprintf(what, sizeof what, "pounding %s", site->cases[SITE_NONE + k].words);
-    size_t n = (size_t)snprintf(text, sizeof text, "under %.0f of %zu ground motions", f.share * (double)f.n, f.n);
+    size_t n = (size_t)snprintf(text, sizeof text, "under %zu of %zu ground motions", f.above, f.n);
     if (most > 0)
         snprintf(text + n, sizeof text - n, "; at most %s MN, load case %d", thud_site_number(1e-6 * most, 3).text,
                  worst + 1);
@@ -302,13 +292,12 @@ static void measure_verdict(struct site *site, int k, bool drift)
 {
     struct thud_text text = {0};
     for (int s = 0; s < site->scene->nstructures; s++) {
-        int helps;
         if (drift ? !thud_site_is_building(site, s) : site->scene->structure[s].kind == THUD_WALL)
             continue;
-        const struct thud_fractiles f = ratios(site, k, s, drift, &helps);
+        const struct thud_fractiles f = ratios(site, k, s, drift);
         if (f.n > 0)
-            thud_text_append(&text, "%sof %s lower under %d of %zu ground motions and higher under %.0f",
-                             text.size > 0 ? "; " : "", thud_site_name(site, s), helps, f.n, f.share * (double)f.n);
+            thud_text_append(&text, "%sof %s lower under %zu of %zu ground motions and higher under %zu",
+                             text.size > 0 ? "; " : "", thud_site_name(site, s), f.below, f.n, f.above);
     }
     if (text.size > 0) {
         char what[96];
