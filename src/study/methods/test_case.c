@@ -4,7 +4,7 @@
 #include "core/laws/law_closed_form.h"
 #include "study/methods/stability_private.h"
 
-static const double tight = 1e-9, wall_radps = 62.83185307179586;
+static const double tight = 1e-9;
 
 /* ---- collisions of two free bodies ---- */
 
@@ -73,7 +73,7 @@ static enum thud_status trapezoidal(struct thud_stepping how, double *out, struc
 {
     struct thud_two_body bouncer = thud_bouncer();
     struct thud_solution solution;
-    thud_bouncer_spring(&bouncer, wall_radps);
+    thud_bouncer_spring(&bouncer, thud_stability_wall_radps);
     enum thud_status status = thud_bouncer_run(&bouncer, NULL, how, 50, &solution, NULL, err);
     if (status == THUD_OK)
         *out = thud_energy_ratio(&solution);
