@@ -72,6 +72,10 @@ is "the gap over its periods" gives 0 gap beside-unknown
 is "is a range" shows '^Needs [0-9.]* to [0-9.]* cm, depending on the period of B (0.237 to 0.474 s),$'
 is "also as data" gives 0 gap beside-unknown --json
 is "with the factor where most is needed" shows '^ *{"interface": 1, "least_m": 0.0[0-9]*, "most_m": 0.1[0-9]*, "left_factor": null, "right_factor": 1.4}],$'
+sed -e '/^study:/,$d' -e 's/^interfaces:/  - {name: C, kind: shear, storeys: 3, base: 40 m, mass: 300 t, stiffness: 400 MN\/m}\n&\n  - gap: 4 cm/' \
+    presets/beside-unknown.yaml >"$tmp/above.yaml"
+is "beside one that stands above it" gives 0 gap "$tmp/above.yaml" --quiet
+is "there is no range" [ "$(grep -c '^Needs' "$tmp/out")" -eq 1 ]
 is "uncertainty takes the periods" gives 0 uncertainty beside-unknown --samples 0
 is "as an input" shows 'period.B 0.7 to 1.4 times'
 is "not its stiffness besides" [ "$(grep -c 'stiffness\.B' "$tmp/out")" -eq 0 ]

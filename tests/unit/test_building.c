@@ -636,7 +636,8 @@ START_TEST(the_gap_over_the_periods_of_estimated_buildings)
         free(gap);
     }
     struct thud_gap_range range;
-    thud_gap_period_range(&scene, need_m, &range);
+    ck_assert_int_eq(thud_gap_period_range(&scene, (const double[81]){-1}, &range), 0); /* nothing can touch */
+    ck_assert_int_eq(thud_gap_period_range(&scene, need_m, &range), 1);
     same("least", range.least_m, least, least, 1e-9);
     same("most", range.most_m, most, most, 1e-9);
     ck_assert(range.most_m > 1.1 * range.least_m);

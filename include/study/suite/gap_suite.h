@@ -40,7 +40,7 @@ enum thud_status thud_gap_pound(const struct thud_scene *scene, const struct thu
 
 /* ---- over the periods of estimated buildings ---- */
 
-/* Range of the required gap of an interface (from 0) for periods of its estimated buildings from THUD_ESTIMATE_LEAST to
+/* Range of the required gap of an interface (from 1) for periods of its estimated buildings from THUD_ESTIMATE_LEAST to
  * THUD_ESTIMATE_MOST times, in equal logarithmic steps. The periods of two neighbours vary independently. */
 struct thud_gap_range {
     int interface;
@@ -49,10 +49,10 @@ struct thud_gap_range {
 };
 /* Returns the number of such periods; 0: no building is estimated. */
 int thud_gap_periods(const struct thud_scene *scene);
-/* Computes the gap sufficient at one of them (from 0) for a ground motion, if more than need_m (nstructures - 1).
- * Errors: those of thud_needed_gap_run. */
+/* Computes the gap sufficient at one of them (from 0) for a ground motion, if more than need_m (nstructures - 1), which
+ * is -1 at first and where nothing could touch. Errors: those of thud_needed_gap_run. */
 enum thud_status thud_gap_at_periods(const struct thud_scene *scene, const struct thud_record *record, int period,
                                      double *need_m, struct thud_error *err);
-/* Makes the ranges of the interfaces beside an estimated building from need_m (periods x interfaces); returns their
- * number. */
+/* Makes the ranges of the interfaces beside an estimated building that can touch from need_m (periods x interfaces);
+ * returns their number. */
 int thud_gap_period_range(const struct thud_scene *scene, const double *need_m, struct thud_gap_range *out);

@@ -62,9 +62,11 @@ static enum thud_status run_periods(const struct thud_scene *scene, const struct
     const int n = scene->nstructures - 1, periods = thud_gap_periods(scene);
     if (periods == 0)
         return THUD_OK;
-    double *need_m = calloc((size_t)(n * periods), sizeof *need_m);
+    double *need_m = malloc((size_t)(n * periods) * sizeof *need_m);
     out->range = calloc((size_t)n, sizeof *out->range);
     enum thud_status status = need_m && out->range ? THUD_OK : thud_error_set(err, THUD_MEMORY, "out of memory");
+    for (int i = 0; i < n * periods && status == THUD_OK; i++)
+        need_m[i] = -1;
     for (int r = 0; r < out->suite.nrecords && status == THUD_OK; r++)
         for (int p = 0; p < periods && status == THUD_OK; p++)
             status = cancel && *cancel ? thud_error_set(err, THUD_CANCELLED, "stopped")

@@ -197,7 +197,9 @@ int thud_gap_period_range(const struct thud_scene *scene, const double *need_m, 
     const int n = scene->nstructures - 1;
     int ranges = 0;
     for (int i = 0; i < n; i++) {
-        if (!thud_period_is_estimated(&scene->structure[i]) && !thud_period_is_estimated(&scene->structure[i + 1]))
+        const bool estimated =
+            thud_period_is_estimated(&scene->structure[i]) || thud_period_is_estimated(&scene->structure[i + 1]);
+        if (!estimated || need_m[i] < 0) /* nothing can touch there, at any period */
             continue;
         struct thud_gap_range *range = &out[ranges++];
         *range = (struct thud_gap_range){i + 1, NAN, NAN, NAN, NAN};
