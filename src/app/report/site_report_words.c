@@ -26,7 +26,9 @@ bool thud_site_is_building(const struct site *site, int structure)
 
 bool thud_site_is_plural(const struct site_case *one)
 {
-    return strncmp(one->measure, "links", 5) == 0 || strchr(one->measure, 'd') != NULL; /* "and" */
+    const char *ending;
+    thud_case_subject(thud_scene_measures(one->scene), one->which, &ending);
+    return !*ending;
 }
 
 struct thud_site_shown thud_site_verb(const struct site_case *one, const char *verb)
