@@ -195,10 +195,8 @@ static struct thud_figure *make_figure(struct thud_live_study *study, int index)
     tell(study);
     index -= own;
     if (study->gap && index-- == 0) {
-        const struct thud_gap_suite suite = {
-            study->told, study->out.names, study->gap,
-            thud_motions_recordings(study->plan.record, study->told < study->records.n ? study->told : study->records.n,
-                                    NULL)};
+        const struct thud_gap_suite suite = {study->told, study->out.names, study->gap,
+                                             thud_motions_recordings(study->plan.record, study->told, NULL)};
         const struct thud_scene *scene = &study->plan.scene;
         return thud_figure_of_gaps(&suite, scene->title[0] ? scene->title : scene->name);
     }

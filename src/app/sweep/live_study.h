@@ -38,7 +38,7 @@ enum thud_status thud_live_study_advance(struct thud_live_study *study, struct t
  * enough, fragility and incremental dynamic analysis. thud_live_study_figure: NULL, or ask thud_figure_check. */
 int thud_live_study_figures(struct thud_live_study *study);
 struct thud_figure *thud_live_study_figure(struct thud_live_study *study, int index);
-/* STEM-sweep.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite also its
+/* STEM.csv, -contacts.csv and -needed-gaps.csv of what is done into a folder that is there; of a suite also its
  * statistics and fragility. Errors: THUD_OUTPUT, THUD_MEMORY. */
 enum thud_status thud_live_study_export(const struct thud_live_study *study, const char *folder, const char *stem,
                                         struct thud_error *err);
