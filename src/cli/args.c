@@ -219,19 +219,20 @@ enum thud_status thud_args_quantities(const char *option, const char *text, char
     return THUD_OK;
 }
 
-enum thud_status thud_args_choice(const struct thud_args *args, const char *option, const char *words, int *out,
-                                  struct thud_error *err)
+enum thud_status thud_args_choice(const struct thud_args *args, const char *name, int *out, struct thud_error *err)
 {
-    const char *text = thud_args_value(args, option), *word = words;
-    for (int i = 0; text && word; i++) {
-        size_t n = strcspn(word, ",");
-        if (strlen(text) == n && strncmp(text, word, n) == 0) {
+    const struct thud_option *option = thud_option_find(args->command, name);
+    const char *text = thud_args_value(args, name), *choice;
+    char allowed[80] = "";
+    for (int i = 0; text && (choice = thud_option_choice(option, i)) != NULL; i++) {
+        if (strcmp(text, choice) == 0) {
             *out = i;
             return THUD_OK;
         }
-        word = word[n] ? word + n + 2 : NULL;
+        size_t n = strlen(allowed);
+        snprintf(allowed + n, sizeof allowed - n, "%s%s", n ? ", " : "", choice);
     }
-    return text ? thud_args_refuse(option, text, words, err) : THUD_OK;
+    return text ? thud_args_refuse(name, text, allowed, err) : THUD_OK;
 }
 
 enum thud_status thud_args_integer(const struct thud_args *args, const char *name, int least, int most, int fallback,

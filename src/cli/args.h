@@ -37,9 +37,9 @@ enum thud_status thud_args_quantity(const struct thud_args *args, const char *op
 enum thud_status thud_args_quantities(const char *option, const char *text, char separator,
                                       const enum thud_dimension *dimension, int n, double *value, const char *allowed,
                                       struct thud_error *err);
-/* Which of the words, parted by ", ", an option has; *out stays unchanged where it is not given. Errors: THUD_USAGE. */
-enum thud_status thud_args_choice(const struct thud_args *args, const char *option, const char *words, int *out,
-                                  struct thud_error *err);
+/* The index of the value among those of thud_option_choice; *out stays unchanged if the option is not given. Errors:
+ * THUD_USAGE. */
+enum thud_status thud_args_choice(const struct thud_args *args, const char *name, int *out, struct thud_error *err);
 /* What was typed is wrong, and what is allowed. */
 enum thud_status thud_args_refuse(const char *option, const char *text, const char *allowed, struct thud_error *err);
 /* A whole number in an option. Errors: THUD_USAGE. */

@@ -40,7 +40,7 @@ static enum thud_status read_options(const struct thud_args *args, struct thud_s
         return status;
     }
     study->has_target = target != NULL;
-    status = thud_args_choice(args, "scale", "each, common", &common, err);
+    status = thud_args_choice(args, "scale", &common, err);
     study->scaling.common = common;
     study->scaling.vertical = thud_args_has(args, "vertical");
     if (status == THUD_OK)

@@ -13,7 +13,7 @@ enum thud_status thud_inputs_option_read(const struct thud_args *args, int sampl
     if (status == THUD_OK)
         status = thud_args_integer(args, "seed", 0, SEED_MAX, 1, &seed, err);
     if (status == THUD_OK)
-        status = thud_args_choice(args, "sampling", "latin-hypercube, sobol", &sampling, err);
+        status = thud_args_choice(args, "sampling", &sampling, err);
     thud_inputs_init(&out->inputs);
     for (int i = 0; status == THUD_OK && (text = thud_args_repeated(args, "uncertain", i)) != NULL; i++)
         status = thud_inputs_set(&out->inputs, text, err);

@@ -35,7 +35,7 @@ static enum thud_status read_sign_and_baseline(const struct thud_args *args, str
 {
     const char *baseline = thud_args_value(args, "baseline");
     int minus = 0;
-    enum thud_status status = thud_args_choice(args, "sign", "+, -", &minus, err);
+    enum thud_status status = thud_args_choice(args, "sign", &minus, err);
     treatment->choice.sign = minus ? -1 : 1;
     if (status != THUD_OK || !baseline)
         return status;

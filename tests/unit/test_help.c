@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "app/sweep/uncertainty_study.h"
 #include "cli/help.h"
 
 static int fits_a_screen(const char *text)
@@ -77,6 +78,9 @@ START_TEST(choices_are_where_they_are_promised)
             n++;
         ck_assert_int_lt(n, 10);
     }
+    const struct thud_option *sampling = thud_option_find(THUD_COMMAND_UNCERTAINTY, "sampling");
+    for (int i = 0; i < THUD_SAMPLINGS; i++) /* thud_args_choice reads the index as that of the enum */
+        ck_assert_str_eq(thud_option_choice(sampling, i), thud_sampling_name((enum thud_sampling)i));
 }
 END_TEST
 
