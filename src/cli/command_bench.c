@@ -21,8 +21,8 @@ static void show_progress(void *context, const char *what, int done, int count)
     thud_figure_free(figure);
 }
 
-/* With -o the rows as NAME.csv and the figure; then the table, or the rows, on standard output, whose reader may be gone
- * before its end. Table and figure are used up. */
+/* With -o the rows as NAME.csv and the figure. Then the table, or the rows, on standard output, whose reader may be
+ * gone before its end. Table and figure are used up. */
 static enum thud_status deliver(const struct thud_args *args, const char *preset, struct thud_text *table,
                                 const struct thud_rows *rows, const struct thud_bench *bench,
                                 struct thud_figure *figure, const atomic_int *cancel, struct thud_error *err)

@@ -69,8 +69,8 @@ static void put_command(const struct thud_args *args, const char *name, bool sui
     thud_text_append(out, " -o report");
 }
 
-/* What the conclusion is compared with: the code, the design spectrum of the suite (its kind is none where there is no
- * such), and limits with commas between. */
+/* What the conclusion is compared with: the code, the design spectrum of the suite (its kind is none if there is none),
+ * and limits separated by commas. */
 struct criteria {
     struct thud_target target;
     struct thud_text limits;

@@ -196,8 +196,8 @@ static enum thud_status write_cases(const struct thud_args *args, struct thud_pi
     return thud_made_by_end(by, status, err);
 }
 
-/* What one run and several cases have in common before they begin: the options of pictures and of the run, whether the
- * folder is free for the results, and the word that it takes long. Errors: those of the options, of the ground motion and
+/* The common beginning of one run and of several cases. It reads the options of pictures and of the run, checks that
+ * the folder is free for the results, and says if it takes long. Errors: those of the options, of the ground motion and
  * of thud_made_by_check. */
 static enum thud_status begin_run(const struct thud_args *args, struct thud_session *session,
                                   struct thud_picture_choice *picture, struct thud_run_options *options,

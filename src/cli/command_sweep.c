@@ -96,8 +96,8 @@ static enum thud_status find_best(struct sweep *s, struct thud_error *err)
     return thud_error_refuse(err, THUD_USAGE, "--best", "one of the keys of --vary", "\"%.60s\" is not varied", key);
 }
 
-/* What the runs will cost, and what the study does not change although a reader may think so (before them); what they
- * show that no building bears (after them). */
+/* Before the runs: what they will cost, and what the study does not change although a reader may think so. After them:
+ * what they show that no building bears. */
 static struct thud_remark_scope remark_scope(const struct sweep *s)
 {
     return (struct thud_remark_scope){.scene = &s->plan.scene,

@@ -48,8 +48,8 @@ void thud_cli_references(const char *reference, struct thud_text *out);
 
 /* ---- Ctrl-C while something long runs ---- */
 
-/* For the beginning of the program: INT, TERM and HUP end it without leaving a file in the making, and a file that
- * grows beyond `ulimit -f` is an error of writing. A signal that is ignored stays so. */
+/* For the beginning of the program: INT, TERM and HUP end it without leaving a file in the making. A file that grows
+ * beyond `ulimit -f` is an error of writing. A signal that is ignored stays so. */
 void thud_interrupt_start(void);
 /* From now on INT, TERM and HUP set the flag to their number instead of ending the program; a second one ends it. A HUP
  * that is ignored (nohup) stays so. */

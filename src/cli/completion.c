@@ -1,6 +1,7 @@
-/* What a shell completes is asked of the program: `thud help --complete LINE`, a line whose words are parted by tabs and
- * whose last one is not finished. The answer has a line for each word that is allowed there, and behind a tab
- * what it is; a line that begins with a colon says which files may. The scripts of the shells hand both on. */
+/* Shells ask the program what may be completed: `thud help --complete LINE`. The words of the line are separated by
+ * tabs, and the last one is not finished. The answer has a line for each word that is allowed there, and behind a tab
+ * what it is. A line that begins with a colon names the files that are allowed. The scripts of the shells hand both
+ * on. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

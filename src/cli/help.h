@@ -15,8 +15,8 @@ bool thud_help_search(struct thud_text *out, const char *question);
 
 /* A completion script; false when the shell is none of bash, zsh, fish. The scripts ask `thud help --complete LINE`. */
 bool thud_completion(struct thud_text *out, const char *shell);
-/* The words allowed at the end of a line, whose words are parted by tabs: "WORD", or "WORD\tWHAT IT IS"; ":files", ":folders"
- * and ":presets": such files. */
+/* The words allowed at the end of a line, whose words are separated by tabs: "WORD", or "WORD\tWHAT IT IS". ":files",
+ * ":folders" and ":presets" stand for such files. */
 void thud_complete(struct thud_text *out, const char *line);
 /* The words of a kind, a line each; keys are those of the laws that `line` sets. */
 void thud_word_list(enum thud_word word, const char *line, struct thud_text *out);

@@ -1,5 +1,5 @@
-/* thud help WORDS: the paragraphs of the installed manual pages that a question is about, by plain search: a paragraph
- * counts by the words of the question that begin words of it, the rarer a word the more. */
+/* thud help WORDS: the paragraphs of the installed manual pages that a question is about, by plain search. A paragraph
+ * counts by the words of the question that begin words of it. A rarer word counts more. */
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>

@@ -12,8 +12,8 @@
 
 /* ---- The options that change the scene, for every command that has them ---- */
 
-/* Opens the preset that is the command's only operand (where it may be left out: towers) and applies --record, --peak,
- * --dt, ..., --tolerance and then every --set. The session is closed on failure. Errors: THUD_USAGE, THUD_INPUT,
+/* Opens the preset that is the command's only operand (towers if it may be left out). Then applies --record, --peak,
+ * --dt, ..., --tolerance and after them every --set. The session is closed on failure. Errors: THUD_USAGE, THUD_INPUT,
  * THUD_MEMORY. */
 enum thud_status thud_scene_options_open(const struct thud_args *args, struct thud_session *session,
                                          struct thud_error *err);

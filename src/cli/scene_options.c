@@ -248,7 +248,7 @@ enum thud_status thud_scene_options_with(const struct thud_args *args, thud_scen
     return status;
 }
 
-/* Whether a message about a key may be about what an option gave: the key is that of the option's value, or the bare
+/* Whether a message about a key may be about the value of an option. The key is then that of the value, or the bare
  * word that readers of files and lists of cases call it by. */
 static bool option_is_about(const char *option, const char *wanted)
 {

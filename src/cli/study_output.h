@@ -16,9 +16,9 @@
 void thud_study_file_json(const struct thud_args *args, const struct thud_session *session,
                           const struct thud_sweep_plan *plan, struct thud_text *out);
 
-/* What a command with -o makes of a scene, for made-by.txt, and whether the folder is free for it: of one group are
- * commands whose files have the same names; what is asked for beside the scene are the values of the options `asked`
- * (ends with NULL) and the ground motions. Nothing without -o. Errors: those of thud_made_by_check. */
+/* What a command with -o makes of a scene, for made-by.txt, and whether the folder is free for it. Commands of one
+ * group write files of the same names. What is asked for beside the scene are the values of the options `asked` (ends
+ * with NULL) and the ground motions. Nothing without -o. Errors: those of thud_made_by_check. */
 enum thud_status thud_made_by_scene(const struct thud_args *args, const char *group, const struct thud_scene *scene,
                                     const struct thud_record *const *records, int nrecords, const char *const *asked,
                                     struct thud_made_by *out, struct thud_error *err);

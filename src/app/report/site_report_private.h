@@ -16,8 +16,8 @@
 #include "study/sweep/floor_response.h"
 #include "study/sweep/remark.h"
 
-/* Cases in this order: without pounding, without the measures, which are bumper and links; from SITE_MEASURE on with
- * each of the two alone, where the scene has both, and last as it is written. */
+/* Order of the cases: without pounding, then without the measures, which are bumper and links. If the scene has both,
+ * each alone follows from SITE_MEASURE on. The last case is the scene as written. */
 enum { SITE_FREE, SITE_NONE, SITE_MEASURE, SITE_CASES = SITE_MEASURE + 3 };
 
 struct site_case {

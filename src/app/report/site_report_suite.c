@@ -1,5 +1,5 @@
-/* The section over several ground motions: how many pound, how wide a gap they need, what the bumper does under each,
- * and how likely that is when they are weaker or stronger. */
+/* The section over several ground motions: how many pound, which gap they require, and what the bumper does under each.
+ * It also states how likely that is under weaker or stronger motions. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -70,8 +70,8 @@ void thud_live_start(struct thud_live *live, const struct thud_scene *scene, con
                      enum thud_live_history history);
 /* All cases FAILED for this reason. */
 void thud_live_fail(struct thud_live *live, const struct thud_error *why);
-/* Waits a short while (some milliseconds) for a run to end, or goes on with one for about a millisecond where there are
- * no threads; false when there is no more to do. */
+/* Waits some milliseconds for a run to end. Without threads it advances a run for about a millisecond. False: there is
+ * no more to do. */
 bool thud_live_advance(struct thud_live *live);
 double thud_live_progress(const struct thud_live *live); /* 0 to 1 */
 /* Nothing is computed any more, and the record may go; a start or a clear has to follow. */

@@ -1,5 +1,5 @@
-/* A preset from nothing: the few values that two neighbours, their gap and a ground motion need, as a form or questions
- * ask for them, and the commented text of a preset that they make. */
+/* A preset from nothing: the few values that two neighbours, their gap and a ground motion need. A form or questions
+ * ask for them, and they make the commented text of a preset. */
 #pragma once
 
 #include <stdbool.h>

@@ -25,15 +25,15 @@ struct thud_record_list {
     struct thud_record_source *source; /* (n) */
 };
 
-/* A suite: `NAME,NAME,...`, each a file, a folder (all files in it but hidden ones, .md and .list, in the order of
- * their names) or a list NAME.list: a file a line, from the list's own folder, `#` before a comment. A name or value
- * may be in quotation marks. The settings of a file follow it after colons, `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`: keys
- * of the preset's record; those of a folder or list hold for all its files that do not say otherwise, and `common` (n
- * pairs key, value) for everything; of peak, sa and factor, one that is given leaves out all of those that hold for
- * more files. What the session's scene says of its own record holds for none of them. `:unreadable=skip` leaves out
- * files that cannot be read. `both`: each motion also reversed, named FILE:sign=-. Motions of one file are told apart
- * by their settings. Files are looked for as the session's own record is, folders and lists from the working folder.
- * Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
+/* A suite: `NAME,NAME,...`, each a file, a folder or a list NAME.list. A folder stands for all its files in the order
+ * of their names, except hidden ones, .md and .list. A list has a file on each line, from the list's own folder, and
+ * `#` before a comment. A name or value may be in quotation marks. The settings of a file follow it after colons,
+ * `a.AT2:peak=0.9 g:dt=0.005 s:unit=g`; they are keys of the preset's record. Settings of a folder or list apply to all
+ * its files that do not set the same key, and `common` (n pairs key, value) to everything. A peak, sa or factor
+ * replaces all three of those that apply to more files. What the session's scene says of its own record holds for none
+ * of them. `:unreadable=skip` leaves out files that cannot be read. `both`: each motion also reversed, named
+ * FILE:sign=-. Motions of one file are told apart by their settings. Files are looked for as the session's own record
+ * is, folders and lists from the working folder. Errors: THUD_USAGE, THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_record_list_read(const struct thud_session *session, const char *text, const char *(*common)[2],
                                        int ncommon, bool both, struct thud_record_list *out, struct thud_error *err);
 /* The session's own record, or none. Errors: as thud_session_read_record. */

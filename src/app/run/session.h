@@ -37,8 +37,8 @@ enum thud_status thud_session_assign_all(struct thud_session *session, const cha
 /* Another ground motion: what the preset says of its own (peak, factor, step, unit, ...) does not hold for it. */
 void thud_session_choose_record(struct thud_session *session, const char *file);
 
-/* The motion of a choice from the file at `path`: what it leaves to the scene (the period of sa, rotd50 and rotd100, the
- * periods of a target, the direction that governs) is filled in. Errors: THUD_INPUT, THUD_MEMORY. */
+/* The motion of a choice from the file at `path`. What the choice leaves to the scene is filled in: the period of sa,
+ * rotd50 and rotd100, the periods of a target, the governing direction. Errors: THUD_INPUT, THUD_MEMORY. */
 enum thud_status thud_motion_read(const struct thud_scene *scene, const char *path, struct thud_record_choice *choice,
                                   struct thud_record **out, struct thud_error *err);
 

@@ -25,11 +25,12 @@ double thud_summary_gap_cm(double gap_m);
 /* Up to the next tenth of a millimetre: of tables, where rules stand beside each other. */
 double thud_table_gap_cm(double gap_m);
 
-/* "no bumper: POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: 31 impacts, 19.5 MN
- * (-9 %)"; of a run with a bumper "needs 23.9 cm (18.9 bare)", in a row "needs 18.9 cm when nothing else touches", of
- * gaps by level "needs up to 18.9 cm". Gaps are rounded up to the next millimetre. What has no room in `columns` is
- * left off, the codes' rules first, then of the bumper all but its force, then whose result comes first. Empty without
- * a result. */
+/* Writes the line
+ *     no bumper: POUNDS at 8 cm: 27 impacts, 21.4 MN   needs 18.9 cm (ABS 28.0, SRSS 20.0)   bumper: 31 impacts, ...
+ * It has "needs 23.9 cm (18.9 bare)" of a run with a bumper, "needs 18.9 cm when nothing else touches" in a row, and
+ * "needs up to 18.9 cm" of gaps by level. Gaps are rounded up to the next millimetre. What has no room in `columns` is
+ * left off: first the rules of the codes, then all of the bumper but its force, then whose result comes first. Empty
+ * without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
 /* "needs 18.9 cm (ABS 28.0, SRSS 20.0)", as long as it is. */
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size);

@@ -45,8 +45,8 @@ void thud_fragility_table(const struct thud_fragility_study *study, struct thud_
 void thud_fragility_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_curves_csv(const struct thud_fragility_study *study, struct thud_text *out);
 void thud_fragility_json(const struct thud_fragility_study *study, struct thud_text *out);
-/* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them; as
- * a table, 80 columns wide, of at most five values of every varied key. Errors: THUD_MEMORY. */
+/* Fractiles of every measure over the motions, a row for each setting, case and structure; as JSON an array of them.
+ * The table is 80 columns wide and has at most five values of every varied key. Errors: THUD_MEMORY. */
 enum thud_status thud_suite_report(const struct thud_suite *suite, enum thud_written as, struct thud_text *out,
                                    struct thud_error *err);
 /* By response, what each case is over case none, and under how many ground motions it is lower: at up to three settings.

@@ -25,8 +25,8 @@ struct thud_gap_study {
 enum thud_status thud_gap_study_run(const struct thud_scene *scene, const struct thud_record_list *records,
                                     const struct thud_gap_code *code, const atomic_int *cancel,
                                     struct thud_gap_study *out, struct thud_error *err);
-/* What every rule asks for over the suite, and what happens there: a run with contact for each ground motion that
- * touches at the gap, once for rules that ask for the same. Errors: those of thud_gap_pound; THUD_CANCELLED. */
+/* The gap that every rule requires over the suite, and what happens at that gap. Each ground motion that touches there
+ * has one run with contact, which rules with the same gap share. Errors: those of thud_gap_pound; THUD_CANCELLED. */
 enum thud_status thud_gap_study_rules(const struct thud_scene *scene, const struct thud_record_list *records,
                                       const atomic_int *cancel, struct thud_gap_study *study, struct thud_error *err);
 void thud_gap_study_clear(struct thud_gap_study *study);

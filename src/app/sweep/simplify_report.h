@@ -14,8 +14,8 @@ enum thud_status thud_simplify_search(const struct thud_scene *scene, const stru
 
 /* "5 modes of A, ...: error of 2.1 % at 14 % of the work; 9 input values instead of 31", without a stop. */
 void thud_simplify_sentence(const struct thud_simplify_found *found, struct thud_text *out);
-/* What it was found on, what misses every impact, what no model reaches, which inputs decide and which change nothing:
- * a line each where there is anything to say, after `before`. */
+/* What it was found on, what misses every impact, what no model reaches, which inputs decide and which change nothing.
+ * Each is a line after `before`, if there is anything to say. */
 void thud_simplify_remarks(const struct thud_simplify_found *found, const char *before, struct thud_text *out);
 void thud_simplify_report(const struct thud_simplify_found *found, struct thud_text *out);
 void thud_simplify_json(const struct thud_simplify_found *found, const char *preset, struct thud_text *out);

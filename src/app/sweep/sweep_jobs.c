@@ -5,8 +5,8 @@
 #include "app/run/threads.h"
 #include "app/run/timing.h"
 
-/* Points may be finished before an earlier one by so many for each thread (some runs take a hundred times as long as
- * others, and points are taken in their order), in so many bytes. */
+/* Points may be finished before an earlier one: AHEAD_LEAST to AHEAD_MOST for each thread, as AHEAD_BYTES allow. Some
+ * runs take a hundred times as long as others, and points are taken in their order. */
 enum { THREADS_MAX = 256, SLICE = 64, AHEAD_LEAST = 4, AHEAD_MOST = 64, AHEAD_BYTES = 16 << 20 };
 static const double show_s = 0.1;
 

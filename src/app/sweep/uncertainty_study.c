@@ -158,8 +158,8 @@ static enum thud_status begin(struct thud_uncertainty_study *study, long *done, 
                              : status;
 }
 
-/* Share of the variance of the samples that lies between the means of the ground motions, the rest within (one-way analysis
- * of variance: what the means would differ by if the motion played no part is taken off). `x`: (n) */
+/* Fraction of the variance of the samples that lies between the means of the ground motions; the rest lies within
+ * (one-way analysis of variance). What the means would differ by if the motion had no effect is subtracted. `x`: (n) */
 static double between_motions(const struct thud_uncertainty_study *study, const double *x, size_t n, double *sum,
                               double *square, double *count)
 {

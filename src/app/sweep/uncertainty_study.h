@@ -11,9 +11,6 @@
 #include "io/result/sweep_journal.h"
 #include "study/uncertainty/uncertainty.h"
 
-/* Rows of places (ninputs each) and of values (nquantities each), one after the other: nominal; each input least and
- * most, alone; each ground motion of the suite, alone; n samples; and for the indices n more, and for each input the
- * first n with it from the second. */
 enum thud_sampling { THUD_SAMPLING_LATIN_HYPERCUBE, THUD_SAMPLING_SOBOL, THUD_SAMPLINGS };
 const char *thud_sampling_name(enum thud_sampling sampling); /* as --sampling takes it */
 
@@ -31,6 +28,8 @@ struct thud_uncertainty_study {
     bool is_written;               /* the results are in the folder: what was kept goes with the study */
     struct thud_folder_lock lock;  /* held by a study with a journal */
     struct thud_sweep_journal *journal;
+    /* Rows, one after the other: nominal; each input alone, least and most; each ground motion of the suite alone; n
+     * samples. The indices add n more samples, and for each input the first n with that input from the second. */
     size_t rows;
     double *place, *value;              /* (rows x ninputs), (rows x nquantities) */
     struct thud_uncertainty_told *told; /* (nquantities) */
@@ -71,13 +70,12 @@ int thud_uncertainty_strongest(const struct thud_uncertainty_study *study, const
 void thud_uncertainty_input_text(const struct thud_uncertainty *uncertainty, int i, char *text, size_t size);
 
 void thud_uncertainty_table(const struct thud_uncertainty_study *study, struct thud_text *out);
-/* A row for each quantity; for each of them and every input; for each sample and quantity; the same of the runs that the
- * indices rest on (design A, B, AB, the input that AB takes from B, row). */
+/* A row for each of: */
 enum thud_uncertainty_table {
     THUD_UNCERTAINTY_QUANTITIES,
-    THUD_UNCERTAINTY_EFFECTS,
-    THUD_UNCERTAINTY_SAMPLES,
-    THUD_UNCERTAINTY_INDICES,
+    THUD_UNCERTAINTY_EFFECTS, /* quantity and input */
+    THUD_UNCERTAINTY_SAMPLES, /* sample and quantity */
+    THUD_UNCERTAINTY_INDICES, /* the same of runs for the indices: design A, B, AB, the input that AB has from B, row */
     THUD_UNCERTAINTY_TABLES
 };
 struct thud_rows thud_uncertainty_rows(const struct thud_uncertainty_study *study, enum thud_uncertainty_table table);

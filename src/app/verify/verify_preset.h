@@ -18,8 +18,8 @@ struct thud_verification {
     struct thud_text text; /* of the new file */
 };
 
-/* Runs the cases of the preset's study (else the preset as written) with its own method and compares; with `update`
- * also with an independent method, and makes the text of a new file. Nothing is written. `progress` (NULL: not wanted)
+/* Runs the cases of the preset's study (else the preset as written) with its own method and compares. With `update` it
+ * also runs an independent method and makes the text of a new file. Nothing is written. `progress` (NULL: not wanted)
  * gets preset, method and case before each run. Errors: THUD_INPUT (no expectations, unless `update`), THUD_DIVERGED,
  * THUD_MEMORY. The verification is cleared on failure. */
 enum thud_status thud_verify_preset(const char *preset, bool update, void (*progress)(void *context, const char *what),
@@ -43,8 +43,8 @@ struct thud_published_result {
     struct thud_published_row row[THUD_PUBLISHED_ROWS_MAX];
 };
 
-/* Computes one; `record` is what is read for the scenes that need a ground motion which is not shipped, NULL: looked
- * for by its name in the folders of presets and ground motions, and skipped where it is not found. Errors: THUD_INPUT,
+/* Computes one. `record` is read for scenes that need a ground motion which is not shipped. NULL: it is looked for by
+ * its name in the folders of presets and ground motions, and skipped if it is not found. Errors: THUD_INPUT,
  * THUD_MEMORY, those of a run. */
 enum thud_status thud_published_verify(enum thud_published which, const struct thud_record_choice *record,
                                        struct thud_published_result *out, struct thud_error *err);

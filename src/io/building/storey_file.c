@@ -1,5 +1,5 @@
-/* Tables of storeys and joints. Names of columns are matched by their letters and digits alone, directions by what ends
- * them (X or 1, Y or 2); one with several meanings (UX: a mass, or a displacement) has that of its unit.
+/* Tables of storeys and joints. Names of columns are matched by their letters and digits alone, directions by their
+ * ends (X or 1, Y or 2). A name with several meanings (UX: a mass, or a displacement) has that of its unit.
  *
  *     k_i = V_i/d_i,   V_i = F_i + ... + F_n,   d_i = u_i - u_{i-1}
  *

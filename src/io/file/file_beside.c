@@ -1,6 +1,6 @@
-/* Files in the making: PATH.thud-PID-N.part, renamed once they are whole. The maker holds a lock on one as long as it
- * lives, so that no other program, also in another container or on another host with the same folder, takes it for one
- * that was left behind: there process numbers say nothing. A list of them is for the handler of a signal that ends the
+/* Files in the making: PATH.thud-PID-N.part, renamed once they are whole. The maker holds a lock on its file as long as
+ * it lives, so that no other program takes it for one that was left behind. Process numbers say nothing in another
+ * container or on another host with the same folder. A list of them is for the handler of a signal that ends the
  * program at once. */
 #include <dirent.h>
 #include <errno.h>

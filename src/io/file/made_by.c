@@ -1,5 +1,5 @@
-/* made-by.txt has a part for everything that wrote into its folder: a line `made GROUP SCENE ASKED WHAT` with two
- * fingerprints, and a line `file NAME` for each of its files. A part whose files are all gone says nothing. */
+/* made-by.txt has a part for everything that wrote into its folder. A part is a line `made GROUP SCENE ASKED WHAT` with
+ * two fingerprints, and a line `file NAME` for each of its files. A part whose files are all gone says nothing. */
 #include "io/file/made_by.h"
 
 #include <stdio.h>

@@ -183,8 +183,8 @@ static enum thud_status want_kind(const struct thud_preset *preset, int node, co
                   NULL, err);
 }
 
-/* Sets the keys of a node from one rank to another, in the order of the file where the rank is the same; those with keys of their
- * own are left, and those before the rank are set already. Unknown keys are found on the way. */
+/* Sets the keys of a node from one rank to another, in the order of the file where the rank is the same. Keys that are
+ * groups are left out; those of ranks before `from` are set already. Unknown keys are found on the way. */
 static enum thud_status set_ranks(struct thud_preset *preset, int node, enum thud_group group, const char *path,
                                   int from, int to, struct thud_error *err)
 {

@@ -18,9 +18,9 @@ double record_factor_at(const char *s, const char *end);
 double record_unit(const char *text);
 extern const char record_unit_allowed[];
 
-/* What the name of a column says of its unit, in brackets (`acc (g)`) or behind it (`acceleration_mps2`): the factor to
- * m/s2, or to s; 0 with the text in `unknown` for what is no unit in full (`V/g`, `10^-3 g`, `fortnights`). A name
- * without a unit: 0 with an empty `unknown`, and 1 for times. */
+/* The unit in the name of a column, in brackets (`acc (g)`) or behind it (`acceleration_mps2`), as a factor to m/s2, or
+ * to s. What is no unit in full (`V/g`, `10^-3 g`, `fortnights`) gives 0, and its text in `unknown`. A name without a
+ * unit: 0 with an empty `unknown`, and 1 for times. */
 double record_name_unit(const char *name, char *unknown, size_t size);
 double record_name_seconds(const char *name, char *unknown, size_t size);
 

@@ -9,8 +9,8 @@
  *     HyperbolicGapMaterial K_max K_max R_f -F_ult -gap                          backfill
  *     Elastic K; Elastic 0 C            between i and j, K = -K_ij, C = -C_ij    buildings by their matrix; damping above
  *                                                                                isolators; buildings on soil
- * What is no floor, a struck place of columns or the place under a storey on soil, is a node without mass that stiff springs
- * hold to u = sum w_i u_i: they are those of the matrix K w w^T with w = (1, -w_i).
+ * A struck place of columns and the place under a storey on soil are no floors. Each is a node without mass that stiff
+ * springs hold to u = sum w_i u_i. They are the springs of the matrix K w w^T with w = (1, -w_i).
  * No contact separates when the force reaches 0 while there is indentation, none has the rubber's two curves, and a
  * step has no impulse. The constants are read from the law's own branch. */
 #include "io/result/opensees.h"
@@ -191,8 +191,8 @@ static void weight(struct thud_text *out, double geometric_npm, int node, int be
     element(out, "Elastic", WEIGHT + node, &(double){-geometric_npm}, 1, below, node);
 }
 
-/* A matrix (n x n) of stiffness or damping as springs or dashpots: -K_ij between nodes i and j, and the sum of row i between
- * node i and the ground; what is up to `least` of row i's diagonal is none. */
+/* A matrix (n x n) of stiffness or damping as springs or dashpots: -K_ij between nodes i and j, the sum of row i to the
+ * ground. Values up to `least` times the diagonal of row i are left out. */
 static void springs(struct thud_text *out, int n, const int *node, const double *matrix, bool dashpots, double least,
                     int ground, int *tag)
 {
@@ -288,8 +288,8 @@ static void soil_springs(struct thud_text *out, const struct thud_model *model, 
     springs(out, n, node, k, false, rounding, GROUND + s + 1, tag);
 }
 
-/* Of an isolated building its own damping above the slab and that of its isolators, and of one on soil all of it, as
- * dashpots between floors; of one on soil its stiffness too. */
+/* Damping as dashpots between floors: of an isolated building its own above the slab and that of its isolators, of a
+ * building on soil all of it. A building on soil has its stiffness as springs too. */
 static void matrices(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model, int s,
                      int *tag)
 {
@@ -461,8 +461,8 @@ static void contacts(struct thud_text *out, const struct thud_model *model)
             contact(out, &model->contact[i], model->ndof + i + 1, node_of(model, i, false), node_of(model, i, true));
 }
 
-/* Springs and dashpots always act, friction up to its slip force; a restrainer holds past a gap that opens, a strut and the
- * soil behind a wall push past one that closes. */
+/* Springs and dashpots always act, friction up to its slip force. A restrainer holds past a gap that opens. A strut and
+ * the soil behind a wall push past a gap that closes. */
 static void link(struct thud_text *out, const struct thud_scene *scene, const struct thud_model *model, int i, int tag,
                  int from, int to)
 {

@@ -1,6 +1,6 @@
-/* The nearest scene whose contacts OpenSees has. A contact whose dashpot separates at zero force becomes one that pulls until
- * it opens (kelvin-voigt, same stiffness and restitution). A rubber bumper becomes a Kelvin-Voigt contact at the same
- * clearance whose spring has, at the largest compression d of the full scene's run, the same force F and energy E:
+/* The nearest scene whose contacts OpenSees has. A contact whose dashpot separates at zero force becomes one that pulls
+ * until it opens (kelvin-voigt, same stiffness and restitution). A rubber bumper becomes a Kelvin-Voigt contact at the
+ * same clearance. Its spring has the same force F and energy E at the largest compression d of the full scene's run:
  *
  *     E = integral of F over 0 .. d,   F^2/(2 K) = E,   so that K = F^2/(2 E);
  *

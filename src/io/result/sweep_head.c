@@ -1,6 +1,7 @@
-/* The head of a study's journal: lines `name` (of the preset), `cases`, `vary`, `record`, `sensitivity` where it is asked for,
- * then the preset. Behind each record of a part stand its samples, by which who joins the parts runs motions too, and its
- * event and station, by which it is one recording with others, and what else remarks on motions read. */
+/* The head of a study's journal: lines `name` (of the preset), `cases`, `vary`, `record`, `sensitivity` where it is
+ * asked for, then the preset. Each record of a part is followed by its samples, with which the program that joins the
+ * parts runs motions too. Then follow its event and station, which tell motions of one recording, and what else remarks
+ * on motions read. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

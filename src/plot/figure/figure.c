@@ -15,8 +15,8 @@ struct thud_figure_block {
 
 unsigned thud_color_rgb(int color)
 {
-    /* yellow, the palette's eighth, cannot be seen on white; its orange and sky blue are darker here, 3.4 : 1, so that a
-     * thin line can; the two blues stand apart from each other */
+    /* yellow, the palette's eighth, cannot be seen on white. Its orange and sky blue are darker here, 3.4 : 1, so that
+     * a thin line can be seen. The two blues stand apart from each other */
     static const unsigned palette[THUD_COLORS_ALL] = {0x0072B2, 0xD55E00, 0x009E73, 0xB08C00, 0x882255, 0xCC79A7,
                                                       0x000000, 0x3390CC, 0x667F00, 0x332288, 0x8C510A, 0x01665E};
     return color < 0 ? 0x808080 : palette[color % THUD_COLORS_ALL];

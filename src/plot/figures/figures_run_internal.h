@@ -44,8 +44,8 @@ void thud_figure_ground(struct thud_figure *figure, const struct thud_figure_sou
 /* The rows from `first_row` on with the same y axis. */
 void thud_figure_same_height(struct thud_figure *figure, int first_row);
 
-/* Ends the panels that show a whole run where nothing changes by more than a twentieth of the peaks for the rest, if
- * that is a good part; the figure's note says so. */
+/* Ends the panels of a whole run where nothing changes by more than a twentieth of the peaks any more. It does so only
+ * if the rest is a good part, and the figure's note says so. */
 void thud_figure_shorten(struct thud_figure *figure);
 
 /* "floor 3", or with both structures where there are several interfaces. */

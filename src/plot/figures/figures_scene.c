@@ -259,8 +259,8 @@ static void in_model(const struct drawing *d, int s)
     }
 }
 
-/* The ground under a structure: isolators and what holds a wall stand on the foot of the drawing, a foundation on soil in
- * the ground, and in the model its springs on the foot. */
+/* The ground under a structure. Isolators and the support of a wall stand on the foot of the drawing, a foundation on
+ * soil in the ground. In the model its springs stand on the foot. */
 static void ground(const struct drawing *d, int s)
 {
     const struct thud_structure *p = &d->scene->structure[s];

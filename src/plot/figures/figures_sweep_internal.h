@@ -68,10 +68,11 @@ bool thud_axis_has_numbers(const struct thud_sweep_axis *axis);
 double thud_axis_place(const struct thud_sweep_axis *axis, int i);
 /* The axis of varied key `which`, with the line of the gap from which there is no contact. */
 void thud_sweep_axis_of(struct thud_panel *panel, enum thud_side side, const struct thud_sweep_table *table, int which);
-/* Added to the footer: what that line is, where one of the first axes has it; what the shades are, where there are any;
- * that line of the first axis, and the keys that are not drawn, with their first values. */
+/* Adds to the footer what that line is, if one of the first axes has it. */
 void thud_sweep_note_gap(struct thud_figure *figure, const struct thud_sweep_table *table, int axes);
+/* What the shades are, if there are any. */
 void thud_sweep_note_shades(struct thud_figure *figure, const struct thud_sweep_table *table, bool shaded);
+/* What the line of the first axis is, and the keys that are not drawn, with their first values. */
 void thud_sweep_note_rest(struct thud_figure *figure, const struct thud_sweep_table *table);
 /* The panels of a quantity (a row) on one scale; with those of `other` too, another figure to be compared. */
 void thud_sweep_same_scale(struct thud_figure *figure, const struct thud_figure *other);

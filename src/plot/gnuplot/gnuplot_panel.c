@@ -358,8 +358,8 @@ static bool has_line_right(const struct sheet *sheet, int number_of)
     return false;
 }
 
-/* On which side of its line the name of mark i stands: towards the wider half, but not where it would run into the line
- * of another mark that has room on its other side. */
+/* Whether the name of mark i stands on the left of its line. It stands towards the wider half, unless it would run into
+ * another line there and has more room on the other side. */
 static bool stands_left(const struct sheet *sheet, int number_of, int i, const struct box *box)
 {
     const struct thud_panel *panel = &sheet->figure->panel[number_of];

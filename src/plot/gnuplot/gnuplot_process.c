@@ -1,7 +1,7 @@
-/* gnuplot as a child in its own process group: the script goes in, the picture and the messages come out, in one poll
- * loop with a deadline. `-d /dev/stdin` makes gnuplot stop at the first error and ignore a start-up file; the picture
- * is written to its standard output, so no file name ever reaches it and an error of the disk stays with who writes the
- * file. */
+/* gnuplot as a child in its own process group. The script goes in, the picture and the messages come out, in one poll
+ * loop with a deadline. `-d /dev/stdin` makes gnuplot stop at the first error and ignore a start-up file. The picture
+ * is written to its standard output. So no file name ever reaches gnuplot, and thud itself meets an error of the
+ * disk. */
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -23,8 +23,8 @@ extern char **environ;
 
 enum { PICTURE_MOST = 1 << 29, MESSAGES_MOST = 1 << 16, ENVIRONMENT_MORE = 2 };
 static const double deadline_s = 20.0;
-/* Longest time between two looks at the clock that counts, s: poll waits 0.05 s, so what is longer is mostly time in
- * which this process was stopped (Ctrl-Z, a suspended machine) and could not listen. */
+/* Longest time between two readings of the clock that counts, s. poll waits 0.05 s. In a longer time this process was
+ * mostly stopped (Ctrl-Z, a suspended machine) and could not listen. */
 static const double longest_turn_s = 0.25;
 
 enum { SCRIPT, PICTURE, MESSAGES, PIPES };
@@ -309,8 +309,8 @@ enum thud_status thud_gnuplot_draw(const struct thud_figure *figure, const struc
         status = start_failed(program, number, err);
     else {
         run_child(&child, &script);
-        /* a C library may start the child before it looks for the program: then the child ends with 127, and without
-         * a word; the dynamic linker ends with 127 as well and says what it lacks */
+        /* a C library may start the child before it looks for the program: then the child ends with 127, and without a
+         * word. The dynamic linker ends with 127 as well, but says what it lacks */
         bool missing = child.state == ENDED && WIFEXITED(child.status) && WEXITSTATUS(child.status) == 127 &&
                        child.messages.size == 0;
         status = missing ? start_failed(program, ENOENT, err) : judge_end(&child, figure, options, seconds, err);

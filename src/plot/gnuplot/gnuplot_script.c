@@ -10,8 +10,8 @@
 
 static const char default_font[] = "DejaVu Sans";
 
-/* Each terminal counts in its own way (found by measuring): pngcairo takes 1/96 inch for a pixel, svg writes what it is
- * given, pdfcairo draws a point of text a third larger than 1/72 inch. */
+/* Each terminal has its own unit (found by measuring): pngcairo takes 1/96 inch for a pixel, and svg writes what it is
+ * given. pdfcairo draws a point of text a third larger than 1/72 inch. */
 static void terminal(const struct sheet *sheet, const struct thud_picture_options *options)
 {
     static const char *const name[] = {[THUD_PNG] = "pngcairo noenhanced color",

@@ -77,8 +77,8 @@ static bool begins(const char *at, const char *stop, const char *word)
     return (size_t)(stop - at) >= n && memcmp(at, word, n) == 0;
 }
 
-/* What stands in place of gnuplot's own title at `at`; NULL: nothing does. A curve without a name of its own has that of
- * its panel or of what stands up its axis; what gnuplot calls the marks of the key, and panels without curves, has none. */
+/* What stands in place of gnuplot's own title at `at`; NULL: nothing does. A curve without a name has that of its
+ * panel, or else of its vertical axis. The marks of the key, and panels without curves, have an empty one. */
 static const char *title_of(const struct thud_figure *figure, const char *at, const char *stop)
 {
     int panel = 0, series = 0;
@@ -94,9 +94,9 @@ static const char *title_of(const struct thud_figure *figure, const char *at, co
     return *name ? name : *in->title ? in->title : in->axis[THUD_Y].label;
 }
 
-/* What stands in place of the text at `at`, which it counts in *length, of gnuplot's current colours: a group names its
- * own, and a mark (an even number from 4 on is a filled one) draws with that of its place. Readers such as WeasyPrint do
- * not follow them. */
+/* What replaces the text at `at`, of *length bytes, where gnuplot uses the current colour. A group names its own. A
+ * mark (an even number from 4 on is a filled one) draws with that of its place. Readers such as WeasyPrint do not
+ * follow the current colour. */
 static void replace_color(const char *at, const char *stop, const char **color, int *mark, size_t *length,
                           struct thud_text *with)
 {
