@@ -23,7 +23,8 @@ def _places():
     named, name = os.environ.get("THUD_LIBRARY"), "libthud.so.0"
     if named:
         return [named]
-    places = [os.path.join(os.path.dirname(os.path.abspath(__file__)), name)]
+    here = os.path.dirname(os.path.abspath(__file__))
+    places = [os.path.join(here, name), os.path.normpath(os.path.join(here, "..", "..", "lib", name))] # share/thud of an installation
     try:
         folder = subprocess.run(["pkg-config", "--variable=libdir", "thud"], capture_output=True, text=True, check=True).stdout
         places.append(os.path.join(folder.strip(), name))

@@ -125,21 +125,25 @@ fi
 
 # the package: installed, and how it finds the library
 places() { # WHAT PATTERN: what importing it says without a library
-    (cd "$tmp" && env -u THUD_LIBRARY PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tmp/package" "$python" -c 'import thud; print(thud.version)') >"$tmp/out" 2>&1
+    (cd "$tmp" && env -u THUD_LIBRARY PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$package" "$python" -c 'import thud; print(thud.version)') >"$tmp/out" 2>&1
     grep -q "$2" "$tmp/out"
     ok "$1" $?
 }
-cp -r src/python "$tmp/package"
-LD_LIBRARY_PATH='' PKG_CONFIG_PATH=$tmp/none places "without a library it says where it looked" "  $tmp/package/libthud.so.0: "
+package=$tmp/usr/share/thud # as installed
+mkdir -p "$tmp/usr/share" "$tmp/usr/lib"
+cp -r src/python "$package"
+LD_LIBRARY_PATH='' PKG_CONFIG_PATH=$tmp/none places "without a library it says where it looked" "  $package/libthud.so.0: "
 printf 'libdir=%s\nName: thud\nDescription: x\nVersion: 0\n' "$root/$BUILD" >"$tmp/thud.pc"
 if command -v pkg-config >/dev/null 2>&1; then
     PKG_CONFIG_PATH=$tmp places "it finds the library by pkg-config" '^[0-9]*\.[0-9]'
 fi
-ln -s "$root/$BUILD/libthud.so" "$tmp/package/libthud.so.0"
+ln -s "$root/$BUILD/libthud.so" "$package/libthud.so.0"
 PKG_CONFIG_PATH=$tmp/none places "it finds the library beside itself" '^[0-9]*\.[0-9]'
-rm "$tmp/package/libthud.so.0"
+mv "$package/libthud.so.0" "$tmp/usr/lib"
+PKG_CONFIG_PATH=$tmp/none places "and that of its installation, under any prefix" '^[0-9]*\.[0-9]'
+rm "$tmp/usr/lib/libthud.so.0"
 if "$python" -m venv "$tmp/venv" >/dev/null 2>&1 && "$tmp/venv/bin/python" -c 'import setuptools, wheel' 2>/dev/null; then
-    "$tmp/venv/bin/pip" install -q --no-index --no-build-isolation --no-deps "$tmp/package" >"$tmp/out" 2>&1 &&
+    "$tmp/venv/bin/pip" install -q --no-index --no-build-isolation --no-deps "$package" >"$tmp/out" 2>&1 &&
         (cd "$tmp" && THUD_LIBRARY=$root/$BUILD/libthud.so venv/bin/python -c 'import thud; print(thud.__file__, thud.run("rigid-concrete").contacts.force[0])') >>"$tmp/out" 2>&1
     ok "pip installs it" $?
 else
