@@ -12,7 +12,7 @@ static const char *dashes(const char *option)
     return option[0] && option[1] ? "--" : "-";
 }
 
-/* The commands that have an option of this name: "thud run, sweep"; empty where more have it than are of help. False: none. */
+/* The commands that have an option of this name: "thud run, sweep"; empty if too many to be of help. False: none. */
 static bool list_commands_with(const char *word, char *text, size_t size)
 {
     size_t n = 0;

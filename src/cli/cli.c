@@ -179,7 +179,7 @@ static enum thud_status dispatch(int argc, char **argv, thud_screen_function *sc
     return status == THUD_OK ? THUD_OK : thud_scene_options_name(&args, status, err);
 }
 
-/* A setting of the ground motion that a message names by its key, `record.dt: 0.01 s`, is an option here: --dt "0.01 s". */
+/* Messages name a setting of the ground motion by its key, `record.dt: 0.01 s`. Here it is an option, --dt "0.01 s". */
 static void name_options(char *text, size_t size)
 {
     static const char section[] = "`record.";

@@ -1,4 +1,5 @@
-/* thud help: the commands, the options of one; for shells the words that are allowed where, for the manual the parts that come from tables. */
+/* thud help: the commands, the options of one; for shells the words that are allowed where, for the manual the parts
+ * that come from tables. */
 #include <stdio.h>
 #include <string.h>
 

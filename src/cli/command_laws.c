@@ -44,8 +44,8 @@ static struct thud_law_setup usual(const struct thud_law *law)
     return setup;
 }
 
-/* The restitution that two bodies of 320 t really part with at 0.5 m/s; NaN where it is not known. Of a law without that
- * parameter `nominal` plays no part. */
+/* The restitution that two bodies of 320 t really part with at 0.5 m/s; NaN where it is not known. Of a law without
+ * that parameter `nominal` plays no part. */
 static double obtained(const struct thud_law *law, int choice, int which, double nominal)
 {
     struct thud_law_setup setup = usual(law);

@@ -74,7 +74,6 @@ static enum thud_status draw_run(const struct thud_args *args, struct thud_pictu
     return status;
 }
 
-/* Numbers that are no results are not shown without a word. */
 /* What is allowed but unusual, with its place: the preset, unless an option changed it. */
 static void warn_unusual(const struct thud_args *args, const struct thud_session *session,
                          const struct thud_scene *scene)

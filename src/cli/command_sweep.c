@@ -108,7 +108,8 @@ static struct thud_remark_scope remark_scope(const struct sweep *s)
                                       .watch = &s->outcome.watch};
 }
 
-/* Computes the fragility from the suite and writes its files. A failure of gnuplot is reported last: all else is there. */
+/* Computes the fragility from the suite and writes its files. A failure of gnuplot is reported last: all else is
+ * there. */
 static enum thud_status tell_fragility(void *owner, struct thud_error *err)
 {
     struct sweep *s = owner;

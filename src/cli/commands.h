@@ -69,9 +69,9 @@ void thud_progress_end(void);
 /* What is being done; for struct thud_site_report_options and its like. */
 void thud_progress_what(void *context, const char *what);
 /* Of the points of a study, with the time that is left; for struct thud_sweep_study and its like. */
+void thud_progress_points(void *context, long done, long count, double elapsed_s);
 /* Of the figures that are drawn one after another. */
 void thud_progress_drawing(void *context, const struct thud_figure *figure);
-/* To the file that the screens which began the command read figures from; without them nothing. Whether there is one. */
+/* To the file from which the screens that began the command read figures; without them nothing. True: there is one. */
 bool thud_progress_is_watched(void);
 void thud_progress_figure(const struct thud_figure *figure);
-void thud_progress_points(void *context, long done, long count, double elapsed_s);

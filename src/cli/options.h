@@ -64,9 +64,9 @@ enum thud_status thud_synthesis_options_read(const struct thud_args *args, struc
 
 /* ---- --records: the ground motions of a study ---- */
 
-/* Those of --records, or of the preset's study, with what --peak, --dt, ... specify for all of them; else the session's own
- * one (--record), or none. thud_records_warn reports what is wrong with them. Errors: THUD_USAGE,
- * THUD_INPUT, THUD_MEMORY. */
+/* Those of --records, or of the preset's study, with what --peak, --dt, ... specify for all of them; else the session's
+ * own one (--record), or none. thud_records_warn reports what is wrong with them. Errors: THUD_USAGE, THUD_INPUT,
+ * THUD_MEMORY. */
 enum thud_status thud_records_option_read(const struct thud_args *args, struct thud_session *session,
                                           struct thud_record_list *out, struct thud_error *err);
 

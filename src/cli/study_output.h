@@ -26,8 +26,8 @@ enum thud_status thud_made_by_scene(const struct thud_args *args, const char *gr
 enum thud_status thud_made_by_study(const struct thud_args *args, const struct thud_sweep_plan *plan,
                                     struct thud_made_by *out, struct thud_error *err);
 
-/* thud_made_by_scene and thud_made_by_begin, with the scene itself as scene.json, for commands whose results are not one
- * run's. Nothing without -o. Errors: as those. */
+/* thud_made_by_scene and thud_made_by_begin, with the scene itself as scene.json, for commands whose results are not
+ * one run's. Nothing without -o. Errors: as those. */
 enum thud_status thud_made_by_scene_file(const struct thud_args *args, const char *group,
                                          const struct thud_session *session, const struct thud_scene *scene,
                                          const char *const *asked, struct thud_made_by *out, struct thud_error *err);

@@ -72,8 +72,8 @@ void thud_close(struct thud *scene)
     free(scene);
 }
 
-/* The preset as it was read, whose comments thud_yaml keeps, from its own bytes; the values of now; and what stands beside
- * them. */
+/* The preset as it was read, whose comments thud_yaml keeps, from its own bytes; the values of now; and what stands
+ * beside them. */
 static enum thud_status copy(const struct thud *from, struct thud *to, struct thud_error *err)
 {
     const struct thud_session *session = &from->session;

@@ -109,8 +109,8 @@ static double *projections(const struct thud_scene *scene, const struct thud_mod
     return projection_m;
 }
 
-/* The motion without pounding, from which the gap that is needed follows. Where it cannot be had nothing is known of
- * it, and the cases say why. */
+/* The motion without pounding, from which the required gap follows. If it cannot be had, nothing is known of the gap,
+ * and the cases say why. */
 static void need_start(struct thud_live *live, const struct thud_scene *scene, const struct thud_record *record)
 {
     struct thud_scene *bare = malloc(sizeof *bare);
