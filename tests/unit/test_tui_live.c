@@ -288,6 +288,19 @@ START_TEST(the_answer_in_one_line)
     fixture_keys(&f, keys);
     fixture_expect(&f, "neither: ");
     fixture_expect(&f, "   both: ");
+    ck_assert_int_eq(f.tui->doc.scene.nlinks,
+                     1); /* they change what is needed: it stands behind their case, as bare and bumper */
+    const struct thud_live_need *linked = &f.tui->run.live.need[0];
+    snprintf(words, sizeof words, "   needs %.1f cm (%.1f bare)", thud_summary_gap_cm(linked->with_bumper_m),
+             thud_summary_gap_cm(linked->relative_displacement_m));
+    fixture_expect(&f, words);
+    for (int wide = 1; wide >= 0; wide--) {
+        const char *both = strstr(f.tui->verdict.text, "both: ");
+        ck_assert_ptr_nonnull(both);
+        ck_assert_ptr_nonnull(strstr(both, "   needs "));
+        fixture_keys(&f, "<Size 80x24>");
+    }
+    fixture_keys(&f, "<Size 130x40>");
     snprintf(keys, sizeof keys, ":open %s/towers.yaml<Enter>", f.folder);
     fixture_keys(&f, keys);
     double need = f.tui->run.live.need[0].relative_displacement_m;

@@ -69,16 +69,37 @@ static int needs_words(const struct thud_summary_line *line, char *text, size_t 
                     thud_summary_gap_cm(line->need_m + line->bumper_m));
 }
 
+const char *thud_summary_bare(double need_m, double bumper_m, char text[24])
+{
+    *text = '\0';
+    if (bumper_m > 1e-9) /* a difference: rounding is no bumper */
+        snprintf(text, 24, " (%.1f bare)", thud_summary_gap_cm(need_m));
+    return text;
+}
+
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size)
 {
     const size_t n = (size_t)needs_words(line, text, size);
-    if (line->bumper_m > 1e-9) /* a difference: rounding is no bumper */
-        snprintf(text + n, size - n, " (%.1f bare)%s", thud_summary_gap_cm(line->need_m), line->in_row ? ALONE : "");
+    char bare[24];
+    if (*thud_summary_bare(line->need_m, line->bumper_m, bare))
+        snprintf(text + n, size - n, "%s%s", bare, line->in_row ? ALONE : "");
     else if (line->in_row)
         snprintf(text + n, size - n, ALONE);
     else
         snprintf(text + n, size - n, " (ABS %.1f, SRSS %.1f)", thud_summary_gap_cm(line->abs_m),
                  thud_summary_gap_cm(line->srss_m));
+}
+
+/* The gap that is needed, with as much beside it as leaves `rest` columns. */
+static void add_needs(const struct thud_summary_line *line, int columns, int rest, char *text, size_t size)
+{
+    char part[160];
+    if (isnan(line->need_m))
+        return;
+    thud_summary_needs(line, part, sizeof part);
+    if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
+        snprintf(part + needs_words(line, part, sizeof part), sizeof ALONE, "%s", line->in_row ? ALONE : "");
+    add(text, size, columns, part);
 }
 
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size)
@@ -98,22 +119,21 @@ void thud_summary_line(const struct thud_summary_line *line, int columns, char *
     } else
         snprintf(part, sizeof part, "NO CONTACT at %s", gap);
     add(text, size, columns, part);
-    if (!isnan(line->need_m)) {
-        int rest = *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0;
-        thud_summary_needs(line, part, sizeof part);
-        if ((int)(strlen(text) + 3 + strlen(part)) + rest > columns)
-            snprintf(part + needs_words(line, part, sizeof part), sizeof ALONE, "%s", line->in_row ? ALONE : "");
-        add(text, size, columns, part);
-    }
-    if ((int)(strlen(text) + 3 + strlen(bumper)) > columns)
+    const bool last = line->need_with && *bumper;
+    const int rest = last && !isnan(line->need_m) ? 3 + needs_words(line, words, sizeof words) : 0;
+    if (!last)
+        add_needs(line, columns, *bumper ? (int)(3 + strlen(bumper) + strlen(line->without) + 2) : 0, text, size);
+    if ((int)(strlen(text) + 3 + strlen(bumper)) + rest > columns)
         bumper_words(line, true, bumper, sizeof bumper);
     if (!*bumper)
         return;
     add(text, size, columns, bumper);
     snprintf(part, sizeof part, "%s: ", line->without);
     const size_t n = strlen(text), room = strlen(part);
-    if ((int)(n + room) <= columns && n + room < size) {
+    if ((int)(n + room) + rest <= columns && n + room < size) {
         memmove(text + room, text, n + 1);
         memcpy(text, part, room);
     }
+    if (last)
+        add_needs(line, columns, 0, text, size);
 }

@@ -15,6 +15,7 @@ struct thud_summary_line {
     double bumper_m;            /* projection of a bumper of this run, to be added to the gap; 0: there is none */
     bool in_row;                /* others stand beside the two and may push them: need_m holds without these */
     double abs_m, srss_m;       /* by the codes' rules, where need_m is known */
+    bool need_with;             /* need_m is that of the case `with`, whose links change it: it is said behind it */
     const char *without, *with; /* NULL: nothing is compared; else what the rest describes, "no bumper", and "bumper" */
     int bumper_impacts;         /* of that run */
     double bumper_force_n;      /* likewise; NaN: it has no result */
@@ -32,5 +33,7 @@ double thud_table_gap_cm(double gap_m);
  * left off: first the rules of the codes, then all of the bumper but its force, then whose result comes first. Empty
  * without a result. */
 void thud_summary_line(const struct thud_summary_line *line, int columns, char *text, size_t size);
+/* " (18.9 bare)": what is needed without a bumper that adds `bumper_m`; empty where none does. */
+const char *thud_summary_bare(double need_m, double bumper_m, char text[24]);
 /* "needs 18.9 cm (ABS 28.0, SRSS 20.0)", as long as it is. */
 void thud_summary_needs(const struct thud_summary_line *line, char *text, size_t size);

@@ -46,7 +46,7 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
     const int i = tui->interface;
     const struct thud_design_result *before = &tui->base.result;
     struct thud_design_result now;
-    char force[64], impacts[64], need[64], gap[64], at[64], bare[24] = "", name[48] = "";
+    char force[64], impacts[64], need[64], gap[64], at[64], bare[24], name[48] = "";
     thud_design_measure(&tui->doc.scene, &tui->run.live, &now);
     if (!before->known || !now.known || !thud_base_differs(&tui->base, &tui->doc) ||
         i + 1 >= tui->base.scene.nstructures)
@@ -68,8 +68,7 @@ static bool words_of_change(const struct thud_tui *tui, int columns, char *text,
         snprintf(text, size, "%s%s at %s: %s%s%s  %.60s", name, *pounds ? "POUNDS" : "NO CONTACT", at,
                  *pounds || before->impacts[i] > 0 ? force : "", *pounds || before->impacts[i] > 0 ? "  " : "", impacts,
                  need);
-    if (now.with_bumper_m[i] > now.need_m[i] + 1e-9)
-        snprintf(bare, sizeof bare, " (%.1f bare)", thud_summary_gap_cm(now.need_m[i]));
+    thud_summary_bare(now.need_m[i], now.with_bumper_m[i] - now.need_m[i], bare);
     if (columns >= WIDE && strlen(text) + strlen(bare) <= (size_t)columns)
         snprintf(text + strlen(text), size - strlen(text), "%s", bare);
     return true;
@@ -92,6 +91,8 @@ static void words_of_pair(const struct thud_tui *tui, int columns, char *text, s
         scene->structure[tui->interface].kind == THUD_RIGID || scene->structure[tui->interface + 1].kind == THUD_RIGID;
     if (!free_body) { /* that goes on for ever */
         line.need_m = need->relative_displacement_m;
+        line.need_with = scene->nlinks > 0;
+        line.bumper_m = line.need_with ? need->with_bumper_m - line.need_m : 0; /* else that of the case without */
         line.abs_m = need->abs_m;
         line.srss_m = need->srss_m;
     }
