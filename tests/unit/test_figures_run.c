@@ -454,6 +454,36 @@ START_TEST(cases_differ_without_their_colours)
 }
 END_TEST
 
+/* Luma of Rec. 601, 0 to 255. */
+static double grey(int color)
+{
+    const unsigned rgb = thud_color_rgb(color);
+    return 0.299 * (rgb >> 16) + 0.587 * (rgb >> 8 & 0xff) + 0.114 * (rgb & 0xff);
+}
+
+/* Kinetic and strain energy follow each other many times, as do the loops of floors one above the other. */
+START_TEST(curves_that_cross_are_apart_in_grey)
+{
+    struct sample *s = make();
+    for (int c = 0; c < CONTACTS; c++) {
+        s->contact[c].impacts = 1;
+        s->contact[c].force.value = 2e6;
+    }
+    for (int w = 0; w < 2; w++) {
+        struct thud_figure *figure = thud_run_figure(w ? THUD_FIGURE_LOOP : THUD_FIGURE_ENERGY, &s->source, 1);
+        const struct thud_panel *panel = &figure->panel[0];
+        ck_assert_int_eq(panel->nseries, w ? CONTACTS : THUD_HISTORY_ENERGIES + 1);
+        for (int i = 1; i < panel->nseries; i++) {
+            ck_assert_int_gt(panel->series[i]->style.color, panel->series[i - 1]->style.color); /* the key's order */
+            ck_assert_double_gt(fabs(grey(panel->series[i]->style.color) - grey(panel->series[i - 1]->style.color)),
+                                25);
+        }
+        thud_figure_free(figure);
+    }
+    drop(s);
+}
+END_TEST
+
 /* Where a scene has bumper and links every case has its own name, which says of both whether they are there. */
 START_TEST(cases_say_what_they_leave_out)
 {
@@ -527,6 +557,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, forces_and_loops_show_contacts);
     tcase_add_test(tcase, several_runs_keep_their_colours);
     tcase_add_test(tcase, cases_differ_without_their_colours);
+    tcase_add_test(tcase, curves_that_cross_are_apart_in_grey);
     tcase_add_test(tcase, storeys_that_yield_show_their_loops);
     tcase_add_test(tcase, envelopes_stand_over_the_height);
     tcase_add_test(tcase, rigid_bodies_have_no_deflections);

@@ -220,6 +220,10 @@ void thud_loop_axes(struct thud_panel *panel, const char *unit)
     thud_panel_axis(panel, THUD_Y, thud_run_words[THUD_FIGURE_LOOP].label, unit);
 }
 
+/* Colours of curves that cross: of two that follow each other one is dark, one light, also in grey. */
+static const int apart[] = {0, 1, 4, 5, 6, 7, 9};
+_Static_assert(sizeof apart / sizeof *apart >= THUD_CURVES_MAX, "a colour for each curve");
+
 struct thud_figure *thud_figure_loops(enum thud_run_figure which, const struct thud_figure_source *source, int nsources)
 {
     int index[THUD_CURVES_MAX], pounding;
@@ -235,7 +239,7 @@ struct thud_figure *thud_figure_loops(enum thud_run_figure which, const struct t
         for (int s = 0; s < nsources; s++) {
             thud_source_contact_name(source, index[i], text, sizeof text);
             thud_source_loop(panel, &source[s], index[i], shown.factor, nsources > 1 ? source[s].name : text,
-                             nsources > 1 ? thud_case_color(source[s].which) : i);
+                             nsources > 1 ? thud_case_color(source[s].which) : apart[i]);
         }
     }
     contact_note(panel, source, nsources, n, pounding, index);
@@ -272,10 +276,10 @@ struct thud_figure *thud_figure_energies(enum thud_run_figure which, const struc
         thud_panel_axis(panel, THUD_Y, "Energy", shown.unit);
         for (int e = 0; e < THUD_HISTORY_ENERGIES; e++)
             thud_source_line(panel, &source[s], thud_history_energy(source[s].history, e), -1, shown.factor, name[e],
-                             e);
+                             apart[e]);
         if (source[s].history->loses)
             thud_source_line(panel, &source[s], thud_history_hysteretic(source[s].history), -1, shown.factor,
-                             source[s].history->nstoreys > 0 ? "yielding" : "friction", THUD_HISTORY_ENERGIES);
+                             source[s].history->nstoreys > 0 ? "yielding" : "friction", apart[THUD_HISTORY_ENERGIES]);
         if (zoom)
             thud_panel_zoom(thud_figure_panel(figure, s, 1, "Around the largest impact"), panel, from, to);
     }

@@ -250,15 +250,22 @@ static int by_floor(const void *a, const void *b)
     return (x->impact.start_s > y->impact.start_s) - (x->impact.start_s < y->impact.start_s);
 }
 
+/* One for all that is shown of a run. */
+static struct thud_shown_unit energy_unit(const struct thud_result *result)
+{
+    const struct thud_energy *e = &result->energy;
+    return thud_shown_energy(fmax(e->input_j + e->initial_j, fmax(e->kinetic_j, e->strain_j)));
+}
+
 /* What there is room for on a wide terminal. */
-static void impact_rest(const struct thud_impact *impact, char *text, size_t size)
+static void impact_rest(const struct thud_impact *impact, double per_j, char *text, size_t size)
 {
     char d[24], ms[24], e[24], lost[24];
     size_t n = strlen(text);
     snprintf(text + n, size - n, " %8s %8s %7s %9s", thud_tui_number(1e3 * impact->indentation_m, d),
              thud_tui_number(1e3 * impact->duration_s, ms),
              isnan(impact->restitution) ? "-" : thud_tui_number(impact->restitution, e),
-             thud_tui_number(1e-3 * impact->dissipated_j, lost));
+             thud_tui_number(per_j * impact->dissipated_j, lost));
 }
 
 static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
@@ -282,12 +289,13 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
         row[i] = (struct row){impact[i], contact->interface,
                               thud_slab_floor(contact->left_floor, contact->right_floor, contact->struck)};
     }
+    const struct thud_shown_unit energy = energy_unit(result);
     int (*const order[SORTS])(const void *, const void *) = {by_time, by_force, by_floor};
     if (count > 1)
         qsort(row, (size_t)count, sizeof *row, order[state(tui)->sort]);
     bool wide = pane->w >= 66;
-    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "      t s  fl.    v m/s     F MN%s",
-                    wide ? "     d mm       ms       e   kJ lost" : "");
+    thud_pane_print(pane, 1, 0, thud_look(THUD_ROLE_PLAIN, THUD_BOLD), "      t s  fl.    v m/s     F MN%s%s%s",
+                    wide ? "     d mm       ms       e   " : "", wide ? energy.unit : "", wide ? " lost" : "");
     int n = 0;
     for (int i = 0; i < count && n < IMPACTS_MAX; i++) {
         char key[48], text[160], v[24], f[24], place[24];
@@ -301,7 +309,7 @@ static int draw_impacts(struct thud_tui *tui, const struct thud_pane *pane)
                  thud_tui_number(row[i].impact.approach_mps, v),
                  row[i].impact.force_n > 0.0 ? thud_tui_number(1e-6 * row[i].impact.force_n, f) : "-");
         if (wide)
-            impact_rest(&row[i].impact, text, sizeof text);
+            impact_rest(&row[i].impact, energy.factor, text, sizeof text);
         if (strstr(text, state(tui)->filter))
             thud_field_line(tui, IMPACTS, pane, ++n, i, key, text);
     }
@@ -328,7 +336,7 @@ static int draw_energy(const struct thud_result *result, const struct thud_pane 
                {"strain", true, e->strain_j + e->stored_j},
                {"lost in yielding", e->hysteretic_j > 0, e->hysteretic_j},
                {"work of the weight", e->gravity_j > 0, e->gravity_j}};
-    const struct thud_shown_unit shown = thud_shown_energy(fmax(row[0].value, fmax(e->kinetic_j, e->strain_j)));
+    const struct thud_shown_unit shown = energy_unit(result);
     char a[24];
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         if (row[i].shown)
