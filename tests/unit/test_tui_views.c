@@ -211,6 +211,38 @@ START_TEST(clicks_on_floors_go_to_their_rows)
 }
 END_TEST
 
+/* With the button down on a number each column is a step, whether the cursor was there before or not; a text stays. */
+START_TEST(numbers_are_dragged)
+{
+    static const char *const path[] = {"interfaces.1.bumper.thickness", "interfaces.1.contact.stiffness",
+                                       "interfaces.1.gap-by-level"};
+    char keys[100], text[64], old[64];
+    fixture_keys(&f, "<Size 130x40>2");
+    for (int i = 0; i < 3; i++)
+        for (int again = 0; again < 2; again++) {
+            const struct thud_field *field = f.tui->form.field;
+            while (strcmp(field->path, path[i]) != 0)
+                field++;
+            const int x = field->x + 1, y = field->y + 4; /* two lines above the pane, and its frame */
+            const unsigned long revision = f.tui->doc.revision;
+            ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], old, sizeof old, NULL), THUD_OK);
+            snprintf(keys, sizeof keys, "<Click %d,%d><Drag %d,%d><Drag %d,%d>", x, y, x + 1, y, x + 3, y);
+            fixture_keys(&f, keys);
+            ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], text, sizeof text, NULL), THUD_OK);
+            if (i == 2) {
+                ck_assert_uint_eq(f.tui->doc.revision, revision);
+                fixture_keys(&f, "<Esc>");
+                continue;
+            }
+            const double from = strtod(old, NULL), step = pow(10, floor(log10(from) + 1e-9) - 1);
+            ck_assert_double_eq_tol(strtod(text, NULL), from + 3 * step, 1e-9 * from);
+            fixture_keys(&f, "uu");
+            ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], text, sizeof text, NULL), THUD_OK);
+            ck_assert_str_eq(text, old);
+        }
+}
+END_TEST
+
 /* The wheel keeps what is under the pointer there, dragging moves all by as many columns, keys go on beyond the edge; of a
  * logarithmic axis as well. */
 START_TEST(charts_are_zoomed_and_moved)
@@ -744,6 +776,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, several_structures);
     tcase_add_test(views, clicks_go_to_fields);
     tcase_add_test(views, clicks_on_floors_go_to_their_rows);
+    tcase_add_test(views, numbers_are_dragged);
     tcase_add_test(views, charts_are_zoomed_and_moved);
     tcase_add_test(views, plots_open_on_the_strong_motion);
     tcase_add_test(views, tables_are_sorted_and_filtered);

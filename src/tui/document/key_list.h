@@ -60,7 +60,7 @@ THUD_KEY(FORMS, EDIT, THUD_KEY_ENTER, 0, "Enter", "edit",
 THUD_KEY(FORMS, EDIT_OLD, THUD_KEY_F2, 0, "F2", "",
          "edit the field from the end of its text (Enter: the first key replaces it)")
 THUD_KEY(FORMS, TOGGLE, ' ', 0, "Space", "", "switch on or off, or take the next choice")
-THUD_KEY(FORMS, STEP_UP, '+', 0, "+", "", "increase by one step")
+THUD_KEY(FORMS, STEP_UP, '+', 0, "+", "", "increase by one step (mouse: drag the value)")
 THUD_KEY(FORMS, STEP_DOWN, '-', 0, "-", "~+/- step", "decrease by one step")
 THUD_KEY(FORMS, LEAP_UP, '}', 0, "}", "", "increase by ten steps")
 THUD_KEY(FORMS, LEAP_DOWN, '{', 0, "{", "", "decrease by ten steps")

@@ -291,6 +291,7 @@ void thud_tui_click(struct thud_tui *tui)
     const int x = tui->backend->click_x, y = tui->backend->click_y;
     struct thud_rect at;
     tui->dragged_x = x;
+    tui->grabbed = false;
     if (tui->dialog.mode == THUD_MODE_CHOOSING) {
         if (thud_chooser_click(&tui->dialog.chooser, x, y))
             thud_tui_chosen(tui);
@@ -309,6 +310,7 @@ void thud_tui_click(struct thud_tui *tui)
     const struct thud_field *field = thud_form_at(&tui->form, i, x - at.x - 1, row);
     bool again = field && field == thud_form_focus(&tui->form);
     tui->form.pane[tui->screen] = i;
+    tui->grabbed = thud_tui_typable(tui, field);
     if (again)
         thud_tui_act(tui, THUD_DO_EDIT);
     else if (field)
@@ -320,11 +322,25 @@ void thud_tui_click(struct thud_tui *tui)
     }
 }
 
+/* A number goes a step a column, also one that the button going down began to edit. */
+static void drag_value(struct thud_tui *tui, int columns)
+{
+    if (thud_tui_types_field(tui) && tui->dialog.line.selected)
+        thud_tui_normal(tui);
+    if (tui->dialog.mode == THUD_MODE_NORMAL && columns != 0)
+        thud_tui_step_value(tui, columns);
+}
+
 void thud_tui_drag(struct thud_tui *tui)
 {
     int x = tui->backend->click_x, y = tui->backend->click_y;
     const struct thud_chart_window *window = &tui->window[tui->screen];
     struct thud_rect at;
+    if (tui->grabbed) {
+        drag_value(tui, x - tui->dragged_x);
+        tui->dragged_x = x;
+        return;
+    }
     if (tui->dialog.mode != THUD_MODE_NORMAL)
         return;
     const int pane = thud_tui_view(tui)->drag ? pane_at(tui, x, y, &at) : -1;
