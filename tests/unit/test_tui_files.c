@@ -11,7 +11,7 @@
 #include "app/run/new_preset.h"
 #include "io/file/file.h"
 #include "plot/figures/figures_sweep.h"
-#include "tui/loop/form_over.h"
+#include "tui/document/form_over.h"
 #include "tui/loop/play.h"
 #include "tui/screens/sweep_screen.h"
 #include "tui/terminal/config.h"

@@ -163,13 +163,23 @@ START_TEST(wrong_words_are_refused)
         fixture_keys(&f, "<Enter><C-u>");
         fixture_keys(&f, words[i]);
         fixture_keys(&f, "<Enter>");
-        ck_assert_msg(f.tui->dialog.mode == THUD_MODE_TYPING, "%s was taken", words[i]);
+        ck_assert_msg(f.tui->dialog.mode == THUD_MODE_OVER, "%s was taken", words[i]);
         fixture_expect(&f, " ! ");
-        fixture_expect(&f, words[i]); /* stays in the prompt */
+        fixture_expect(&f, words[i]); /* stays in the form */
         fixture_keys(&f, "<Esc>");
         ck_assert_int_eq(study()->nvary, 0);
     }
     ck_assert_int_eq(f.tui->doc.undo.count, 0);
+    fixture_keys(&f,
+                 "<Enter>gap=1 cm:2 cm:1 cm<Tab>contact.restitution=0.5,0.6<Enter>"); /* all that is varied at once */
+    ck_assert_int_eq(study()->nvary, 2);
+    ck_assert_int_eq(f.tui->doc.undo.count, 1);
+    fixture_keys(&f, "<Down><Enter><C-u><Enter>"); /* the second one, which is emptied */
+    ck_assert_int_eq(study()->nvary, 1);
+    fixture_keys(&f, "1/study.vary<Enter>");
+    ck_assert_int_eq(f.tui->screen, THUD_SCREEN_SWEEP);
+    ck_assert_ptr_nonnull(thud_form_focus(&f.tui->form));
+    ck_assert_str_eq(thud_form_focus(&f.tui->form)->path, "study.vary");
 }
 END_TEST
 

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "app/run/new_preset.h"
+#include "tui/document/form_over.h"
 #include "tui/document/session_log.h"
-#include "tui/loop/form_over.h"
 
 static bool exists(const char *name)
 {

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tui/document/form_over.h"
 #include "tui/document/session_log.h"
-#include "tui/loop/form_over.h"
 #include "tui/loop/loop.h"
 
 /* `value` is "KEY=VALUE". */

@@ -8,8 +8,8 @@
 #include "app/run/command.h"
 #include "io/file/file.h"
 #include "tui/document/command_work.h"
+#include "tui/document/form_over.h"
 #include "tui/document/session_log.h"
-#include "tui/loop/form_over.h"
 #include "tui/loop/loop.h"
 
 enum { WORDS_MAX = 60 };

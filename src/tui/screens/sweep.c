@@ -99,9 +99,9 @@ static void pane_title(struct thud_tui *tui, int index, char *text, size_t size)
     int count = thud_live_study_figures(&s->data);
     if (s->shown && count > 0)
         snprintf(text, size, "%d/%d %s%.100s", s->figure % count + 1, count, is_old(tui, s) ? "before edits: " : "",
-                 s->shown->title);
+                 thud_tui_figure_title(tui, s->shown));
     else if (s->shown)
-        snprintf(text, size, "before edits: %.100s", s->shown->title);
+        snprintf(text, size, "before edits: %.100s", thud_tui_figure_title(tui, s->shown));
     else
         snprintf(text, size, "Amplification");
 }
@@ -395,8 +395,7 @@ static void release(struct thud_tui *tui)
 }
 
 THUD_VIEW(sweep, "Sweep", SWEEP, .keys = "study.", .many = true, .size = sizeof(struct thud_sweep_state),
-          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .offer = thud_sweep_offer,
-          .command = thud_sweep_command, .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure,
-          .next_figure = next_figure, .read = read_panel, .take = set_to_cursor, .live = live, .busy = busy,
-          .work = work, .progress = progress, .history = history, .figures = figures, .make = make,
-          .export_csv = export_csv);
+          .begin = begin_screen, .free = release, .act = act, .cannot = cannot, .command = thud_sweep_command,
+          .row = thud_sweep_form_row, .hint = thud_sweep_form_hint, .figure = figure, .next_figure = next_figure,
+          .read = read_panel, .take = set_to_cursor, .live = live, .busy = busy, .work = work, .progress = progress,
+          .history = history, .figures = figures, .make = make, .export_csv = export_csv);

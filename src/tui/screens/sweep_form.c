@@ -1,11 +1,11 @@
 /* The form of the Sweep screen: the study in words, and how far it has come. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "app/sweep/study_keys.h"
 #include "tui/document/field.h"
+#include "tui/document/form_over.h"
 #include "tui/document/session_log.h"
 #include "tui/screens/sweep_screen.h"
 
@@ -19,69 +19,45 @@ static const char *name_of(int index)
     return index == 0 ? "vary" : "vary too";
 }
 
-static void typed(struct thud_tui *tui, const char *text);
-static const struct thud_prompt prompt = {.done = typed};
-
-/* Refused words stay in the prompt. The others become the preset's study, to be saved with it. */
-static void typed(struct thud_tui *tui, const char *text)
+/* The varied keys become the preset's study, to be saved with it; false: they were refused. */
+static bool keep(struct thud_tui *tui, char vary[THUD_VARY_MAX][THUD_VARY_TEXT])
 {
-    struct thud_sweep_state *s = thud_sweep_state(tui);
     struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
-    char what[200], vary[THUD_VARY_MAX][THUD_VARY_TEXT];
-    thud_study_vary_texts(&tui->doc.scene, vary);
-    snprintf(vary[s->typed], sizeof vary[s->typed], "%s", text);
-    snprintf(what, sizeof what, "study: %s %.120s", name_of(s->typed), *text ? text : "(none)");
+    char what[200] = "study: vary", before[THUD_VARY_MAX][THUD_VARY_TEXT];
+    thud_study_vary_texts(&tui->doc.scene, before);
+    for (int i = 0; i < THUD_VARY_MAX; i++) {
+        const size_t n = strlen(what);
+        snprintf(what + n, sizeof what - n, "%s%.120s", i && *vary[i] ? ", " : " ", vary[i]);
+    }
     enum thud_status status = thud_study_vary_keep(vary, &next, &err);
     if (status == THUD_OK)
         status = thud_doc_change(&tui->doc, &next, what, &err);
     if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);
-        thud_tui_prompt(tui, &prompt, text);
-        return;
+        return false;
     }
-    char number[12] = "";
-    if (s->typed > 0)
-        snprintf(number, sizeof number, "%d", s->typed + 1);
-    thud_tui_log(tui, "vary%s %s", number, text);
-}
-
-void thud_sweep_offer(struct thud_tui *tui)
-{
-    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
-    thud_study_vary_texts(&tui->doc.scene, vary);
-    for (int i = 0; i < THUD_VARY_MAX; i++) {
-        char command[32];
-        snprintf(command, sizeof command, "line %d", i);
-        thud_tui_offer(tui, THUD_SCREEN_SWEEP, command, "study %-11s %s", name_of(i), vary[i]);
-    }
+    for (int i = 0; i < THUD_VARY_MAX; i++)
+        if (*vary[i] || *before[i])
+            thud_tui_log(tui, "vary%.*s %s", i > 0, &"1234"[i], vary[i]);
+    return true;
 }
 
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest)
 {
-    const int index = word[4] ? word[4] - '1' : 0; /* "vary", "vary2", ... */
-    if (strcmp(word, "line") == 0) {
-        thud_sweep_form_row(tui, &(struct thud_field){.index = atoi(rest)});
-        return;
-    }
-    thud_sweep_state(tui)->typed = index;
-    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", word);
-    typed(tui, rest);
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    thud_study_vary_texts(&tui->doc.scene, vary);
+    snprintf(vary[word[4] ? word[4] - '1' : 0], sizeof vary[0], "%s", rest); /* "vary", "vary2", ... */
+    keep(tui, vary);
 }
 
 /* Varied keys at the first of the plan's values. */
 static bool same_scene(const struct thud_tui *tui, const struct thud_sweep_state *s)
 {
-    struct thud_scene *now = malloc(sizeof *now);
-    bool same = false;
-    if (now) {
-        *now = tui->doc.scene;
-        for (int i = 0; i < s->data.plan.naxes; i++)
-            thud_scene_set(now, s->data.plan.axis[i].key, s->data.plan.axis[i].text[0], NULL);
-        same = thud_doc_runs_alike(now, s->base);
-    }
-    free(now);
-    return same;
+    struct thud_scene now = tui->doc.scene;
+    for (int i = 0; i < s->data.plan.naxes; i++)
+        thud_scene_set(&now, s->data.plan.axis[i].key, s->data.plan.axis[i].text[0], NULL);
+    return thud_doc_runs_alike(&now, s->base);
 }
 
 bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s)
@@ -148,8 +124,9 @@ int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane
     int y = 0;
     thud_study_vary_texts(&tui->doc.scene, vary);
     for (int i = 0; i < THUD_VARY_MAX && (i < 2 || *vary[i - 1]); i++) {
-        char key[32], text[THUD_VARY_TEXT + 8];
-        snprintf(key, sizeof key, "study %d", i);
+        char key[32] = "study.vary", text[THUD_VARY_TEXT + 8];
+        if (i > 0)
+            snprintf(key, sizeof key, "study.vary.%d", i + 1);
         snprintf(text, sizeof text, " %.*s", THUD_VARY_TEXT, *vary[i] ? vary[i] : "-");
         thud_pane_put(pane, 1, y++, thud_look(THUD_ROLE_MUTED, 0), name_of(i));
         thud_field_line(tui, index, pane, y++, i, key, text);
@@ -173,12 +150,25 @@ const char *thud_sweep_form_hint(const struct thud_field *field)
                              : "one more key, for a grid; empty: none";
 }
 
+static void done(struct thud_tui *tui, struct thud_form_over *form)
+{
+    char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    for (int i = 0; i < THUD_VARY_MAX; i++)
+        snprintf(vary[i], sizeof vary[i], "%s", form->row[i].value[0].text);
+    if (keep(tui, vary))
+        thud_tui_normal(tui);
+}
+
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field)
 {
     char vary[THUD_VARY_MAX][THUD_VARY_TEXT];
+    struct thud_form_over *form = thud_form_over_begin(tui);
+    if (!form)
+        return;
     thud_study_vary_texts(&tui->doc.scene, vary);
-    thud_sweep_state(tui)->typed = field->index;
-    snprintf(tui->dialog.target, sizeof tui->dialog.target, "%s: ", name_of(field->index));
-    thud_tui_say(tui, THUD_ROLE_PLAIN, "%s", thud_sweep_form_hint(field));
-    thud_tui_prompt(tui, &prompt, vary[field->index]);
+    snprintf(form->title, sizeof form->title, "Study: what is varied");
+    for (int i = 0; i < THUD_VARY_MAX; i++)
+        thud_form_over_add(form, name_of(i), thud_sweep_form_hint(&(struct thud_field){.index = i}), vary[i]);
+    form->done = done;
+    thud_form_over_focus(form, field->index, 0);
 }

@@ -19,7 +19,6 @@ struct thud_sweep_state {
     bool shown_complete;
     int shown_figure;
     unsigned long begun, shown_of; /* studies begun so far; the one of them that `shown` was made of */
-    int typed;                     /* the varied key being typed */
 };
 
 struct thud_sweep_state *thud_sweep_state(const struct thud_tui *tui);
@@ -29,8 +28,7 @@ bool thud_sweep_current(struct thud_tui *tui, struct thud_sweep_state *s);
 int thud_sweep_form_draw(struct thud_tui *tui, int index, const struct thud_pane *pane);
 /* What is typed on a line of it. */
 const char *thud_sweep_form_hint(const struct thud_field *field);
-void thud_sweep_offer(struct thud_tui *tui); /* its lines to the list of everything */
-/* "vary", "vary2", ...: a line of it; "line 2": types that one. */
+/* "vary", "vary2", ...: a line of it. */
 void thud_sweep_command(struct thud_tui *tui, const char *word, const char *rest);
-/* Enter on a line of it. */
+/* Enter on a line of it: the form of all that is varied. */
 void thud_sweep_form_row(struct thud_tui *tui, const struct thud_field *field);

@@ -1,4 +1,4 @@
-#include "tui/loop/form_over.h"
+#include "tui/document/form_over.h"
 
 #include <stdio.h>
 #include <string.h>
