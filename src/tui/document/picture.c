@@ -15,10 +15,15 @@ static int at_most(int n, int most)
 
 const char *thud_tui_figure_title(const struct thud_tui *tui, const struct thud_figure *figure)
 {
-    const char *scene = tui->doc.scene.title, *title = figure->title ? figure->title : figure->name;
-    size_t n = strlen(scene);
-    const char *rest = n > 0 && strncmp(title, scene, n) == 0 ? title + n + strspn(title + n, ":,. ") : title;
-    return *rest ? rest : title;
+    const char *title = figure->title ? figure->title : figure->name,
+               *of[] = {tui->doc.scene.title, tui->doc.record ? tui->doc.record->station : ""};
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        const size_t n = strlen(of[i]);
+        const char *rest = title + n;
+        if (n > 0 && strncmp(title, of[i], n) == 0 && *(rest += strspn(rest, ":,. ")))
+            title = rest;
+    }
+    return title;
 }
 
 struct thud_picture_screen thud_tui_picture_screen(struct thud_tui *tui)

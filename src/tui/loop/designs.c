@@ -60,19 +60,13 @@ void thud_tui_go_to_design(struct thud_tui *tui, const char *name)
     char what[80], text[40];
     if (!d)
         return;
-    struct thud_scene *next = malloc(sizeof *next);
-    enum thud_status status = next ? THUD_OK : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    struct thud_scene next = *d->scene;
     snprintf(what, sizeof what, "design %s", thud_design_called(d, text));
-    if (next) { /* what runs do not depend on stays */
-        *next = *d->scene;
-        memcpy(next->name, tui->doc.scene.name, sizeof next->name);
-        memcpy(next->title, tui->doc.scene.title, sizeof next->title);
-        next->study = tui->doc.scene.study;
-        next->document = tui->doc.scene.document;
-        status = thud_doc_change(&tui->doc, next, what, &err);
-    }
-    free(next);
-    if (status != THUD_OK) {
+    memcpy(next.name, tui->doc.scene.name, sizeof next.name); /* what runs do not depend on stays */
+    memcpy(next.title, tui->doc.scene.title, sizeof next.title);
+    next.study = tui->doc.scene.study;
+    next.document = tui->doc.scene.document;
+    if (thud_doc_change(&tui->doc, &next, what, &err) != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;
     }

@@ -1,6 +1,5 @@
 /* Pasted text: into the line being typed, or into the cells from the cursor on, as one change. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "tui/document/session_log.h"
@@ -158,19 +157,14 @@ void thud_tui_paste(struct thud_tui *tui, const char *text)
         thud_tui_say(tui, THUD_ROLE_WARN, "Pasted text goes into fields, and the cursor is on none");
         return;
     }
-    struct thud_scene *next = malloc(sizeof *next);
+    struct thud_scene next = tui->doc.scene;
     struct thud_error err = {0};
     int n = 0;
     char what[80];
-    enum thud_status status = next ? THUD_OK : thud_error_set(&err, THUD_MEMORY, "no memory for what was pasted");
-    if (status == THUD_OK) {
-        *next = tui->doc.scene;
-        status = fill(tui, text, field, next, &n, &err);
-    }
+    enum thud_status status = fill(tui, text, field, &next, &n, &err);
     snprintf(what, sizeof what, "%d pasted value%s", n, n == 1 ? "" : "s");
     if (status == THUD_OK && n > 0)
-        status = thud_doc_change(&tui->doc, next, what, &err);
-    free(next);
+        status = thud_doc_change(&tui->doc, &next, what, &err);
     thud_tui_normal(tui);
     if (status != THUD_OK) {
         char words[600];

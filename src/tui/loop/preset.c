@@ -1,7 +1,6 @@
 /* The preset that is open: saved, left for another one, recovered, given up. */
 #include <dirent.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -136,16 +135,13 @@ static void recover(struct thud_tui *tui, const char *path)
 {
     struct thud_preset *preset = NULL;
     struct thud_error err = {0};
-    struct thud_scene *next = malloc(sizeof *next);
-    enum thud_status status =
-        next ? thud_preset_read(path, &preset, &err) : thud_error_set(&err, THUD_MEMORY, "no memory for the scene");
+    enum thud_status status = thud_preset_read(path, &preset, &err);
     if (status == THUD_OK) {
-        *next = *thud_preset_scene(preset);
-        memcpy(next->name, tui->doc.scene.name, sizeof next->name);
-        status = thud_doc_change(&tui->doc, next, "recovered changes", &err);
+        struct thud_scene next = *thud_preset_scene(preset);
+        memcpy(next.name, tui->doc.scene.name, sizeof next.name);
+        status = thud_doc_change(&tui->doc, &next, "recovered changes", &err);
     }
     thud_preset_free(preset);
-    free(next);
     if (status != THUD_OK) {
         thud_tui_say_error(tui, &err);
         return;

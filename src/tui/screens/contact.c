@@ -194,10 +194,7 @@ static int draw_check(struct thud_tui *tui, const struct thud_pane *pane)
 {
     const struct thud_scene *scene = &tui->doc.scene;
     double m1 = thud_law_mass(scene, tui->interface), m2 = thud_law_mass(scene, tui->interface + 1);
-    double mass = isinf(m1)   ? m2
-                  : isinf(m2) ? m1
-                              : m1 * m2 / (m1 + m2),
-           force = thud_scene_force_at_knee(scene, tui->interface);
+    double mass = 1 / (1 / m1 + 1 / m2), force = thud_scene_force_at_knee(scene, tui->interface);
     char a[24], b[24], c[24], d[24];
     int y = 0;
     int x = 1 + thud_pane_print(pane, 1, y, thud_look(THUD_ROLE_MUTED, 0), "eff. mass %s t",
