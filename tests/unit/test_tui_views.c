@@ -211,6 +211,25 @@ START_TEST(clicks_on_floors_go_to_their_rows)
 }
 END_TEST
 
+/* Of figures of a study the motion's name stands before what tells them apart, and begins with a capital. */
+START_TEST(figures_are_called_by_what_tells_them_apart)
+{
+    static const char *const title[][2] = {{"Surrogate for X, 000: amplification", "amplification"},
+                                           {"Two towers: energy", "energy"},
+                                           {"Surrogate for X, 000", "Surrogate for X, 000"},
+                                           {"Surrogate", "Surrogate"}};
+    snprintf(f.tui->doc.record->event, sizeof f.tui->doc.record->event, "surrogate for X");
+    snprintf(f.tui->doc.record->station, sizeof f.tui->doc.record->station, "000");
+    f.tui->doc.record->component[0] = '\0';
+    snprintf(f.tui->doc.scene.title, sizeof f.tui->doc.scene.title, "Two towers");
+    for (int i = 0; i < 4; i++) {
+        struct thud_figure *figure = thud_figure_create("x", title[i][0], 1, 1);
+        ck_assert_str_eq(thud_tui_figure_title(f.tui, figure), title[i][1]);
+        thud_figure_free(figure);
+    }
+}
+END_TEST
+
 /* With the button down on a number each column is a step, whether the cursor was there before or not; a text stays. */
 START_TEST(numbers_are_dragged)
 {
@@ -776,6 +795,7 @@ Suite *thud_suite(void)
     tcase_add_test(views, several_structures);
     tcase_add_test(views, clicks_go_to_fields);
     tcase_add_test(views, clicks_on_floors_go_to_their_rows);
+    tcase_add_test(views, figures_are_called_by_what_tells_them_apart);
     tcase_add_test(views, numbers_are_dragged);
     tcase_add_test(views, charts_are_zoomed_and_moved);
     tcase_add_test(views, plots_open_on_the_strong_motion);

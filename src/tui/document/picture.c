@@ -1,6 +1,8 @@
 /* A figure as a picture over the whole screen, where the terminal draws pictures. */
 #include <string.h>
 
+#include "base/ascii.h"
+#include "ground/identity.h"
 #include "tui/document/state.h"
 
 /* xterm draws no sixels beyond 1000 px; more than 4000 nobody sees. */
@@ -15,13 +17,17 @@ static int at_most(int n, int most)
 
 const char *thud_tui_figure_title(const struct thud_tui *tui, const struct thud_figure *figure)
 {
-    const char *title = figure->title ? figure->title : figure->name,
-               *of[] = {tui->doc.scene.title, tui->doc.record ? tui->doc.record->station : ""};
+    const char *title = figure->title ? figure->title : figure->name;
+    char motion[640] = "";
+    const char *of[] = {tui->doc.scene.title, motion};
+    if (tui->doc.record)
+        thud_record_title(tui->doc.record, motion, sizeof motion);
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         const size_t n = strlen(of[i]);
-        const char *rest = title + n;
-        if (n > 0 && strncmp(title, of[i], n) == 0 && *(rest += strspn(rest, ":,. ")))
-            title = rest;
+        if (n == 0 || thud_ascii_lower(*title) != thud_ascii_lower(*of[i]) || strncmp(title + 1, of[i] + 1, n - 1) != 0)
+            continue;
+        const char *rest = title + n + strspn(title + n, ":,. ");
+        title = *rest ? rest : title;
     }
     return title;
 }
