@@ -712,6 +712,9 @@ START_TEST(commands_have_forms)
     fixture_program(&f, program, sizeof program, "echo 'half of it' >&2; exit 3");
     fixture_keys(&f, "<Esc>:gap<Enter><Enter>");
     fixture_expect(&f, "! thud gap: half of it");
+    fixture_program(&f, program, sizeof program, "echo 'thud: thud gap takes one preset' >&2; exit 2");
+    fixture_keys(&f, "<Esc>:gap<Enter><Enter>");
+    fixture_expect(&f, " ! thud gap takes one preset"); /* its name once */
     fixture_program(&f, program, sizeof program, "echo working >&2; exec sleep 1000");
     fixture_expect(&f, "thud gap");
     thud_tui_command(f.tui, "gap -j 1");

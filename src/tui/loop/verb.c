@@ -157,9 +157,11 @@ void thud_tui_verb_look(struct thud_tui *tui)
         thud_tui_say(tui, THUD_ROLE_GOOD, "%s is done", tui->files.written);
     else if (status == 128 + 2)
         thud_tui_say(tui, THUD_ROLE_WARN, "%s was stopped; nothing is half written", tui->files.written);
-    else
-        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s: %s", tui->files.written,
-                     *line ? line + (strncmp(line, "thud: ", 6) == 0 ? 6 : 0) : "it failed without a word");
+    else {
+        const char *why = *line ? line + (strncmp(line, "thud: ", 6) == 0 ? 6 : 0) : "it failed without a word";
+        const bool named = strncmp(why, tui->files.written, strlen(tui->files.written)) == 0;
+        thud_tui_say(tui, THUD_ROLE_ERROR, "! %s%s%s", named ? "" : tui->files.written, named ? "" : ": ", why);
+    }
     thud_text_clear(&printed);
     thud_text_clear(&said);
 }
