@@ -52,6 +52,7 @@ $tmp/r/report.md
 $tmp/r/report.pdf" ]
 is "the factor beside the peak, and that it is synthetic" in_text "| ground motion | surrogate for Kobe 1995, KJMA 000 (synthetic), peak 0.4 g scaled by 0.4872 |"
 is "which is the first caution" in_text "## Main cautions *- The ground motion kobe-surrogate.csv is synthetic: computed, not recorded (use recorded motions for design"
+is "it has as many samples as its help says" in_text "sampled jointly: $("$THUD" report --help | sed -n 's/.*--samples.*(report \([0-9]*\))$/\1/p') samples"
 cp -r "$tmp/r" "$tmp/first"
 is "it says how often they touch without the bumper, and how hard" in_text "| pounding without the bumper | $(count --case none) impacts; at most $(force --case none) MN"
 is "with the bumper" in_text "| pounding with the bumper | $(count) impacts; at most $(force) MN"

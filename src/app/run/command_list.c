@@ -124,7 +124,7 @@ static const struct thud_option options[] = {
     {"cases", "CASE,CASE", "run each of these cases", THUD_WORD_CASE, false, RUN | SWEEP | SIMPLIFY},
     {"event", "EVENT", "pounding, worse, drift:1%, ductility:2", THUD_WORD_TEXT, true, FRAGILITY},
     {"hazard", "FILE", "intensity and annual rate, as CSV", THUD_WORD_FILE, false, FRAGILITY},
-    {"samples", "N", "number of samples or bootstrap draws, default 200", THUD_WORD_TEXT, false,
+    {"samples", "N", "samples or bootstrap draws, default 200 (report 100)", THUD_WORD_TEXT, false,
      FRAGILITY | UNCERTAINTY | REPORT},
     {"sampling", "WAY", "of the inputs: latin-hypercube or sobol", THUD_WORD_CHOICE, false, UNCERTAINTY | REPORT},
     {"seed", "N", "seed of the random samples, default 1", THUD_WORD_TEXT, false, FRAGILITY | UNCERTAINTY | REPORT},
