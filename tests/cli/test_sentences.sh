@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sentences of `thud run`, `thud run --cases` and `thud gap` against the JSON beside them, key by key: eight scenes of the more
+# Sentences of `thud run`, `thud run --cases`, `thud gap` and `thud report` against the JSON, key by key: eight scenes of the more
 # than forty of tests/soak/sentences.py (`make soak` does all): towers, with bumpers by level, under another record and on soil;
 # rows of three, one with slabs against columns and storeys that yield; a moat with soil behind its walls; bodies.  TAP.
 # shellcheck source=tests/cli/program.sh

@@ -1,4 +1,4 @@
-"""Holds the sentences of `thud run`, `thud run --cases` and `thud gap` against the JSON beside them, over forty scenes.
+"""Holds the sentences of `thud run`, `thud run --cases`, `thud gap` and `thud report` against the JSON beside them, over forty scenes.
 
 A sentence is held by the keys that its maker declares, never by its words: a remark's `keys` of the JSON, a rule's `column`,
 and for the lines of a run and of its cases the keys listed here by the label that begins them. Every number with decimals or
@@ -9,6 +9,7 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
 
 VARIATIONS = [
     ("towers", "", "--set gap=7.5cm", "--set gap=19.7cm", "--set gap=19.8cm --case none", "--case cavity", "--sign=-",
@@ -237,6 +238,33 @@ def check_gap(scene, needed):
     return wrong + ([] if len(shown) >= len(rules) > 0 else [f"{len(shown)} rows of {len(rules)} rules"])
 
 
+def check_report(scene, names, needed):
+    """The verdicts of a report on one motion, and its tables of floors and storeys cell by cell."""
+    with tempfile.TemporaryDirectory() as folder:
+        thud("report", *scene, "-o", folder, "--samples", "0", "--no-simplify", "--no-pdf", "--quiet")
+        with open(folder + "/report.md", encoding="utf-8") as file:
+            text = file.read()
+    if "Pounding over the suite" in text: # the motion that is shown in detail need not be the preset's
+        return []
+    cases, wrong, gaps, cells = of_json("run", *scene, "--cases", names)["cases"], [], 0, 0
+    for label, line in re.findall(r"^\| ((?:pounding|gap between|largest) [^|]*)(\|.*)", text.split("## Verdicts")[1].split("\n## ")[0], re.M):
+        case = cases[1 if "without" in label else -1]
+        of = {key: under(case, key) for key in ("acceleration_mps2", "drift_m", "ductility", "force_n", "force_time_s")}
+        if label.startswith("gap"):
+            of, gaps = needs_of(case, needed, gaps), gaps + 1
+        of["impacts"] = [sum(c["impacts"] for c in case["contacts"])]
+        wrong += [w for w in not_of(" ".join(of), re.sub(r", \S+ % of the height", "", line), of) if not w.startswith("no key")]
+    for key, name, unit, rows in re.findall(r"Largest (acceleration|drift) of the (?:floors|storeys) of (.*), (g|mm) \(a: .*\n\n.*\n.*\n((?:\|.*\n)+)", text):
+        key = {"acceleration": "acceleration_mps2", "drift": "drift_m"}[key]
+        for label, *shown in re.findall(r"^\| (\d+|isolators)[^|]* \|" + r" ([^|]*) \|" * len(cases), rows, re.M):
+            for case, cell in zip(cases, shown):
+                value = peaks(case, key)[name, int(label) if label != "isolators" else 0]
+                cells += 1
+                if value is not None and not is_value(cell, unit, [([value], key)]):
+                    wrong.append(f"{key} of {name} {label}, {case['case']}: {value} but {cell} {unit}")
+    return wrong + ([] if gaps and cells else [f"{gaps} verdicts on gaps, {cells} cells"])
+
+
 def check(preset, settings):
     """What is wrong with the sentences of one scene."""
     scene, bodies = [preset, *settings.split()], preset.startswith("rigid")
@@ -248,6 +276,7 @@ def check(preset, settings):
     if not bodies and "--case" not in settings:
         names = ["none"] + ["bumper"] * any("bumper" in i for i in document["scene_si"]["interfaces"]) + ["link"] * ("links" in document["scene_si"])
         wrong += check_cases(scene, ",".join(names)) + check_gap(bare, needed)
+        wrong += check_report(scene, ",".join(names), needed) if len(names) < 3 else [] # with three, a report has a fourth case
     return wrong
 
 
