@@ -197,18 +197,15 @@ static void bring_back_building(const struct thud_doc *doc, struct thud_scene *n
     int s = 0;
     const char *at = key;
     struct thud_undo undo = doc->undo; /* to look back in, not to step back */
-    struct thud_scene *past = NULL;
     if (!thud_scan_word(&at, "structures.") || !thud_scan_count(&at, &s) || strcmp(at, ".kind") != 0 || s < 1 ||
-        s > next->nstructures || !building || thud_kind_is_building(next->structure[s - 1].kind) ||
-        (past = malloc(sizeof *past)) == NULL)
+        s > next->nstructures || !building || thud_kind_is_building(next->structure[s - 1].kind))
         return;
-    *past = *next;
-    while (!thud_kind_is_building(past->structure[s - 1].kind) && thud_undo_back(&undo, past))
+    struct thud_scene past = *next;
+    while (!thud_kind_is_building(past.structure[s - 1].kind) && thud_undo_back(&undo, &past))
         ;
-    if (s <= past->nstructures && thud_kind_is_building(past->structure[s - 1].kind) &&
-        strcmp(past->structure[s - 1].name, next->structure[s - 1].name) == 0)
-        next->structure[s - 1] = past->structure[s - 1];
-    free(past);
+    if (s <= past.nstructures && thud_kind_is_building(past.structure[s - 1].kind) &&
+        strcmp(past.structure[s - 1].name, next->structure[s - 1].name) == 0)
+        next->structure[s - 1] = past.structure[s - 1];
 }
 
 /* A kind that is read from a file may have its name behind it: "matrix k.csv". */

@@ -23,7 +23,7 @@ static int layout(struct thud_tui *tui, struct thud_rect area, struct thud_rect 
     pane[CHART] = (struct thud_rect){area.x + left, area.y, area.w - left, area.h};
     if (area.w < THUD_MOMENT_WIDE || area.h < THUD_MOMENT_TALL)
         return 2;
-    pane[FORM].h = area.h / 2 - 6;
+    pane[FORM].h = area.h < 48 ? area.h / 2 - 6 : 18; /* as many rows as a study says */
     pane[MOVE] = (struct thud_rect){area.x, area.y + pane[FORM].h, left, area.h - pane[FORM].h};
     return 3;
 }
