@@ -230,12 +230,13 @@ START_TEST(figures_are_called_by_what_tells_them_apart)
 }
 END_TEST
 
-/* With the button down on a number each column is a step, whether the cursor was there before or not; a text stays. */
+/* With the button down on a number each column is a step, whether the cursor was there before or not: one
+ * change, also by way of where it began. A text stays. */
 START_TEST(numbers_are_dragged)
 {
     static const char *const path[] = {"interfaces.1.bumper.thickness", "interfaces.1.contact.stiffness",
                                        "interfaces.1.gap-by-level"};
-    char keys[100], text[64], old[64];
+    char keys[200], text[64], old[64];
     fixture_keys(&f, "<Size 130x40>2");
     for (int i = 0; i < 3; i++)
         for (int again = 0; again < 2; again++) {
@@ -245,7 +246,8 @@ START_TEST(numbers_are_dragged)
             const int x = field->x + 1, y = field->y + 4; /* two lines above the pane, and its frame */
             const unsigned long revision = f.tui->doc.revision;
             ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], old, sizeof old, NULL), THUD_OK);
-            snprintf(keys, sizeof keys, "<Click %d,%d><Drag %d,%d><Drag %d,%d>", x, y, x + 1, y, x + 3, y);
+            snprintf(keys, sizeof keys, "<Click %d,%d><Drag %d,%d><Drag %d,%d><Drag %d,%d>", x, y, x + 1, y, x, y,
+                     x + 3, y);
             fixture_keys(&f, keys);
             ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], text, sizeof text, NULL), THUD_OK);
             if (i == 2) {
@@ -255,7 +257,7 @@ START_TEST(numbers_are_dragged)
             }
             const double from = strtod(old, NULL), step = pow(10, floor(log10(from) + 1e-9) - 1);
             ck_assert_double_eq_tol(strtod(text, NULL), from + 3 * step, 1e-9 * from);
-            fixture_keys(&f, "uu");
+            fixture_keys(&f, "u");
             ck_assert_int_eq(thud_scene_get(&f.tui->doc.scene, path[i], text, sizeof text, NULL), THUD_OK);
             ck_assert_str_eq(text, old);
         }

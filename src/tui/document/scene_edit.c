@@ -209,14 +209,20 @@ bool thud_tui_set(struct thud_tui *tui, const char *key, const char *text)
     return true;
 }
 
-/* The state that changes are compared with stays while the same value is stepped. */
+/* The state that changes are compared with stays while the same value is stepped; what the mouse drags with its button
+ * down is one change. */
 bool thud_tui_set_step(struct thud_tui *tui, const char *key, const char *text)
 {
     const bool more = strcmp(tui->run.stepped, key) == 0 && tui->run.stepped_to == tui->doc.revision;
-    if (!thud_tui_set(tui, key, text))
+    if (more && tui->dragging)
+        thud_doc_undo(&tui->doc);
+    const int before = tui->doc.undo.at;
+    if (!thud_tui_set(tui, key, text)) {
+        if (more && tui->dragging)
+            thud_doc_redo(&tui->doc);
         return false;
-    if (tui->run.stepped != key)
-        snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", key);
+    }
+    snprintf(tui->run.stepped, sizeof tui->run.stepped, "%s", tui->doc.undo.at > before ? key : "");
     tui->run.stepped_to = tui->doc.revision;
     tui->run.stepping = more;
     return true;

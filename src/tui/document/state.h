@@ -244,7 +244,7 @@ struct thud_tui {
     double reading[THUD_SCREENS + 1]; /* x of the cursor that reads a screen's chart; NaN: it is not there */
     struct thud_chart_window window[THUD_SCREENS + 1]; /* what is shown of it */
     int dragged_x;                                     /* the column where the mouse was, while its button is down */
-    bool grabbed;                                      /* the button went down on a field */
+    bool grabbed, dragging; /* the button went down on a field; the mouse moves with it down */
     bool mouse;
     int taken[THUD_ACTIONS +
               THUD_SCREENS]; /* how often an action was done, and a screen gone to: newcomers' next steps */

@@ -292,6 +292,7 @@ void thud_tui_click(struct thud_tui *tui)
     struct thud_rect at;
     tui->dragged_x = x;
     tui->grabbed = false;
+    tui->run.stepped[0] = '\0';
     if (tui->dialog.mode == THUD_MODE_CHOOSING) {
         if (thud_chooser_click(&tui->dialog.chooser, x, y))
             thud_tui_chosen(tui);
