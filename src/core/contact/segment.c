@@ -117,13 +117,14 @@ int thud_segment_terms(double angle, double least)
 double thud_segment_rate(const struct thud_state *state)
 {
     const struct thud_model *m = state->model;
-    double square = state->fastest_radps * state->fastest_radps, rate = 0;
+    double stiffer = state->fastest_radps * state->fastest_radps, softer = 0, rate = 0;
     for (int c = 0; c < m->nrows && !thud_state_is_free(state); c++)
         if (thud_row_by_branch(state, c)) {
-            square += fabs(thud_row_branch(state, c)->k_npm) * m->delassus[c * m->nrows + c];
+            const double k = thud_row_branch(state, c)->k_npm * m->delassus[c * m->nrows + c];
+            *(k > 0 ? &stiffer : &softer) += fabs(k);
             rate += fabs(thud_row_branch(state, c)->c_nspm) * m->delassus[c * m->nrows + c];
         }
-    return sqrt(square) + rate;
+    return sqrt(thud_larger(stiffer, softer)) + rate; /* of A - B, both of them stiffnesses, at most the larger one's */
 }
 
 /* Forces of order 0 of elastic storeys with a plastic drift: constant. */

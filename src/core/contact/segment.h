@@ -9,6 +9,8 @@
 #include "core/numerics/vec.h"
 
 enum { THUD_SEGMENT_TERMS = 24, THUD_SEGMENT_TERMS_LEAST = 10 }; /* coefficients of a polynomial */
+/* Longest piece times the fastest rate: what the terms leave out of it is below half of epsilon, 2.1^24/24!. */
+#define THUD_SEGMENT_ANGLE 2.1
 
 /* Modal state and what follows from it. */
 struct thud_motion {

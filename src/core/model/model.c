@@ -299,24 +299,20 @@ static void fill_floor(struct thud_model *m, int s, const struct thud_structure_
     m->dof_structure[p->first + i] = s;
 }
 
-/* A bound of the rates of free motion q'' + D q' + Omega^2 q = 0: the norm of its first-order system in (Omega q, q')
- * is at most (d + sqrt(d^2 + 4 omega^2))/2, where d is the norm of D. A dashpot on a light mass makes d, and with it
- * the rate of the motion, far larger than any omega. Modes that D does not couple have |rates| of omega (zeta < 1). */
+/* A bound of the rates r of free motion q'' + D q' + Omega^2 q = 0. Of a mode x of length 1, r^2 + (x.D x) r + x.Omega^2 x
+ * = 0: its two rates are complex, of size Omega at most, or real and at most x.D x, and so the norm of D, which is at most
+ * the fourth root of the sum of the squares of D^2. A dashpot on a light mass makes it far larger than any omega. Modes
+ * that D does not couple have |rates| of omega (zeta < 1). */
 double thud_model_fastest(const struct thud_model *m, int structure)
 {
     const struct thud_model_structure *p = &m->structure[structure];
-    double omega = p->modes > 0 ? m->omega[p->first_mode + p->modes - 1] : 0, squares = 0, row = 0;
-    for (int i = 0; p->damping && i < p->modes; i++) {
-        double sum = 0;
+    double omega = p->modes > 0 ? m->omega[p->first_mode + p->modes - 1] : 0, squares = 0;
+    for (int i = 0; p->damping && i < p->modes; i++)
         for (int j = 0; j < p->modes; j++) {
-            double x = p->damping[i * p->modes + j];
-            sum += fabs(x);
+            double x = thud_dot(p->modes, p->damping + i * p->modes, p->damping + j * p->modes);
             squares += x * x;
         }
-        row = fmax(row, sum);
-    }
-    double d = fmin(row, sqrt(squares)); /* each is a bound of the norm */
-    return d > 0 ? 0.5 * (d + sqrt(d * d + 4 * omega * omega)) : omega;
+    return fmax(omega, sqrt(sqrt(squares)));
 }
 
 /* m->structure[s] has its slices. */

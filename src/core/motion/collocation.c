@@ -28,9 +28,8 @@
 enum { NODES_MAX = THUD_NODES_MAX, POINTS_MAX = THUD_POINTS_MAX, CHECKS = POINTS_MAX - NODES_MAX, LEVELS = 48 };
 enum { ROW = NODES_MAX + 1 }; /* an even number */
 enum { NEWTON_MAX = 12, ITERATIONS_MAX = 12 };
-enum { PATIENCE = 16 };                  /* steps of one size before a longer one is tried */
-enum { REPEATS = 2 };                    /* shorter steps with no smaller error: it is rounding */
-static const double longest_angle = 1.8; /* a step times the fastest mode: the series' terms are enough for that */
+enum { PATIENCE = 16 };                        /* steps of one size before a longer one is tried */
+enum { REPEATS = 2 };                          /* shorter steps with no smaller error: it is rounding */
 static const double slowest_contraction = 0.3; /* of the Gauss-Seidel sweeps; slower ones are left to Newton's method */
 static const double stiff = 1;                 /* change of a force by the motion it makes in a step, over itself */
 static const double least_of_four = 3e-4;      /* tolerance at or above which four nodes are enough, as a rule */
@@ -261,7 +260,7 @@ static enum thud_status set_points(const struct thud_state *state, const struct 
 /* The longest step: an interval of the ground motion, or a part of one that a series is enough for. */
 static double longest_step(const struct thud_state *state)
 {
-    return state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / longest_angle));
+    return state->grid_dt_s / ceil(thud_larger(1, state->fastest_radps * state->grid_dt_s / THUD_SEGMENT_ANGLE));
 }
 
 enum thud_status thud_collocation_create(const struct thud_state *state, struct thud_collocation **out,

@@ -101,7 +101,7 @@ enum thud_status thud_free_vibration_create(const struct thud_state *state, cons
         f->model = m;
         f->n = m->nmodes;
         f->dt_s = state->grid_dt_s;
-        f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / 1.8);
+        f->pieces = 1 + (int)(state->fastest_radps * f->dt_s / THUD_SEGMENT_ANGLE);
         f->size = THUD_FREE_VIBRATION_BLOCK;
         f->nsystems = m->nsystems;
         if (like && thud_free_vibration_has_tables(like, f, state))
@@ -171,5 +171,6 @@ int thud_free_vibration_advance(struct thud_free_vibration *f, const struct thud
     f->size = intervals < tried                         ? SHORT_BLOCK
               : 2 * f->size < THUD_FREE_VIBRATION_BLOCK ? 2 * f->size
                                                         : THUD_FREE_VIBRATION_BLOCK;
+    f->ends = intervals + 1; /* nothing behind an event is read */
     return intervals;
 }

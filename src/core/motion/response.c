@@ -28,7 +28,7 @@
 enum { LEVELS = 48 };
 
 struct level {
-    thud_vec2 *load; /* (loads x n x nmodes x points) x_p and its rate */
+    thud_vec2 **load; /* (loads) of (n x nmodes x points): x_p and its rate; NULL: not yet made */
     thud_vec2 *
         *pair; /* (nrows x nrows) of a <= b: (points x n) R_ab and R'_ab; NULL: not yet made. R_ba is the same, as
                          stiffness and damping are symmetric (Betti and Maxwell) */
@@ -82,6 +82,8 @@ void thud_responses_free(struct thud_responses *x)
         for (int p = 0; level->pair && p < x->model->nrows * x->model->nrows; p++)
             free(level->pair[p]);
         free(level->pair);
+        for (int load = 0; level->load && load < x->loads; load++)
+            free(level->load[load]);
         free(level->load);
     }
     free(x->at_start);
@@ -111,26 +113,20 @@ static void fill_power(struct thud_responses *x, double h, const double *b, int 
     }
 }
 
-static bool fill_level(struct thud_responses *x, struct level *level, double h)
+static bool fill_load(struct thud_responses *x, thud_vec2 **out, int load, double h)
 {
-    const struct thud_model *m = x->model;
-    size_t n = (size_t)m->nmodes, nc = (size_t)m->nrows, size = (size_t)(x->n * x->points) * n;
-    level->pair = calloc(nc * nc + 1, sizeof *level->pair);
-    level->load = calloc((size_t)x->loads * size + 1, sizeof *level->load);
-    if (!level->pair || !level->load)
-        return false;
-    for (int load = 0; load < x->loads; load++)
-        for (int p = 0; p < x->n; p++)
-            fill_power(x, h, m->couples ? m->jacobian + (size_t)load * n : x->ones, p,
-                       level->load + (size_t)load * size + p * m->nmodes * x->points);
-    return true;
+    const int n = x->model->nmodes, size = n * x->points;
+    *out = calloc((size_t)(x->n * size), sizeof **out);
+    for (int p = 0; p < x->n && *out; p++)
+        fill_power(x, h, x->model->couples ? x->model->jacobian + load * n : x->ones, p, *out + p * size);
+    return *out != NULL;
 }
 
 /* Uncoupled modes, one table for all contacts, respond to a contact's force as much as its row has of them;
  * where damping couples them, each contact has its own table. */
-static const thud_vec2 *table_of(const struct thud_responses *x, const struct level *level, int c)
+static thud_vec2 **table_of(const struct thud_responses *x, const struct level *level, int c)
 {
-    return level->load + (x->model->couples ? c : 0) * x->n * x->points * x->model->nmodes;
+    return &level->load[x->model->couples ? c : 0];
 }
 
 /* Sums over the modes of a row's structures, by these weights, of modes at the points (nmodes x points): to what out
@@ -170,7 +166,7 @@ static bool fill_pair(struct thud_responses *x, const struct level *level, int a
 {
     const struct thud_model *m = x->model;
     const double *ga = m->jacobian + a * m->nmodes, *gb = m->jacobian + b * m->nmodes;
-    const thud_vec2 *table = table_of(x, level, b);
+    const thud_vec2 *table = *table_of(x, level, b);
     thud_vec2 *motion = *out = calloc((size_t)(x->points * x->n), sizeof *motion);
     for (int j = 0; j < m->nmodes; j++)
         x->rise[j] = m->couples ? -ga[j] : -ga[j] * gb[j];
@@ -188,11 +184,21 @@ enum thud_status thud_responses_make(struct thud_responses *x, int at, const int
                                      struct thud_error *err)
 {
     struct level *level = &x->level[at];
-    bool made = level->pair || fill_level(x, level, ldexp(x->h_top, -at));
+    const size_t rows = (size_t)x->model->nrows;
+    bool made = level->pair;
+    if (!made) {
+        level->pair = calloc(rows * rows + 1, sizeof *level->pair);
+        level->load = calloc(rows + 1, sizeof *level->load);
+        made = level->pair && level->load;
+    }
+    for (int b = 0; b < n && made; b++) {
+        thud_vec2 **load = table_of(x, level, contact[b]);
+        made = *load || fill_load(x, load, contact[b], ldexp(x->h_top, -at));
+    }
     for (int a = 0; a < n && made; a++)
         for (int b = 0; b < n && made; b++) {
             const int low = contact[a < b ? a : b], high = contact[a < b ? b : a];
-            thud_vec2 **pair = &level->pair[low * x->model->nrows + high];
+            thud_vec2 **pair = &level->pair[(size_t)low * rows + (size_t)high];
             made = *pair || fill_pair(x, level, low, high, pair);
             *out++ = *pair;
         }
@@ -222,7 +228,7 @@ static void find_loads(struct thud_responses *x, const struct thud_state *state,
 static void move_modes(struct thud_responses *x, const struct level *level, int c)
 {
     const int points = x->points, n = x->model->nmodes;
-    const thud_vec2 *table = table_of(x, level, c), *rising = table + n * points;
+    const thud_vec2 *table = *table_of(x, level, c), *rising = table + n * points;
     thud_vec2 *restrict out = x->unforced;
     for (int j = 0; j < n; j++) {
         const double start = x->at_start[j], rise = x->rise[j];
