@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/arena.h"
+#include "base/largest.h"
 #include "base/quantity.h"
 #include "core/model/modes.h"
 #include "core/numerics/lcp.h"
@@ -254,6 +255,21 @@ START_TEST(indices_past_their_arrays_are_seen)
 END_TEST
 #endif
 
+/* A NaN on either side stays one: what has been largest so far, or what comes next. */
+START_TEST(larger_and_smaller)
+{
+    static const double x[] = {-INFINITY, -1, -1e-300, 0, 1e-300, 2, INFINITY, NAN};
+    enum { N = sizeof x / sizeof *x };
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < N; k++) {
+            const double larger = thud_larger(x[i], x[k]), smaller = thud_smaller(x[i], x[k]);
+            const bool either = isnan(x[i]) || isnan(x[k]);
+            ck_assert(either ? isnan(larger) : larger == x[i > k ? i : k]);
+            ck_assert(either ? isnan(smaller) : smaller == x[i < k ? i : k]);
+        }
+}
+END_TEST
+
 Suite *thud_suite(void)
 {
     Suite *suite = suite_create("core parts");
@@ -267,6 +283,7 @@ Suite *thud_suite(void)
     tcase_add_test(tc, complementarity_of_dependent_rows);
     tcase_add_test(tc, complementarity_random);
     tcase_add_test(tc, pieces_of_a_block);
+    tcase_add_test(tc, larger_and_smaller);
 #if defined __SANITIZE_ADDRESS__
     tcase_add_test(tc, indices_past_their_arrays_are_seen);
 #endif

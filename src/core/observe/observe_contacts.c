@@ -2,13 +2,14 @@
 
 #include <math.h>
 
+#include "base/largest.h"
 #include "core/contact/contact.h"
 #include "core/numerics/poly.h"
 
 /* Raises the largest value of the impact that goes on, and with it that of the contact. */
 static void raise_to(struct thud_peak *peak, double *of_impact, double value, double time_s)
 {
-    *of_impact = fmax(*of_impact, value);
+    *of_impact = thud_larger(*of_impact, value);
     if (value > peak->value)
         *peak = (struct thud_peak){value, time_s};
 }
