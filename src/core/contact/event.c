@@ -199,8 +199,9 @@ static double guard_fires(struct view *v, const struct guard *guard, double s_en
     if (!v->d)
         v->d = thud_segment_read(v->state, v->seg, v->c);
     *order = line.suppressed;
-    for (int k = 0; k < n; k++)
-        p[k] = line.k * v->d[k] + (k + 1 < n ? line.c * (k + 1) / v->seg->h_s * v->d[k + 1] : 0);
+    for (int k = 0; k + 1 < n; k++)
+        p[k] = line.k * v->d[k] + line.c * (k + 1) / v->seg->h_s * v->d[k + 1];
+    p[n - 1] = line.k * v->d[n - 1];
     p[0] += line.f;
     if (guard->watched == FORCE || guard->watched == RATE)
         return crossing(v, &line, p, n, s_end, sign);

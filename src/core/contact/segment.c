@@ -412,25 +412,29 @@ void thud_segment_shorten(struct thud_segment *seg, int nmodes, int nrows, doubl
     forget(seg, nrows);
 }
 
-/* q and q' of two modes, or one, at s by Horner's scheme: x is the polynomial, v its derivative. */
-static inline void two_states(const struct thud_segment *seg, int nmodes, double s, int j, bool single, double *q,
-                              double *qd)
+/* q and q' of so many pairs of modes, or of one mode, at s by Horner's scheme: x is the polynomial, v its derivative. */
+static inline void pairs_at(const struct thud_segment *seg, int nmodes, double s, int j, const int pairs,
+                            const bool single, double *q, double *qd)
 {
-    thud_vec2 x = {0, 0}, v = {0, 0};
-    for (int k = seg->terms - 1; k >= 0; k--) {
-        v = v * s + x;
-        x = x * s + thud_vec2_some(seg->q + k * nmodes + j, single);
+    thud_vec2 x[2] = {0}, v[2] = {0};
+    for (int k = seg->terms - 1; k >= 0; k--)
+        for (int i = 0; i < pairs; i++) {
+            v[i] = v[i] * s + x[i];
+            x[i] = x[i] * s + thud_vec2_some(seg->q + k * nmodes + j + 2 * i, single);
+        }
+    for (int i = 0; i < pairs; i++) {
+        thud_vec2_put_some(x[i], q + j + 2 * i, single);
+        thud_vec2_put_some(v[i] / seg->h_s, qd + j + 2 * i, single);
     }
-    thud_vec2_put_some(x, q + j, single);
-    thud_vec2_put_some(v / seg->h_s, qd + j, single);
 }
 
 void thud_segment_state(const struct thud_segment *seg, int nmodes, double s, double *q, double *qd)
 {
-    for (int j = 0; j + 2 <= nmodes; j += 2)
-        two_states(seg, nmodes, s, j, false, q, qd);
-    if (nmodes % 2)
-        two_states(seg, nmodes, s, nmodes - 1, true, q, qd);
+    int j = 0;
+    for (; j + 4 <= nmodes; j += 4) /* two side by side, as each is a chain of products */
+        pairs_at(seg, nmodes, s, j, 2, false, q, qd);
+    for (; j < nmodes; j += 2)
+        pairs_at(seg, nmodes, s, j, 1, j + 1 == nmodes, q, qd);
 }
 
 /* What rounding may leave of the difference of two neighbours' terms of order k. A stepping method's higher terms are
