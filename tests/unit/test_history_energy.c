@@ -273,6 +273,33 @@ START_TEST(closed_contact_parts_what_it_took)
 }
 END_TEST
 
+/* The same cut where its force would pull: the body leaves at the speed it has there, and until d = 0 what the spring
+ * still holds would push another body back. It fades steadily; nothing is lost at a stroke. */
+START_TEST(released_contact_holds_what_it_has)
+{
+    const double m = 320e3, k = 2.5e9, v = 0.5, w = sqrt(k / m), zeta = 0.4, wd = w * sqrt(1 - zeta * zeta),
+                 release = acos(2 * zeta * zeta - 1) / wd, fade = v * exp(-zeta * w * release),
+                 d = fade * sin(wd * release) / wd,
+                 rate = fade * (cos(wd * release) - zeta * w / wd * sin(wd * release)), first = 0.5 * m * v * v;
+    ck_assert_double_eq_tol(d, -2 * zeta / w * rate, 1e-12);
+    const struct march_law law = march_law("kelvin-voigt-no-tension", "stiffness", k, "restitution",
+                                           exp(-acos(-1) * zeta / sqrt(1 - zeta * zeta)), "residual", 1.0, NULL);
+    struct thud_model *model = march_mass_and_wall(m, 0, 0, v, 0, &law);
+    for (int i = 0; i < 3; i++) {
+        const double part = i == 0 ? -1e-6 : i == 1 ? 1e-6 : 0.5; /* of the way back to d = 0 */
+        struct march a = march_run(model, NULL, "exact", 0, 1e-11, true, release - part * d / rate);
+        ck_assert_int_eq(a.status, THUD_OK);
+        const double stored = 0.5 * k * (1 - part) * (1 - part) * d * d, kinetic = 0.5 * m * rate * rate;
+        const struct thud_contact_result *c = &a.result->contact[0];
+        ck_assert_double_eq_tol(c->stored_j / stored, 1, 1e-8);
+        ck_assert_double_eq_tol(c->dissipated_j / first, (first - kinetic - stored) / first, 1e-8);
+        ck_assert_double_eq_tol(a.result->energy.contact_j, c->dissipated_j, 1e-12 * first);
+        march_free(&a);
+    }
+    thud_model_free(model);
+}
+END_TEST
+
 /* Resonance up and then down again, without damping: next to nothing of the work is left in the end, and the error is
  * still told as a part of the most that the structure ever held. */
 START_TEST(error_is_a_part_of_the_most_there_was)
@@ -427,6 +454,7 @@ Suite *thud_suite(void)
     tcase_add_test(tcase, rows_behind_a_fine_motion);
     tcase_add_test(tcase, closed_contact_holds_energy);
     tcase_add_test(tcase, closed_contact_parts_what_it_took);
+    tcase_add_test(tcase, released_contact_holds_what_it_has);
     tcase_add_test(tcase, a_ledger_that_does_not_balance_ends_the_run);
     tcase_add_test(tcase, ground_is_the_record);
     tcase_add_loop_test(tcase, error_is_a_part_of_the_most_there_was, 0, 2);

@@ -108,7 +108,7 @@ double thud_contact_stored(const struct thud_state *state, int c)
 {
     const struct thud_model_contact *p = &state->model->contact[c];
     const struct thud_contact_state *s = &state->contact[c];
-    if (!thud_contact_acts(s))
+    if (s->mode == THUD_OPEN)
         return 0;
     return thud_law_energy(p->law, &p->setup, &s->memory, s->phase, thud_contact_indentation(state, c));
 }

@@ -182,7 +182,7 @@ static const struct thud_column contacts[] = {
      .shown = {"last e", "real", 1, 7, 4, THUD_DIGITS_FIXED}},
     {CONTACT(peak.nominal_restitution, "nominal_restitution", "Nominal coefficient of restitution, as specified."),
      .shown = {"", "nominal", 1, 8, 3, THUD_DIGITS_FREE}},
-    {CONTACT(peak.stored_j, "stored_j", "Elastic energy stored at the end, J.")},
+    {CONTACT(peak.stored_j, "stored_j", "Elastic energy stored at the end, J, also while the force is cut at 0.")},
     {CONTACT(blow, "", ""), .only = THUD_ONLY_TEXT, .shown = {NULL, NULL, 0, 0, 0, THUD_DIGITS_WORD}}};
 const struct thud_schema thud_contact_schema = THUD_SCHEMA(
     "contacts", "In the list\n.Va contacts\nof\n.Pa result.json :\nevery pair of floors at one height.\n", contacts);
