@@ -175,6 +175,22 @@ START_TEST(esm_and_csmip)
 }
 END_TEST
 
+/* The name follows the line with the station's number, whatever lines a header lacks; samples are no name. */
+START_TEST(station_of_a_cut_csmip_header)
+{
+    char text[1200];
+    for (int named = 0; named < 2; named++) {
+        snprintf(text, sizeof text, "%s%s", named ? "STATION NO. 36456   35.908N\nPARKFIELD  FAULT ZONE 14\n" : "",
+                 csmip);
+        strcpy(choice.channel, "1");
+        ck_assert_int_eq(parse(text), THUD_OK);
+        ck_assert_str_eq(record->station, named ? "PARKFIELD FAULT ZONE 14" : "");
+        teardown();
+        record = NULL;
+    }
+}
+END_TEST
+
 static void geonet(char *text, size_t size, const char *samples)
 {
     snprintf(text, size,
@@ -426,6 +442,7 @@ Suite *thud_suite(void)
     tcase_add_test(all, at2_with_touching_fields);
     tcase_add_test(all, knet_counts_scale_and_lose_their_mean);
     tcase_add_test(all, esm_and_csmip);
+    tcase_add_test(all, station_of_a_cut_csmip_header);
     tcase_add_test(all, geonet_by_columns);
     tcase_add_test(all, smc_by_columns);
     tcase_add_test(all, cosmos_by_columns);

@@ -57,12 +57,14 @@ static enum thud_status read_csmip(const struct record_source *source, const str
     struct record_cursor cursor = record_start(source);
     struct record_line line;
     char number[16] = "", name[64] = "";
+    bool named = false; /* this line is the station's name: it follows `STATION NO.`, of any number in a cut header */
     enum thud_status status = THUD_OK;
     while (!status && record_next(&cursor, &line)) {
         if (line.number <= 3 && record_find(&line, "EARTHQUAKE"))
             record_copy(raw->event, sizeof raw->event, line.at, line.at + line.length);
-        if (line.number == 7)
+        if (named && !begins_block(&line))
             record_copy(raw->station, sizeof raw->station, line.at, line.at + line.length);
+        named = record_begins(&line, "STATION NO.") && !raw->station[0];
         read_name(&line, number, sizeof number, name, sizeof name);
         if (begins_block(&line))
             status = add_channel(&cursor, &line, number, name, &channels, err);
