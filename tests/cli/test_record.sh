@@ -189,8 +189,9 @@ is "a record stands with its peak" shows '^kobe-surrogate.csv .* 0.8210 g$'
 cp records/kobe-surrogate.csv "$tmp/folder/a-name-of-more-than-forty-four-signs-in-all-here-now.csv"
 is "a long name" gives 0 record list "$tmp/folder"
 is "moves the columns of all" [ "$(awk '/ CSV / { print index($0, " CSV ") }' "$tmp/out" | sort -u | wc -l)" -eq 1 ]
-is "prose is passed over" test "$(grep -c letter "$tmp/out")" -eq 0
+is "prose is named with the reason" shows '^letter.txt  *cannot be read: no accelerogram is recognized in it$'
 is "as JSON" gives 0 record list "$tmp/folder" --json
+is "prose has its reason" shows 'letter.txt", .*"error": "no accelerogram is recognized in it"'
 is "with what it needs" shows '"file": "[^"]*ramp.txt", "format": "", "needs": "dt",'
 is "a folder there is not is bad input" gives 3 record list "$tmp/nowhere"
 is "with its name" says "nowhere: No such file"

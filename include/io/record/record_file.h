@@ -23,8 +23,6 @@ void thud_record_formats(struct thud_text *out);
  * may never come, and more than THUD_RECORD_BYTES_MAX of text), THUD_MEMORY. */
 enum thud_status thud_record_text_read(const char *path, char **text, size_t *size, struct thud_error *err);
 
-/* Returns whether a text is of one of the formats, however damaged. */
-bool thud_record_is_recognized(const char *text, size_t size);
 /* Reads a record from memory, with `name` as its path. Errors: those of thud_record_file_read. */
 enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
                                    const struct thud_record_choice *choice, struct thud_record **out,

@@ -129,7 +129,7 @@ static void put_entry(struct listing *listing, const char *path, const char *nam
         thud_text_append(out, "%-*s needs --%s%s%s\n", listing->width, name, needs, *pair ? ", of " : "", pair);
 }
 
-/* Skips a file that is not a record; reports one that cannot be read. Errors: THUD_MEMORY. */
+/* With its reason where it cannot be read as a record. Errors: THUD_MEMORY. */
 static enum thud_status list_file(const char *path, const char *name, struct listing *listing,
                                   struct thud_error *failure)
 {
@@ -140,16 +140,12 @@ static enum thud_status list_file(const char *path, const char *name, struct lis
     size_t size;
     thud_record_treatment_init(&treatment);
     enum thud_status status = thud_record_text_read(path, &bytes, &size, &err);
-    bool is_record = true; /* one that cannot be opened, or is damaged, is shown */
     if (status == THUD_OK) {
         status = thud_record_parse(bytes, size, path, &treatment.choice, &record, &err);
-        is_record = status == THUD_OK || err.key[0] || thud_record_is_recognized(bytes, size);
         free(bytes);
     }
     if (status == THUD_MEMORY)
         return thud_error_set(failure, THUD_MEMORY, "out of memory");
-    if (!is_record)
-        return THUD_OK;
     char pair[1100] = "";
     struct thud_record *other = NULL;
     if (record)

@@ -263,12 +263,6 @@ static struct record_source source_of(const char *text, size_t size, const char 
     return source;
 }
 
-bool thud_record_is_recognized(const char *text, size_t size)
-{
-    const struct record_source source = source_of(text, size, "", 0);
-    return refuse_kind(&source, NULL) == THUD_OK && find_format(&source);
-}
-
 enum thud_status thud_record_parse(const char *text, size_t size, const char *name,
                                    const struct thud_record_choice *choice, struct thud_record **out,
                                    struct thud_error *err)
